@@ -145,7 +145,9 @@ def test_friction_that_cannot_be_is_told(change: tuple[str, str], problem: str) 
 def test_a_string_without_friction_is_as_it_was() -> None:
     plain = fb.System.from_text(HALF_TURN.replace(", friction: {drum: mu}", ""))
     assert plain.dry_friction == ()
-    assert [row.name for row in plain.held] == [row.name for row in fb.System.from_text(HALF_TURN).held]
+    assert [row.name for row in plain.constraint_rows] == [
+        row.name for row in fb.System.from_text(HALF_TURN).constraint_rows
+    ]
 
 
 # over a pulley that the rope grips, then over a rough peg: three stretches

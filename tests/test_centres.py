@@ -94,7 +94,7 @@ def test_kennedy_the_three_centres_of_three_bodies_lie_in_line(name: str) -> Non
 def test_a_pin_is_the_centre_of_the_bodies_it_joins(name: str) -> None:
     system, snapshot = posed(MECHANISMS[name])
     table = instant_centres(system, snapshot)
-    for row in system.held:
+    for row in system.constraint_rows:
         measure = row.measure
         if isinstance(measure, Displacement) and row.component == "x":
             first, second = measure.origin, measure.of

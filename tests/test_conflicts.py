@@ -49,7 +49,9 @@ def named(text: str) -> Conflict:
 def without(system: fb.System, name: str) -> fb.System:
     """The system without one of its conditions."""
     if name in system.connections:
-        return dataclasses.replace(system, held=tuple(row for row in system.held if row.connection != name))
+        return dataclasses.replace(
+            system, constraint_rows=tuple(row for row in system.constraint_rows if row.connection != name)
+        )
     if name in system.start:
         return dataclasses.replace(system, start={k: v for k, v in system.start.items() if k != name})
     what, _, body = name.partition(" of ")

@@ -383,7 +383,7 @@ def of_example(name: str) -> Conservation | None:
     contacts it is that of a system in one mode."""
     system = fb.System.load(FOLDER / f"{name}.yaml")
     is_slow = system.space and name not in ("spinning_top", "rolling_coin")
-    if is_slow or system.rows != system.held or name == "body_on_driven_roller" or slides(system):
+    if is_slow or system.rows != system.constraint_rows or name == "body_on_driven_roller" or slides(system):
         return None
     return conserved(system)
 

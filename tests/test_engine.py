@@ -57,7 +57,7 @@ def assert_alike(system: fb.System) -> None:
     scale = 1.0 + np.abs(snapshot.accelerations).max(initial=0.0)
     assert np.abs(reference.by_column(accelerations) - snapshot.accelerations).max(initial=0.0) < 1e-9 * scale
     largest = 1.0 + np.abs(multipliers).max(initial=0.0)
-    for k, row in enumerate(system.held):
+    for k, row in enumerate(system.constraint_rows):
         try:
             assert multipliers[k] == pytest.approx(snapshot.multiplier(row), abs=1e-8 * largest), row.name
         except fb.CannotAnswer:

@@ -61,7 +61,7 @@ def wrench(forces: Iterable[Force], n: int) -> tuple[Array, Array]:
 def rows_of(found: Instant) -> list[ConstraintRow]:
     system = found.snapshot.reference.system
     closed = closed_bounds(found.snapshot)
-    rows = [*system.held, *(bound.row for bound in system.bounds if bound.name in closed)]
+    rows = [*system.constraint_rows, *(bound.row for bound in system.bounds if bound.name in closed)]
     return rows + [rub.row for rub in system.dry_friction if not rub.of or rub.of in closed]
 
 

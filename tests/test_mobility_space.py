@@ -188,7 +188,7 @@ def test_every_minimal_set_is_minimal() -> None:
         reference = Reference(system)
         q = reference.assemble()
         for circuit in rank_at(reference, q).circuits:
-            others = [row.name for row in system.held if row.name not in circuit]
+            others = [row.name for row in system.constraint_rows if row.name not in circuit]
             assert rank_at(reference, q, without=others).rank == len(circuit) - 1
             for row in circuit:
                 fewer = rank_at(reference, q, without=[*others, row])
@@ -297,7 +297,7 @@ def test_a_shaft_in_two_bearings() -> None:
     found = examined(SHAFT)
     assert (found.gruebler.count, found.degrees_of_freedom, len(found.redundant)) == (-4, 1, 5)
     assert found.redundant[0] == ("left.x", "right.x")
-    assert set(found.indeterminate) == {row.name for row in System.from_text(SHAFT).held}
+    assert set(found.indeterminate) == {row.name for row in System.from_text(SHAFT).constraint_rows}
     assert "the axes of left and right are one line" in found.dependences[0].why
 
 
@@ -457,7 +457,7 @@ def test_exact_rank_of_a_random_mechanism_is_that_of_its_singular_values(seed: i
     system = _mechanism(np.random.default_rng(seed))
     found = mobility(system)
     reference = Reference(system)
-    J = scaled_rows(reference, reference.assemble(), system.held)
+    J = scaled_rows(reference, reference.assemble(), system.constraint_rows)
     singular = np.linalg.svd(J, compute_uv=False)
     assert found.rank.is_exact
     assert found.rank.rank == np.count_nonzero(singular > 1e-9 * singular.max()), f"seed {seed}"

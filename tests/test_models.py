@@ -295,7 +295,7 @@ def test_slopes_of_a_line_come_in_the_order_of_its_ends() -> None:
     system = fb.System.from_text(f"bodies:\n{bodies}\nconnections:\n{links}\n")
     model = Setup(system, 2).model
     # d|b - a| by b before that by a: as the difference of their places is written
-    orders = [[body for body, slot in model.gradient(row.measure) if slot == "x"] for row in system.held]
+    orders = [[body for body, slot in model.gradient(row.measure) if slot == "x"] for row in system.constraint_rows]
     assert orders == [[b, a] for a, b in itertools.pairwise(names)]
 
 

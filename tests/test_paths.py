@@ -273,7 +273,7 @@ def test_the_branch_of_a_flat_parallelogram_leads_onto_the_other_mode() -> None:
     for size in (1e-2, 1e-3):
         moved = point.q + size * unit
         g = reference.geometry(moved, np.zeros_like(moved), 0.0)
-        gaps.append(max(abs(reference.gap(row, g).value) for row in system.held))
+        gaps.append(max(abs(reference.gap(row, g).value) for row in system.constraint_rows))
     assert gaps[1] < 1.01e-2 * gaps[0]  # of the second order along a tangent
     there = reference.pose_near(point.q + 0.05 * unit)
     assert float(np.abs(there - point.q - 0.05 * unit).max()) < 0.01
@@ -378,7 +378,7 @@ def test_every_pose_of_a_path_holds_what_is_held() -> None:
     path = trace(reference, q, system.measures["theta"])
     for pose in path.poses:
         g = reference.geometry(pose, np.zeros_like(pose), 0.0)
-        assert max(abs(reference.gap(row, g).value) for row in system.held) < 1e-11
+        assert max(abs(reference.gap(row, g).value) for row in system.constraint_rows) < 1e-11
 
 
 def test_the_flap_of_a_six_bar_follows_from_two_triangles_after_each_other() -> None:

@@ -218,7 +218,7 @@ def assert_same_from_anywhere(systems: tuple[fb.System, fb.System], until: float
     other = spatial.run(until, tolerance=TOLERANCE, outputs=outputs, state=state)
     assert one.status is other.status, (one.message, other.message)
     assert_same_places(one, other)
-    rows = [s.system.held if s.bounded is None else s.system.rows for s in (flat, spatial)]
+    rows = [s.system.constraint_rows if s.bounded is None else s.system.rows for s in (flat, spatial)]
     assert_same_reactions(Rows.of(rows[0], one), Rows.of(rows[1], other))
 
 

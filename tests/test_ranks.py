@@ -45,15 +45,15 @@ def studied(system: fb.System) -> tuple[Rank, tuple[Dependence, ...]]:
     reference = Reference(system)
     q = reference.assemble()
     rank = rank_at(reference, q)
-    assert len(rank.rows) == len(system.held) == rank.rank + len(rank.circuits)
+    assert len(rank.rows) == len(system.constraint_rows) == rank.rank + len(rank.circuits)
     check_circuits(reference, rank)
     return rank, dependences(reference, q, rank)
 
 
 def check_circuits(reference: Reference, rank: Rank) -> None:
     """A circuit of k rows has rank k - 1, and so has what is left when any of its rows is left out."""
-    at = {row.name: k for k, row in enumerate(reference.system.held)}
-    J = scaled_rows(reference, np.array(rank.pose), reference.system.held)
+    at = {row.name: k for k, row in enumerate(reference.system.constraint_rows)}
+    J = scaled_rows(reference, np.array(rank.pose), reference.system.constraint_rows)
     for circuit in rank.circuits:
         rows = J[[at[name] for name in circuit]]
         assert np.linalg.matrix_rank(rows, tol=1e-7) == len(circuit) - 1
@@ -390,8 +390,10 @@ def test_linkages_of_two_hundred_bars_have_no_circuits(system: fb.System, expect
 
 def test_generic_model_shares_the_points_that_connections_share() -> None:
     generic = generic_model(parallelogram("60 deg", 1.0))
-    rows = {row.name: row for row in generic.system.held}
-    assert [row.name for row in generic.system.held] == [row.name for row in parallelogram("60 deg", 1.0).held]
+    rows = {row.name: row for row in generic.system.constraint_rows}
+    assert [row.name for row in generic.system.constraint_rows] == [
+        row.name for row in parallelogram("60 deg", 1.0).constraint_rows
+    ]
     crank = generic.system.bodies["left"]
     measure: Any = rows["D.x"].measure
     assert measure.origin.offset == crank.points["end"]

@@ -36,7 +36,7 @@ def start_of(text: str, **values: float) -> Snapshot:
 
 def reaction(s: Snapshot, name: str) -> float:
     """What people name positive, by the name of the row."""
-    row = next(row for row in s.reference.system.held if row.name == name)
+    row = next(row for row in s.reference.system.constraint_rows if row.name == name)
     return row.sign * s.multiplier(row)
 
 
@@ -371,7 +371,7 @@ def test_reactions_do_no_work_and_balance_every_body(text: str) -> None:
     held, pushed = np.zeros(n), np.zeros(n)
     for body in system.moving:
         columns = list(s.reference.columns(body.name))
-        for row in system.held:
+        for row in system.constraint_rows:
             held[columns] += s.multiplier(row) * np.array(s.gradient(row.measure, body.name))[: len(columns)]
         for push in system.applied_loads:
             pushed[columns] += s.law(push) * np.array(s.gradient(push.measure, body.name))[: len(columns)]
@@ -382,7 +382,7 @@ def test_reactions_do_no_work_and_balance_every_body(text: str) -> None:
 
 def test_the_ground_feels_the_opposite_of_what_all_bodies_feel() -> None:
     s = start_of(DOUBLE)
-    hinge = next(row for row in s.reference.system.held if row.name == "shoulder.x")
+    hinge = next(row for row in s.reference.system.constraint_rows if row.name == "shoulder.x")
     assert s.gradient(hinge.measure, GROUND)[:2] == pytest.approx((-1.0, 0.0))
     assert s.gradient(hinge.measure, "upper")[:2] == pytest.approx((1.0, 0.0))
     follower = NonholonomicForm(
@@ -483,7 +483,7 @@ def test_wandering_holds_what_is_held_and_changes_the_rest() -> None:
     s = start_of(SLIDER_CRANK)
     q, v = s.reference.wander(s.q, np.random.default_rng(3), 0.2)
     there = s.reference.snapshot(q, v)
-    for row in s.reference.system.held:
+    for row in s.reference.system.constraint_rows:
         assert there.value(row.measure) == pytest.approx(0, abs=1e-12)
         assert there.rate(row.measure) == pytest.approx(0, abs=1e-12)
     assert there.rate(measured(s, "phi")) != pytest.approx(s.rate(measured(s, "phi")))
@@ -574,7 +574,7 @@ def test_motions_keep_their_energy_and_their_constraints(text: str, until: float
     assert motion.times[-1] == pytest.approx(until, abs=1e-12)
     for now in motion.snapshots:
         assert energy(now) == pytest.approx(energy(s), abs=2e-8)
-        for row in s.reference.system.held:
+        for row in s.reference.system.constraint_rows:
             target = 0.0 if row.target is None else now.scalar(row.target)
             assert now.value(row.measure) == pytest.approx(target, abs=1e-10)
             assert now.rate(row.measure) == pytest.approx(0.0, abs=1e-10)

@@ -82,7 +82,7 @@ class Names:
         self.connections: Mapping[str, Joining] = {}
         self.broken: set[str] = set()  # what could not be read: told where it stands, and nowhere else
         self.is_cut_short = False  # a whole section of names could not be read
-        self.held: list[ConstraintRow] = []
+        self.constraint_rows: list[ConstraintRow] = []
         self.loads: dict[str, Dimension] = {}  # the dimension of what each load exerts
         self.applied_loads: list[
             AppliedLoad

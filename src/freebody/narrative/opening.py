@@ -26,7 +26,7 @@ def opening(context: Context) -> list[DerivationStage]:
         _system(context, script)
     with script.stage("stage.coordinates"):
         _symbols(context, script)
-    if context.system.held or not context.system.space:
+    if context.system.constraint_rows or not context.system.space:
         with script.stage("stage.freedoms", "hint.freedoms"):
             count_freedoms(context, script)
     context.next_number = script.next_number

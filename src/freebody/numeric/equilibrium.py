@@ -26,7 +26,7 @@ class RestSearch(RestFinder):
     def is_single(self) -> bool:
         """Whether one search must do: nothing is free, or velocities are bound more than positions, which makes
         every rest one of a family."""
-        rows = self.reference.system.held
+        rows = self.reference.system.constraint_rows
         return not len(self.balance(self.start).residual) or any(isinstance(r.measure, NonholonomicForm) for r in rows)
 
     def near_start(self) -> list[LoadBalance]:

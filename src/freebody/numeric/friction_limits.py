@@ -88,7 +88,7 @@ class Optimum:
 
 def rest_problem(reference: Reference, q: Array, dry_friction: Sequence[DryFriction]) -> RestProblem:
     """The reference's system at rest at q: its held rows (those that are unilateral cannot pull) and dry friction."""
-    held: Sequence[ConstraintRow] = reference.system.held
+    held: Sequence[ConstraintRow] = reference.system.constraint_rows
     rows = [*held, *(rub.row for rub in dry_friction)]
     n = len(q)
     g = reference.geometry(q, np.zeros(n), 0.0)

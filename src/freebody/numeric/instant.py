@@ -46,7 +46,7 @@ def dynamics(reference: NumericSystem, g: JetGeometry, cut: float | None = None)
     """Accelerations and multipliers. A motion runs through singular poses with a `cut`; without one,
     contradictions there are refused."""
     n, M = len(reference.masses), reference.masses
-    gaps = [reference.gap(row, g) for row in reference.system.held]
+    gaps = [reference.gap(row, g) for row in reference.system.constraint_rows]
     J = stack([gap.row(n) for gap in gaps], n)
     b = np.array([-gap.bias for gap in gaps])
     Q = forces(reference, g) + _gyroscopic(reference, g)
@@ -154,7 +154,7 @@ def _check_consistent(reference: NumericSystem, split: Split, gaps: Array, b: Ar
         raise CannotAnswer(
             Message(
                 "{what} cannot go on moving as it does: the connections contradict each other in this singular pose",
-                what=reference.system.held[k].name,
+                what=reference.system.constraint_rows[k].name,
             )
         )
 

@@ -93,7 +93,7 @@ class RestFinder:
 
     def _check_drivers(self) -> None:
         g = self.reference.geometry(self.start.q, np.zeros_like(self.start.q), 0.0, self.start.branches)
-        for row in self.reference.system.held:
+        for row in self.reference.system.constraint_rows:
             gap = self.reference.gap(row, g)
             if abs(gap.rate) > 1e-9 * max(self.reference.sizes.length, 1e-9):
                 raise CannotAnswer(
@@ -111,7 +111,7 @@ class RestFinder:
         reference, n = self.reference, len(pose.q)
         self._n_looks += 1
         g = self.geometry(pose)
-        J = stack([reference.gap(row, g).row(n) for row in reference.system.held], n)
+        J = stack([reference.gap(row, g).row(n) for row in reference.system.constraint_rows], n)
         loads = list(each_force(reference, g))
         D, Q = reference.sizes.small_moves, sum(loads, np.zeros(n))
         split = Split(J, D)
@@ -125,7 +125,7 @@ class RestFinder:
         def pull(q: Array) -> Array:
             self._n_looks += 1
             g = self.geometry(CountedPose(q, here.pose.branches))
-            rows = stack([reference.gap(row, g).row(n) for row in reference.system.held], n)
+            rows = stack([reference.gap(row, g).row(n) for row in reference.system.constraint_rows], n)
             return sum(each_force(reference, g), rows.T @ here.multipliers)
 
         K = np.zeros((N.shape[1], N.shape[1]))

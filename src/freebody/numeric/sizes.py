@@ -101,7 +101,7 @@ def typical_length(system: System, number: Callable[[Expr], float]) -> float:
     places += [body.start.at[1] for body in placed if body.start.at]
     lengths = [0.0, *(math.hypot(*map(number, place)) for place in places)]
     lengths += [abs(number(body.radius)) for body in moving if body.radius is not None]
-    for row in system.held:
+    for row in system.constraint_rows:
         if row.target is not None and row.measure.dimension == LENGTH and "t" not in free_symbols(row.target):
             lengths.append(abs(number(row.target)))
     return max(lengths) or 1.0

@@ -135,9 +135,9 @@ class SmallMotion:
         self.reference, self.at = reference, at
         n = len(at.q)
         g = at.geometry(reference, at.q, at.v)
-        gaps = [reference.gap(row, g) for row in reference.system.held]
+        gaps = [reference.gap(row, g) for row in reference.system.constraint_rows]
         J = stack([gap.row(n) for gap in gaps], n)
-        places = [not isinstance(row.measure, NonholonomicForm) for row in reference.system.held]
+        places = [not isinstance(row.measure, NonholonomicForm) for row in reference.system.constraint_rows]
         D = reference.sizes.small_moves
         self.split = Split(J, D)
         free_places = self.split.null if all(places) else Split(J[np.array(places, dtype=bool)], D).null
@@ -190,7 +190,7 @@ class SmallMotion:
         """Rates and accelerations of the gaps and of the coordinates, and the forces, at a0 and lambda0."""
         reference, n = self.reference, len(q)
         g = self.at.geometry(reference, q, v)
-        gaps = [reference.gap(row, g) for row in reference.system.held]
+        gaps = [reference.gap(row, g) for row in reference.system.constraint_rows]
         marks = [c.jet(reference, g, v) for c in self.positions]
         jets = [*gaps, *marks]
         push = forces(reference, g) - reference.masses * self._a
@@ -205,7 +205,7 @@ class SmallMotion:
     def _scale(self, g: JetGeometry) -> Array:
         """What the terms of `_parts` come to, by the kind of the term."""
         reference, n, unit = self.reference, len(self.at.q), self.reference.sizes.unit_moves
-        jets = [reference.gap(row, g) for row in reference.system.held]
+        jets = [reference.gap(row, g) for row in reference.system.constraint_rows]
         jets += [c.jet(reference, g, self.at.v) for c in self.positions]
         rows = np.abs(stack([jet.row(n) for jet in jets], n))
         rates = rows @ (np.abs(self.at.v) + unit)
@@ -230,7 +230,12 @@ class SmallMotion:
         return size * derivative(lambda s: f(moved(q, (s / size) * dq), v + (s / size) * dv), scale)
 
     def _disturb(self, scale: Array) -> None:
-        n_rows, n_z, n_u, n = len(self.reference.system.held), len(self.positions), len(self.speeds), len(self.at.q)
+        n_rows, n_z, n_u, n = (
+            len(self.reference.system.constraint_rows),
+            len(self.positions),
+            len(self.speeds),
+            len(self.at.q),
+        )
         which = [self.positions.index(c) for c in self.speeds]
         zero = np.zeros(n)
         dq, dv, dz = np.zeros((n, n_z + n_u)), np.zeros((n, n_z + n_u)), np.zeros((n_z, n_z + n_u))

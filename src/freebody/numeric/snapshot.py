@@ -86,14 +86,14 @@ class Snapshot:
 
     def place_of(self, row: ConstraintRow) -> int:
         """Where a row stands among the held ones. Raises CannotAnswer if it is not held."""
-        rows = self.reference.system.held
+        rows = self.reference.system.constraint_rows
         found = next((k for k, other in enumerate(rows) if other is row), None)
         if found is None and row not in rows:
             raise CannotAnswer(Message("{row} is not held in this system", row=row.name))
         return rows.index(row) if found is None else found
 
     def multiplier(self, row: ConstraintRow) -> float:
-        rows, k = self.reference.system.held, self.place_of(row)
+        rows, k = self.reference.system.constraint_rows, self.place_of(row)
         empty = self._dynamics.split.left_null
         if float(np.linalg.norm(empty[k])) > UNIQUE:
             shared = np.abs(empty @ empty[k]) > UNIQUE

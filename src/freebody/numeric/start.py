@@ -95,7 +95,7 @@ def _carried(reference: NumericSystem, extra: Wanted) -> set[str]:
         for body in system.moving
         if body.start == Start() and not body.chain and reference.masses[reference.columns(body.name)[0]] == 0.0
     } - said
-    rows = [reference.frame.columns.keys() & set(row.measure.bodies()) for row in system.held]
+    rows = [reference.frame.columns.keys() & set(row.measure.bodies()) for row in system.constraint_rows]
     found: set[str] = set()
     while True:
         ends = {name: set[str]().union(*(row for row in rows if name in row)) - found for name in light - found}
@@ -193,7 +193,7 @@ def _guided(reference: NumericSystem, described: Array) -> list[PoseEquation]:
     """What guides keep of an angle or of a place, at its value in a pose."""
     found: list[PoseEquation] = []
     g = reference.geometry(described, np.zeros_like(described), 0.0)
-    for row in reference.system.held:
+    for row in reference.system.constraint_rows:
         if row.target is not None or not isinstance(row.measure, Combination) or len(row.measure.terms) != 1:
             continue
         if isinstance(row.measure.terms[0][1], (Angle, Displacement)):
@@ -367,7 +367,7 @@ def wanted_rates(reference: NumericSystem, g: JetGeometry, extra: Wanted, with_s
     """Held measures keep up with their targets; then the rates of the model's start, unless an extra one
     replaces them, and the extra ones."""
     system = reference.system
-    for row in system.held:
+    for row in system.constraint_rows:
         yield row.name, reference.gap(row, g), 0.0
     given = {name: reference.number(expr) for name, expr in system.start_rates.items()}
     for name, rate in given.items() if with_start else ():

@@ -124,7 +124,10 @@ class NumericSystem:
     def noise(self, rng: np.random.Generator) -> Array:
         """(n,) normal deviates, drawn body by body in an order that neither the file nor units change: by how many rows
         hold them, by mass, then by name."""
-        n_rows = {b.name: sum(b.name in row.measure.bodies() for row in self.system.held) for b in self.system.moving}
+        n_rows = {
+            b.name: sum(b.name in row.measure.bodies() for row in self.system.constraint_rows)
+            for b in self.system.moving
+        }
 
         def rank(name: str) -> tuple[object, ...]:
             return -n_rows[name], float(f"{self.masses[self.columns(name)[0]]:.9g}"), natural(name)
@@ -152,13 +155,13 @@ class NumericSystem:
 
     def held_by_targets(self) -> list[PoseEquation]:
         """Equations of the held measures whose targets are known before the start pose is."""
-        return [_at_target(row) for row in self.system.held if _holds_a_place(row)]
+        return [_at_target(row) for row in self.system.constraint_rows if _holds_a_place(row)]
 
     def held_where(self, q: Array, t: float) -> list[PoseEquation]:
         """Equations of all held measures; those that keep a start value keep the one they have at q."""
         g = self.geometry(q, np.zeros_like(q), t)
         equations: list[PoseEquation] = []
-        for row in self.system.held:
+        for row in self.system.constraint_rows:
             if _holds_a_place(row):
                 equations.append(_at_target(row))
             elif not isinstance(row.measure, NonholonomicForm):
@@ -169,7 +172,7 @@ class NumericSystem:
     def split_at(self, q: Array, near: Mapping[Branch, float], t: float = 0.0) -> Split:
         """What the held measures determine at a pose, and what they leave free."""
         g = self.geometry(q, np.zeros_like(q), t, near)
-        rows = [self.gap(row, g).row(len(q)) for row in self.system.held]
+        rows = [self.gap(row, g).row(len(q)) for row in self.system.constraint_rows]
         return Split(stack(rows, len(q)), self.sizes.small_moves)
 
     # -- where measures count from ------------------------------------------------------------
@@ -177,7 +180,7 @@ class NumericSystem:
         """From this pose incremental measures count, and the angles of lines go on from here."""
         g = self.geometry(q, np.zeros_like(q), 0.0, branches)
         everything: list[tuple[str, Measure | NonholonomicForm]] = [
-            *((row.name, row.measure) for row in self.system.held),
+            *((row.name, row.measure) for row in self.system.constraint_rows),
             *((push.name, push.measure) for push in self.system.applied_loads),
             *((name, m) for push in self.system.applied_loads for name, m in push.measures),
             *self.system.measures.items(),

@@ -141,7 +141,7 @@ class _Steps:
         reference = self._reference
         fit = reference.placing.placed(q, self._equations, t, near.branches)
         g = reference.geometry(fit.q, v, t, fit.branches)
-        gaps = [reference.gap(row, g) for row in reference.system.held]
+        gaps = [reference.gap(row, g) for row in reference.system.constraint_rows]
         J = stack([gap.row(len(q)) for gap in gaps], len(q))
         v = v - Split(J, reference.sizes.small_moves, self._cut).least(np.array([gap.rate for gap in gaps]))
         return Snapshot(reference, reference.geometry(fit.q, v, t, fit.branches), fit.q, v, t)

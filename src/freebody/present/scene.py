@@ -197,7 +197,7 @@ class _Reader:
 
     def _shown(self) -> Iterator[Shown]:
         """Without strings that are slack in the mode of the system, and with rails that a particle cannot turn on."""
-        taut = {row.connection for row in self.system.held}
+        taut = {row.connection for row in self.system.constraint_rows}
         for glyph in self.system.glyphs:
             shown = in_numbers(glyph, self.places.place, self.places.heading, self.number)
             sign = shown.sign

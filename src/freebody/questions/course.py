@@ -211,7 +211,9 @@ def _connections(names: Names, name: str, path: Path) -> tuple[str, ...]:
     if name in names.connections:
         return (name,)
     if name in names.bodies:
-        return tuple(dict.fromkeys(row.connection for row in names.held if name in (*row.ends, *row.measure.bodies())))
+        return tuple(
+            dict.fromkeys(row.connection for row in names.constraint_rows if name in (*row.ends, *row.measure.bodies()))
+        )
     known = [*names.connections, *names.bodies]
     told = Message("there is no connection or body {name}.{hint}", name=name, hint=did_you_mean(name, known))
     names.unknown(name, told, *path)

@@ -67,7 +67,7 @@ questions: {it: power of weight}
         for push in system.applied_loads:
             if push.load == self.of:
                 total = total + state.law(push) * state.rate(push.measure)
-        for row in system.held:
+        for row in system.constraint_rows:
             if row.connection == self.of:
                 total = total + state.multiplier(row) * state.rate(row.measure)
         return total
@@ -107,7 +107,7 @@ questions: {it: work of weight until y = -5 m}
 def _load_force(names: Names, found: Found, path: Path) -> Quantity | None:
     of = str(found["of"])
     if of not in names.loads:
-        reactions = dict.fromkeys(row.reaction for row in names.held if row.connection == of)
+        reactions = dict.fromkeys(row.reaction for row in names.constraint_rows if row.connection == of)
         if of in names.connections and reactions:
             ways = "; ".join(f"{reaction} of {of}" for reaction in reactions)
             names.problem(Message("{of} is a connection; ask for: {ways}", of=of, ways=ways), *path)

@@ -147,7 +147,7 @@ questions: {it: reaction of rod on bob}
     def body(self, system: Described) -> str:
         """The body on which the force is asked: the one named, else the one that is not fixed, else the second that the
         connection names."""
-        rows = [row for row in system.held if row.connection == self.connection]
+        rows = [row for row in system.constraint_rows if row.connection == self.connection]
         bodies = list(dict.fromkeys(b for row in rows for b in row.measure.bodies()))
         if self.on is not None:
             if self.on not in bodies:
@@ -168,7 +168,7 @@ questions: {it: reaction of rod on bob}
     def value(self, system: Described, state: State[Any]) -> Any:
         """The sum of multiplier * gradient over the rows of the connection."""
         body = self.body(system)
-        rows = [row for row in system.held if row.connection == self.connection]
+        rows = [row for row in system.constraint_rows if row.connection == self.connection]
         if self.moment and self.about is None and not system.space:
             couples = [row for row in rows if row.reaction == "moment"]
             if couples:
@@ -277,7 +277,7 @@ def _multiplier(names: Names, found: Found, path: Path) -> Quantity | None:
             return None
     if not has_connection(names, of, path):
         return None
-    rows = [row for row in names.held if row.connection == of]
+    rows = [row for row in names.constraint_rows if row.connection == of]
     kinds = sorted({row.reaction for row in rows})
     if what not in kinds:
         names.problem(

@@ -214,7 +214,7 @@ def _reaction_range(names: Names, found: Found, path: Path) -> Quantity | None:
     of, what, at = found["of"], found["what"], found["at"]
     if not has_connection(names, of, path):
         return None
-    rows = [row for row in names.held if row.connection == of]
+    rows = [row for row in names.constraint_rows if row.connection == of]
     kinds = sorted({row.reaction for row in rows})
     if what not in kinds:
         names.problem(Message("{of} has no {what}.{hint}", of=of, what=what, hint=did_you_mean(what, kinds)), *path)

@@ -104,7 +104,9 @@ def equations_of_motion(system: System) -> Equations:
         from freebody.study.settled import settled
 
         return equations_of_motion(settled(system))
-    if not any(getattr(item.measure, "incremental", False) for item in (*system.held, *system.applied_loads)):
+    if not any(
+        getattr(item.measure, "incremental", False) for item in (*system.constraint_rows, *system.applied_loads)
+    ):
         # nothing counts from the start; without loops no numbers are needed either, but where nothing can be assembled
         with suppress(ZeroDivisionError):
             model = SymbolicModel(system, [])
@@ -115,7 +117,7 @@ def equations_of_motion(system: System) -> Equations:
 
 def _equations(system: System, model: SymbolicModel) -> Equations:
     state = SymbolicState(model)
-    rows = [row.measure for row in system.held if isinstance(row.measure, NonholonomicForm)]
+    rows = [row.measure for row in system.constraint_rows if isinstance(row.measure, NonholonomicForm)]
     velocity = [tidy(model.field.lowest_terms(state.raw_rate(measure))) for measure in rows]
     forcing = [model.field.lowest_terms(model.in_independent_speeds(f)) for f in model.dynamics.forcing]
     return Equations(

@@ -74,7 +74,7 @@ class InverseDynamics(Result):
 
     def unit(self, force: str) -> str:
         """The unit of a driving force: N, or N m for an angle."""
-        row = next((row for row in self.system.held if row.connection == force), None)
+        row = next((row for row in self.system.constraint_rows if row.connection == force), None)
         measure: Any = self.system.measures[force] if row is None else row.measure
         return "N m" if measure.dimension == DIMENSIONLESS else "N"
 
@@ -229,8 +229,8 @@ class _Follower:
             for c in self.courses
         ]
         self.rows = rows
-        self.extended = replace(system, held=(*system.held, *rows))
-        for row in system.held:
+        self.extended = replace(system, constraint_rows=(*system.constraint_rows, *rows))
+        for row in system.constraint_rows:
             if isinstance(row.measure, NonholonomicForm):
                 raise CannotAnswer(
                     Message(
@@ -296,7 +296,7 @@ class _Follower:
         begin = [driven.jet(g, row.measure, row.component).value for row in self.rows]
         goals = [g.scalar(row.target).value for row in self.rows if row.target is not None]
         ways = [b - x for b, x in zip(begin, goals, strict=True)]
-        ways += [driven.gap(row, g).value for row in self.system.held if row.target is not None]
+        ways += [driven.gap(row, g).value for row in self.system.constraint_rows if row.target is not None]
         far = max(map(abs, ways), default=0.0)
         n_parts = min(_N_STRIDES, 1 + int(far / (_STRIDE * max(1.0, self.free.sizes.length))))
         for part in range(1, n_parts + 1):
@@ -346,7 +346,7 @@ class _Follower:
         driven = self.at(t)
         g = driven.geometry(pose.q, np.zeros_like(pose.q), t, pose.branches)
         n = len(pose.q)
-        gaps = [driven.gap(row, g) for row in driven.system.held]
+        gaps = [driven.gap(row, g) for row in driven.system.constraint_rows]
         split = Split(stack([gap.row(n) for gap in gaps], n), driven.sizes.small_moves)
         if split.null.shape[1]:
             loose = moved_most(driven, g.of, split.null[:, 0])
@@ -362,7 +362,7 @@ class _Follower:
     def result(self) -> InverseDynamics:
         instants = list(self._follow())
         snapshots = [s for s, _split in instants]
-        rows, drivers = self.extended.held, self._drivers()
+        rows, drivers = self.extended.constraint_rows, self._drivers()
         multipliers = {
             row.name: np.array([_multiplier(s, split, k) for s, split in instants]) for k, row in enumerate(rows)
         }
@@ -372,7 +372,9 @@ class _Follower:
             name = row.component if row.connection == _CONNECTION else row.connection
             forces[name] = multipliers[row.name]
             powers[name] = forces[name] * np.array([s.rate(row.measure) for s in snapshots])
-        reactions = {row.name: row.sign * multipliers[row.name] for row in self.system.held if row not in drivers}
+        reactions = {
+            row.name: row.sign * multipliers[row.name] for row in self.system.constraint_rows if row not in drivers
+        }
         poses = {
             body.name: np.array([self.free.pose(s.q, body.name) for s in snapshots]) for body in self.system.moving
         }
@@ -396,14 +398,14 @@ class _Follower:
     def _drivers(self) -> list[ConstraintRow]:
         """The rows of the model's own drivers."""
         connections = self.system.connections
-        return [row for row in self.system.held if isinstance(connections.get(row.connection), Driver)]
+        return [row for row in self.system.constraint_rows if isinstance(connections.get(row.connection), Driver)]
 
 
 def _multiplier(s: Snapshot, split: Split, k: int) -> float:
     """Of the k-th held row; NaN where it is not unique."""
     if float(np.linalg.norm(split.left_null[k])) > UNIQUE:
         return float("nan")
-    return s.multiplier(s.reference.system.held[k])
+    return s.multiplier(s.reference.system.constraint_rows[k])
 
 
 def _at_best(what: str, fit: Fit) -> str:

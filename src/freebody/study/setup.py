@@ -164,7 +164,7 @@ class Setup:
         found: list[Condition] = []
         for x in self.model.samples.assumed:
             found += _open(state.here(self.model.express(x)), ">", Message("as at the start"))
-        for row in sorted(self.system.held, key=lambda row: row.name):
+        for row in sorted(self.system.constraint_rows, key=lambda row: row.name):
             if row.unilateral and with_contacts:
                 with suppress(CannotAnswer):
                     found += _open(row.sign * state.multiplier(row), ">=", closed(row.connection, row.reaction))
@@ -221,7 +221,7 @@ def rank_freedoms(snapshot: Snapshot) -> int:
     unit = reference.sizes.length
     rows = [
         reference.jet(snapshot.geometry, row.measure).row(n) / unit ** float(row.measure.dimension.length)
-        for row in reference.system.held
+        for row in reference.system.constraint_rows
     ]
     return Split(stack(rows, n), reference.sizes.small_moves).null.shape[1]
 

@@ -64,7 +64,7 @@ class RestEquations:
         self.field: Field = state.model.field
         self.system = state.model.system
         self.dry_friction = {rub.name: rub for rub in dry_friction}
-        self.rows = {row.name: row for row in (*self.system.held, *(rub.row for rub in dry_friction))}
+        self.rows = {row.name: row for row in (*self.system.constraint_rows, *(rub.row for rub in dry_friction))}
         # the load of friction that a force with two components makes has a column of its own
         self.sized = [rub.name for rub in dry_friction if len(rub.load) > 1]
         self.names = [*self.rows, *map(_size_of, self.sized)]

@@ -80,7 +80,7 @@ class CoordinateChoice:
         self._made_for: dict[str, tuple[int, ...]] = {}  # the unknowns that came with a measure, by its definition
         self.chosen = self._choose([])
         # what the first pass found out may make the second one simpler; which rows are redundant is told by the first
-        held = {row.name for row in self._system.held}  # what defines a line or a name of the user holds nothing
+        held = {row.name for row in self._system.constraint_rows}  # what defines a line or a name holds nothing
         redundant = [name for name in self.chosen.speeds.redundant if name in held]
         for found_out in (self._named_by_formula, self._constant_coordinates):
             equations = found_out()
@@ -100,7 +100,7 @@ class CoordinateChoice:
         root = self._lines.known_root(express)
         geometry = bodies.geometry(poses, tangents, root, self._samples.is_negative)
         configuration = Configuration(bodies, elimination, geometry)
-        speeds = Speeds(self._unknowns, elimination, self._system.held, configuration, self._samples)
+        speeds = Speeds(self._unknowns, elimination, self._system.constraint_rows, configuration, self._samples)
         return Chosen(tuple(extra), elimination, dropped, tangents, configuration, speeds)
 
     # -- equations ----------------------------------------------------------------------------
@@ -108,7 +108,7 @@ class CoordinateChoice:
         """What the held rows say in absolute coordinates, and the lines that they are written with."""
         self._lines.begin()
         found: list[RowEquation] = []
-        for row in self._system.held:
+        for row in self._system.constraint_rows:
             if isinstance(row.measure, NonholonomicForm) or row.name in self._bodies.rows_by_construction:
                 continue
             self._lines.made_for(row.connection, row.measure)

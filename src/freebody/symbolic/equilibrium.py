@@ -168,7 +168,7 @@ def _judged(model: SymbolicModel, at: dict[int, Ratio]) -> ClosedFormRest | None
     """The equilibrium with its conditions; None where there is none, for any parameters or at the first sample."""
     conditions = exists(at.values())
     state = SymbolicState(model, at | {c.speed: model.field.zero for c in model.coordinates})
-    for row in model.system.held:
+    for row in model.system.constraint_rows:
         if row.unilateral:
             try:
                 force = row.sign * state.multiplier(row)

@@ -136,7 +136,9 @@ class FirstIntegrals:
     def potential(self, values: dict[int, Ratio]) -> Ratio:
         """Minus the work function of all loads; each must be a function of its own measure."""
         state = SymbolicState(self.model, values)
-        if is_driven(self.model) or any(isinstance(row.measure, NonholonomicForm) for row in self.model.system.held):
+        if is_driven(self.model) or any(
+            isinstance(row.measure, NonholonomicForm) for row in self.model.system.constraint_rows
+        ):
             raise CannotAnswer(Message("a driver or a velocity constraint is at work, so energy is no first integral"))
         total = self.field.zero
         for push in self.model.system.applied_loads:
@@ -146,7 +148,10 @@ class FirstIntegrals:
 
 def is_driven(model: SymbolicModel) -> bool:
     """True where something is held at a function of time."""
-    return any(row.general is not None or (row.target is not None and _moves(row.target)) for row in model.system.held)
+    return any(
+        row.general is not None or (row.target is not None and _moves(row.target))
+        for row in model.system.constraint_rows
+    )
 
 
 def _moves(target: Expr) -> bool:

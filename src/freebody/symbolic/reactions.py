@@ -35,7 +35,7 @@ class Reactions:
         self._kinematics, self._loads, self._dynamics = kinematics, loads, dynamics
         self._samples = samples
         self.field = bodies.field
-        self._columns = {row.name: k for k, row in enumerate(system.held)}
+        self._columns = {row.name: k for k, row in enumerate(system.constraint_rows)}
 
     @cached_property
     def _solved(self) -> Solved:
@@ -56,7 +56,7 @@ class Reactions:
     def _slopes(self) -> dict[tuple[str, str], Row]:
         """J^T: what each multiplier contributes to each slot of a body."""
         found: dict[tuple[str, str], Row] = {}
-        for row in self._system.held:
+        for row in self._system.constraint_rows:
             for slot, slope in self._configuration.gradient(row.measure).items():
                 found.setdefault(slot, {})[self._columns[row.name]] = slope
         return found

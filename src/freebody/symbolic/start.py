@@ -100,7 +100,7 @@ def rates_by_velocities(
     for rate, wanted in model.start_speeds.wanted_rates(known_rates):
         rows.append(_row_of(f.follow(model.in_independent_speeds(rate) - wanted, at_start), speeds))
     solved = solve(f, rows, speeds, Ratio.is_zero)
-    is_driven = any(row.target is not None and free_symbols(row.target) for row in model.system.held)
+    is_driven = any(row.target is not None and free_symbols(row.target) for row in model.system.constraint_rows)
     moves = is_driven or any(RHS in row for row in rows)
     found: dict[int, Ratio] = {}
     # contradictory as they are written: rates that are given twice may agree in the pose of the start alone

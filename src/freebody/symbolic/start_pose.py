@@ -130,7 +130,7 @@ class StartPose:
         """What is held at values that are known before the start is."""
         g = self._geometry
         found: list[RowEquation] = []
-        for row in self._system.held:
+        for row in self._system.constraint_rows:
             if isinstance(row.measure, NonholonomicForm) or row.measure.incremental:
                 continue
             with suppress(CannotAnswer, ZeroDivisionError):

@@ -52,7 +52,7 @@ def _needs(model: SymbolicModel, measures: Iterable[Measure], with_loads: bool) 
     for expr in model.lengths:
         for x, relation in model.geometry.needs(expr, {}):
             yield x, relation, Message("geometry")
-    rows = [row.measure for row in model.system.held if not isinstance(row.measure, NonholonomicForm)]
+    rows = [row.measure for row in model.system.constraint_rows if not isinstance(row.measure, NonholonomicForm)]
     for measure in (*rows, *measures):
         yield from _of_measure(model, measure)
     for push in model.system.applied_loads if with_loads else ():

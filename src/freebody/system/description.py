@@ -38,7 +38,7 @@ class SystemDescription:
     about: str
     parameters: Mapping[str, Parameter]
     bodies: Mapping[str, RigidBody]
-    held: tuple[ConstraintRow, ...]
+    constraint_rows: tuple[ConstraintRow, ...]
     applied_loads: tuple[AppliedLoad, ...]
     measures: Mapping[str, Measure]
     offered: tuple[tuple[str, Measure], ...]
@@ -84,7 +84,7 @@ class SystemDescription:
 
     @cached_property
     def _rows(self) -> tuple[ConstraintRow, ...]:
-        return (*self.held, *(bound.row for bound in self.bounds), *(rub.row for rub in self.dry_friction))
+        return (*self.constraint_rows, *(bound.row for bound in self.bounds), *(rub.row for rub in self.dry_friction))
 
     @cached_property
     def glyphs(self) -> tuple[Shown[Point, Direction, Expr], ...]:
@@ -163,10 +163,10 @@ class SystemDescription:
         return isinstance(other, SystemDescription) and self._meaning() == other._meaning()
 
     def __hash__(self) -> int:
-        return hash((self.title, tuple(self.parameters), tuple(self.bodies), self.held, self.applied_loads))
+        return hash((self.title, tuple(self.parameters), tuple(self.bodies), self.constraint_rows, self.applied_loads))
 
     def _meaning(self) -> tuple[object, ...]:
-        described = (self.title, self.parameters, self.bodies, self.held, self.applied_loads, self.measures)
+        described = (self.title, self.parameters, self.bodies, self.constraint_rows, self.applied_loads, self.measures)
         bounded = (self.contacts, self.limits, self.brakes)
         return (*described, self.start, self.start_rates, self.questions, self.mode, bounded)
 

@@ -219,7 +219,7 @@ class _GenericReader:
         measures = self._measures()
         rows = [*self._rows(connections), *self._bounded_rows(connections)]
         self.source.refuse_problems()
-        wanted = {row.name for row in self.like.held}
+        wanted = {row.name for row in self.like.constraint_rows}
         held = tuple(row for row in rows if row.name in wanted)
         assembled = tuple(
             row for row in rows if not (isinstance(row.measure, NonholonomicForm) or row.measure.incremental)
@@ -230,7 +230,7 @@ class _GenericReader:
             self.like,
             parameters=names.parameters,
             bodies=names.bodies,
-            held=held,
+            constraint_rows=held,
             applied_loads=(),
             measures=measures,
             offered=(),
@@ -244,7 +244,7 @@ class _GenericReader:
 
     def _bounded_rows(self, connections: Mapping[str, Connection]) -> list[ConstraintRow]:
         """Rows of contacts, stops and dry friction that the system holds, as in one of its modes."""
-        wanted = {row.name for row in self.like.held}
+        wanted = {row.name for row in self.like.constraint_rows}
         contacts, limits, brakes = read_bounds(self.names, connections)
         bounds, dry_friction = list(limits), list(brakes)
         for pair in contacts:
@@ -276,7 +276,7 @@ class _GenericReader:
 
     def _as_called(self, name: str, made: list[ConstraintRow]) -> list[ConstraintRow]:
         """Rows with the names that the model has for them: those across an axis are called by where it points."""
-        known = [row for row in self.like.held if row.connection == name]
+        known = [row for row in self.like.constraint_rows if row.connection == name]
         if len(known) != len(made):
             return made
         return [replace(row, component=other.component) for row, other in zip(made, known, strict=True)]

@@ -39,7 +39,7 @@ class ContactMode:
 
 def ideal_bounds(system: System) -> tuple[ConstraintRow, ...]:
     """Rows of the connections that cannot pull: ideal strings and rolling contacts. They are closed at the start."""
-    return tuple(row for row in system.held if row.unilateral)
+    return tuple(row for row in system.constraint_rows if row.unilateral)
 
 
 def is_held_in(row: ConstraintRow, mode: ContactMode) -> bool:
@@ -71,7 +71,7 @@ def load_symbol(rub: DryFriction) -> str:
 def in_mode(system: System, mode: ContactMode) -> tuple[System, dict[str, DryFriction]]:
     """The system in one mode, without bounds or dry friction of its own, and the rubs whose load its symbols name."""
     states = mode.states
-    held = [row for row in system.held if is_held_in(row, mode)]
+    held = [row for row in system.constraint_rows if is_held_in(row, mode)]
     held += [bound.row for bound in system.bounds if bound.name in mode.closed]
     applied_loads = list(system.applied_loads)
     parameters = dict(system.parameters)
@@ -90,7 +90,7 @@ def in_mode(system: System, mode: ContactMode) -> tuple[System, dict[str, DryFri
             applied_loads.append(AppliedLoad("", rub.row.measure, law, rub.measures, load=rub.name))
     alone = replace(
         system,
-        held=tuple(held),
+        constraint_rows=tuple(held),
         applied_loads=tuple(applied_loads),
         parameters=parameters,
         contacts=(),
@@ -110,7 +110,7 @@ def depends_on_time(system: System) -> bool:
 
 
 def _over_time(system: System) -> Iterator[Expr]:
-    yield from (e for row in system.held for e in (row.target, row.general) if e is not None)
+    yield from (e for row in system.constraint_rows for e in (row.target, row.general) if e is not None)
     yield from (e for push in system.applied_loads for e in (push.law, push.general) if e is not None)
     yield from (e for rub in system.brakes for e in (rub.static, rub.kinetic))
 
@@ -127,7 +127,9 @@ def counted_from(system: System, instant: Expr) -> System:
 
     return replace(
         system,
-        held=tuple(replace(row, target=put(row.target), general=put(row.general)) for row in system.held),
+        constraint_rows=tuple(
+            replace(row, target=put(row.target), general=put(row.general)) for row in system.constraint_rows
+        ),
         applied_loads=tuple(
             replace(push, law=put_in(push.law), general=put(push.general)) for push in system.applied_loads
         ),

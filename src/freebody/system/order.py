@@ -35,13 +35,13 @@ def in_one_order(system: System) -> System:
     names = sorted((body.name for body in system.moving), key=natural)
     # what reads a single moving body leads to it from the ground; in what reads several, the ground is only what
     # directions are measured in
-    joined = [set(row.measure.bodies()) & set(names) for row in system.held]
+    joined = [set(row.measure.bodies()) & set(names) for row in system.constraint_rows]
     beside = {name: set[str]().union(*(ends for ends in joined if name in ends)) for name in names}
     on_ground = [name for name in names if {name} in joined]
     walk = {name: k for k, name in enumerate(_walk(names, beside, on_ground))}
     given = system.start.keys() | system.start_rates.keys()
 
-    n_rows = Counter(row.connection for row in system.held)
+    n_rows = Counter(row.connection for row in system.constraint_rows)
 
     def rank_of_body(name: str) -> tuple[object, ...]:
         if system.bodies[name].fixed:
@@ -57,7 +57,9 @@ def in_one_order(system: System) -> System:
         bodies=_sorted(system.bodies, rank_of_body),
         measures=_sorted(system.measures, rank_of_measure),
         offered=tuple(sorted(system.offered, key=lambda entry: natural(entry[0]))),
-        held=tuple(sorted(system.held, key=lambda row: (-n_rows[row.connection], natural(row.connection)))),
+        constraint_rows=tuple(
+            sorted(system.constraint_rows, key=lambda row: (-n_rows[row.connection], natural(row.connection)))
+        ),
         attitudes=tuple(sorted(system.attitudes, key=lambda attitude: natural(attitude.connection))),
         applied_loads=tuple(
             sorted(system.applied_loads, key=lambda push: (natural(push.load), natural(push.component)))

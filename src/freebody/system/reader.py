@@ -39,7 +39,7 @@ def read_system(document: Document, file: str | None) -> SystemDescription:
     contacts, limits, brakes = read_bounds(names, connections)
     start, rates = read_start(source, measures)
     mode = read_mode(source)
-    names.held = [*held, *rows_to_ask_for(contacts, limits, brakes)]
+    names.constraint_rows = [*held, *rows_to_ask_for(contacts, limits, brakes)]
     names.loads = {p.load: ENERGY / p.measure.dimension for p in applied_loads}
     questions = read_questions(names, source.data.get("questions"))
     place_ground_points(names)
@@ -49,7 +49,7 @@ def read_system(document: Document, file: str | None) -> SystemDescription:
         about=plain(str(source.data.get("about") or "")).strip(),
         parameters=names.parameters,
         bodies=names.bodies,
-        held=tuple(held),
+        constraint_rows=tuple(held),
         applied_loads=tuple(applied_loads),
         measures=measures,
         offered=tuple(offered),

@@ -107,7 +107,7 @@ def _setup(system: Description) -> Setup:
 
 def own_rows(system: Description) -> list[Any]:
     """The rows of the connection `it`."""
-    return [row for row in system.held if row.connection == "it"]
+    return [row for row in system.constraint_rows if row.connection == "it"]
 
 
 def _row_of(s: Snapshot, measure: object) -> Array:
@@ -195,7 +195,7 @@ def acceleration_is_the_finite_difference_of_the_rate_along_the_motion(kind: str
 def reactions_do_no_work_on_admissible_velocities(kind: str) -> None:
     """d'Alembert: the power of ideal reactions is zero, row by row, where nothing is driven."""
     s = somewhere(closed(kind))
-    for row in s.reference.system.held:
+    for row in s.reference.system.constraint_rows:
         if row.target is not None and "t" in str(row.target):
             continue
         terms = _row_of(s, row.measure) * s.multiplier(row) * s.v
@@ -291,7 +291,7 @@ def _gradient(s: Snapshot, measure: Any) -> Array:
 def free_bodies_accelerate_by_the_load_over_their_mass(kind: str) -> None:
     """Newton and Euler: M a = gradient * law, where nothing is held."""
     s = somewhere(loaded(kind))
-    if s.reference.system.held:
+    if s.reference.system.constraint_rows:
         return
     forces = np.zeros(len(s.q))
     for push in s.reference.system.applied_loads:

@@ -33,7 +33,7 @@ def tell_contacts(
 def _states(leg: PhaseSegment) -> list[Sentence]:
     """One sentence for every bound, ideal string and friction."""
     phase, found = leg.phase, list[Sentence]()
-    unilateral = [row for row in phase.base.held if row.unilateral]
+    unilateral = [row for row in phase.base.constraint_rows if row.unilateral]
     rubbing = {rub.of: phase.mode.states[name] for name, rub in phase.dry_friction.items() if name in phase.mode.states}
     for row in (*unilateral, *(bound.row for bound in phase.base.bounds)):
         args = {"connection": label(row.name)}
@@ -44,7 +44,7 @@ def _states(leg: PhaseSegment) -> list[Sentence]:
             if len(phase.base.bounds) < 3 or row.name in leg.starting:
                 found.append(Sentence("contact.open", args))
         elif row.name not in rubbing:
-            grips = any(h.needs and f"{h.connection}.{h.needs}" == row.name for h in phase.base.held)
+            grips = any(h.needs and f"{h.connection}.{h.needs}" == row.name for h in phase.base.constraint_rows)
             found.append(Sentence("contact.grips" if grips else "contact.touches", args))
     for name, state in phase.mode.states.items():
         rub = phase.dry_friction[name]

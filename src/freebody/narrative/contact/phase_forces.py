@@ -30,7 +30,7 @@ def newton_of_phase(phase: Phase, glossary: Glossary) -> Newton:
     """Derives accelerations, normal forces and frictions of one phase; no place of contact stands for another one."""
     laws = {law.rub.name: law for law in _laws(phase)}
     sliding = {name: law.rub.row for name, law in laws.items()}
-    rows = {**{row.name: row for row in phase.system.held}, **sliding}
+    rows = {**{row.name: row for row in phase.system.constraint_rows}, **sliding}
     acting = Acting(phase.model, names=phase.base, rows=rows, known=Known(laws, {}))
     for name, row in sliding.items():
         what = Sentence("symbol.reaction", {"reaction": "@reaction.friction", "connection": row.connection})

@@ -92,7 +92,7 @@ class _RestTelling:
         """What touches, with the laws that its forces obey, and whether equilibrium alone determines them."""
         found: list[Sentence] = []
         symbols = reaction_symbols(self.touching.system)
-        for row in self.touching.held.held:
+        for row in self.touching.held.constraint_rows:
             if row.unilateral:
                 symbol = Symbol(symbols[row.name].name)
                 key = "rest.taut" if row.reaction == "tension" else "rest.touches"

@@ -86,7 +86,7 @@ class _MistakeSearch:
         is_reaction = self.question.quantity.is_reaction
         if system.space or system.bounds or system.dry_friction or self.question.transition is not None:
             raise CannotAnswer(Message("factors are for systems in the plane that do not change"))
-        if is_reaction and len(system.held) > MOST_ROWS:
+        if is_reaction and len(system.constraint_rows) > MOST_ROWS:
             raise CannotAnswer(Message("too many reactions depend on each other"))
         marked = Marked(self.context.setup, with_speeds=not is_reaction)
         groups: list[tuple[str, ...]] = []

@@ -118,13 +118,13 @@ class Omissions:
     def _is_gripped(self, body: str) -> bool:
         """Whether a string that does not slip on the body would have the same tension on both sides without its
         inertia."""
-        rows = [r for r in self.system.held if r.reaction == "tension" and body in set(r.measure.bodies())]
+        rows = [r for r in self.system.constraint_rows if r.reaction == "tension" and body in set(r.measure.bodies())]
         return any(sum(r.connection == other.connection for r in rows) > 1 for other in rows)
 
     def _turns_about_a_point(self, body: str) -> bool:
         """Whether a pin on the ground holds the body."""
         joints = [c for c in self.system.connections if self.system.connections[c].kind in ("pin", "revolute")]
-        held = [row for row in self.system.held if row.connection in joints]
+        held = [row for row in self.system.constraint_rows if row.connection in joints]
         return any(body in set(row.measure.bodies()) and len(self._moving(row.measure.bodies())) == 1 for row in held)
 
     def _moving(self, names: Iterator[str]) -> set[str]:

@@ -64,7 +64,7 @@ class Acting:
         self.model = model
         self.system: System = model.system
         self.symbols = reaction_symbols(names or self.system)
-        held = {row.name: row for row in self.system.held}
+        held = {row.name: row for row in self.system.constraint_rows}
         self.rows: dict[str, ConstraintRow] = held if rows is None else dict(rows)
         self.known = known
         self.is_at_rest = here is not None

@@ -143,7 +143,7 @@ def _check(model: SymbolicModel, asked: Sequence[int], what: str) -> None:
                 what=what,
             )
         )
-    rows = model.system.held
+    rows = model.system.constraint_rows
     if any(isinstance(row.measure, NonholonomicForm) for row in rows):
         raise CannotAnswer(
             Message("a constraint on velocities is at work; {what} are written for holonomic systems here", what=what)

@@ -51,7 +51,7 @@ class FormalState(SymbolicState):
         """An element with reactions and accelerations replaced by what they are, where that is unique."""
         m, used = self.model, self.model.field.ingredients(x)
         values: dict[int, Ratio] = {}
-        for row in m.system.held:
+        for row in m.system.constraint_rows:
             reaction = self.acting.reactions.get(row.name)
             if reaction is not None and m.field.index(reaction) in used:
                 with suppress(CannotAnswer):

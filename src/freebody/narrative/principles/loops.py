@@ -38,7 +38,7 @@ def closed_loops(setup: Setup, script: Script, *, in_rates: bool = False, limit:
 def velocity_constraints(setup: Setup, script: Script, connections: Sequence[str] | None = None) -> list[int]:
     """What connections say of velocities, row by row; all connections, or some."""
     found: list[int] = []
-    for row in setup.system.held:
+    for row in setup.system.constraint_rows:
         wanted = connections is None or row.connection in connections
         if isinstance(row.measure, NonholonomicForm) and row.target is None and wanted:
             rate = setup.model.field.lowest_terms(setup.state.raw_rate(row.measure))

@@ -186,7 +186,7 @@ class PlanarPlaces:
 
     def _named_point(self, connection: str) -> str:
         """The name of the point that a pin holds."""
-        rows = [row for row in self.system.held if row.connection == connection]
+        rows = [row for row in self.system.constraint_rows if row.connection == connection]
         points = [
             p for row in rows if isinstance(row.measure, Displacement) for p in (row.measure.origin, row.measure.of)
         ]

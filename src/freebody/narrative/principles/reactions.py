@@ -61,7 +61,7 @@ def reader(name: str) -> Callable[[World], float]:
     """Reads the reaction of a row: its sign times its multiplier."""
 
     def read(world: World) -> float:
-        held = next(r for r in world.snapshot.reference.system.held if r.name == name)
+        held = next(r for r in world.snapshot.reference.system.constraint_rows if r.name == name)
         return held.sign * world.snapshot.multiplier(held)
 
     return read

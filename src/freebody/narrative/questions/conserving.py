@@ -231,7 +231,7 @@ class _ConservingTelling:
     def _touches(self, name: str, group: Group, balance: RateBalance) -> bool:
         """Whether a connection or load acts on the bodies that are meant, from outside."""
         moving = {b.name for b in self.system.moving}
-        rows = [row for row in self.system.held if row.connection == name]
+        rows = [row for row in self.system.constraint_rows if row.connection == name]
         for push in (p for p in self.system.applied_loads if p.load == name):
             touched = {b for b in push.measure.bodies() if b in moving}
             if any(is_among(b, group) for b in touched) and (

@@ -55,4 +55,4 @@ def _constraints(setup: Setup, script: Script, reason: str) -> None:
     """Where even the speeds have no short formula: what is solved instead."""
     script.say("unclosed.no_coordinates", reason=ready(reason))
     script.say("unclosed.bodies", n=sum(6 if setup.system.space else 3 for _b in setup.system.moving))
-    script.say("unclosed.rows", n=len(setup.system.held))
+    script.say("unclosed.rows", n=len(setup.system.constraint_rows))

@@ -112,7 +112,7 @@ class Angles:
     def _row_for(self, name: str) -> ConstraintRow | None:
         """The held row that binds an angle with the fewest others that are bound as well."""
         best: tuple[tuple[int, int], ConstraintRow] | None = None
-        for row in self.system.held:
+        for row in self.system.constraint_rows:
             if isinstance(row.measure, NonholonomicForm) or row.name in self.bodies.tree.rows:
                 continue
             try:

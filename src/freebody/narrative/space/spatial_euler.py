@@ -39,13 +39,16 @@ def turns_freely(context: Context, q: AngularVelocity) -> bool:
 def free_bodies(context: Context, group: Group) -> bool:
     """Whether all bodies that are meant are turned by angles that only formulas need: nothing is attached to them."""
     bodies = [b for b in context.system.moving if is_among(b.name, group)]
-    return all(b.turns and not b.chain and _is_free(context, b.name) for b in bodies) and not context.system.held
+    return (
+        all(b.turns and not b.chain and _is_free(context, b.name) for b in bodies)
+        and not context.system.constraint_rows
+    )
 
 
 def _is_free(context: Context, body: str) -> bool:
     model = context.setup.model
     turning = model.bodies.slots[model.bodies.n_places :]
-    for row in context.system.held:
+    for row in context.system.constraint_rows:
         if any(owner == body and slot in turning for owner, slot in model.gradient(row.measure)):
             return False
     return all(x.is_zero() for x in model.dynamics.inertias[body][6:])

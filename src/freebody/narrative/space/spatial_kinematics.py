@@ -130,7 +130,7 @@ class SpatialKinematics(Frames):
 
     def _bind(self) -> tuple[int, ...]:
         lines = closed_loops(self.setup, self.script, in_rates=True)
-        rolling = [row.connection for row in self.system.held if isinstance(row.measure, NonholonomicForm)]
+        rolling = [row.connection for row in self.system.constraint_rows if isinstance(row.measure, NonholonomicForm)]
         for connection in dict.fromkeys(rolling):
             lines += self._rolling(connection)
         return tuple(bound_speeds(self.setup, self.script, lines))

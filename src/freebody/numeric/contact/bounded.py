@@ -125,7 +125,7 @@ class Bounded:
         self._packing = packing = packed(numbers, watches, tracked)
         self.rows = system.rows
         places = {row.name: k for k, row in enumerate(self.rows)}
-        ideal = [UnilateralConstraint(row) for row in system.held if row.unilateral]
+        ideal = [UnilateralConstraint(row) for row in system.constraint_rows if row.unilateral]
         # in the order of their names: where several outcomes are alike, none in the file chooses one
         bounds = sorted([*ideal, *system.bounds], key=lambda bound: bound.name)
         dry_friction = sorted(enumerate(system.dry_friction), key=lambda numbered: numbered[1].name)
@@ -137,10 +137,12 @@ class Bounded:
             loads = tuple(places[name] for name in rub.load)
             packing.rub(rub, loads, self._load_sign(loads))
         self.written = ArrayBuilder(packing)
-        self.bilateral = tuple(k for k, row in enumerate(system.held) if not (row.unilateral or row.needs))
+        self.bilateral = tuple(k for k, row in enumerate(system.constraint_rows) if not (row.unilateral or row.needs))
         grips = {
             bound.name: tuple(
-                k for k, row in enumerate(system.held) if row.needs and f"{row.connection}.{row.needs}" == bound.name
+                k
+                for k, row in enumerate(system.constraint_rows)
+                if row.needs and f"{row.connection}.{row.needs}" == bound.name
             )
             for bound in ideal
         }

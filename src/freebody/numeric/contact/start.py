@@ -151,7 +151,7 @@ def _turning(reference: Reference, bounds: tuple[UnilateralConstraint, ...], clo
         body = system.bodies.get(next(iter(names)))
         if body is None or len(body.corners) < 3 or not (body.start.angle is None and body.start.turned is None):
             continue
-        rows = [row for row in system.held if not isinstance(system.connections.get(row.connection), Planar)]
+        rows = [row for row in system.constraint_rows if not isinstance(system.connections.get(row.connection), Planar)]
         if not any(body.name in row.measure.bodies() for row in rows):
             found[family] = body.name
     return found

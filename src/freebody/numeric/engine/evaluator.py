@@ -140,7 +140,7 @@ def packed(
 ) -> Packing:
     """The held rows and loads of a system, and what is watched."""
     packing = Packing(numbers)
-    for row in numbers.system.held:
+    for row in numbers.system.constraint_rows:
         packing.hold(row)
     for push in numbers.system.applied_loads:
         packing.push(push)

@@ -57,7 +57,7 @@ def independent_measures(reference: NumericSystem, q: Array) -> list[tuple[str, 
 
 def _free(reference: NumericSystem, q: Array) -> tuple[int, Callable[[Array], Array]]:
     """How many motions are left free, and the part of a gradient (by the sizes of the system) along them."""
-    rows = reference.system.held
+    rows = reference.system.constraint_rows
     if LARGE < len(rows) <= len(q):
         try:
             sparse = SparseRows(scaled_rows(reference, q, rows))

@@ -69,7 +69,7 @@ class Mechanism:
         self.name = reference.name_of(measures[0]).replace("the measure", "the input")
         self.without = f"without {', '.join(released)}" if released else "with all connections"
         _refuse(reference, released)
-        rows = [row for row in reference.system.held if not isinstance(row.measure, NonholonomicForm)]
+        rows = [row for row in reference.system.constraint_rows if not isinstance(row.measure, NonholonomicForm)]
         equations = zip(rows, reference.held_where(q, t), strict=True)
         self.equations = [equation for row, equation in equations if row.connection not in released]
         self.near = reference.geometry(q, np.zeros_like(q), t).angles
@@ -194,7 +194,7 @@ class Mechanism:
 
 
 def _refuse(reference: Reference, released: Sequence[str]) -> None:
-    held = reference.system.held
+    held = reference.system.constraint_rows
     names = list(dict.fromkeys(row.connection for row in held))
     for name in released:
         if name not in names:

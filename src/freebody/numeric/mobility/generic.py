@@ -137,7 +137,7 @@ class Framework:
 
     def rows_of(self, names: Iterable[str] | None) -> tuple[Sequence[ConstraintRow], Sequence[ConstraintRow]]:
         """The held rows of these names (None: all), and the rows that close where their connections are assembled."""
-        held = self.model.system.held
+        held = self.model.system.constraint_rows
         if names is None:
             return held, self.model.assembled
         wanted, known = set(names), {row.name for row in held}

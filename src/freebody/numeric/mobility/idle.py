@@ -31,7 +31,7 @@ def idle_motions(reference: Reference, q: Array, t: float = 0.0) -> dict[str, li
     found: dict[str, list[str]] = {}
     moving = reference.frame.columns
     for body in moving:
-        rows = [row for row in reference.system.held if body in set(row.measure.bodies())]
+        rows = [row for row in reference.system.constraint_rows if body in set(row.measure.bodies())]
         if len({other if other in moving else GROUND for row in rows for other in joined(row)}) > 2:
             alone = AloneInSpace if reference.system.space else _Alone
             motions = [*alone(reference, q, t, body, rows).motions()]

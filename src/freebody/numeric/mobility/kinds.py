@@ -64,10 +64,10 @@ class _Study:
         self.rows = rank.rows
         self.reference, self.q, self.t = reference, q, t
         self.why_not = ""  # other geometry could not be looked at
-        self.by_name = {row.name: row for row in reference.system.held}
+        self.by_name = {row.name: row for row in reference.system.constraint_rows}
         # drivers take part in circuits, but do not stop the mechanism from being seen in other poses
         kept = set(rank.rows)
-        mechanism = [row for row in reference.system.held if row.name in kept and not _is_driven(row)]
+        mechanism = [row for row in reference.system.constraint_rows if row.name in kept and not _is_driven(row)]
         self.around = Neighbourhood(reference, mechanism, q, t)
 
     @cached_property

@@ -132,7 +132,7 @@ class _ModeSearch:
     """The equations of one search."""
 
     def __init__(self, reference: NumericSystem, q: Array, fixed: Sequence[tuple[Measure, float]], t: float) -> None:
-        rates = [row.name for row in reference.system.held if isinstance(row.measure, NonholonomicForm)]
+        rates = [row.name for row in reference.system.constraint_rows if isinstance(row.measure, NonholonomicForm)]
         if rates:
             raise CannotAnswer(
                 Message(
@@ -264,7 +264,7 @@ def _by_turns(signs: Sequence[Mapping[str, int]]) -> list[str]:
 def _joints(reference: NumericSystem) -> list[_Joint]:
     """The connections that hold two points together."""
     pairs: dict[str, list[Displacement]] = {}
-    for row in reference.system.held:
+    for row in reference.system.constraint_rows:
         if isinstance(row.measure, Displacement) and row.measure.along.body == GROUND and row.component in ("x", "y"):
             pairs.setdefault(row.connection, []).append(row.measure)
     return [
@@ -333,7 +333,9 @@ def _open_or_crossed(
 
 def _four_bar(reference: NumericSystem, joints: Sequence[_Joint]) -> list[Point] | None:
     """The corners in their order, if four pins make one loop of four bodies and nothing else holds a place."""
-    others = {row.connection for row in reference.system.held if row.target is None} - {j.name for j in joints}
+    others = {row.connection for row in reference.system.constraint_rows if row.target is None} - {
+        j.name for j in joints
+    }
     fixed = {name for name, body in reference.system.bodies.items() if body.fixed} | {GROUND}
     ways = [tuple(GROUND if p.body in fixed else p.body for p in joint.points) for joint in joints]
     bodies = {body for way in ways for body in way}

@@ -114,7 +114,7 @@ def _pose(q: Iterable[Any]) -> tuple[float, ...]:
 
 def rows_without(reference: NumericSystem, without: Iterable[str]) -> list[ConstraintRow]:
     """The held rows but those of these names, or of connections of these names."""
-    held = reference.system.held
+    held = reference.system.constraint_rows
     known = {row.name for row in held} | {row.connection for row in held}
     for name in (left_out := tuple(dict.fromkeys(without))):
         if name not in known:
@@ -184,7 +184,7 @@ def _in_balls(
 
     Where only some rows are asked for, the pose is one in which the others hold too, if there is such a one."""
     why = ""
-    everything = reference.system.held
+    everything = reference.system.constraint_rows
     ways = [(bits, closing) for bits in (BITS, 2 * BITS) for closing in (everything, rows)]
     for bits, closing in ways if len(rows) < len(everything) else ways[::2]:
         with precision(bits):

@@ -33,7 +33,7 @@ Way = tuple[tuple[int, float], ...]  # fields and their senses, one after the ot
 def reachable_dimensions(reference: Reference, q: Array) -> int | None:
     """Dimensions of the poses that can be reached near q, by ways of up to ten pieces; None where there are too many
     freedoms, or a way cannot be followed."""
-    held = reference.system.held
+    held = reference.system.constraint_rows
     moves = reference.sizes.unit_moves
     null = Split(gradients(reference, q, held), moves).null / moves[:, None]
     n = int(null.shape[1])
@@ -93,7 +93,10 @@ class _ReachSearch:
         return q + time / 6.0 * (a + 2.0 * b + 2.0 * c + d)
 
     def _rate(self, q: Array, field: Array) -> Array:
-        null = Split(gradients(self.reference, q, self.reference.system.held), self.moves).null / self.moves[:, None]
+        null = (
+            Split(gradients(self.reference, q, self.reference.system.constraint_rows), self.moves).null
+            / self.moves[:, None]
+        )
         allowed = np.linalg.qr(null)[0]
         v: Array = self.moves * (allowed @ (allowed.T @ (field / self.moves)))
         return self.reference.frame.slope(q, v)

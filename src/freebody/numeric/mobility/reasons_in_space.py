@@ -42,7 +42,7 @@ class SpatialScene:
 
     @cached_property
     def rows(self) -> Mapping[str, Sequence[ConstraintRow]]:
-        held = self.reference.system.held
+        held = self.reference.system.constraint_rows
         return {name: [row for row in held if row.connection == name] for name in self.connections}
 
     def bodies(self, connection: str) -> list[str]:

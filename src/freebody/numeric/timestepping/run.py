@@ -351,9 +351,9 @@ class _Run:
     def _multipliers(self, held: Floats, keys: list[NDArray[np.intp]]) -> Floats:
         """(n_times, n_held) in the order of the model's held rows; zero for those that do not press."""
         system, s = self.scene.numbers.system, self.scene
-        found = np.zeros((len(held), len(system.held)))
+        found = np.zeros((len(held), len(system.constraint_rows)))
         joint = {row.name: k for k, row in enumerate(s.parts.joints)}
-        for k, row in enumerate(system.held):
+        for k, row in enumerate(system.constraint_rows):
             if row.name in joint:
                 found[:, k] = held[:, joint[row.name]]
         return found

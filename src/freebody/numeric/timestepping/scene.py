@@ -31,7 +31,7 @@ class ContactScene:
     def __init__(self, numbers: Numbers) -> None:
         system = numbers.system
         self.numbers = numbers
-        self.parts = SystemParts.of(system.held, system.limits, system.brakes)
+        self.parts = SystemParts.of(system.constraint_rows, system.limits, system.brakes)
         packing = Packing(numbers)
         packing.part_lent = KEPT
         self.parts.enter(packing)

@@ -287,7 +287,7 @@ class QuestionSolver:
         if q.is_of_state:
             judges_contacts = bool(self.system.applied_loads) or not is_kinematic(self.setup, q)
             conditions += at_instant(self.setup, self.question, state, with_contacts=judges_contacts)
-            if not judges_contacts and any(row.unilateral for row in self.system.held):
+            if not judges_contacts and any(row.unilateral for row in self.system.constraint_rows):
                 found.notes.append(Message("no load acts, so it is not judged whether contacts and strings hold"))
         else:
             conditions += as_written(self.setup, self.question, state)

@@ -74,7 +74,7 @@ class Draw:
     def _constants(self) -> dict[str, float]:
         """Start values of what is incremental."""
         constants: dict[str, float] = {}
-        for item in (*self.reference.system.held, *self.reference.system.applied_loads):
+        for item in (*self.reference.system.constraint_rows, *self.reference.system.applied_loads):
             measure: Any = item.measure
             if getattr(measure, "incremental", False):
                 constants[item.name] = self.reference.start_value(measure)

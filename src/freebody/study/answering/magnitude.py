@@ -59,7 +59,7 @@ def _force(seen: Snapshot) -> float:
     """[N] The largest of inertia, of the connections and of the loads; a moment by the size of the system."""
     sizes = seen.reference.sizes
     forces = [sizes.mass * _acceleration(seen)]
-    for row in seen.reference.system.held:
+    for row in seen.reference.system.constraint_rows:
         with suppress(CannotAnswer):
             forces.append(abs(seen.multiplier(row)) / _per_length(row.measure.dimension, sizes.length))
     for push in seen.reference.system.applied_loads:

@@ -81,7 +81,7 @@ def _in_whole(system: System, questions: Sequence[Question], setup: Setup | None
             return replace(_in_whole(system, (), setup), answers=tuple(refused(q, str(error)) for q in questions))
     if system.bounds or system.dry_friction:
         return _in_phases(system, questions)
-    lets_go = any(row.unilateral for row in system.held)  # ideal strings and rolling contacts do, if asked
+    lets_go = any(row.unilateral for row in system.constraint_rows)  # ideal strings and rolling contacts do, if asked
     if lets_go and any(q.transition is not None for q in questions):
         return _with_changes(system, questions, setup)
     setup = Setup(system) if setup is None else setup

@@ -84,7 +84,7 @@ def _lengths(system: System, number: Callable[[Expr], float]) -> Iterator[_Named
         mass, inertia = number(body.mass), number(body.inertia)
         if mass > 0.0 and inertia > 0.0:
             yield f"radius of gyration of {body.name}", math.sqrt(inertia / mass)
-    for row in system.held:
+    for row in system.constraint_rows:
         if row.target is not None and row.measure.dimension == LENGTH and "t" not in free_symbols(row.target):
             yield row.name, number(row.target)
     for p in system.parameters.values():

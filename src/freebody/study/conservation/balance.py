@@ -222,7 +222,7 @@ class RateBalance:
         for push in self.system.applied_loads:
             if push not in self.storing:
                 parts.append((f"power of {push.load}", self.state.law(push) * self.state.rate(push.measure)))
-        for row in self.system.held:
+        for row in self.system.constraint_rows:
             rate = self.state.rate(row.measure)
             if not rate.is_zero() and row.target is not None:
                 parts.append((f"power of {row.connection}", self.state.multiplier(row) * rate))
@@ -266,7 +266,7 @@ class RateBalance:
         """(load or connection, body, what it exerts on it); connections inside the group cancel and are left out."""
         for push in self.system.applied_loads:
             yield from self._acting(push.load, push.measure, self.state.law(push), group)
-        for row in self.system.held:
+        for row in self.system.constraint_rows:
             if self.reaches_outside(row, group):
                 yield from self._acting(row.connection, row.measure, self.state.multiplier(row), group)
 

@@ -332,7 +332,7 @@ class Judge:
             names |= free_symbols(body.mass) | free_symbols(body.inertia)
             if body.radius is not None:
                 names |= free_symbols(body.radius)
-        for row in self.system.held:
+        for row in self.system.constraint_rows:
             if row.target is not None and row.measure.dimension == LENGTH:
                 names |= free_symbols(row.target)
         return names

@@ -244,13 +244,14 @@ def _with_forms(system: System, forms: Mapping[str, Expr]) -> System:
     """The system with other functions of time."""
     others = {p.name: p.form for p in system.parameters.values() if p.form is not None} | dict(forms)
     held = tuple(
-        row if row.general is None else replace(row, target=substitute(row.general, others)) for row in system.held
+        row if row.general is None else replace(row, target=substitute(row.general, others))
+        for row in system.constraint_rows
     )
     applied_loads = tuple(
         push if push.general is None else replace(push, law=substitute(push.general, others))
         for push in system.applied_loads
     )
-    return replace(system, held=held, applied_loads=applied_loads)
+    return replace(system, constraint_rows=held, applied_loads=applied_loads)
 
 
 def _run(draw: Draw, seed: int) -> list[SimulatedRun]:

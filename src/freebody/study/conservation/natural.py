@@ -27,7 +27,9 @@ def candidates(setup: Setup) -> Iterator[tuple[Quantity, str]]:
     system, of what is not joined to the rest, and of single bodies; generalized momenta."""
     system, model = setup.system, setup.model
     yield Energy("total"), "total energy"
-    if not model.loops and any(row.target is not None and "t" in free_symbols(row.target) for row in system.held):
+    if not model.loops and any(
+        row.target is not None and "t" in free_symbols(row.target) for row in system.constraint_rows
+    ):
         yield JacobiIntegral(), "Jacobi integral"
     groups = list(_groups(system, with_single=not model.loops))
     yield from _momenta(system, *groups[0])
@@ -91,7 +93,7 @@ def _components(system: System) -> list[tuple[str, ...]]:
     """Moving bodies that connections join, the ground left out."""
     groups: list[set[str]] = [{b.name} for b in system.moving]
     moving = {b.name for b in system.moving}
-    for row in system.held:
+    for row in system.constraint_rows:
         joined = set(row.measure.bodies()) & moving
         touching = [g for g in groups if g & joined]
         if len(touching) > 1:
@@ -103,7 +105,7 @@ def _components(system: System) -> list[tuple[str, ...]]:
 def _centers(system: System, group: Group) -> Iterator[tuple[Any, str]]:
     """Points about which moments are natural: ground points, the mass centre, and joints of a single body."""
     stated = [
-        *(row.measure for row in system.held),
+        *(row.measure for row in system.constraint_rows),
         *(push.measure for push in system.applied_loads if not _is_weight(system, push)),
     ]
     used = {p for measure in (*stated, *system.measures.values()) for p in _points_of(measure)}

@@ -247,7 +247,7 @@ class Ends:
         eq, one = self.equations, self.field.one
         lines: list[Line] = []
         slips = dict(failure.slips)
-        for row in sorted(eq.system.held, key=lambda row: row.name):
+        for row in sorted(eq.system.constraint_rows, key=lambda row: row.name):
             if row.unilateral and row.name not in failure.opens:
                 what = closed(_label(row), row.reaction if row.reaction == "tension" else "normal force")
                 lines.append((self._put({eq.columns[row.name]: row.sign * one}, at_end, at), what))

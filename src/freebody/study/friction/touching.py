@@ -40,7 +40,7 @@ class TouchingAtRest:
     @property
     def rows(self) -> tuple[ConstraintRow, ...]:
         """Everything that transmits a force."""
-        return (*self.held.held, *(rub.row for rub in self.dry_friction))
+        return (*self.held.constraint_rows, *(rub.row for rub in self.dry_friction))
 
     def is_admissible(self, reference: Reference, q: Array) -> bool:
         """Whether nothing else penetrates in a pose, and what touches does so where it is meant to."""

@@ -85,7 +85,7 @@ def conflict(system: System, most_evaluations: int = MOST_EVALUATIONS) -> Confli
     if fit is None:
         return None
     search.work.grant(budget // 2)
-    alone = tuple(dict.fromkeys(row.connection for row in system.held if row.connection in search.equations))
+    alone = tuple(dict.fromkeys(row.connection for row in system.constraint_rows if row.connection in search.equations))
     geometric = search.try_some(alone, fit) if len(alone) < len(everything) else fit
     suspects, fit = (everything, fit) if geometric is None else (alone, geometric)
     suspects, fit = search.by_sensitivity(suspects, fit)
@@ -191,13 +191,13 @@ class _AssemblySearch:
         they speak of all, or if the bodies alone can fulfil them."""
         system = self.reference.system
         words = {name.partition(" of ")[2] for name in names}
-        rows = [row for row in system.held if row.connection in names]
+        rows = [row for row in system.constraint_rows if row.connection in names]
         measures = [m for name, m in system.measures.items() if name in names or f"start of {name}" in names]
         used = {b for item in (*(row.measure for row in rows), *measures) for b in item.bodies()}
         bodies = {k: b for k, b in system.bodies.items() if b.fixed or k in used or k in words}
         if len(bodies) == len(system.bodies):
             return self, miss
-        smaller = replace(system, bodies=bodies, held=tuple(rows), applied_loads=(), offered=())
+        smaller = replace(system, bodies=bodies, constraint_rows=tuple(rows), applied_loads=(), offered=())
         search = _AssemblySearch(smaller, self.work)
         search.equations = {name: search.equations[name] for name in names}
         search.is_complete = self.is_complete
@@ -249,7 +249,7 @@ def _conditions(reference: Reference) -> dict[str, list[PoseEquation]]:
     """The equations of the start by what the user calls them."""
     system = reference.system
     found: dict[str, list[PoseEquation]] = {}
-    connections = {row.name: row.connection for row in system.held}
+    connections = {row.name: row.connection for row in system.constraint_rows}
     for equation in reference.held_by_targets():
         found.setdefault(connections[equation.name], []).append(equation)
     for name, expr in system.start.items():

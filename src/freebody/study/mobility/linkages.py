@@ -133,7 +133,7 @@ class _Graph:
     def __init__(self, system: System) -> None:
         self.system = system
         self._rows: dict[str, list[ConstraintRow]] = {}
-        for row in system.held:
+        for row in system.constraint_rows:
             self._rows.setdefault(row.connection, []).append(row)
         self._group = {b.name: GROUND if b.fixed else b.name for b in system.bodies.values()}
         self.nodes: list[_Node] = []
@@ -298,7 +298,7 @@ def _slider_cranks(graph: _Graph) -> Iterator[SliderCrank]:
 
 def _turned(system: System) -> list[str]:
     """Bodies whose angle is driven, then those whose angle is in the start, then those that a torque turns."""
-    driven = [row.measure for row in system.held if row.target is not None]
+    driven = [row.measure for row in system.constraint_rows if row.target is not None]
     started = [system.measures[name] for name in system.start]
     pushed = [push.measure for push in system.applied_loads]
     angles = [_angle(measure) for measure in (*driven, *started, *pushed)]

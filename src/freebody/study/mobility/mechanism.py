@@ -148,7 +148,7 @@ def motions_of(
         found = replace(found, linkages=_in_numbers(system, reference, q))
     if free == 1 and len(system.moving) <= _MOST_LISTED:
         found = replace(found, **_at_pose(system, reference, q, drivers, given))
-    if given is None or any(isinstance(row.measure, NonholonomicForm) for row in system.held):
+    if given is None or any(isinstance(row.measure, NonholonomicForm) for row in system.constraint_rows):
         if along is not None:
             raise CannotAnswer(
                 Message(
@@ -191,7 +191,9 @@ def _at_pose(
     """Centres, in space screws, and ratios; with the drivers left out."""
     loose = system
     if drivers:
-        loose = replace(system, held=tuple(row for row in system.held if row.connection not in drivers))
+        loose = replace(
+            system, constraint_rows=tuple(row for row in system.constraint_rows if row.connection not in drivers)
+        )
         reference = Reference(loose, reference.frame.values)
         reference.assemble(guess=q)
     snapshot = reference.snapshot(q, 0.0 * q)
@@ -236,7 +238,7 @@ def _in_numbers(
 def _input_along(system: System, reference: Reference, q: Array, along: str, drivers: Sequence[str]) -> Input:
     """A driver, or a named measure; with it all drivers are left out that would hold the motion."""
     known: dict[str, Measure] = {}
-    for row in system.held:
+    for row in system.constraint_rows:
         if is_driven(row) and not isinstance(row.measure, NonholonomicForm):
             known[row.connection] = row.measure
     if along in known:
@@ -269,7 +271,9 @@ def _own_input(
     drivers: Sequence[str],
 ) -> Input | None:
     """The only driver, else the first independent coordinate."""
-    if len(drivers) == 1 and not any(isinstance(r.measure, NonholonomicForm) for r in system.held if is_driven(r)):
+    if len(drivers) == 1 and not any(
+        isinstance(r.measure, NonholonomicForm) for r in system.constraint_rows if is_driven(r)
+    ):
         return _input_along(system, reference, q, drivers[0], drivers)
     if drivers or not independent:
         return None
@@ -278,7 +282,7 @@ def _own_input(
 
 def _counts_turns(system: System) -> bool:
     """Whether turns of bodies are counted, by gears or strings: then a pose is not told by its angles alone."""
-    return any(isinstance(row.measure, Combination) and len(row.measure.terms) > 1 for row in system.held)
+    return any(isinstance(row.measure, Combination) and len(row.measure.terms) > 1 for row in system.constraint_rows)
 
 
 def _input(reference: Reference, q: Array, name: str, measure: Measure, released: Sequence[str]) -> Input:
@@ -301,7 +305,7 @@ def has_loops(system: System) -> bool:
         return body
 
     for name in system.connections:
-        rows = [row for row in system.held if row.connection == name and not is_driven(row)]
+        rows = [row for row in system.constraint_rows if row.connection == name and not is_driven(row)]
         bodies = list(dict.fromkeys(b for row in rows for b in row.measure.bodies()))
         moving = [b for b in bodies if not system.bodies[b].fixed]
         ends = moving if len(moving) > 1 else [*moving, "ground"]

@@ -170,7 +170,7 @@ def _at_pose(
     independent = independent_measures(reference, q)
     motions = motions_of(system, reference, q, count, nearby, independent, wanted) if basis == "pose" else None
     notes: list[str] = []
-    loose = [b.name for b in system.moving if all(b.name not in row.measure.bodies() for row in system.held)]
+    loose = [b.name for b in system.moving if all(b.name not in row.measure.bodies() for row in system.constraint_rows)]
     if loose:
         notes.append(Message("connected with nothing: {names}", names=in_turn(loose)))
     if count.drivers:
@@ -182,7 +182,7 @@ def _at_pose(
             notes.append(Message("without {names}: {n} degrees of freedom", names=without, n=free))
     if system.space and motions is not None and n_idle and nearby - n_idle == 1:
         notes.append(Message("the motion is not followed, since idle freedoms come with it"))
-    holds_rates = any(isinstance(row.measure, NonholonomicForm) for row in system.held)
+    holds_rates = any(isinstance(row.measure, NonholonomicForm) for row in system.constraint_rows)
     reachable = reachable_dimensions(reference, q) if holds_rates and not count.drivers else None
     over_driven = _over_driven(reference, q) if len(count.drivers) > 1 and rank.circuits else None
     if over_driven is not None:

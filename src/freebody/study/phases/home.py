@@ -64,7 +64,7 @@ class Home:
                 needed.append(
                     (self._gap(bound), ">=", Message("{contact} is open at the start", contact=bound.row.connection))
                 )
-        for row in [r for r in self.system.held if r.unilateral] + [b.row for b in self.system.bounds]:
+        for row in [r for r in self.system.constraint_rows if r.unilateral] + [b.row for b in self.system.bounds]:
             if row.name in touching and isinstance(row.measure, Distance) and row.target is not None:
                 target = self.home.model.geometry.scalar(row.target)  # a circle in a ring is the smaller one
                 needed.append((target, ">", Message("{string} fits", string=row.connection)))
@@ -83,7 +83,10 @@ class Home:
 
     def _constants(self) -> Iterator[tuple[str, Ratio]]:
         """Start values of the measures that are held where they are, by the symbols that stand for them."""
-        rows: list[ConstraintRow] = [*self.system.held, *(sticking_row(rub) for rub in self.system.dry_friction)]
+        rows: list[ConstraintRow] = [
+            *self.system.constraint_rows,
+            *(sticking_row(rub) for rub in self.system.dry_friction),
+        ]
         for row in rows:
             measure: Any = row.measure
             if getattr(measure, "incremental", False):

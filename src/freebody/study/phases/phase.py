@@ -235,7 +235,7 @@ class Phase:
         """Everything that stays positive while the phase lasts."""
         found: list[PhaseWatch] = []
         states = self.mode.states
-        for name in [row.name for row in self.base.held if row.unilateral] + list(self.bounds):
+        for name in [row.name for row in self.base.constraint_rows if row.unilateral] + list(self.bounds):
             if name in self.mode.closed:
                 found.append(PhaseWatch("opens", name, self.normal(self.rows[name])))
                 found += [PhaseWatch("edge ends", name, x) for x in self.spans(name)]
@@ -276,7 +276,7 @@ class Phase:
 
     def base_row(self, name: str) -> ConstraintRow:
         """A row of the system, or of its bounds, whether it is held now or not."""
-        return next(row for row in (*self.base.held, *(b.row for b in self.base.bounds)) if row.name == name)
+        return next(row for row in (*self.base.constraint_rows, *(b.row for b in self.base.bounds)) if row.name == name)
 
     def _nearness(self, row: ConstraintRow) -> Ratio:
         """A gap, or that of the squares of a distance and its limit: a polynomial where the distance is a root."""
@@ -303,4 +303,8 @@ def has_lines(system: System) -> bool:
 
 def without_rows(system: System, names: frozenset[str]) -> System:
     """Without rows that follow from the others."""
-    return replace(system, held=tuple(row for row in system.held if row.name not in names)) if names else system
+    return (
+        replace(system, constraint_rows=tuple(row for row in system.constraint_rows if row.name not in names))
+        if names
+        else system
+    )

@@ -53,7 +53,9 @@ def _wrench(quantity: Wrench, base: System, system: System, state: State[Any]) -
 def _power(quantity: Power, base: System, system: System, state: State[Any]) -> Any:
     if _is_contact(quantity.of, base):
         slides = [
-            r for r in system.held if r.connection == quantity.of and any(r is rub.row for rub in base.dry_friction)
+            r
+            for r in system.constraint_rows
+            if r.connection == quantity.of and any(r is rub.row for rub in base.dry_friction)
         ]
         powers = [state.law(p) * state.rate(p.measure) for p in _frictions(quantity.of, system)]
         powers += [state.multiplier(row) * state.rate(row.measure) for row in slides]  # as a simulation has them
@@ -83,7 +85,9 @@ def only_friction_takes_energy(system: System) -> bool:
     """Whether what friction turns into heat is what the mechanical energy loses: nothing is driven, and all other loads
     store what they take."""
     stores = all(system.loads[p.load].stores_energy for p in plain(system).applied_loads)
-    return stores and not any(row.target is not None and "t" in free_symbols(row.target) for row in system.held)
+    return stores and not any(
+        row.target is not None and "t" in free_symbols(row.target) for row in system.constraint_rows
+    )
 
 
 def reaction(row: str, less: Iterable[str], base: System, system: System, state: State[Any]) -> Any:
@@ -94,7 +98,7 @@ def reaction(row: str, less: Iterable[str], base: System, system: System, state:
 
 def _reaction(name: str, base: System, system: System, state: State[Any]) -> Any:
     row = next(row for row in base.rows if row.name == name)
-    for held in system.held:
+    for held in system.constraint_rows:
         if held.name == row.name:
             return row.sign * state.multiplier(held)
     for push in system.applied_loads:
@@ -109,7 +113,7 @@ def _force(quantity: Wrench, base: System, system: System, state: State[Any]) ->
         raise CannotAnswer(
             Message("the moment of a contact is asked by its forces; ask for its normal and friction force")
         )
-    rows = [row for row in system.held if row.connection == quantity.connection]
+    rows = [row for row in system.constraint_rows if row.connection == quantity.connection]
     touched = dict.fromkeys(b for r in base.rows if r.connection == quantity.connection for b in r.measure.bodies())
     moving = [b for b in touched if not base.bodies[b].fixed]
     body = quantity.on or moving[0]

@@ -161,7 +161,7 @@ class NumericMode:
     def watches(self) -> list[tuple[tuple[str, str, int], Watcher]]:
         """What must stay positive, by the event that its zero is."""
         found: list[tuple[tuple[str, str, int], Watcher]] = []
-        unilateral = [r.name for r in self.base.held if r.unilateral]
+        unilateral = [r.name for r in self.base.constraint_rows if r.unilateral]
         for name in [*unilateral, *self.bounds]:
             if name in self.mode.closed:
                 found.append((("opens", name, 0), lambda q, v, t, n=name: self.normal(n, q, v, t)))

@@ -27,11 +27,11 @@ _OCCURS = {
 def states(phase: Phase) -> dict[str, str]:
     """The state of every contact, stop, ideal string and dry friction, by the name that a user knows."""
     found: dict[str, str] = {}
-    rows = [row for row in phase.base.held if row.unilateral] + [b.row for b in phase.base.bounds]
+    rows = [row for row in phase.base.constraint_rows if row.unilateral] + [b.row for b in phase.base.bounds]
     for row in rows:
         closed, opened = _HELD.get(row.reaction, _CONTACT)
         found[label(row.name)] = closed if row.name in phase.mode.closed else opened
-    for row in phase.base.held:
+    for row in phase.base.constraint_rows:
         if row.needs and f"{row.connection}.{row.needs}" in phase.mode.closed:
             found[row.connection] = Message("rolls")
     slipping = {rub.of for rub in phase.base.dry_friction if rub.row.reaction != ROLLING}

@@ -117,7 +117,7 @@ class FreeBody:
         """What is held, and of what may touch or rub what is closed."""
         bounds = [bound.row for bound in self.system.bounds if bound.name in self.closed]
         dry_friction = [rub.row for rub in self.system.dry_friction if not rub.of or rub.of in self.closed]
-        return (*self.system.held, *bounds, *dry_friction)
+        return (*self.system.constraint_rows, *bounds, *dry_friction)
 
     def _is_internal(self, measure: Measure | NonholonomicForm) -> bool:
         others = set(measure.bodies()) - set(self.bodies)

@@ -57,8 +57,8 @@ def _knows_time(simulator: Simulator) -> bool:
     """Whether time itself is in a load, in what is held, or in a measure."""
     system = simulator.system
     said = [push.law for push in system.applied_loads]
-    said += [row.target for row in system.held if row.target is not None]
-    measures = [*(push.measure for push in system.applied_loads), *(row.measure for row in system.held)]
+    said += [row.target for row in system.constraint_rows if row.target is not None]
+    measures = [*(push.measure for push in system.applied_loads), *(row.measure for row in system.constraint_rows)]
     said += [measure.expression for measure in measures if isinstance(measure, Composed)]
     return any("t" in free_symbols(expr) for expr in said)
 

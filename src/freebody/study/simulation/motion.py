@@ -30,7 +30,7 @@ class SimulatedMotion:
     def rows(self) -> tuple[ConstraintRow, ...]:
         """The rows whose multipliers the course has: what is held, and what is bounded or rubs where single contacts
         are followed."""
-        return self.system.held if self.simulator.bounded is None else self.system.rows
+        return self.system.constraint_rows if self.simulator.bounded is None else self.system.rows
 
     @property
     def tolerance(self) -> float:

@@ -197,7 +197,7 @@ def _stepped(
 
 
 def _is_driven(system: System) -> bool:
-    return any(row.target is not None and "t" in free_symbols(row.target) for row in system.held)
+    return any(row.target is not None and "t" in free_symbols(row.target) for row in system.constraint_rows)
 
 
 def _last_state(result: Simulation) -> Array:

@@ -130,7 +130,9 @@ class Simulator:
 
 def has_phases(system: System) -> bool:
     """Whether a motion may change its law on the way: something can part, touch, stick or slip."""
-    return bool(system.contacts or system.limits or system.brakes) or any(row.unilateral for row in system.held)
+    return bool(system.contacts or system.limits or system.brakes) or any(
+        row.unilateral for row in system.constraint_rows
+    )
 
 
 def _watches(simulator: Simulator, events: Sequence[str]) -> list[EngineWatch]:

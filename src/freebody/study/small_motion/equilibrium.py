@@ -136,7 +136,7 @@ class _EquilibriumSearch:
                 reaction=row.reaction,
                 N=reactions[row.name],
             )
-            for row in system.held
+            for row in system.constraint_rows
             if row.unilateral and (reactions[row.name] or 0.0) < -ROUND_OFF * float(np.abs(b.forces).max(initial=0.0))
         ]
         neutral = tuple(dict.fromkeys(self._named_direction(b, x) for x in s.soft))
@@ -162,7 +162,7 @@ class _EquilibriumSearch:
         """Reactions by row, and the names of those that the loads do not determine."""
         empty = b.split.left_null
         found: dict[str, float | None] = {}
-        for k, row in enumerate(self.system.held):
+        for k, row in enumerate(self.system.constraint_rows):
             is_unique = float(np.linalg.norm(empty[k])) <= UNIQUE
             found[row.name] = row.sign * float(b.multipliers[k]) + 0.0 if is_unique else None
         return found, tuple(name for name, value in found.items() if value is None)
@@ -182,7 +182,7 @@ class _EquilibriumSearch:
         )
 
     def _notes(self) -> Iterator[Message]:
-        for row in self.system.held:
+        for row in self.system.constraint_rows:
             if isinstance(row.measure, NonholonomicForm):
                 yield Message(
                     "{connection} binds velocities only, so the system rests in other poses as well",
@@ -190,7 +190,7 @@ class _EquilibriumSearch:
                 )
         if self.dof == 0:
             yield Message("nothing can move (0 degrees of freedom): this is the one pose, with its reactions")
-        for row in self.system.held:
+        for row in self.system.constraint_rows:
             if row.target is not None and TIME in free_symbols(row.target):
                 yield Message("{connection} is held at its value at t = 0", connection=row.connection)
         for push in self.system.applied_loads:

@@ -119,7 +119,7 @@ class Equilibria(Result):
 
     def _reactions(self, rest: FoundEquilibrium) -> Iterator[str]:
         largest = max((abs(x) for x in rest.reactions.values() if x is not None), default=0.0)
-        for row in self.system.held:
+        for row in self.system.constraint_rows:
             value, what = rest.reactions[row.name], f"{row.name}: {row.reaction}"
             if value is None:
                 yield f"{what} is not unique"

@@ -297,7 +297,7 @@ def _push_of_parameter(small: SmallMotion, name: str) -> Array:
     def held(s: float) -> Array:
         other = with_value(value + s * unit)
         g = at.geometry(other, at.q, at.v)
-        gaps = [other.gap(row, g) for row in other.system.held]
+        gaps = [other.gap(row, g) for row in other.system.constraint_rows]
         return np.concatenate([[gap.value, gap.rate, *gap.row(n)] for gap in gaps]) if gaps else np.zeros(1)
 
     if np.abs(held(1e-3) - held(0.0)).max() > ROUNDED:

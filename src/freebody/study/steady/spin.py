@@ -70,7 +70,7 @@ def _check_moments(model: SymbolicModel, body: str) -> None:
                 "loads have a moment about the mass centre of {body}; ask for stability of steady motion", body=body
             )
         )
-    for row in model.system.held:
+    for row in model.system.constraint_rows:
         if any(owner == body and slot in turning for owner, slot in model.gradient(row.measure)):
             raise CannotAnswer(
                 Message(

@@ -132,5 +132,5 @@ def _with(push: AppliedLoad, exprs: Mapping[str, Expr], model: SymbolicModel) ->
 
 def named_rows(system: System) -> dict[str, ConstraintRow]:
     """Every row of a system by name, those of its bounds too."""
-    rows = {row.name: row for row in system.held}
+    rows = {row.name: row for row in system.constraint_rows}
     return rows | {bound.name: bound.row for bound in system.bounds}

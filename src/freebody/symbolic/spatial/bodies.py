@@ -90,7 +90,7 @@ class SpatialBodies(Bodies):
     def really_redundant(self, rows: list[str]) -> list[str]:
         """A chain with fewer than three named angles holds what joints hold that leave the body these angles alone."""
         kept = list(rows)
-        by_name = {row.name: row for row in self.system.held}
+        by_name = {row.name: row for row in self.system.constraint_rows}
         for body in self.system.moving:
             n_free = sum(bool(turn.name) for turn in body.chain)
             if not body.chain or n_free == 3:

@@ -103,7 +103,7 @@ class _Grower:
 
     def _n_rows(self, name: str) -> int:
         """How many rows hold a body to others that are placed already."""
-        joined = (set(row.measure.bodies()) for row in self.system.held)
+        joined = (set(row.measure.bodies()) for row in self.system.constraint_rows)
         return sum(name in bodies and bool(bodies & self.placed.keys() - {name}) for bodies in joined)
 
     def _new(self, a: Attitude, waiting: Sequence[str]) -> str | None:
