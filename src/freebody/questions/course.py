@@ -200,7 +200,7 @@ def read_transition(names: Names, text: str, path: Path) -> Transition | None:
             both = _connections(names, on, path)
             if both and not set(of) & set(both):
                 told = Message("{name} and {other} have no contact with each other", name=name, other=on)
-                names.problem(told, None, *path)
+                names.problem(told, *path)
             of = tuple(connection for connection in of if connection in both)
         return Transition(kind, of, text)
     return None
