@@ -262,6 +262,7 @@ def test_a_template_is_a_literal_where_a_message_is_made() -> None:
 
 # what the layers below the narrative tell users; errors of Python itself are for programmers
 BELOW = (
+    "budgets.py",
     "language",
     "measures",
     "model",
@@ -293,20 +294,36 @@ def is_plain(node: ast.AST, texts: dict[str, ast.AST]) -> bool:
             return False
 
 
+def plain_errors(tree: ast.Module) -> set[tuple[int, str]]:
+    """Calls that tell users something as a plain text, by their lines."""
+    found: set[tuple[int, str]] = set()
+    for scope in (n for n in ast.walk(tree) if isinstance(n, (ast.FunctionDef, ast.Module))):
+        assigned = (n for n in ast.walk(scope) if isinstance(n, ast.Assign) and isinstance(scope, ast.FunctionDef))
+        texts = {n.targets[0].id: n.value for n in assigned if isinstance(n.targets[0], ast.Name)}
+        for call in (n for n in ast.walk(scope) if isinstance(n, ast.Call)):
+            name = call.func.attr if isinstance(call.func, ast.Attribute) else getattr(call.func, "id", "")
+            if name in TELLING and any(is_plain(a, texts) for a in (*call.args, *(k.value for k in call.keywords))):
+                found.add((call.lineno, ast.unparse(call)[:80]))
+    return found
+
+
 def test_what_is_told_of_a_model_or_an_answer_is_a_message() -> None:
     """A plain English text in an error would have no words in another language, and no test would miss them."""
-    found: list[str] = []
-    for path, tree in trees():
-        if path.relative_to(SOURCES).parts[0] not in BELOW or path.name == "free_body.py":
-            continue
-        for scope in (n for n in ast.walk(tree) if isinstance(n, (ast.FunctionDef, ast.Module))):
-            assigned = (n for n in ast.walk(scope) if isinstance(n, ast.Assign) and isinstance(scope, ast.FunctionDef))
-            texts = {n.targets[0].id: n.value for n in assigned if isinstance(n.targets[0], ast.Name)}
-            for call in (n for n in ast.walk(scope) if isinstance(n, ast.Call)):
-                name = call.func.attr if isinstance(call.func, ast.Attribute) else getattr(call.func, "id", "")
-                if name in TELLING and any(is_plain(a, texts) for a in (*call.args, *(k.value for k in call.keywords))):
-                    found.append(f"{path.relative_to(SOURCES)}:{call.lineno}: {ast.unparse(call)[:80]}")
-    assert sorted(set(found)) == []
+    below = {path: tree for path, tree in trees() if path.relative_to(SOURCES).parts[0] in BELOW}
+    assert {path.relative_to(SOURCES): found for path, tree in below.items() if (found := plain_errors(tree))} == {}
+
+
+def test_a_plain_error_is_found_however_it_is_put_together() -> None:
+    source = """
+def read(names, name):
+    names.problem(f"no {name}")
+    names.problem(Message("no {name}", name=name), "at", name)
+    raise InputError("it is " + ("wrong" if name else "not right"))
+    why = f"{name} is wrong"
+    raise errors.CannotAnswer(why)
+    raise ValueError("a mistake of the program")
+"""
+    assert [line for line, _call in sorted(plain_errors(ast.parse(source)))] == [3, 5, 7]
 
 
 @pytest.mark.parametrize("language", LANGUAGES)

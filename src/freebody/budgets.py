@@ -14,6 +14,7 @@ from contextlib import contextmanager
 from contextvars import ContextVar, Token
 
 from freebody.errors import InputError
+from freebody.messages import Message
 
 _FACTOR: ContextVar[float] = ContextVar("effort", default=1.0)
 
@@ -32,7 +33,7 @@ def effort(factor: float) -> Generator[None]:
 def raise_effort(factor: float) -> Token[float]:
     """The same from here on, for a command. Raises InputError likewise."""
     if not (math.isfinite(factor) and factor > 0.0):
-        raise InputError(f"the effort is a positive number, 1 the ordinary one, not {factor:g}")
+        raise InputError(Message("the effort is a positive number, 1 the ordinary one, not {factor:g}", factor=factor))
     return _FACTOR.set(factor)
 
 

@@ -20,6 +20,7 @@ from freebody.errors import InputError
 from freebody.language.expression import (
     free_symbols,
 )
+from freebody.language.sentences import Message
 from freebody.loads.gravity import Gravity
 from freebody.measures.base import Measure
 from freebody.measures.geometry import GROUND
@@ -45,11 +46,11 @@ def checked_bodies(system: System, bodies: Sequence[str]) -> tuple[str, ...]:
     known = [name for name in system.bodies if name != GROUND]
     for body in bodies:
         if body == GROUND:
-            raise InputError(f"the ground cannot be cut free; take one of {', '.join(known)}")
+            raise InputError(Message("the ground cannot be cut free; take one of {known}", known=", ".join(known)))
         if body not in known:
-            raise InputError(f"there is no body {body}.{did_you_mean(body, known)}")
+            raise InputError(Message("there is no body {name}.{hint}", name=body, hint=did_you_mean(body, known)))
     if not bodies:
-        raise InputError(f"name the bodies to cut free: {', '.join(known)}")
+        raise InputError(Message("name the bodies to cut free: {known}", known=", ".join(known)))
     return tuple(dict.fromkeys(bodies))
 
 
