@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 import freebody as fb
-from conftest import assert_same_function
+from conftest import Agree, assert_same_function
 from freebody.language.notation import to_python
 
 CART = """
@@ -72,3 +72,26 @@ def test_what_textbooks_ask_for(model: str, question: str, expected: str) -> Non
 def test_a_velocity_that_is_given_is_no_assumption_where_another_is_left_open() -> None:
     assumptions = fb.solve(fb.System.from_text(STRUCK_ROD), "acceleration of th at start").assumptions
     assert not any("bullet" in text for text in assumptions)
+
+
+def test_a_block_that_is_put_upon_another_slides_on_it_there(agrees: Agree) -> None:
+    """Both are put at places: the guide between them is where these say, and turns neither of them."""
+    solution = fb.System.from_text("""
+parameters: {m1: 2 kg, m2: 5 kg, F: 40 N, mu: 0.4, g: 9.81 m/s^2}
+bodies:
+  upper: {rectangle: {mass: m1, width: 0.4 m, height: 0.2 m}, at: [0, 0.5 m]}
+  lower: {rectangle: {mass: m2, width: 1 m, height: 0.4 m}, at: [0, 0.2 m]}
+connections:
+  floor: {slider: {body: lower, along: right}}
+  between: {slider: {body: upper, on: lower, along: right, friction: mu}}
+loads:
+  weight: {gravity: g}
+  pull: {force: {at: lower, along: right, magnitude: F}}
+questions: [acceleration of upper, acceleration of lower, normal force of between]
+""").solve()
+    agrees(solution, "q1", ["mu*g", "0"])
+    agrees(solution, "q2", ["(F - mu*m1*g)/m2", "0"])
+    agrees(solution, "q3", "m1*g")
+    start = solution.system.simulate(0.01).dataset.isel(time=0)
+    assert start.body_angle.values == pytest.approx([0.0, 0.0], abs=1e-15)
+    assert start.body_position.sel(axis="y").values == pytest.approx([0.5, 0.2])

@@ -48,7 +48,8 @@ def guide(
 ) -> Guide:
     """A guide goes through the point that is named for it; one on the ground else through where the body is put
     (`at`); else through the line that it is named by; one on the ground else through where the body is said to be near,
-    else where a string leads the body along it, else through the origin; one on a body through its reference point.
+    else where a string leads the body along it, else through the origin; one on a body through where the other one is
+    put if both are, else through its reference point.
     keeps_angle: the body does not turn, so that its `at` is the place of all its points."""
     line = names.line(along, "along") if isinstance(along, str) else None
     direction = names.direction(along, "along", body=names.body(on, "on").name)
@@ -60,7 +61,9 @@ def guide(
         origin = line.through
         is_kept = direction.body == GROUND and _is_put(names, point, keeps_angle=keeps_angle)
     elif direction.body != GROUND:
-        origin = names.known(direction.body).point()
+        base = names.known(direction.body)
+        origin = base.point()
+        is_kept = base.start.at is not None and _is_put(names, point, keeps_angle=keeps_angle)
     elif start.at is not None or start.near is not None:
         is_kept = True
     else:
