@@ -7,6 +7,7 @@ import shutil
 import subprocess
 import xml.etree.ElementTree as ET
 from collections.abc import Iterable
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -68,6 +69,11 @@ def rows_of(found: Instant) -> list[ConstraintRow]:
 def pictures(system: System) -> list[Picture]:
     """The whole, and every body cut free."""
     return [picture(system), *(free_body(system, body.name) for body in system.moving)]
+
+
+@cache
+def pictures_of(path: Path) -> list[Picture]:
+    return pictures(System.load(path))
 
 
 # -- what arrows mean -------------------------------------------------------------------------
@@ -257,7 +263,7 @@ def test_a_spring_of_length_0_pulls_at_nothing_where_its_ends_meet() -> None:
 # -- words ------------------------------------------------------------------------------------
 @each_example
 def test_no_two_words_overlap_and_all_are_in_the_picture(path: Path) -> None:
-    for made in pictures(System.load(path)):
+    for made in pictures_of(path):
         low, high = made.corners
         for k, word in enumerate(made.words):
             assert (word.at - word.half > low).all()
@@ -270,8 +276,8 @@ def test_no_two_words_overlap_and_all_are_in_the_picture(path: Path) -> None:
 def test_every_force_of_a_free_body_has_its_symbol(path: Path) -> None:
     system = System.load(path)
     found = start_of(system)
-    for body in system.moving:
-        texts = [word.label.text for word in free_body(system, body.name).words]
+    for body, made in zip(system.moving, pictures_of(path)[1:], strict=True):
+        texts = [word.label.text for word in made.words]
         for force in cut(found, body.name):
             assert force.label.text in texts
 
@@ -292,7 +298,7 @@ def test_gears_have_dash_dotted_pitch_circles() -> None:
 @each_example
 def test_an_svg_is_well_formed_and_says_what_it_shows(path: Path) -> None:
     system = System.load(path)
-    for made in pictures(system)[:2]:
+    for made in pictures_of(path)[:2]:
         root = ET.fromstring(made.svg())
         title, desc = root.find(f"{SVG}title"), root.find(f"{SVG}desc")
         assert title is not None
@@ -301,7 +307,7 @@ def test_an_svg_is_well_formed_and_says_what_it_shows(path: Path) -> None:
         assert (desc.text or "").endswith(".")
         assert root.get("role") == "img"
         assert root.get("aria-labelledby") == f"{title.get('id')} {desc.get('id')}"
-    described = picture(system).description
+    described = pictures_of(path)[0].description
     assert all(body.name in described for body in system.moving)
 
 
@@ -330,7 +336,7 @@ def test_colours_follow_a_dark_page_and_are_light_without_style_sheets() -> None
 
 @each_example
 def test_braces_of_a_tikzpicture_are_balanced(path: Path) -> None:
-    text = picture(System.load(path)).tikz()
+    text = pictures_of(path)[0].tikz()
     plain = re.sub(r"\\[{}]", "", text)
     depth = np.cumsum([{"{": 1, "}": -1}.get(letter, 0) for letter in plain])
     assert depth.min() >= 0

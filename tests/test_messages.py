@@ -8,6 +8,7 @@ import json
 import pickle
 import re
 from collections.abc import Iterator
+from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
@@ -221,9 +222,38 @@ def test_a_message_without_words_of_a_language_is_english_around_its_parts() -> 
 
 
 # -- every key has every language -------------------------------------------------------------
+@dataclass(frozen=True)
+class Said:
+    """What a source file says to users, by the place where it says it; its tree is not kept, for it is large."""
+
+    templates: dict[str, str]  # of messages
+    hidden: tuple[str, ...]  # places where a message is made of no literal
+    plain: tuple[tuple[int, str], ...]  # errors without a template
+
+
 @cache
-def trees() -> tuple[tuple[Path, ast.Module], ...]:
-    return tuple((path, ast.parse(path.read_text("utf-8"))) for path in SOURCES.rglob("*.py"))
+def said() -> dict[Path, Said]:
+    found: dict[Path, Said] = {}
+    for file in SOURCES.rglob("*.py"):
+        path, text = file.relative_to(SOURCES), file.read_text("utf-8")
+        if not any(f"{word}(" in text for word in ("Message", "in_turn", "listed", *TELLING)):
+            continue
+        tree = ast.parse(text)
+        calls = [n for n in ast.walk(tree) if isinstance(n, ast.Call) and isinstance(n.func, ast.Name)]
+        made: dict[str, str] = {}
+        hidden: list[str] = []
+        for call in calls:
+            name, place = call.func.id, f"{path}:{call.lineno}"  # type: ignore[attr-defined]
+            if name == "Message":
+                texts = list(texts_in(call.args[0]))
+                made |= dict.fromkeys(texts, place)
+                if not texts and path.name != "messages.py":
+                    hidden.append(place)
+            elif name in ("in_turn", "listed"):
+                made |= {text: place for arg in call.args[1:] for text in texts_in(arg)}
+        plain = sorted(plain_errors(tree)) if path.parts[0] in BELOW else ()
+        found[path] = Said(made, tuple(hidden), tuple(plain))
+    return found
 
 
 def texts_in(node: ast.AST) -> Iterator[str]:
@@ -242,22 +272,14 @@ def texts_in(node: ast.AST) -> Iterator[str]:
 def templates() -> dict[str, str]:
     """Every template that a source makes a message of, and where."""
     found: dict[str, str] = {}
-    for path, tree in trees():
-        for call in (n for n in ast.walk(tree) if isinstance(n, ast.Call) and isinstance(n.func, ast.Name)):
-            name, place = call.func.id, f"{path.relative_to(SOURCES)}:{call.lineno}"  # type: ignore[union-attr]
-            if name == "Message":
-                found |= dict.fromkeys(texts_in(call.args[0]), place)
-            elif name in ("in_turn", "listed"):
-                found |= {text: place for arg in call.args[1:] for text in texts_in(arg)}
+    for of in said().values():
+        found |= of.templates
     return found | dict.fromkeys(("{first}, {second}", "{first} and {second}", "{first} or {second}"), "joined")
 
 
 def test_a_template_is_a_literal_where_a_message_is_made() -> None:
     """Else nobody could look for it."""
-    for path, tree in trees():
-        for call in (n for n in ast.walk(tree) if isinstance(n, ast.Call) and isinstance(n.func, ast.Name)):
-            if call.func.id == "Message" and path.name != "messages.py":  # type: ignore[union-attr]
-                assert list(texts_in(call.args[0])), f"{path}:{call.lineno}"
+    assert [place for of in said().values() for place in of.hidden] == []
 
 
 # what the layers below the narrative tell users; errors of Python itself are for programmers
@@ -309,8 +331,7 @@ def plain_errors(tree: ast.Module) -> set[tuple[int, str]]:
 
 def test_what_is_told_of_a_model_or_an_answer_is_a_message() -> None:
     """A plain English text in an error would have no words in another language, and no test would miss them."""
-    below = {path: tree for path, tree in trees() if path.relative_to(SOURCES).parts[0] in BELOW}
-    assert {path.relative_to(SOURCES): found for path, tree in below.items() if (found := plain_errors(tree))} == {}
+    assert {path: of.plain for path, of in said().items() if of.plain} == {}
 
 
 def test_a_plain_error_is_found_however_it_is_put_together() -> None:
