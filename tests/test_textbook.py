@@ -95,3 +95,43 @@ questions: [acceleration of upper, acceleration of lower, normal force of betwee
     start = solution.system.simulate(0.01).dataset.isel(time=0)
     assert start.body_angle.values == pytest.approx([0.0, 0.0], abs=1e-15)
     assert start.body_position.sel(axis="y").values == pytest.approx([0.5, 0.2])
+
+
+MOLECULE = """
+parameters: {m1: 1 kg, m2: 2 kg, k: 300 N/m, l: 1 m}
+bodies: {a: {particle: {mass: m1}, at: [0, 0]}, b: {particle: {mass: m2}, at: [l, 0]}}
+connections: {ra: {slider: {body: a, along: right}}, rb: {slider: {body: b, along: right}}}
+loads: {s: {spring: {first: a, second: b, stiffness: k, length: l}}}
+"""
+ROD_WITH_WHEEL = """
+parameters: {M: 3 kg, m: 2 kg, L: 1.2 m, R: 0.2 m, g: 9.81 m/s^2}
+bodies: {rod: {rod: {mass: M, length: L}}, disk: {disk: {mass: m, radius: R}}}
+connections: {hinge: {pin: [ground.O, rod.start]}, axle: {pin: [rod.end, disk.center]}}
+loads: {weight: {gravity: g}}
+measures: {phi: {angle of rod from right clockwise}}
+start: {phi: 0}
+"""
+
+
+@pytest.mark.parametrize(
+    ("model", "frequency"),
+    [
+        (MOLECULE, "sqrt(k*(m1 + m2)/(m1*m2))"),
+        # the wheel does not turn: I = M L^2/3 + m L^2 about the hinge, and M g L/2 + m g L drives back
+        (ROD_WITH_WHEEL, "sqrt((M/2 + m)*g/((M/3 + m)*L))"),
+    ],
+)
+def test_what_swings_has_its_period_beside_what_nothing_drives_back(model: str, frequency: str, agrees: Agree) -> None:
+    questions = "questions: [period of small oscillations, natural frequency, natural frequencies]"
+    solution = fb.System.from_text(model + questions).solve()
+    agrees(solution, "q1", f"2*pi/{frequency}")
+    agrees(solution, "q2", frequency)
+    agrees(solution, "q3", ["0", frequency])
+    assert solution.system.explain().is_complete
+
+
+def test_what_nothing_drives_back_does_not_oscillate() -> None:
+    free = MOLECULE.replace("loads: {s: {spring: {first: a, second: b, stiffness: k, length: l}}}", "")
+    (answer,) = fb.solve(fb.System.from_text(free), "period of small oscillations").answers
+    assert answer.expression is None
+    assert "nothing drives it back" in (answer.reason or "")

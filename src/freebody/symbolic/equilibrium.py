@@ -64,6 +64,11 @@ class ClosedFormOscillations:
     def equilibrium(self) -> dict[int, Ratio]:
         return self.rest.values
 
+    @property
+    def swinging(self) -> tuple[int, ...]:
+        """Which of them oscillate: where a square is zero nothing drives back what moves."""
+        return tuple(k for k, square in enumerate(self.squares) if not square.is_zero())
+
 
 def small_oscillations(model: SymbolicModel, start: StartState) -> ClosedFormOscillations:
     """M x'' + K x = 0 about the equilibrium that is stable (else nearest to the start); roots of

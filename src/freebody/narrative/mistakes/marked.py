@@ -143,7 +143,9 @@ class Marked:
     @_form.register(SmallOscillations)
     def _frequencies(self, q: SmallOscillations, question: Question, start: StartState) -> Elements:
         model = self.model
-        roots = [model.field.sqrt(s, model.samples.is_negative) for s in small_oscillations(model, start).squares]
+        found = small_oscillations(model, start)
+        squares = found.squares if q.what == "frequencies" else [found.squares[k] for k in found.swinging]
+        roots = [model.field.sqrt(s, model.samples.is_negative) for s in squares]
         if q.what == "period":
             return (self._plain(2 * model.field.pi / roots[0]),)
         return tuple(map(self._plain, roots))

@@ -71,9 +71,10 @@ class _SmallTelling:
         is_small = question.quantity.is_about_stable
         self.values: Mapping[int, Ratio]
         self.squares: tuple[Ratio, ...] = ()
+        self.swinging: tuple[int, ...] = ()  # which of them are not zero
         if is_small:
             found = small_oscillations(self.model, context.setup.start)
-            self.values, self.squares = found.equilibrium, found.squares
+            self.values, self.squares, self.swinging = found.equilibrium, found.squares, found.swinging
         else:
             self.values = find_equilibrium(self.model, context.setup.start, stable_first=False).values
         self.readers = SmallMotions(context.setup, self.values)
@@ -250,10 +251,13 @@ class _SmallTelling:
         script = self.script
         expression = self.answer.expression
         assert expression is not None
+        k = self.swinging[0] if self.swinging else 0
+        if q.what != "frequencies":  # the one that is not zero
+            symbols, roots = [symbols[k]], roots if len(roots) == 1 else (roots[k],)
         args: dict[str, Argument] = {"lines": roots}
         with script.stage("stage.value"):
             if q.what == "period":
-                omega = self.readers.frequency(0)
+                omega = self.readers.frequency(k)
 
                 def period(world: World) -> float:
                     return 2 * math.pi / omega(world)

@@ -23,7 +23,7 @@ from freebody.study.answering.conditions import as_written, at_instant, is_kinem
 from freebody.study.answering.crosscheck import element_at, holds
 from freebody.study.answering.finding import Elements, Finding, Otherwise, answered, judged
 from freebody.study.answering.magnitude import magnitude
-from freebody.study.answering.numbers import number_of
+from freebody.study.answering.numbers import NOTHING_DRIVES_BACK, number_of
 from freebody.study.answering.passage import smooth_passage
 from freebody.study.answering.scope import for_all
 from freebody.study.setup import Setup
@@ -188,28 +188,32 @@ class QuestionSolver:
         found = small_oscillations(self.model, self.setup.start)
         f = self.model.field
         resting, swings = self._at_rest(found.rest, ">"), list[Condition]()
-        for square in found.squares:
-            if square.is_zero() and q.what == "frequencies":
-                continue  # it moves on evenly
+        squares, notes = [found.squares[k] for k in found.swinging], list(found.notes)
+        for square in squares:
             condition, possible = require(square, ">", Message("oscillates"))
             if not possible:
                 raise CannotAnswer(further(*found.notes, Message("there is no oscillation about it: it is unstable")))
             if condition is not None:
                 swings.append(condition)
-        if q.what != "frequencies" and len(found.squares) != 1:
+        if q.what == "frequencies":
+            squares = list(found.squares)
+        elif not squares:
+            raise CannotAnswer(further(*found.notes, NOTHING_DRIVES_BACK))
+        elif len(squares) > 1:
             raise CannotAnswer(
-                Message("there are {n} natural frequencies; ask for natural frequencies", n=len(found.squares))
+                Message("there are {n} natural frequencies; ask for natural frequencies", n=len(squares))
             )
-        is_period = q.what == "period"
-        if is_period:
-            element: Elements = 2 * f.pi * f.sqrt(1 / found.squares[0], self.model.samples.is_negative)
+        elif len(squares) < len(found.squares):
+            notes.append(Message("a motion that nothing drives back goes on beside it"))
+        if q.what == "period":
+            element: Elements = 2 * f.pi * f.sqrt(1 / squares[0], self.model.samples.is_negative)
         else:
-            roots = [f.sqrt(s, self.model.samples.is_negative) for s in found.squares]
+            roots = [f.sqrt(s, self.model.samples.is_negative) for s in squares]
             element = roots[0] if len(roots) == 1 else tuple(roots)
         evidence = proof.small_oscillations(
-            self.setup, self.question.text, element, found.equilibrium, resting, swings, period=is_period
+            self.setup, self.question.text, q, element, found.equilibrium, resting, swings
         )
-        return Finding(element, evidence, [*resting, *swings], list(found.notes))
+        return Finding(element, evidence, [*resting, *swings], notes)
 
     @_found.register(Equilibrium)
     def _equilibrium(self, q: Equilibrium) -> Finding:

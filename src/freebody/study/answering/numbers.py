@@ -112,11 +112,15 @@ def _small_number(
         raise CannotAnswer(Message("nothing can move, so nothing oscillates"))
     if quantity.what == "frequencies":
         return tuple(found) if len(found) > 1 else found[0]
-    if len(found) > 1:
-        raise CannotAnswer(Message("there are {n} natural frequencies; ask for natural frequencies", n=len(found)))
-    if not found[0] > 0.0:
-        raise CannotAnswer(Message("it does not oscillate: nothing drives it back"))
-    return 2.0 * math.pi / found[0] if quantity.what == "period" else found[0]
+    swinging = [w for w in found if w > 0.0]
+    if len(swinging) > 1:
+        raise CannotAnswer(Message("there are {n} natural frequencies; ask for natural frequencies", n=len(swinging)))
+    if not swinging:
+        raise CannotAnswer(NOTHING_DRIVES_BACK)
+    return 2.0 * math.pi / swinging[0] if quantity.what == "period" else swinging[0]
+
+
+NOTHING_DRIVES_BACK = Message("it does not oscillate: nothing drives it back")
 
 
 def resting(draw: Draw, places: Sequence[tuple[Measure, float]]) -> tuple[Array, Array]:
