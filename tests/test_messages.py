@@ -407,6 +407,13 @@ BROKEN = [  # a section, what stands there instead, the one place with a problem
     ("bodies", "{a: {disc: {mass: m, radius: R}}, b: {particle: {mass: m}}}", "a", "a body has no disc"),
     ("bodies", "{a: 3, b: {particle: {mass: m}}}", "a", "say what a is"),
     ("bodies", "[a, b]", "bodies", "must be a mapping of names"),
+    (
+        "bodies",
+        "{a: {disk: {mass: [1], radius: R}}, b: {particle: {mass: m}}}",
+        "mass",
+        "mass: expected a text or a number, found [1]",
+    ),
+    ("connections", f"{{p: {{pin: {{first: 3, second: a}}}}, {LINE}}}", "first", "first: expected a text, found 3"),
     ("parameters", "{m: 1 kilo, R: 1 m, k: 5 N/m, F: 1 N}", "m", "the unit 'kilo' is not known"),
     ("parameters", "[m, R, k]", "parameters", "must be a mapping of names"),
 ]

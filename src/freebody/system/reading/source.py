@@ -10,13 +10,34 @@ from pydantic import ValidationError
 from freebody.errors import ModelError
 from freebody.language.document import Document
 from freebody.language.expression import name_problem
-from freebody.language.sentences import Message
+from freebody.language.sentences import Message, listed
 from freebody.model.names import Names, did_you_mean
 from freebody.model.spec import Spec
 from freebody.system.kinds import register_kinds
 from freebody.system.unspecified import Unspecified
 
 SpecT = TypeVar("SpecT", bound=Spec)
+_WANTED = {  # by the type of a fault; a text may be an expression
+    "string_type": Message("a text"),
+    "int_type": Message("a number"),
+    "float_type": Message("a number"),
+    "list_type": Message("a list"),
+    "tuple_type": Message("a list"),
+    "dict_type": Message("a mapping"),
+    "bool_type": Message("true or false"),
+    "bool_parsing": Message("true or false"),
+}
+
+
+def place_of(fault: Any) -> tuple[str | int, ...]:
+    """The field in which a value does not fit, and its place in a list there; not which of several types was tried."""
+    field, *rest = fault["loc"] or ("",)
+    return (field, rest[0]) if rest and isinstance(rest[0], int) else (field,) if field else ()
+
+
+def wanted_by(fault: Any) -> str:
+    """What should stand there, where one type was tried."""
+    return _WANTED.get(fault["type"]) or fault["msg"][0].lower() + fault["msg"][1:]
 
 
 def known_keys(names: Names, entry: Mapping[str, Any], known: Sequence[str], what: str, *path: str | int) -> None:
@@ -79,8 +100,8 @@ class Source:
             return kind.model_validate(kind.from_plain(value))
         except ValidationError as error:
             known = [f.alias or n for n, f in kind.model_fields.items()]
-            for fault in error.errors():
-                where = fault["loc"][:2]
+            faults = {place_of(fault): fault for fault in reversed(error.errors())}  # of a field the first
+            for where, fault in reversed(faults.items()):
                 what = str(where[0]) if where else ""
                 if fault["type"] == "extra_forbidden":
                     message = Message(
@@ -92,10 +113,11 @@ class Source:
                     )
                     where = ()
                 else:
+                    wanted = [wanted_by(other) for other in error.errors() if place_of(other) == where]
                     message = Message(
-                        "{what}: {fault}, found {value}",
+                        "{what}: expected {wanted}, found {value}",
                         what=what,
-                        fault=fault["msg"][0].lower() + fault["msg"][1:],
+                        wanted=listed(list(dict.fromkeys(wanted)), "{first} or {second}"),
                         value=repr(fault["input"]),
                     )
                 self.names.problem(message, *path, *where)
