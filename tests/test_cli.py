@@ -276,3 +276,13 @@ def test_a_motion_that_cannot_go_on_exits_with_1_and_says_why(tmp_path: Path) ->
     done = freebody("simulate", str(path), "--until", "2")
     assert done.returncode == 1
     assert "s has no finite value" in done.stdout
+
+
+def test_what_is_wrong_is_told_in_the_language_of_the_command(tmp_path: Path) -> None:
+    path = tmp_path / "wrong.yaml"
+    path.write_text("bodies: {a: {particle: {mass: 1 kg}}}\nquestions: [tension of c]\n")
+    done = freebody("explain", str(path), "--language", "de")
+    assert done.returncode == 2
+    assert "es gibt keine Verbindung c" in done.stderr
+    assert "there is no connection c" in freebody("explain", str(path)).stderr
+    assert "there are no words for the language xx" in freebody("explain", str(EXAMPLES[0]), "--language", "xx").stderr

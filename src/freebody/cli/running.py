@@ -29,10 +29,8 @@ def command(function: Callable[P, None]) -> Callable[P, None]:
         try:
             function(*arguments, **options)
             _flush()
-        except InputError as error:
-            _end(str(error), 2)
         except FreebodyError as error:
-            _end(str(error), 1)
+            _end(in_language(str(error), options.get("language")), 2 if isinstance(error, InputError) else 1)
         except BrokenPipeError:
             quiet()
             raise typer.Exit(0) from None
@@ -48,6 +46,17 @@ def command(function: Callable[P, None]) -> Callable[P, None]:
             _defect(error)
 
     return command
+
+
+def in_language(message: str, language: object) -> str:
+    """A message in the language of a command, if there are words of it."""
+    from freebody.narrative.words import languages
+
+    if language == "en" or language not in languages():
+        return message
+    from freebody.narrative.telling.catalogue import Catalogue
+
+    return Catalogue(str(language)).said(message)
 
 
 def _flush() -> None:
