@@ -6,7 +6,7 @@ import pytest
 
 import freebody as fb
 from conftest import Agree, assert_same_function
-from freebody.language.notation import to_python
+from freebody.language.notation import Stated, to_python
 
 CART = """
 parameters: {M: 2 kg, m: 1 kg, L: 1 m, th0: 60 deg, g: 9.81 m/s^2}
@@ -69,9 +69,125 @@ def test_what_textbooks_ask_for(model: str, question: str, expected: str) -> Non
     assert_same_function(expression(model, question), expected, {})
 
 
+PENDULUM_ON_A_TORSION_SPRING = """
+parameters: {m: 1 kg, L: 0.5 m, kt: 8 N m, g: 9.81 m/s^2}
+bodies: {b: {body: {mass: m, center_of_mass: [0, L]}}}
+connections: {h: {pin: [ground.O, b.origin]}}
+loads: {w: {gravity: g}, s: {torsional_spring: {body: b, stiffness: kt}}}
+measures: {th: angle of b}
+start: {th: 0}
+"""
+RING_ON_A_NAIL = """
+parameters: {m: 1 kg, R: 0.3 m, g: 9.81 m/s^2}
+bodies: {ring: {ring: {mass: m, radius: R}, points: {N: [0, R]}}}
+connections: {nail: {pin: [ground.O, ring.N]}}
+loads: {w: {gravity: g}}
+measures: {th: angle of ring}
+start: {th: 0}
+"""
+HALF_CYLINDER = """
+parameters: {m: 4 kg, R: 0.2 m, g: 9.81 m/s^2}
+ground: {lines: {floor: {along: right}}}
+bodies:
+  half: {body: {mass: m, inertia: m*R^2/2 - m*(4*R/(3*pi))^2, center_of_mass: [0, -4*R/(3*pi)], radius: R}}
+connections: {roll: {rolling: {body: half, on: floor}}}
+loads: {w: {gravity: g}}
+measures: {phi: angle of half}
+start: {phi: 0}
+"""
+
+
+@pytest.mark.parametrize(
+    ("model", "question", "expected"),
+    [
+        (RING_ON_A_NAIL, "natural frequencies", "sqrt(g/(2*R))"),
+        # kt > m g L under the root, so it may be divided by
+        (PENDULUM_ON_A_TORSION_SPRING, "period of small oscillations", "2*L*pi*sqrt(m/(kt - m*L*g))"),
+        # 9 pi > 16
+        (HALF_CYLINDER, "natural frequencies", "2*sqrt(2*g/(R*(9*pi - 16)))"),
+        # what is divided by is positive, and stays so
+        (HALF_CYLINDER, "acceleration of phi", "-8*sin(phi)*(R*rate(phi)**2 + g)/(R*(9*pi - 16*cos(phi)))"),
+    ],
+)
+def test_formulas_have_the_form_of_tables(model: str, question: str, expected: str) -> None:
+    assert expression(model, question) == expected
+
+
 def test_a_velocity_that_is_given_is_no_assumption_where_another_is_left_open() -> None:
     assumptions = fb.solve(fb.System.from_text(STRUCK_ROD), "acceleration of th at start").assumptions
     assert not any("bullet" in text for text in assumptions)
+
+
+def test_links_of_a_tripod_have_their_lengths_at_the_start() -> None:
+    """W = 3 T h/l with l^2 = a^2 + h^2: places that are given in space give the lengths of links."""
+    solution = fb.System.from_text(
+        """
+space: true
+parameters: {a: 1 m, h: 2 m, W: 300 N}
+ground: {points: {A: [a, 0, 0], B: [-a/2, 0, a*sqrt(3)/2], C: [-a/2, 0, -a*sqrt(3)/2]}}
+bodies: {p: {particle: {}, at: [0, h, 0]}}
+connections: {A: {link: [ground.A, p]}, B: {link: [ground.B, p]}, C: {link: [ground.C, p]}}
+loads: {W: {force: {at: p, along: down, magnitude: W}}}
+questions: [tension of A]
+"""
+    ).solve()
+    assert solution.assumptions == ()
+    assert to_python(solution["q1"].expression) == "-W*sqrt(a**2 + h**2)/(3*h)"
+
+
+def test_what_depends_on_each_other_is_named_whole_and_a_roller_is_told_from_a_slider() -> None:
+    beam = """
+parameters: {L: 2 m, P: 100 N}
+ground: {points: {A: [0, 0], B: [L, 0]}}
+bodies: {beam: {rod: {length: L}, angle: 0}}
+connections: {A: {pin: [ground.A, beam.start]}, SUPPORTS}
+loads: {P: {force: {at: beam, along: down, magnitude: P}}}
+"""
+    three = "B: {slot: {pin: beam.end, along: right}}, C: {slot: {pin: beam.center, along: right}}"
+    slider = "B: {slider: {body: beam, along: right, through: ground.B}}"
+    reasons: list[str] = []
+    for supports in (three, slider):
+        system = fb.System.from_text(beam.replace("SUPPORTS", supports))
+        (answer,) = fb.solve(system, "vertical reaction of A on beam").answers
+        reasons.append(answer.reason or "")
+    assert "A.y, B.normal, C.normal" in reasons[0]
+    assert "roller" not in reasons[0]
+    assert "A.y, B.angle, B.normal" in reasons[1]
+    assert "a roller is a slot" in reasons[1]
+
+
+LADDER = """
+parameters: {m: 10 kg, M: 80 kg, L: 5 m, s: 3 m, alpha: 60 deg, mu: 0.4, g: 9.81 m/s^2}
+ground: {lines: {floor: {along: right}, wall: {along: up, through: [0, 0]}}}
+bodies:
+  ladder: {rod: {mass: m, length: L}, angle: alpha, points: {S: [s - L/2, 0]}}
+  man: {particle: {mass: M}}
+connections:
+  floor: {contact: {between: [ladder.start, floor], friction: mu}}
+  wall: {contact: {between: [ladder.end, wall]}}
+  on: {pin: [ladder.S, man]}
+loads: {weight: {gravity: g}}
+"""
+
+
+def test_a_largest_value_is_one_that_exists() -> None:
+    """Moments about the foot: L tan(alpha) N_w = m g L/2 + M g s, with N_w <= mu (m + M) g; with less friction than an
+    empty ladder needs no s is small enough."""
+    (answer,) = fb.solve(fb.System.from_text(LADDER), "largest s so that it stays at rest").answers
+    limit = "L*(2*mu*(m + M)*tan(alpha) - m)/(2*M)"
+    assert answer.expression is not None
+    assert_same_function(to_python(answer.expression), limit, {})
+    (condition,) = answer.conditions
+    assert isinstance(condition, Stated)
+    left, right = condition.expression.split(" >= ")
+    assert_same_function(f"({left}) - ({right})", "2*mu*(m + M)*sin(alpha) - m*cos(alpha)", {})
+
+
+def test_a_contact_that_would_have_to_pull_is_compared_as_it_is_written() -> None:
+    """Far below the friction that holds, poses of sliding are compared in which the floor would have to pull."""
+    (answer,) = fb.solve(fb.System.from_text(LADDER), "normal force of wall").answers
+    assert answer.expression is not None, answer.reason
+    assert_same_function(to_python(answer.expression), "g*(m*L/2 + M*s)/(L*tan(alpha))", {})
 
 
 def test_a_block_that_is_put_upon_another_slides_on_it_there(agrees: Agree) -> None:

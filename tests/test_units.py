@@ -6,6 +6,7 @@ from fractions import Fraction
 import pint
 import pytest
 
+import freebody as fb
 from freebody.errors import UnitError
 from freebody.language.parser import parse
 from freebody.language.units import (
@@ -235,3 +236,33 @@ def test_dimensions_that_do_not_fit_are_named_in_the_users_terms(text, message):
     with pytest.raises(UnitError) as caught:
         dimension_of(parse(text), SYMBOLS)
     assert str(caught.value) == message
+
+
+@pytest.mark.parametrize(
+    ("text", "same"),
+    [
+        ("180 deg - alpha", "pi - alpha"),
+        ("L/2 + 5 cm", "L/2 + 0.05 m"),
+        ("2*(b - 30 mm)", "2*b - 6 cm"),
+        ("L - m", None),  # a mass, whatever else its letter may mean
+        ("L + 2 kg", None),
+        ("L/2 m", None),  # can be read in two ways
+    ],
+)
+def test_quantities_stand_within_expressions(text: str, same: str | None) -> None:
+    def read(length: str) -> str:
+        place = f"angle: {length}" if "alpha" in length else f"points: {{Q: [{length}, 0]}}"
+        asked = "x of rod.end at start" if "alpha" in length else "distance from rod.center to rod.Q"
+        return f"""
+parameters: {{L: 2 m, b: 50 cm, m: 3 kg, alpha: 70 deg}}
+bodies: {{rod: {{rod: {{mass: m, length: L}}, {place}}}}}
+connections: {{pin: {{pin: [ground.O, rod.start]}}}}
+questions: [{asked}]
+"""
+
+    if same is None:
+        with pytest.raises(fb.errors.InputError):
+            fb.System.from_text(read(text))
+        return
+    first, second = (fb.System.from_text(read(t)).solve()["q1"].value for t in (text, same))
+    assert first == pytest.approx(second, rel=1e-14)

@@ -121,7 +121,8 @@ connections: {it: {slider: {body: block, along: right}}}
         rows = [ConstraintRow("normal", "normal force", rail.across)]
         if names.known(point.body).turns and names.known(direction.body).turns:
             angle = Angle(point.body, direction.body)
-            rows.append(ConstraintRow("angle", "moment", Combination(((ONE, angle),), DIMENSIONLESS)))
+            roller = Message("a slider does not let {body} turn; a roller is a slot for a point of it", body=point.body)
+            rows.append(ConstraintRow("angle", "moment", Combination(((ONE, angle),), DIMENSIONLESS), instead=roller))
         return rows
 
     def _guide(self, names: Names, point: Point) -> Guide:

@@ -209,6 +209,7 @@ class ConstraintRow:
     connection: str = ""
     general: Expr | None = None  # the target with functions of time as symbols; None: it contains none
     stretches: tuple[StringStretch, ...] = ()  # of a string, in order; the reaction is the tension of the last one
+    instead: str = ""  # what to take where this is held by others as well, and may have been held by mistake
 
     @property
     def in_symbols(self) -> Expr | None:

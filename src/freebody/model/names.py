@@ -10,15 +10,34 @@ import difflib
 import math
 import re
 from collections.abc import Generator, Iterable, Mapping
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from fractions import Fraction
 from typing import Any, Protocol, cast
 
 from freebody.errors import ExpressionError, InputError, Problem, UnitError
-from freebody.language.expression import FUNCTIONS, Call, Expr, Symbol, evaluate, free_symbols, negate, number
+from freebody.language.expression import (
+    FUNCTIONS,
+    Call,
+    Expr,
+    Symbol,
+    evaluate,
+    free_symbols,
+    negate,
+    number,
+    substitute,
+)
 from freebody.language.parser import parse
 from freebody.language.sentences import Message
-from freebody.language.units import DIMENSIONLESS, LARGEST, LENGTH, Dimension, dimension_of, is_unit, parse_quantity
+from freebody.language.units import (
+    DIMENSIONLESS,
+    LARGEST,
+    LENGTH,
+    Dimension,
+    dimension_of,
+    is_unit,
+    parse_quantity,
+    quantities_within,
+)
 from freebody.measures.base import Measure
 from freebody.measures.geometry import COMPASS, GROUND, ONE, Components, Direction, Point
 from freebody.model.elements import AppliedLoad, Attitude, BodyPlane, ConstraintRow, Line, Parameter, RigidBody
@@ -170,6 +189,8 @@ class Names:
     ) -> Expr:
         """An expression in the parameters (and `extra` names), or a quantity with its unit."""
         known = self.dimensions(in_time="t" in (extra or {})) | dict(extra or {})
+        if isinstance(value, str) and (mixed := self._with_quantities(value, dimension, known)) is not None:
+            return mixed
         if isinstance(value, bool) or not isinstance(value, (str, int, float)):
             self.problem(Message("expected a number or an expression, found {value}", value=repr(value)), *path)
             return ZERO
@@ -214,6 +235,24 @@ class Names:
             return self._quantity(value, dimension, path, _unit_differs(value, found, dimension))
         return expr
 
+    def _with_quantities(self, text: str, dimension: Dimension, known: Mapping[str, Dimension]) -> Expr | None:
+        """An expression in which numbers have units, where it reads as no other: 180 deg - alpha."""
+        named, quantities = quantities_within(text, known)
+        if not quantities:
+            return None
+        dimensions = {**known, **{name: q.dimension for name, q in quantities.items()}}
+
+        def fits(written: str) -> Expr | None:
+            with suppress(ExpressionError, UnitError):
+                expr = parse(written)
+                if free_symbols(expr) <= dimensions.keys() and dimension_of(expr, dimensions) == dimension:
+                    return expr
+            return None
+
+        found = None if fits(text) is not None else fits(named)
+        values = {name: quantity_expression(q) for name, q in quantities.items()}
+        return None if found is None else substitute(found, values)
+
     def _quantity(self, text: str, dimension: Dimension, path: tuple[str | int, ...], why_not: str) -> Expr:
         try:
             quantity = parse_quantity(text) if _QUANTITY.match(text) else None
@@ -235,8 +274,8 @@ class Names:
         for found in _WITH_UNIT.finditer(text):
             if found["unit"] not in self.parameters and is_unit(found["unit"]):
                 return Message(
-                    "'{value}' in '{text}': units do not stand inside expressions. Give the value a name with its "
-                    "unit under parameters, and write that name here",
+                    "'{value}' in '{text}': a value with its unit does not fit here. Give it a name with its unit "
+                    "under parameters, and write that name here",
                     value=found.group(),
                     text=text,
                 )

@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import cached_property
 
 from freebody.errors import CannotAnswer
-from freebody.language.sentences import Message
+from freebody.language.sentences import Message, further
 from freebody.model.elements import ConstraintRow
 from freebody.symbolic.bodies import Bodies, Parts
 from freebody.symbolic.configuration import Configuration
@@ -71,19 +71,16 @@ class Reactions:
         """The multiplier of a row. Raises CannotAnswer naming the connections where it is not unique."""
         solved, column = self._solved, self._columns[row.name]
         names = {k: name for name, k in self._columns.items()}
-        if column in solved.free:
-            with_it = [column] + [c for c, r in solved.pivots.items() if column in r]
-        else:
-            with_it = [column] + [c for c in solved.pivots[column] if c != RHS]
-        if column in solved.free or len(with_it) > 1:
+        free = [column] if column in solved.free else [c for c in solved.pivots[column] if c != RHS]
+        if free:
+            with_it = min(({c, *(p for p, r in solved.pivots.items() if c in r)} for c in free), key=len)
             rows = ", ".join(sorted(names[c] for c in with_it))
-            raise CannotAnswer(
-                Message(
-                    "the reaction {row} is not unique: the constraints {rows} depend on each other, so rigid-body "
-                    "mechanics fixes only a combination of their reactions. Remove one of them or make one part "
-                    "flexible",
-                    row=row.name,
-                    rows=rows,
-                )
+            why = Message(
+                "the reaction {row} is not unique: the constraints {rows} depend on each other, so rigid-body "
+                "mechanics fixes only a combination of their reactions. Remove one of them or make one part "
+                "flexible",
+                row=row.name,
+                rows=rows,
             )
+            raise CannotAnswer(further(why, *sorted({self._system.constraint_rows[c].instead for c in with_it} - {""})))
         return solved.pivots[column].get(RHS, self.field.zero)

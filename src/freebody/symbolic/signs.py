@@ -1,16 +1,18 @@
 """Signs of field elements under the declared signs of the parameters.
 
 Sufficient tests, never guesses: a polynomial whose terms all have one sign has it; a product has the product of
-the signs of its factors; with c^2 + s^2 = 1 either square may be replaced; a trigonometric polynomial is
-bounded by the sum of its amplitudes.
+the signs of its factors; with c^2 + s^2 = 1 either square may be replaced; a number has the sign of its value; a
+trigonometric polynomial is bounded by the sum of its amplitudes.
 """
 
 from __future__ import annotations
 
+import math
 from enum import Enum
 
 from freebody.symbolic.field import Field, Ratio
 from freebody.symbolic.waves import Terms, fourier, sine_form, square_variants
+from freebody.tolerances import ROUND_OFF
 
 
 class Sign(Enum):
@@ -132,7 +134,26 @@ def _sum(field: Field, terms: Terms) -> Sign:
         found = _terms(field, variant)
         if found is not Sign.UNKNOWN:
             return found
-    return _amplitudes(field, terms)
+    found = _number(field, terms)
+    return _amplitudes(field, terms) if found is Sign.UNKNOWN else found
+
+
+def _number(field: Field, terms: Terms) -> Sign:
+    """9 pi - 16: a number, told by its value where that is beyond round-off."""
+    values: dict[int, float] = {}
+    used = {g for monomial in terms for g, _e in monomial}
+    for g in sorted(used.union(*(field.generators[g].made_of for g in used))):
+        compute = field.generators[g].compute
+        if compute is None or not field.is_constant_generator(g):
+            return Sign.UNKNOWN
+        try:
+            values[g] = float(compute(values, math))
+        except (KeyError, ValueError, ArithmeticError):
+            return Sign.UNKNOWN
+    value, size = field.numerator_and_size(field.polynomial(terms), values)
+    if abs(value) <= ROUND_OFF * size:
+        return Sign.UNKNOWN
+    return Sign.POSITIVE if value > 0 else Sign.NEGATIVE
 
 
 def _terms(field: Field, terms: Terms) -> Sign:
@@ -194,10 +215,15 @@ def _amplitudes(field: Field, terms: Terms) -> Sign:
 def _terms_of(field: Field, x: Ratio) -> Sign:
     if x.is_zero():
         return Sign.NONNEGATIVE
-    own = _terms(field, field.terms(x.num))
+    own = _of_one_sign(field, field.terms(x.num))
     if x.den is not None:
-        own = times(own, _terms(field, field.terms(x.den)))
+        own = times(own, _of_one_sign(field, field.terms(x.den)))
     return own
+
+
+def _of_one_sign(field: Field, terms: Terms) -> Sign:
+    found = _terms(field, terms)
+    return _number(field, terms) if found is Sign.UNKNOWN else found
 
 
 __all__ = ["Sign", "sign_of", "sine_form", "times"]

@@ -28,7 +28,7 @@ from freebody.language.expression import (
 )
 from freebody.symbolic.field import Field, Ratio
 from freebody.symbolic.polynomials import Poly, declaration_order, has_lonely_symbol, primitive
-from freebody.symbolic.signs import sign_is_negative, sign_is_positive
+from freebody.symbolic.signs import Sign, sign_is_negative, sign_is_positive, sign_of
 from freebody.symbolic.waves import Monomial, Terms, fourier, square_variants
 
 # order in which factors of a product are written
@@ -59,11 +59,12 @@ def tidy(x: Ratio) -> Expr:
     if x.den is None:
         return top
     bottom = _poly(x.field, x.den)
-    return _fraction(top, bottom)
+    return _fraction(top, bottom, turns=not sign_is_positive(x.denominator()))
 
 
 def _root_of_a_quotient(x: Ratio) -> Expr | None:
-    """a sqrt(r)/(b f) with f dividing r, as a/b sqrt((r/f)/f): sqrt(L g)/g is sqrt(L/g)."""
+    """a sqrt(r)/(b f) with f dividing r, as a/b sqrt((r/f)/f): sqrt(L g)/g is sqrt(L/g), sqrt(6 k)/3 is sqrt(2 k/3).
+    f has a sign of its own, or since r = f h is positive wherever this has a value, and h has one."""
     field = x.field
     if x.den is None:
         return None
@@ -74,16 +75,27 @@ def _root_of_a_quotient(x: Ratio) -> Expr | None:
     inside = field.radicand(field.index(roots[0]))
     outside = x / roots[0]
     changed = False
-    _u, below = field.factor(x.den)
+    unit, below = field.factor(x.den)
+    if (common := math.gcd(unit, *field.terms(inside.num).values())) > 1:
+        inside, outside = inside / common / common, outside * common
+        changed = True
     for base, _e in below:
-        if (inside.numerator() / base).den is None and sign_is_positive(base):
-            inside, outside = inside / base / base, outside * base
+        rest = inside.numerator() / base
+        if rest.den is None and (sign := _strict_sign(base) or _strict_sign(rest)):
+            inside, outside = inside / base / base, outside * base * sign
             changed = True
     if not changed:
         return None
-    front = tidy(outside)
+    front, upside_down = tidy(outside), field.lowest_terms(1 / inside)
+    if upside_down.den is None:  # 1/sqrt(a), not sqrt(1/a)
+        return divide(front, _root_of(tidy(upside_down)))
     root = _root_of(tidy(inside))
     return root if front == number(1) else multiply(*_factors(front), root)
+
+
+def _strict_sign(x: Ratio) -> int:
+    """1 or -1 where that is known, else 0."""
+    return {Sign.POSITIVE: 1, Sign.NEGATIVE: -1}.get(sign_of(x), 0)
 
 
 def _root_of(inside: Expr) -> Expr:
@@ -99,14 +111,15 @@ def _is_root_generator(field: Field, base: Ratio) -> bool:
     return generator.kind == "root" and bool(generator.made_of) and len(field.terms(base.num)) == 1
 
 
-def _fraction(top: Expr, bottom: Expr) -> Expr:
-    """top/bottom with the sign in front and the numbers gathered."""
+def _fraction(top: Expr, bottom: Expr, *, turns: bool = True) -> Expr:
+    """top/bottom with the sign in front and the numbers gathered. turns: a sign may go into a difference below, which
+    spoils one that is known to be positive."""
     n_top, rest_top = _number_part(top)
     n_bottom, rest_bottom = _number_part(bottom)
     ratio = n_top / n_bottom
-    if ratio < 0 and isinstance(rest_bottom, Sum) and any(map(_is_negative, rest_bottom.terms)):
+    if turns and ratio < 0 and isinstance(rest_bottom, Sum) and any(map(_is_negative, rest_bottom.terms)):
         ratio, rest_bottom = -ratio, _positive_first([negate(t) for t in rest_bottom.terms])
-    elif ratio < 0 and isinstance(rest_bottom, ProductOf):
+    elif turns and ratio < 0 and isinstance(rest_bottom, ProductOf):
         ratio, rest_bottom = _sign_of_a_factor(ratio, rest_bottom)
     up = multiply(number(ratio.numerator), *_factors(rest_top))
     down = multiply(number(ratio.denominator), *_factors(rest_bottom))

@@ -39,7 +39,7 @@ from freebody.language.units.dimension import (
     unit_of,
 )
 from freebody.language.units.inference import dimension_of
-from freebody.language.units.quantity import LARGEST, Quantity, parse_quantity
+from freebody.language.units.quantity import LARGEST, Quantity, parse_quantity, quantities_within
 from freebody.language.units.reader import is_unit, parse_unit
 from freebody.language.units.table import Unit
 
@@ -76,5 +76,6 @@ __all__ = [
     "is_unit",
     "parse_quantity",
     "parse_unit",
+    "quantities_within",
     "unit_of",
 ]

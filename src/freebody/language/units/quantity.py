@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import math
 import re
+from collections.abc import Container
 from dataclasses import dataclass
 from fractions import Fraction
+from itertools import count
 
 from freebody.errors import UnitError
 from freebody.language.sentences import Message
@@ -50,6 +52,28 @@ def parse_quantity(given: str | int | float | Fraction) -> Quantity:
         raise UnitError(Message("{value} is not a number that can be calculated with", value=given))
     exact = Fraction(repr(float(given))) if isinstance(given, float) else Fraction(given)
     return _quantity(exact, Unit(DIMENSIONLESS), str(given))
+
+
+# a number and a unit as a part of a sum or a product: units have no plus, times or brackets in what is read here
+_PART = re.compile(r"(?<![\w.])(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?\s*[A-Za-zµμ°][^-+−*()]*")
+
+
+def quantities_within(text: str, taken: Container[str]) -> tuple[str, dict[str, Quantity]]:
+    """An expression in which quantities with units stand, such as b + 0.1 m, with a new name for each of these."""
+    found: dict[str, Quantity] = {}
+
+    def named(match: re.Match[str]) -> str:
+        if text[: match.start()].rstrip()[-1:] in ("/", "^"):  # a/2 m can be read in two ways
+            return match.group()
+        try:
+            quantity = parse_quantity(match.group())
+        except UnitError:
+            return match.group()
+        name = next(name for k in count(1) if (name := f"quantity_{k}") not in taken and name not in found)
+        found[name] = quantity
+        return f"({name})"
+
+    return _PART.sub(named, text), found
 
 
 def _quantity_of_text(text: str) -> Quantity:

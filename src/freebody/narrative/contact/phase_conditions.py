@@ -28,6 +28,7 @@ _PURPOSES = {
     "a larger one does not hold": "beyond",
     "a smaller one does not hold": "beyond",
     "friction is needed": "needed",
+    "such a value exists": "within",
     "{contact} is open at the start": "open",
     "{contact} opens": "opens",
     "{string} fits": "fits",

@@ -218,6 +218,8 @@ class Ends:
             is_complete = is_complete and is_driven
         if self.is_coefficient:
             reserves.append((at[self.index], ">=", Message("friction is needed")))
+        elif self.low == 0.0 and sign > 0:  # else none holds, as smaller ones are none of this parameter
+            reserves.append((at[self.index], ">=", Message("such a value exists")))
         found: list[Condition] = []
         for reserve in reserves:
             for condition in self._at_their_signs(reserve, here.draw):

@@ -16,6 +16,7 @@ from itertools import pairwise
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import evaluate
@@ -110,17 +111,19 @@ class NumericMode:
 
     # -- dynamics ---------------------------------------------------------------------------------
     def solved(self, q: Array, v: Array, t: float) -> dict[str, float]:
-        """The loads of the sliding frictions."""
+        """The loads of the sliding frictions. Guides are pressed on the side on which that is not negative; a contact
+        has one side, and a negative load says that it has opened."""
         if not self.loads:
             return {}
         seen = self._seen(q, v, t)
         n = len(self.loads)
         table = np.array([[self._size(rub, s) for s in seen] for rub in self.loads.values()])
-        for signs in _signs(table[:, 0]):
+        is_guide = np.array([not rub.of for rub in self.loads.values()])
+        for signs in _signs(table[:, 0], is_guide):
             a = signs * table[:, 0]
             B = signs[:, None] * (table[:, 1:] - table[:, :1])
             N = np.linalg.solve(np.eye(n) - B, a)
-            if float(N.min()) >= -_STILL * max(1.0, float(np.abs(N).max())):
+            if float(N[is_guide].min(initial=0.0)) >= -_STILL * max(1.0, float(np.abs(N).max())):
                 return dict(zip(self.loads, N.tolist(), strict=True))
         raise CannotAnswer(Message("no friction force is consistent with the motion"))
 
@@ -311,10 +314,10 @@ def _dip(watch: Watcher, state: Callable[[float], Array], n: int, a: float, b: f
     return float(low.x) if low.fun < 0.0 else None
 
 
-def _signs(first: Array) -> Sequence[Array]:
+def _signs(first: Array, is_guide: NDArray[np.bool_]) -> Sequence[Array]:
     """Bounds push; a guide may be pressed on either side."""
-    own = np.where(first < 0, -1.0, 1.0)
-    return [np.ones_like(own), own, -own]
+    own = np.where(is_guide & (first < 0), -1.0, 1.0)
+    return [np.ones_like(own), own, np.where(is_guide, -own, 1.0)]
 
 
 # -- impacts ----------------------------------------------------------------------------------

@@ -17,7 +17,7 @@ from freebody.symbolic.unknowns import Coordinate
 
 
 class SpatialGivenStart(GivenStart):
-    """The start values of a model in space; those of incremental rows stay symbols."""
+    """The start values of a model in space."""
 
     def __init__(self, bodies: Bodies, samples: Samples, absolute: FieldGeometry) -> None:
         super().__init__(bodies, samples, absolute)
@@ -27,8 +27,10 @@ class SpatialGivenStart(GivenStart):
 
     def of_coordinate(self, c: Coordinate) -> Ratio | None:
         measure = self.unknowns.measures.get(c.index)
-        if measure is None:
-            return None
+        return None if measure is None else self._value(measure)
+
+    def _value(self, measure: Measure) -> Ratio | None:
+        """A measure at the start, if the places and rotations of its bodies that it takes are given."""
         poses = {name: self._pose(name) for name in measure.bodies() if name != GROUND}
         known = {name: pose for name, pose in poses.items() if pose is not None}
         if len(known) < len(poses):
@@ -61,10 +63,12 @@ class SpatialGivenStart(GivenStart):
         return SpatialPose(Vector(*map(scalar, place)) - arm, axes)
 
     def of_measure(self, measure: Measure, name: str) -> Ratio | None:
-        return None
+        value = self._value(measure)
+        return value if value is not None and self.samples.is_start_value(value, name) else None
 
     def places(self) -> dict[int, Ratio]:
         return {}
 
     def is_placed(self, measure: Measure) -> bool:
-        return False
+        starts = (self.system.bodies[name] for name in measure.bodies() if name != GROUND)
+        return all(b.fixed or (b.start.at is not None and (not b.turns or b.start.turned is not None)) for b in starts)
