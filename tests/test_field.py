@@ -11,7 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from freebody.language.expression import Call, Symbol, evaluate
-from freebody.symbolic.angle_factors import factors_of
+from freebody.symbolic.angle_factors import factors_of, open_parts
 from freebody.symbolic.field import Generator, Ratio
 from freebody.symbolic.functions import cos_sin, functions
 from freebody.symbolic.signed_field import SignedField
@@ -264,3 +264,10 @@ def test_factors_hidden_by_the_normal_form_are_found_in_the_homogeneous_one() ->
     assert unit == 1
     assert {base for base, _exponent in factors} == {c, mu * c + s, mu * c + 2 * s}
     assert factors_of(f, (4 - 4 * c * c).num) == (4, [(s, 2)])
+
+
+def test_a_function_with_the_sign_of_its_argument_is_decided_by_that() -> None:
+    f = functions(FIELD)
+    assert [str(x) for x in open_parts(f["atan"](SET.a / (SET.b - SET.q)))] == [str(SET.b - SET.q)]
+    assert open_parts(f["atan"](-SET.a / SET.b)) == [FIELD.element(-1)]
+    assert open_parts(f["asin"](SET.a / SET.b) * (SET.b - SET.q)) == [SET.b - SET.q]

@@ -10,6 +10,8 @@ from freebody.symbolic.field import Field, Ratio
 from freebody.symbolic.polynomials import Poly
 from freebody.symbolic.signs import Sign, sign_of
 
+_ODD = ("atan", "asin", "sinh", "tanh")  # functions with the sign of their argument
+
 
 def open_parts(x: Ratio) -> list[Ratio]:
     """Factors whose product has the sign of x wherever it does not vanish: squares, roots and factors that are surely
@@ -23,12 +25,27 @@ def open_parts(x: Ratio) -> list[Ratio]:
             unit, factors = factors_of(x.field, poly)
             sign = -sign if unit < 0 else sign
             for base, exponent in factors:
+                if exponent % 2 and (inner := _of_odd(base)) is not None:
+                    first, *rest = open_parts(inner)
+                    if (own := sign_of(first)).is_strict and not rest:
+                        sign = -sign if own is Sign.NEGATIVE else sign
+                    else:
+                        parts += [first, *rest]
+                    continue
                 known = _sign(base)
                 if known is Sign.NEGATIVE and exponent % 2:
                     sign = -sign
                 if exponent % 2 and not known.is_strict and not _is_root(base):
                     parts.append(base)
     return [x.field.element(sign)] if not parts else [sign * parts[0], *parts[1:]]
+
+
+def _of_odd(base: Ratio) -> Ratio | None:
+    """What a function is of that has the sign of its argument, as atan u."""
+    atoms = [g for g in base.generators() if base.field.arguments.get(g, ("", base))[0] in _ODD]
+    if len(atoms) != 1 or base != base.field.variable(atoms[0]):
+        return None
+    return base.field.arguments[atoms[0]][1]
 
 
 def factors_of(field: Field, poly: Poly) -> tuple[int, list[tuple[Ratio, int]]]:
