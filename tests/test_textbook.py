@@ -246,7 +246,25 @@ def test_what_swings_has_its_period_beside_what_nothing_drives_back(model: str, 
     assert solution.system.explain().is_complete
 
 
-def test_what_nothing_drives_back_does_not_oscillate() -> None:
+def test_a_spring_without_stiffness_at_rest_has_no_small_oscillations_but_is_not_said_to_rest() -> None:
+    """-k u^3 drives back, though not to first order: it does oscillate, with a period that its size decides."""
+    cubic = """
+parameters: {m: 1 kg, M: 2 kg, k: 3 N/m^3, c: 5 N/m}
+bodies: {p: {particle: {mass: m}, at: [0, 0]}, q: {particle: {mass: M}, at: [0, 1 m]}}
+connections: {r: {slider: {body: p, along: right}}, s: {slider: {body: q, along: right}}}
+measures: {u: x of p, w: x of q}
+start: {u: 0, w: 0}
+loads: {f: {law: {measure: u, force: -k*u^3}}, h: {law: {measure: w, force: WEAK}}}
+questions: [period of small oscillations]
+"""
+    (beside,) = fb.System.from_text(cubic.replace("WEAK", "-c*w")).solve().answers
+    assert any("to first order" in note for note in beside.notes)
+    (alone,) = fb.System.from_text(cubic.replace("WEAK", "-k*w^3")).solve().answers
+    assert "to first order nothing drives it back" in (alone.reason or "")
+    assert "not oscillate" not in (alone.reason or "")
+
+
+def test_what_nothing_drives_back_has_no_period() -> None:
     free = MOLECULE.replace("loads: {s: {spring: {first: a, second: b, stiffness: k, length: l}}}", "")
     (answer,) = fb.solve(fb.System.from_text(free), "period of small oscillations").answers
     assert answer.expression is None

@@ -66,7 +66,7 @@ class ClosedFormOscillations:
 
     @property
     def swinging(self) -> tuple[int, ...]:
-        """Which of them oscillate: where a square is zero nothing drives back what moves."""
+        """Which of them oscillate: where a square is zero nothing drives back to first order."""
         return tuple(k for k, square in enumerate(self.squares) if not square.is_zero())
 
 

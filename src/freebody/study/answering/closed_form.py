@@ -204,7 +204,7 @@ class QuestionSolver:
                 Message("there are {n} natural frequencies; ask for natural frequencies", n=len(squares))
             )
         elif len(squares) < len(found.squares):
-            notes.append(Message("a motion that nothing drives back goes on beside it"))
+            notes.append(Message("beside it there is a motion that nothing drives back to first order"))
         if q.what == "period":
             element: Elements = 2 * f.pi * f.sqrt(1 / squares[0], self.model.samples.is_negative)
         else:

@@ -120,7 +120,7 @@ def _small_number(
     return 2.0 * math.pi / swinging[0] if quantity.what == "period" else swinging[0]
 
 
-NOTHING_DRIVES_BACK = Message("it does not oscillate: nothing drives it back")
+NOTHING_DRIVES_BACK = Message("there is no period of small oscillations: to first order nothing drives it back")
 
 
 def resting(draw: Draw, places: Sequence[tuple[Measure, float]]) -> tuple[Array, Array]:
