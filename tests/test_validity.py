@@ -250,3 +250,28 @@ questions: [equilibrium of y, natural frequency]
     rest, frequency = fb.System.from_text(text.replace("M: 3 kg", "M: 6 kg")).solve().answers
     assert rest.value == pytest.approx(6 * 9.81 / 80 - 0.5)
     assert frequency.value == pytest.approx(math.sqrt(80 / 8))
+
+
+CARTS = """
+parameters: {m: 2 kg, k: 10 N/m, L: 1 m}
+ground: {lines: {floor: {along: right}}}
+bodies: {a: {particle: {mass: m}}, b: {particle: {mass: m}}, bar: {rod: {mass: m, length: L}}}
+connections:
+  A: {slider: {body: a, along: floor}}
+  B: {slider: {body: b, along: floor}}
+  C: {pin: [ground.origin, bar.center]}
+loads: {s: {spring: {first: a, second: b, stiffness: k, length: L}}, w: {gravity: 9.81 m/s^2}}
+measures: {x: {x of a}, y: {x of b}, d: {x of b from a}, theta: {angle of bar}}
+start: {x: 0, y: 1.5 m, theta: 0}
+"""
+
+
+@pytest.mark.parametrize(
+    ("name", "expected", "is_one_of_many"), [("x", None, True), ("d", 1.0, False), ("theta", 0.0, True)]
+)
+def test_a_measure_that_may_have_any_value_at_rest_is_said_to_be_one_of_a_family(
+    name: str, expected: float | None, is_one_of_many: bool
+) -> None:
+    answer = fb.System.from_text(CARTS).solve(f"equilibrium of {name}").answers[0]
+    assert expected is None or answer.value == expected
+    assert any("one of a family" in note and note.endswith(f"along {name}") for note in answer.notes) is is_one_of_many

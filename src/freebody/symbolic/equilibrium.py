@@ -17,10 +17,12 @@ from freebody.errors import CannotAnswer
 from freebody.language.expression import Symbol
 from freebody.language.notation import compared, joined, reworded
 from freebody.language.sentences import Message
+from freebody.measures.base import Measure
 from freebody.symbolic.conditions import Condition, closed, require
 from freebody.symbolic.decide import decide, sign_given
 from freebody.symbolic.existence import exists
 from freebody.symbolic.field import Ratio
+from freebody.symbolic.linear import solve
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.signs import Sign
 from freebody.symbolic.start import StartState
@@ -167,6 +169,27 @@ def find_equilibrium(model: SymbolicModel, start: StartState, *, stable_first: b
         raise CannotAnswer(Message("no equilibrium could be found in closed form; start the model at one"))
     good = [s for s in solutions if s.is_stable is not False]
     return min(good or solutions, key=lambda s: _distance(model, s.values, at_start))
+
+
+def lies_in_family(model: SymbolicModel, at: dict[int, Ratio], measure: Measure) -> bool:
+    """Whether an equilibrium is one of a straight family along which a measure changes, so that the measure may have
+    other values at rest: a direction v without stiffness, K v = 0, along which q_e + t v stays an equilibrium for
+    every t."""
+    f, coordinates = model.field, model.coordinates
+    still = {c.speed: f.zero for c in coordinates} | {f.index(f.time): f.zero}
+    _M, K = linearised(model, at)
+    columns = [c.index for c in coordinates]
+    rows = [{i: x for i, x in zip(columns, row, strict=True)} for row in K]
+    stiff = solve(f, rows, columns, model.samples.vanishes)
+    value = SymbolicState(model).value(measure)
+    t = f.parameter("@t")
+    for free in stiff.free:
+        v = {free: f.one} | {c: row[free] for c, row in stiff.pivots.items() if free in row}
+        rate = sum((f.follow(f.derivative(value, c), at | still) * x for c, x in v.items()), start=f.zero)
+        family = at | {c: at[c] + t * x for c, x in v.items()} | still
+        if not rate.is_zero() and all(f.follow(F, family).is_zero() for F in model.dynamics.forcing):
+            return True
+    return False
 
 
 def _judged(model: SymbolicModel, at: dict[int, Ratio]) -> ClosedFormRest | None:

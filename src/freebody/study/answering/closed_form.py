@@ -28,7 +28,7 @@ from freebody.study.answering.passage import smooth_passage
 from freebody.study.answering.scope import for_all
 from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition, require
-from freebody.symbolic.equilibrium import ClosedFormRest, find_equilibrium, small_oscillations
+from freebody.symbolic.equilibrium import ClosedFormRest, find_equilibrium, lies_in_family, small_oscillations
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy
@@ -221,7 +221,10 @@ class QuestionSolver:
         x = SymbolicState(self.model, rest.values).value(q.measure)
         conditions = self._at_rest(rest)
         evidence = proof.at_rest(self.setup, self.question.text, rest.values, x, conditions)
-        return Finding(x, evidence, conditions, self._stability(rest))
+        notes = self._stability(rest)
+        if lies_in_family(self.model, rest.values, q.measure):
+            notes.append(Message("one of a family: free to rest anywhere along {names}", names=q.name))
+        return Finding(x, evidence, conditions, notes)
 
     def _at_rest(self, rest: ClosedFormRest, clear: str = ">=") -> list[Condition]:
         """What an equilibrium needs: that it exists, and that what the formulas take to be positive is so there, what
