@@ -286,3 +286,10 @@ def test_what_is_wrong_is_told_in_the_language_of_the_command(tmp_path: Path) ->
     assert "es gibt keine Verbindung c" in done.stderr
     assert "there is no connection c" in freebody("explain", str(path)).stderr
     assert "there are no words for the language xx" in freebody("explain", str(EXAMPLES[0]), "--language", "xx").stderr
+
+
+def test_of_several_kinds_that_a_name_begins_none_is_preferred() -> None:
+    """gear in the plane is gear_mesh, in space gear_pair: naming one of them only would mislead."""
+    text = "bodies: {a: {disk: {mass: 1, radius: 1}}}\nconnections: {g: {gear: [a, ground]}}"
+    with pytest.raises(fb.ModelError, match="Did you mean one of gear_mesh, gear_pair"):
+        fb.System.from_text(text)

@@ -57,8 +57,11 @@ def placeholder(name: str) -> RigidBody:
 
 
 def did_you_mean(name: str, known: Iterable[str]) -> str:
-    """' Did you mean x?', or the list of what there is."""
+    """' Did you mean x?', or the list of what there is. Of several that a name begins (gear_mesh, gear_pair for gear)
+    none is preferred."""
     options = sorted(set(known))
+    if len(begun := [option for option in options if option.startswith(f"{name}_")]) > 1:
+        return Message(" Did you mean one of {names}?", names=", ".join(begun))
     close = difflib.get_close_matches(name, options, n=1, cutoff=0.6)
     if close:
         return Message(" Did you mean {x}?", x=close[0])

@@ -179,7 +179,7 @@ def lies_in_family(model: SymbolicModel, at: dict[int, Ratio], measure: Measure)
     still = {c.speed: f.zero for c in coordinates} | {f.index(f.time): f.zero}
     _M, K = linearised(model, at)
     columns = [c.index for c in coordinates]
-    rows = [{i: x for i, x in zip(columns, row, strict=True)} for row in K]
+    rows = [dict(zip(columns, row, strict=True)) for row in K]
     stiff = solve(f, rows, columns, model.samples.vanishes)
     value = SymbolicState(model).value(measure)
     t = f.parameter("@t")

@@ -51,9 +51,11 @@ class Conflict:
     def message(self) -> str:
         """What contradicts, by how much, and what to do."""
         told = Message(
-            "{names} contradict each other: at best {gap}, from every start that was tried. Change or leave out one of them, or change the {what}."
+            "{names} contradict each other: at best {gap}, from every start that was tried. Change or leave out one of "
+            "them, or change the {what}."
             if len(self.names) > 1
-            else "{names} cannot hold: at best {gap}, from every start that was tried. Change or leave out one of them, or change the {what}.",
+            else "{names} cannot hold: at best {gap}, from every start that was tried. Change or leave out one of "
+            "them, or change the {what}.",
             names=listed(self.names),
             gap=self.gap,
             what=Message("lengths and positions" if self.is_geometric else "start (at, angle, start) or the lengths"),
