@@ -60,6 +60,8 @@ class Setup:
                 kept = [d for d in self.draws if _is_on_branch(model, d, d.start())]
                 if len(kept) == n:
                     break
+                if not kept:
+                    raise CannotAnswer(Message("at the start the formulas have no value, or another sign than nearby"))
                 near = draws(self.system, n, seed=SEED + _OTHER_WAY, widest=widest, near=kept[0])
                 self.draws = [*kept, *(d for d in near if _is_on_branch(model, d, d.start()))][:n]
                 model = self._formulas()

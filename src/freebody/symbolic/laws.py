@@ -96,6 +96,12 @@ class UniformLaw(MotionLaw):
     def places(self, value: Ratio) -> Instants:
         return None  # its roots are told apart where it is asked for (`motion.py`)
 
+    def rates(self, value: Ratio) -> Instants:
+        if self.a.is_zero():
+            return [], []
+        t = (value - self.u0) / self.a
+        return [LawInstant(t, self.at(t)[0], value, t)], []
+
 
 @dataclass(frozen=True)
 class Oscillation(MotionLaw):

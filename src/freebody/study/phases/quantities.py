@@ -116,6 +116,8 @@ def _force(quantity: Wrench, base: System, system: System, state: State[Any]) ->
     rows = [row for row in system.constraint_rows if row.connection == quantity.connection]
     touched = dict.fromkeys(b for r in base.rows if r.connection == quantity.connection for b in r.measure.bodies())
     moving = [b for b in touched if not base.bodies[b].fixed]
+    if not quantity.on and not moving:
+        raise CannotAnswer(Message("{connection} acts on nothing that moves", connection=quantity.connection))
     body = quantity.on or moving[0]
     fx, fy = _zero(state), _zero(state)
     for row in rows:
