@@ -135,7 +135,7 @@ class Bounded:
             packing.bound(bound)
         for rub in system.dry_friction:
             loads = tuple(places[name] for name in rub.load)
-            packing.rub(rub, loads, self._load_sign(loads))
+            packing.friction(rub, loads, self._load_sign(loads))
         self.written = ArrayBuilder(packing)
         self.bilateral = tuple(k for k, row in enumerate(system.constraint_rows) if not (row.unilateral or row.needs))
         grips = {
@@ -152,7 +152,7 @@ class Bounded:
             FrictionRow(
                 rub.name,
                 (rub.row.ends[0], rub.row.ends[1]) if len(rub.row.ends) > 1 else (rub.row.connection, ""),
-                self.written.row_of_rub(k),
+                self.written.row_of_friction(k),
                 places[rub.name],
                 number.get(rub.of, -1),
                 packing.dry_friction[k].loads,
@@ -258,8 +258,8 @@ class Bounded:
                 # sticking friction: what is left of its limit, shared in a group; sliding friction: its slip rate
                 if state == 0 and k not in mode.followers:
                     group = next((group for group in mode.groups if group[0] == k), (k,))
-                    guards.append(Guard(OF_RESERVE, rub=self.drags[k].packed, n_shares=len(group) - 1))
-                    guards += (Guard(OF_SHARE, rub=self.drags[other].packed) for other in group[1:])
+                    guards.append(Guard(OF_RESERVE, friction=self.drags[k].packed, n_shares=len(group) - 1))
+                    guards += (Guard(OF_SHARE, friction=self.drags[other].packed) for other in group[1:])
                     about += [("grip", other) for other in group]
                 elif state == 0:
                     continue

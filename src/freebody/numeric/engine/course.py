@@ -91,7 +91,7 @@ class Collision:
 
 @dataclass(frozen=True)
 class ContactRecord:
-    """Contact along a motion. states: (n_times, n_bounds) 1 where closed; slips: (n_times, n_rubs) 0 where friction
+    """Contact along a motion. states: (n_times, n_bounds) 1 where closed; slips: (n_times, n_frictions) 0 where it
     sticks, +1 or -1 where it slides, 2 where there is none."""
 
     bounds: tuple[str, ...]

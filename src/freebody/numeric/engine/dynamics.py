@@ -160,9 +160,9 @@ def composed(L, S, t):
 @part
 def law_of(L, S, p, t):
     """The generalized force of a load."""
-    tape, r = L.push[p, 1], L.push[p, 0]
+    tape, r = L.load[p, 1], L.load[p, 0]
     if tape < 0:
-        return L.push_law[p, 0] + L.push_law[p, 1] * S.rows[r, VALUE] + L.push_law[p, 2] * S.rows[r, RATE]
+        return L.load_law[p, 0] + L.load_law[p, 1] * S.rows[r, VALUE] + L.load_law[p, 2] * S.rows[r, RATE]
     begin, end = L.tape_ptr[tape], L.tape_ptr[tape + 1]
     play(begin, end, L.tape, L.tape_number, t, S.rows, S.registers)
     return S.registers[end - 1, 0]
@@ -178,9 +178,9 @@ def loads(L, S, t):
         for i in range(3):
             F[6 * b + 3 + i] += S.gyroscopic[b, i]
     power = 0.0
-    for p in range(len(L.push)):
-        law, r = law_of(L, S, p, t), L.push[p, 0]
-        if L.push[p, 2]:
+    for p in range(len(L.load)):
+        law, r = law_of(L, S, p, t), L.load[p, 0]
+        if L.load[p, 2]:
             power += law * (S.rows[r, RATE] - S.rows[r, DRIFT])
         for k in range(L.slot_ptr[r], L.slot_ptr[r + 1]):
             b, o = L.slots[k, 0], L.slots[k, 1]
@@ -310,7 +310,7 @@ def factored(L, S):
 
 
 @kernel
-def push_along(ptr, slots, W, x, out):
+def apply_multipliers(ptr, slots, W, x, out):
     """out += M^-1 J^T x."""
     for r in range(len(ptr) - 1):
         xr = x[r]
@@ -338,7 +338,7 @@ def projected(L, S, F, goal, n_passes, x):
         for r in range(len(L.held)):
             S.step[r] = goal * S.held[r, RIGHT] - held_along(L, S, r, x)
         back_solve(L.column_ptr, L.column_row, S.schur, S.step)
-        push_along(L.held_ptr, L.held_slots, S.weighted, S.step, x)
+        apply_multipliers(L.held_ptr, L.held_slots, S.weighted, S.step, x)
         size = 0.0
         for r in range(len(L.held)):
             S.multiplier[r] += S.step[r]
@@ -588,13 +588,13 @@ def closed(L, S, q, v):
     for r in range(len(L.held)):
         S.step[r] = S.held[r, MOTION]
     back_solve(L.column_ptr, L.column_row, S.schur, S.step)
-    push_along(L.held_ptr, L.held_slots, S.weighted, S.step, v)
+    apply_multipliers(L.held_ptr, L.held_slots, S.weighted, S.step, v)
     if is_spatial(S.frames) and S.info[N_LEFT_OUT] > 0.0:
         factored_for_places(L, S)
     for r in range(len(L.held)):
         S.step[r] = S.held[r, PLACE]
     back_solve(L.column_ptr, L.column_row, S.schur, S.step)
-    push_along(L.held_ptr, L.held_slots, S.weighted, S.step, q)
+    apply_multipliers(L.held_ptr, L.held_slots, S.weighted, S.step, q)
 
 
 @part

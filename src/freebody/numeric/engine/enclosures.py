@@ -30,6 +30,7 @@ from typing import NamedTuple
 import numpy as np
 
 from freebody.numeric.engine.jit import Function, entry, kernel
+from freebody.numeric.engine.layout import Floats, Floats2, Ints2
 from freebody.numeric.engine.programs import (
     ABS,
     ACOS,
@@ -450,18 +451,179 @@ def sign_of(x, zero):
     return 1.0 if x > zero else (-1.0 if x < -zero else 0.0)
 
 
+class Watched(NamedTuple):
+    """A program in a step from t0 of length h: what is watched is what it gives, and `offset`."""
+
+    code: Ints2
+    constants: Floats
+    P: Floats2  # the dense output, by powers
+    T: Floats
+    t0: float
+    h: float
+    offset: float
+    turns: Floats2
+    C: Floats2  # registers: centres, and radii
+    R: Floats2
+
+
+# On a part, with f, f' and f''/2 in the balls c0 +- r0, c1 +- r1 and c2 +- r2 for u = -1 ... 1:
+#
+#     |f - c0| <= r0, and by the mean value  <= rest = |c1| + min(|c2| + r2, r1)
+#     |f' - c1| <= r1, and                   <= change = 2 (|c2| + r2)
+#
+# where the c of a mean value are those of the point u = 0, of which only rounding is uncertain.
+@kernel
+def judged(W, a, b, resolution):
+    """What the enclosures say of a part [a, b]: f and f''/2 in its middle; whether f is known to be finite, and whether
+    it is apart from zero; whether f' has one sign, and f''; whether f is within the resolution of zero throughout."""
+    m, r = 0.5 * (a + b), 0.5 * (b - a)
+    last = evaluated(W.code, W.constants, 0, len(W.code), W.P, W.T, W.t0, W.h, m, r, False, W.turns, W.C, W.R)
+    c0, r0, c1, r1 = W.C[last, 0] + W.offset, W.R[last, 0], W.C[last, 1], W.R[last, 1]
+    c2, r2 = W.C[last, 2], W.R[last, 2]
+    is_clear = abs(c0) - r0 > resolution
+    is_known = r0 < math.inf
+    rest, change = abs(c1) + min(abs(c2) + r2, r1), 2.0 * (abs(c2) + r2)
+    is_monotone = abs(c1) > r1
+    if is_known and not is_clear and (abs(c0) - rest > resolution or (abs(c1) > change and not is_monotone)):
+        evaluated(W.code, W.constants, 0, len(W.code), W.P, W.T, W.t0, W.h, m, r, True, W.turns, W.C, W.R)
+        is_clear = abs(c0) - W.R[last, 0] - rest > resolution
+        is_monotone = is_monotone or abs(c1) - W.R[last, 1] > change
+    is_bent = abs(c2) > r2
+    is_within = abs(c0) + min(r0, rest) <= resolution
+    return c0, c2, is_known, is_clear, is_monotone, is_bent, is_within
+
+
+@kernel
+def seen_at(W, s):
+    """Value and derivative at a place of the step."""
+    last = evaluated(W.code, W.constants, 0, len(W.code), W.P, W.T, W.t0, W.h, s, 1.0, True, W.turns, W.C, W.R)
+    return W.C[last, 0] + W.offset, W.C[last, 1]
+
+
+@kernel
+def zero_in(W, order, low, high, rises):
+    """`root_in` of what is watched."""
+    return root_in(W.code, W.constants, W.P, W.T, W.t0, W.h, W.offset, order, low, high, rises, W.turns, W.C, W.R)
+
+
+@kernel
+def change_in(W, order, low, high, sign):
+    """`changed_in` of what is watched."""
+    return changed_in(W.code, W.constants, W.P, W.T, W.t0, W.h, W.offset, order, low, high, sign, W.turns, W.C, W.R)
+
+
+@kernel
+def near_since(W, state):
+    """The place since which it may just touch zero, no earlier than the step."""
+    return max(0.0, (state[NEAR_TIME] - W.t0) / W.h)
+
+
+# A part that is not divided any further and of which no enclosure says anything holds a jump, a pole, or an angle that
+# ceases to be defined. At a pole f changes its sign without a zero: an end is huge, and no side is kept. Where f is not
+# known to be finite and both ends are on one side, nothing happens. All else counts as within the resolution.
+@kernel
+def pass_jump(W, b, fa, is_known, zero, resolution, state):
+    """Whether nothing happens in such a part, and the value at its end."""
+    fb, _slope = seen_at(W, b)
+    huge = 1e18 * zero
+    is_pole = not (abs(fa) < huge and abs(fb) < huge) and zero > 0.0
+    is_clear = is_pole or (not is_known and fa * fb > 0.0 and min(abs(fa), abs(fb)) > resolution)
+    if is_clear:
+        state[IS_NEAR] = 0.0
+    if is_pole:
+        state[SIDE] = 0.0
+    return is_clear, fb
+
+
+# Where f is apart from zero nothing happens on the part itself, but it shows what happened while f was within the
+# resolution before it: with another sign than the last one f has changed it, with the same one it has touched zero.
+@kernel
+def pass_clear(W, a, sign, found, n, state):
+    """Notes what a part with one sign ends; how many events were found by then."""
+    side = state[SIDE]
+    if side == -sign:  # it changed at a jump, or while it was within the resolution
+        s = a
+        if state[IS_NEAR] > 0.0:
+            s = change_in(W, 0, near_since(W, state), a, sign)
+        n = noted(found, n, s, sign)
+    elif state[IS_NEAR] > 0.0 and side != 0.0:
+        s = change_in(W, 1, near_since(W, state), a, side)
+        n = touched(found, n, s, state, W.t0, W.h)
+    state[SIDE], state[IS_NEAR] = sign, 0.0
+    return n
+
+
+@kernel
+def turning_in(W, a, b, da, db, c2):
+    """Where f' is zero in a part in which f'' has one sign and f' has unlike ones at the ends."""
+    if db == 0.0:
+        return b
+    if da == 0.0:
+        return a
+    return zero_in(W, 1, a, b, c2 > 0.0)
+
+
+# Between two places where f' has one sign f has one zero if its signs there are unlike, else none. A first sign that is
+# not the one met last is due to a jump, or to what happened while f was within the resolution.
+@kernel
+def pass_piece(W, low, f_low, high, f_high, side, zero, was_near, begin, found, n):
+    """Notes the zeros between two places in which f is monotone; how many events were found by then, and the side."""
+    after = sign_of(f_high, zero)
+    before = sign_of(f_low, zero)
+    if before == -side and side != 0.0:  # after a jump, or while it was within the resolution
+        s = low
+        if was_near:
+            s = change_in(W, 0, begin, low, before)
+        n = noted(found, n, s, before)
+        side = before
+    if after != 0.0 and after == -side:
+        s = low
+        if f_low * side > 0.0:
+            s = zero_in(W, 0, low, high, after > 0.0)
+        n = noted(found, n, s, after)
+    if after != 0.0:
+        side = after
+    return n, side
+
+
+# On a part where f' or f'' has one sign let f have its least or greatest value fm at m (`has_turn`, else m = b). It
+# touches zero if |fm| is within the resolution, the bend is towards the side that f is on, and no end is on the other
+# side. Else the one or two pieces in which f is monotone are passed one after the other.
+@kernel
+def pass_simple(W, a, fa, da, m, fm, b, fb, has_turn, bend, zero, resolution, found, n, state):
+    """Notes touches and zeros on such a part; how many events were found by then."""
+    side = state[SIDE]
+    if side == 0.0:
+        side = sign_of(fa, zero)
+    is_touch = has_turn and side != 0.0 and bend == side and abs(fm) <= resolution
+    if is_touch and sign_of(fb, zero) != -side and sign_of(fa, zero) != -side:
+        n = touched(found, n, m, state, W.t0, W.h)
+        if sign_of(fb, zero) != 0.0:
+            side = sign_of(fb, zero)
+    else:
+        was_near, begin = state[IS_NEAR] > 0.0, min(a, near_since(W, state))
+        if was_near and sign_of(fa, zero) != -side and da * side > 0.0 and side != 0.0:
+            s = change_in(W, 1, begin, a, side)
+            n = touched(found, n, s, state, W.t0, W.h)
+        n, side = pass_piece(W, a, fa, m, fm, side, zero, was_near, begin, found, n)
+        if has_turn:
+            n, side = pass_piece(W, m, fm, b, fb, side, zero, False, begin, found, n)
+    state[SIDE], state[IS_NEAR] = side, 0.0
+    return n
+
+
 def search(code, constants, P, t0, h, sizes, T, turns, C, R, state, found, stack, info):
     """The events in a step from t0 of length h, in their order; see above. sizes: what is added to the program, below
     what it is zero, the resolution, how many parts may be looked at. state: what is carried from step to step. found:
     places in the step and kinds. info: how many were found, where the search begins and how far it came, how many parts
     were looked at, the value there, value and slope at the end (beyond the resolution: any). Returns how it ended."""
-    offset, zero, resolution, most = sizes[0], sizes[1], sizes[2], sizes[3]
+    zero, resolution, most = sizes[1], sizes[2], sizes[3]
+    W = Watched(code, constants, P, T, t0, h, sizes[0], turns, C, R)
     n, n_parts = 0, 0.0
     start = info[1]
-    last = evaluated(code, constants, 0, len(code), P, T, t0, h, start, 1.0, True, turns, C, R)
+    fa, da = seen_at(W, start)
     if start == 0.0 and len(turns) > 0:
         counted_on(code, constants, turns, C, R)
-    fa, da = C[last, 0] + offset, C[last, 1]
     info[3] = fa
     stack[0, 0], stack[0, 1] = start, 1.0
     top = 1
@@ -472,115 +634,34 @@ def search(code, constants, P, t0, h, sizes, T, turns, C, R, state, found, stack
             info[0], info[1], info[2] = n, a, n_parts
             return FULL if n + 4 > len(found) else EXHAUSTED
         n_parts += 1.0
-        m, r = 0.5 * (a + b), 0.5 * (b - a)
-        evaluated(code, constants, 0, len(code), P, T, t0, h, m, r, False, turns, C, R)
-        c0, r0, c1, r1, c2, r2 = C[last, 0] + offset, R[last, 0], C[last, 1], R[last, 1], C[last, 2], R[last, 2]
-        side = state[SIDE]
-        is_clear = abs(c0) - r0 > resolution
-        is_known = r0 < math.inf
-        rest, change = abs(c1) + min(abs(c2) + r2, r1), 2.0 * (abs(c2) + r2)
-        is_monotone = abs(c1) > r1
-        if is_known and not is_clear and (abs(c0) - rest > resolution or (abs(c1) > change and not is_monotone)):
-            # by the mean value; the radii of a point are what rounding does
-            evaluated(code, constants, 0, len(code), P, T, t0, h, m, r, True, turns, C, R)
-            is_clear = abs(c0) - R[last, 0] - rest > resolution
-            is_monotone = is_monotone or abs(c1) - R[last, 1] > change
-        is_bent = abs(c2) > r2
-        is_within = abs(c0) + min(r0, rest) <= resolution
+        c0, c2, is_known, is_clear, is_monotone, is_bent, is_within = judged(W, a, b, resolution)
         if not is_known or not (is_clear or is_monotone or is_bent or is_within):
             if b - a > NARROWEST and top + 2 <= len(stack):
-                stack[top, 0], stack[top, 1] = m, b
-                stack[top + 1, 0], stack[top + 1, 1] = a, m
+                middle = 0.5 * (a + b)
+                stack[top, 0], stack[top, 1] = middle, b
+                stack[top + 1, 0], stack[top + 1, 1] = a, middle
                 top += 2
                 continue
-            # a jump, a pole, or an angle that ceases to be defined
-            evaluated(code, constants, 0, len(code), P, T, t0, h, b, 1.0, True, turns, C, R)
-            fb, huge = C[last, 0] + offset, 1e18 * zero
-            is_pole = not (abs(fa) < huge and abs(fb) < huge) and zero > 0.0
-            is_clear = is_pole or (not is_known and fa * fb > 0.0 and min(abs(fa), abs(fb)) > resolution)
-            is_within = not is_clear
-            if is_clear:
-                c0 = fb
-                state[IS_NEAR] = 0.0
-                side = state[SIDE] = 0.0 if is_pole else side
+            is_clear, c0 = pass_jump(W, b, fa, is_known, zero, resolution, state)
         if is_clear:
-            sign = 1.0 if c0 > 0.0 else -1.0
-            if side == -sign:  # it changed at a jump, or while it was within the resolution
-                s = a
-                if state[IS_NEAR] > 0.0:
-                    begin = max(0.0, (state[NEAR_TIME] - t0) / h)
-                    s = changed_in(code, constants, P, T, t0, h, offset, 0, begin, a, sign, turns, C, R)
-                n = noted(found, n, s, sign)
-            elif state[IS_NEAR] > 0.0 and side != 0.0:
-                begin = max(0.0, (state[NEAR_TIME] - t0) / h)
-                s = changed_in(code, constants, P, T, t0, h, offset, 1, begin, a, side, turns, C, R)
-                n = touched(found, n, s, state, t0, h)
-            state[SIDE], state[IS_NEAR] = sign, 0.0
+            n = pass_clear(W, a, 1.0 if c0 > 0.0 else -1.0, found, n, state)
+            fa, da = c0, 0.0
             if b < 1.0 or len(turns) > 0:
-                evaluated(code, constants, 0, len(code), P, T, t0, h, b, 1.0, True, turns, C, R)
-                fa, da = C[last, 0] + offset, C[last, 1]
-            else:
-                fa, da = c0, 0.0
+                fa, da = seen_at(W, b)
         else:
-            evaluated(code, constants, 0, len(code), P, T, t0, h, b, 1.0, True, turns, C, R)
-            fb, db = C[last, 0] + offset, C[last, 1]
-            ends = 2
-            middle, fm = b, fb
-            if not is_monotone and is_bent and da * db <= 0.0:
-                middle = (
-                    b
-                    if db == 0.0
-                    else a
-                    if da == 0.0
-                    else root_in(code, constants, P, T, t0, h, offset, 1, a, b, c2 > 0.0, turns, C, R)
-                )
-                evaluated(code, constants, 0, len(code), P, T, t0, h, middle, 1.0, True, turns, C, R)
-                fm = C[last, 0] + offset
-                ends = 3
+            fb, db = seen_at(W, b)
+            m, fm = b, fb
+            has_turn = not is_monotone and is_bent and da * db <= 0.0
+            if has_turn:
+                m = turning_in(W, a, b, da, db, c2)
+                fm, _slope = seen_at(W, m)
             if is_monotone or is_bent:
                 bend = 1.0 if c2 > 0.0 else -1.0
-                if side == 0.0:
-                    side = sign_of(fa, zero)
-                is_touch = ends == 3 and side != 0.0 and bend == side and abs(fm) <= resolution
-                is_touch = is_touch and sign_of(fb, zero) != -side and sign_of(fa, zero) != -side
-                if is_touch:
-                    n = touched(found, n, middle, state, t0, h)
-                    state[IS_NEAR] = 0.0
-                    if sign_of(fb, zero) != 0.0:
-                        side = sign_of(fb, zero)
-                else:
-                    low, f_low = a, fa
-                    was_near, begin = state[IS_NEAR] > 0.0, min(a, max(0.0, (state[NEAR_TIME] - t0) / h))
-                    if state[IS_NEAR] > 0.0:
-                        if sign_of(fa, zero) != -side and da * side > 0.0 and side != 0.0:
-                            s = changed_in(code, constants, P, T, t0, h, offset, 1, begin, a, side, turns, C, R)
-                            n = touched(found, n, s, state, t0, h)
-                        state[IS_NEAR] = 0.0
-                    for piece in range(ends - 1):
-                        high, f_high = (middle, fm) if piece == 0 and ends == 3 else (b, fb)
-                        after = sign_of(f_high, zero)
-                        before = sign_of(f_low, zero)
-                        if before == -side and side != 0.0:  # after a jump, or while it was within the resolution
-                            s = low
-                            if was_near and piece == 0:
-                                s = changed_in(code, constants, P, T, t0, h, offset, 0, begin, low, before, turns, C, R)
-                            n = noted(found, n, s, before)
-                            side = before
-                        if after != 0.0 and after == -side:
-                            s = low
-                            if f_low * side > 0.0:
-                                s = root_in(
-                                    code, constants, P, T, t0, h, offset, 0, low, high, after > 0.0, turns, C, R
-                                )
-                            n = noted(found, n, s, after)
-                        if after != 0.0:
-                            side = after
-                        low, f_low = high, f_high
-                state[SIDE] = side
+                n = pass_simple(W, a, fa, da, m, fm, b, fb, has_turn, bend, zero, resolution, found, n, state)
             elif state[IS_NEAR] == 0.0:
                 state[IS_NEAR], state[NEAR_TIME] = 1.0, t0 + a * h
-            if len(turns) > 0 or ends == 3:
-                evaluated(code, constants, 0, len(code), P, T, t0, h, b, 1.0, True, turns, C, R)
+            if len(turns) > 0:
+                seen_at(W, b)
             fa, da = fb, db
         if len(turns) > 0:
             counted_on(code, constants, turns, C, R)

@@ -142,8 +142,8 @@ def packed(
     packing = Packing(numbers)
     for row in numbers.system.constraint_rows:
         packing.hold(row)
-    for push in numbers.system.applied_loads:
-        packing.push(push)
+    for load in numbers.system.applied_loads:
+        packing.load(load)
     packing.reads_turns = bool(packing.keys())
     for watch in watches:
         packing.watch(watch.measure)
@@ -199,7 +199,7 @@ class Evaluator(Packed):
         self.reads_turns = packing.reads_turns  # whether the motion depends on turns
         super().__init__(numbers, packing, mode)
         self.held = [packing.held[k].held for k in (range(len(packing.held)) if mode is None else mode.held)]
-        self.applied_loads = [push for _where, push, _linear, _works in packing.pushed]
+        self.applied_loads = [load for _where, load, _linear, _works in packing.applied_loads]
         self.watched_rows = [self.rows[w.measure] for w in watches]
         self.place_of = np.empty(len(self.order), dtype=np.intp)  # of the model's held rows in the order of elimination
         self.place_of[self.order] = np.arange(len(self.order))
@@ -279,12 +279,12 @@ class Evaluator(Packed):
 
     def law_names(self, p: int, t: float) -> dict[str, float]:
         """What the law of a load sees at the instant looked at last."""
-        push, rows = self.applied_loads[p], self.room.rows
-        own = rows[self.layout.push[p, 0]]
+        load, rows = self.applied_loads[p], self.room.rows
+        own = rows[self.layout.load[p, 0]]
         names = {**self.numbers.values, "t": t, RATE.name: float(own[dynamics.RATE])}
-        if not isinstance(push.measure, NonholonomicForm):
-            names[VALUE.name] = float(own[dynamics.VALUE]) - self.numbers.start_value(push.measure)
-        for name, measure in push.measures:
+        if not isinstance(load.measure, NonholonomicForm):
+            names[VALUE.name] = float(own[dynamics.VALUE]) - self.numbers.start_value(load.measure)
+        for name, measure in load.measures:
             other = rows[self.rows[measure]]
             names[name], names[f"rate({name})"] = float(other[dynamics.VALUE]), float(other[dynamics.RATE])
         return names

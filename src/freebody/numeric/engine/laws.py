@@ -23,10 +23,10 @@ def linear_law(law: Expr, values: Mapping[str, float]) -> tuple[float, float, fl
     return None if a is None or b is None or c is None else (a, b, c)
 
 
-def stored_law(push: AppliedLoad, values: Mapping[str, float]) -> tuple[float, float] | None:
+def stored_law(load: AppliedLoad, values: Mapping[str, float]) -> tuple[float, float] | None:
     """(c0, c1) of a load whose law is c0 + c1 value, so that its energy is stored; None for others, whose work is
     integrated with the motion."""
-    linear = linear_law(push.law, values)
-    if linear is None or linear[2] != 0.0 or isinstance(push.measure, NonholonomicForm):
+    linear = linear_law(load.law, values)
+    if linear is None or linear[2] != 0.0 or isinstance(load.measure, NonholonomicForm):
         return None
     return linear[:2]

@@ -76,8 +76,8 @@ class ModelArrays(NamedTuple):
     guard: Ints2  # (n, 6): kind (`dynamics.GUARD_*`), row or held, held a, held b, tape, shares that follow
     guard_factor: Floats2  # (n, 4): see `dynamics.guarded`
 
-    push: Ints2  # (n, 3): row, tape of its law (-1: a linear one), its work is integrated: it has no potential
-    push_law: Floats2  # (n, 3): law = [0] + [1] value + [2] rate
+    load: Ints2  # (n, 3): row, tape of its law (-1: a linear one), its work is integrated: it has no potential
+    load_law: Floats2  # (n, 3): law = [0] + [1] value + [2] rate
 
     schur_base: Floats  # entries of the Schur complement, as far as they never change
     pair_ptr: Ints  # and what is added: a sum over pairs of slots

@@ -63,7 +63,7 @@ class Slide:
     its load is among them."""
 
     where: Where
-    rub: DryFriction
+    friction: DryFriction
     keeps: int
     loads: tuple[int, ...]
     sign: int
@@ -102,7 +102,7 @@ class Packing:
         self.held: list[Hold] = []
         self.dry_friction: list[Slide] = []
         self.watched: list[Where] = []
-        self.pushed: list[tuple[Where, AppliedLoad, tuple[float, float, float] | None, bool]] = []
+        self.applied_loads: list[tuple[Where, AppliedLoad, tuple[float, float, float] | None, bool]] = []
 
     # -- measures -----------------------------------------------------------------------------
     def _body(self, name: str) -> int:
@@ -296,40 +296,40 @@ class Packing:
             self.watch(span.measure)
         return place
 
-    def rub(self, rub: DryFriction, loads: tuple[int, ...], sign: int) -> int:
+    def friction(self, friction: DryFriction, loads: tuple[int, ...], sign: int) -> int:
         """Enters dry friction, and gives the place of the row that keeps it where it is; what that is, `Written.keep`
         says. loads: places of the rows whose multipliers press; sign: of a single one that can only push."""
-        where = self.row(rub.row.measure)
+        where = self.row(friction.row.measure)
         if where[0] == "base":  # a row of its own, which can be held at any value
             self.bases.append(self.bases[where[1]])
-            keeps = self._hold(("base", len(self.bases) - 1), None, rub.row)
+            keeps = self._hold(("base", len(self.bases) - 1), None, friction.row)
         else:
-            keeps = self._hold(where, None, rub.row, is_place=False)
-        for _name, measure in rub.measures:
+            keeps = self._hold(where, None, friction.row, is_place=False)
+        for _name, measure in friction.measures:
             self.row(measure)
         self.watched.append(where)
-        self.dry_friction.append(Slide(where, rub, keeps, loads, sign))
+        self.dry_friction.append(Slide(where, friction, keeps, loads, sign))
         return keeps
 
     def watch(self, measure: Measure | NonholonomicForm) -> None:
         """Enters a measure whose value and rate are wanted."""
         self.watched.append(self.row(measure))
 
-    def push(self, push: AppliedLoad) -> None:
+    def load(self, load: AppliedLoad) -> None:
         """Enters a load. One that never changes becomes a constant force."""
-        linear = linear_law(push.law, self.numbers.values)
-        if linear is not None and not isinstance(push.measure, NonholonomicForm):
-            if linear[1:] == (0.0, 0.0) and self._is_constant(push.measure, linear[0]):
+        linear = linear_law(load.law, self.numbers.values)
+        if linear is not None and not isinstance(load.measure, NonholonomicForm):
+            if linear[1:] == (0.0, 0.0) and self._is_constant(load.measure, linear[0]):
                 return
-            origin = self.numbers.start_value(push.measure)
+            origin = self.numbers.start_value(load.measure)
             linear = (linear[0] - linear[1] * origin, linear[1], linear[2])
-        for _name, other in push.measures:
+        for _name, other in load.measures:
             self.row(other)
-        works = stored_law(push, self.numbers.values) is None
-        self.pushed.append((self.row(push.measure), push, linear, works))
+        works = stored_law(load, self.numbers.values) is None
+        self.applied_loads.append((self.row(load.measure), load, linear, works))
 
     def _is_constant(self, measure: Measure, force: float) -> bool:
-        """Adds the generalized force of a constant push along a measure with a constant gradient."""
+        """Adds the generalized force of a constant load along a measure with a constant gradient."""
         linear = self._linear(measure)
         if linear is None:
             return False

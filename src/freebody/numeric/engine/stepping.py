@@ -365,15 +365,83 @@ def accept(S, R, h):
     R.count[STEPS] += 1
 
 
+@part
+def try_step(L, S, T, R, t, h, allowed):
+    """A step of length h from t: its error by the tolerance, and whether what is held could be closed at its end, with
+    the slope there."""
+    needs_new = T.sizes[4] > 0
+    R.clock[LOWEST_PIVOT] = 1.0
+    stages(L, S, T, R, t, h)
+    error = error_of(T, R, h) if T.sizes[3] > 0 and not needs_new else 0.0
+    is_held = error <= allowed and project(L, S, R.clock, R.count, R.unit, R.states[NEW], t + h)
+    if is_held:
+        respond(L, S, t + h)
+        store_slope(L, S, R.states[NEW], R.slopes[T.sizes[0]])
+        R.count[EVALUATIONS] += 1
+        if needs_new:
+            error = error_of(T, R, h)
+        for i in range(len(R.states[Y])):
+            if not abs(R.slopes[T.sizes[0], i]) < math.inf:
+                error = math.nan
+    return error, is_held
+
+
+@part
+def shortened(T, R, h, error, allowed):
+    """The next length to try, h err^(-1/p) with the error err and the order p of the method; why goes to the count."""
+    if error > allowed:
+        R.count[TROUBLE] = ERROR_LARGE
+        return h * max(0.2, 0.9 * error ** (-1.0 / T.sizes[2])) if error < math.inf else h * 0.2
+    R.count[TROUBLE] = NOT_HELD if error <= allowed else NOT_FINITE
+    return h * 0.25
+
+
+# What is left out, or regularised, is decided by the best pivot of the motion: a pivot far below it belongs to a
+# singular pose, in whose neighbourhood stages are projected too (`IS_CAREFUL`).
+@part
+def remember_pivots(S, R):
+    """The best pivot of the motion and what was left out at it, after a step."""
+    if S.info[IS_REGULARISED] > 0.0:
+        R.count[REGULARISED] += 1
+    R.clock[BEST_PIVOT] = max(R.clock[BEST_PIVOT], S.info[SMALLEST_PIVOT])
+    R.count[LEFT_OUT] = min(R.count[LEFT_OUT], int(S.info[N_LEFT_OUT]))
+    S.info[N_REDUNDANT], S.info[BEST_OF_MOTION] = R.count[LEFT_OUT], R.clock[BEST_PIVOT]
+    R.count[IS_CAREFUL] = 1 if S.info[SMALLEST_PIVOT] < CAREFUL_PIVOT * R.clock[BEST_PIVOT] else 0
+
+
+@part
+def choose_next(T, R, h, error, was_rejected, is_last):
+    """The length of the next step, h err^(-1/p) within bounds: no longer after a rejection; a last step that was cut
+    short says nothing against longer ones."""
+    growth = 5.0 if error == 0.0 else min(5.0, 0.9 * error ** (-1.0 / T.sizes[2]))
+    if was_rejected:
+        growth = min(1.0, growth)
+    if not (is_last and growth * h < R.clock[STEP]):
+        R.clock[STEP] = h * max(0.2, growth)
+
+
+@part
+def show(L, S, T, R):
+    """The dense output of the step, if it is looked at, and the outputs that lie in it."""
+    has_outputs = R.count[OUTPUTS] < len(R.out_t) and R.out_t[R.count[OUTPUTS]] <= R.clock[NOW]
+    if R.count[IS_WATCHED] > 0 or (has_outputs and R.out_t[R.count[OUTPUTS]] < R.clock[NOW]):
+        interpolant(L, S, T, R)
+    if has_outputs:
+        store_outputs(L, S, R)
+
+
 _T, _R = example_of(Tableau), example_of(SteppedRun)
 _INT, _FLOAT, _STATE = 1, 1.0, np.zeros(1)
 
 
 @of_either(_T, _R, _INT)
 def advance(L, S, T, R, max_steps):
-    """Makes steps to the end time, or max_steps of them, or one if the run is watched."""
-    n_stages, order, is_adaptive, needs_new = T.sizes[0], T.sizes[2], T.sizes[3] > 0, T.sizes[4] > 0
-    n_y = len(R.states[Y])
+    """Makes steps to the end time, or max_steps of them, or one if the run is watched.
+
+    A step is tried until its error is allowed, what is held can be closed at its end, and it does not end next to a
+    singular pose. There slightly different steps are tried first (`n_others`), and errors may be ten times as large
+    whenever none of these will do; elsewhere the step is shortened."""
+    is_adaptive = T.sizes[3] > 0
     for _ in range(max_steps):
         t = R.clock[NOW]
         left = R.clock[END] - t
@@ -389,71 +457,36 @@ def advance(L, S, T, R, max_steps):
                 h = left
             elif 2.0 * h > left and is_adaptive:
                 h = 0.5 * left  # two equal steps instead of one and a tiny one
-            R.clock[LOWEST_PIVOT] = 1.0
-            stages(L, S, T, R, t, h)
-            error = error_of(T, R, h) if is_adaptive and not needs_new else 0.0
-            is_held = error <= allowed and project(L, S, R.clock, R.count, R.unit, R.states[NEW], t + h)
-            if is_held:
-                respond(L, S, t + h)
-                store_slope(L, S, R.states[NEW], R.slopes[n_stages])
-                R.count[EVALUATIONS] += 1
-                if needs_new:
-                    error = error_of(T, R, h)
-                for i in range(n_y):
-                    if not abs(R.slopes[n_stages, i]) < math.inf:
-                        error = math.nan
+            error, is_held = try_step(L, S, T, R, t, h, allowed)
             is_near = is_held and is_near_singular(S, R)
-            if (
-                is_held
-                and error <= allowed
-                and not (is_near and n_others < N_OTHER_STEPS and is_adaptive and not is_last)
-            ):
+            may_differ = is_adaptive and n_others < N_OTHER_STEPS
+            if is_held and error <= allowed and not (is_near and may_differ and not is_last):
                 break
             R.count[REJECTED] += 1
-            passes = is_near or R.clock[LOWEST_PIVOT] < CAREFUL_PIVOT * R.clock[BEST_PIVOT]
-            if is_adaptive and passes and n_others < N_OTHER_STEPS:
+            if not is_adaptive:
+                R.count[TROUBLE] = NOT_HELD if error == 0.0 else NOT_FINITE
+                return TOO_SMALL
+            was_rejected = True
+            if may_differ and (is_near or R.clock[LOWEST_PIVOT] < CAREFUL_PIVOT * R.clock[BEST_PIVOT]):
                 # stages next to a singular pose spoil a step; a slightly different one misses it, a short one does not
                 n_others += 1
-                was_rejected = True
                 if R.count[IS_CAREFUL] > 0 or is_near:
                     h *= 0.93
                 R.count[IS_CAREFUL] = 1
                 if n_others == N_OTHER_STEPS and allowed < MOST_ALLOWED:
                     n_others, allowed, h = 0, 10.0 * allowed, wanted
                 continue
-            if not is_adaptive:
-                R.count[TROUBLE] = NOT_HELD if error == 0.0 else NOT_FINITE
-                return TOO_SMALL
-            was_rejected = True
-            if error > allowed:
-                R.count[TROUBLE] = ERROR_LARGE
-                h *= max(0.2, 0.9 * error ** (-1.0 / order)) if error < math.inf else 0.2
-            else:
-                R.count[TROUBLE] = NOT_HELD if error <= allowed else NOT_FINITE
-                h *= 0.25
+            h = shortened(T, R, h, error, allowed)
         R.clock[ALLOWED] = max(R.clock[ALLOWED], allowed)
-        if S.info[IS_REGULARISED] > 0.0:
-            R.count[REGULARISED] += 1
-        R.clock[BEST_PIVOT] = max(R.clock[BEST_PIVOT], S.info[SMALLEST_PIVOT])
-        R.count[LEFT_OUT] = min(R.count[LEFT_OUT], int(S.info[N_LEFT_OUT]))
-        S.info[N_REDUNDANT], S.info[BEST_OF_MOTION] = R.count[LEFT_OUT], R.clock[BEST_PIVOT]
-        R.count[IS_CAREFUL] = 1 if S.info[SMALLEST_PIVOT] < CAREFUL_PIVOT * R.clock[BEST_PIVOT] else 0
+        remember_pivots(S, R)
         if is_adaptive:
             look_for_stiffness(T, R, h)
-            growth = 5.0 if error == 0.0 else min(5.0, 0.9 * error ** (-1.0 / order))
-            if was_rejected:
-                growth = min(1.0, growth)
-            if not (is_last and growth * h < R.clock[STEP]):
-                R.clock[STEP] = h * max(0.2, growth)
+            choose_next(T, R, h, error, was_rejected, is_last)
         accept(S, R, h)
         R.clock[NOW] = R.clock[END] if is_last else t + h
-        has_outputs = R.count[OUTPUTS] < len(R.out_t) and R.out_t[R.count[OUTPUTS]] <= R.clock[NOW]
-        if R.count[IS_WATCHED] > 0 or (has_outputs and R.out_t[R.count[OUTPUTS]] < R.clock[NOW]):
-            interpolant(L, S, T, R)
-        if has_outputs:
-            store_outputs(L, S, R)
-        for i in range(n_y):
-            R.slopes[0, i] = R.slopes[n_stages, i]
+        show(L, S, T, R)
+        for i in range(len(R.states[Y])):
+            R.slopes[0, i] = R.slopes[T.sizes[0], i]
         if R.count[IS_WATCHED] > 0:
             return LOOK
         if R.count[STIFF] >= STIFF_STEPS:

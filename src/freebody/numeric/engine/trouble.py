@@ -101,8 +101,8 @@ def _without_value(engine: Evaluator, run: SteppedRun, y: np.ndarray, out: np.nd
         ahead = y + h * out
         stepping.visit(engine.layout, engine.room, run, -1.0, ahead, t + h, np.zeros(engine.n_y), 1)
         rows = engine.room.rows
-        for p, (row, tape, _works) in enumerate(engine.layout.push):
-            at = engine.layout.push_law[p]
+        for p, (row, tape, _works) in enumerate(engine.layout.load):
+            at = engine.layout.load_law[p]
             law = (
                 at[0] + at[1] * rows[row, 0] + at[2] * rows[row, 1] if tape < 0 else engine.tape_value(int(tape), t + h)
             )

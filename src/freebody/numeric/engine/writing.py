@@ -37,7 +37,7 @@ class Guard:
 
     kind: int
     row: int = -1  # row, or place among the rows that may be held
-    rub: int = -1
+    friction: int = -1
     sign: float = 1.0
     offset: float = 0.0
     n_shares: int = 0
@@ -118,7 +118,7 @@ class ArrayBuilder:
         applied_loads = self._pushes(rated)
         self._held = [self._hold(k) for k in range(len(p.held))]
         self._held_slots: list[list[tuple[int, int]]] = [rows.slots[held["row"]] for held in self._held]
-        self._limits = [self._limit(slide.rub) for slide in p.dry_friction]
+        self._limits = [self._limit(slide.friction) for slide in p.dry_friction]
         self._masses = self._masses_of(self._driven(slots_of_measure))
         base_terms = [[(new_place[k], c) for k, c in base.terms] for base in p.bases]
         self.rows = {measure: self._number[where] for measure, where in p.by_measure.items()}
@@ -149,14 +149,14 @@ class ArrayBuilder:
             "tape_ptr": ints(tapes.ptr),
             "tape": ints(list(zip(tapes.ops, tapes.left, tapes.right, strict=True)), 2, 3),
             "tape_number": floats(tapes.constants),
-            "push": ints([(push["row"], push["tape"], push["works"]) for push in applied_loads], 2, 3),
-            "push_law": floats(np.array([push["law"] for push in applied_loads]).reshape(-1, 3)),
+            "load": ints([(load["row"], load["tape"], load["works"]) for load in applied_loads], 2, 3),
+            "load_law": floats(np.array([load["law"] for load in applied_loads]).reshape(-1, 3)),
         }
 
     def _driven(self, slots_of_measure: Callable[[int], list[tuple[int, int]]]) -> set[int]:
         """Coordinates on which a row that may be held, or a load, can act."""
         p = self.packing
-        wheres = [held.where for held in p.held] + [pushed[0] for pushed in p.pushed]
+        wheres = [held.where for held in p.held] + [applied[0] for applied in p.applied_loads]
         pieces = {k for where in wheres for k in p.pieces_of(where)}
         entries = [(3 * cell + i, o + i) for k in pieces for cell, o in slots_of_measure(k) for i in range(3)]
         constant = np.flatnonzero(p.constant_force)
@@ -202,16 +202,16 @@ class ArrayBuilder:
     def _pushes(self, rated: set[int]) -> list[dict[str, Any]]:
         p = self.packing
         written: list[dict[str, Any]] = []
-        for where, push, linear, works in p.pushed:
+        for where, load, linear, works in p.applied_loads:
             r = self._number[where]
             tape = -1
             if works or (linear is not None and linear[2] != 0.0):
                 rated.add(r)
             if linear is None:
-                is_place = not isinstance(push.measure, NonholonomicForm)
-                origin = p.numbers.start_value(push.measure) if is_place else 0.0  # type: ignore[arg-type]
+                is_place = not isinstance(load.measure, NonholonomicForm)
+                origin = p.numbers.start_value(load.measure) if is_place else 0.0  # type: ignore[arg-type]
                 inputs = {VALUE.name: (r, -origin)}
-                tape = self._law(push.law, push, inputs, {"@rate": r}, rated)
+                tape = self._law(load.law, load, inputs, {"@rate": r}, rated)
             written.append({"row": r, "tape": tape, "law": linear or (0.0, 0.0, 0.0), "works": works})
         return written
 
@@ -231,11 +231,11 @@ class ArrayBuilder:
                 rated.add(row)
         return self._tapes.write(law, inputs, rates)
 
-    def _limit(self, rub: DryFriction) -> tuple[int, int]:
+    def _limit(self, friction: DryFriction) -> tuple[int, int]:
         """The tapes of the limits, at rest and in motion, of dry friction that nothing presses; else -1."""
-        if rub.load:
+        if friction.load:
             return -1, -1
-        return self._law(rub.static, rub, {}, {}), self._law(rub.kinetic, rub, {}, {})
+        return self._law(friction.static, friction, {}, {}), self._law(friction.kinetic, friction, {}, {})
 
     # -- what is held -------------------------------------------------------------------------
     def layout(
@@ -244,7 +244,7 @@ class ArrayBuilder:
         sliding: Sequence[tuple[int, int]] = (),
         guards: Sequence[Guard] = (),
     ) -> tuple[ModelArrays, list[int]]:
-        """The layout with the chosen rows held (all of them if nothing is said), friction sliding along (rub,
+        """The layout with the chosen rows held (all of them if nothing is said), friction sliding along (friction,
         direction), and the given guards; and the order of the held rows, places among the chosen ones."""
         held = list(range(len(self._held))) if chosen is None else list(chosen)
         sequence = elimination_order([frozenset(c // self.width for c, _o in self._held_slots[k]) for k in held])
@@ -254,7 +254,7 @@ class ArrayBuilder:
             held_entries(self._held_slots[k], self._unchanging, self._masses["inverse_mass"]) for k in sorted_held
         ]
         rows = [self._held[k] for k in sorted_held]
-        slides = [self._slide(rub, direction, place) for rub, direction in sliding]
+        slides = [self._slide(friction, direction, place) for friction, direction in sliding]
         watched = [self._guard(guard, place) for guard in guards]
         layout = ModelArrays(
             **self._fixed,
@@ -270,16 +270,16 @@ class ArrayBuilder:
         )
         return layout, sequence
 
-    def keep(self, rub: int, value: float) -> None:
+    def keep(self, friction: int, value: float) -> None:
         """What a sticking friction keeps its measure at from now on, in all layouts."""
-        slide = self.packing.dry_friction[rub]
+        slide = self.packing.dry_friction[friction]
         where = self.packing.held[slide.keeps].where
         if where[0] == "base":
             self._fixed["row_constant"][where[1]] = self.packing.bases[slide.where[1]].constant - value
 
-    def row_of_rub(self, rub: int) -> int:
+    def row_of_friction(self, friction: int) -> int:
         """The row of the slip of dry friction."""
-        return self._number[self.packing.dry_friction[rub].where]
+        return self._number[self.packing.dry_friction[friction].where]
 
     def program(self, row: int, order: int, sign: float = 1.0) -> Program:
         """The value (order 0) or the rate (order 1) of a row, up to a constant, by a sign."""
@@ -292,35 +292,40 @@ class ArrayBuilder:
         """The row that may be held at a place."""
         return self._held[k]["row"]
 
-    def limit_tapes(self, rub: int) -> tuple[int, int]:
+    def limit_tapes(self, friction: int) -> tuple[int, int]:
         """The tapes of the limits, at rest and in motion, of dry friction that nothing presses."""
-        return self._limits[rub]
+        return self._limits[friction]
 
-    def _loads(self, rub: int, place: Mapping[int, int]) -> tuple[int, int, int]:
-        slide = self.packing.dry_friction[rub]
+    def _loads(self, friction: int, place: Mapping[int, int]) -> tuple[int, int, int]:
+        slide = self.packing.dry_friction[friction]
         a, b = (*(place.get(k, -1) for k in slide.loads), -1, -1)[:2]
         return (BY_LAW if not slide.loads else BY_SIZE if len(slide.loads) > 1 else BY_ONE), a, b
 
-    def _slide(self, rub: int, direction: int, place: Mapping[int, int]) -> tuple[tuple[int, ...], tuple[float, ...]]:
-        slide = self.packing.dry_friction[rub]
-        kind, a, b = self._loads(rub, place)
-        c = 1.0 if kind == BY_LAW else self.packing.numbers.number(slide.rub.coefficient(direction))
-        return (self.row_of_rub(rub), kind, a, b, self._limits[rub][1], 1), (-direction * c, float(slide.sign))
+    def _slide(
+        self, friction: int, direction: int, place: Mapping[int, int]
+    ) -> tuple[tuple[int, ...], tuple[float, ...]]:
+        slide = self.packing.dry_friction[friction]
+        kind, a, b = self._loads(friction, place)
+        c = 1.0 if kind == BY_LAW else self.packing.numbers.number(slide.friction.coefficient(direction))
+        return (self.row_of_friction(friction), kind, a, b, self._limits[friction][1], 1), (
+            -direction * c,
+            float(slide.sign),
+        )
 
     def _guard(self, guard: Guard, place: Mapping[int, int]) -> tuple[tuple[int, ...], tuple[float, ...]]:
         if guard.kind == OF_MULTIPLIER:
             return (guard.kind, place[guard.row], -1, -1, -1, 0), (guard.sign, 0.0, 0.0, 0.0)
         if guard.kind in (OF_VALUE, OF_RATE):
             return (guard.kind, guard.row, -1, -1, -1, 0), (guard.sign, guard.offset, 0.0, 0.0)
-        slide = self.packing.dry_friction[guard.rub]
-        kind, a, b = self._loads(guard.rub, place)
+        slide = self.packing.dry_friction[guard.friction]
+        kind, a, b = self._loads(guard.friction, place)
         # a positive multiplier resists a falling measure
         down, up = (
-            1.0 if kind == BY_LAW else self.packing.numbers.number(slide.rub.coefficient(d, at_rest=True))
+            1.0 if kind == BY_LAW else self.packing.numbers.number(slide.friction.coefficient(d, at_rest=True))
             for d in (-1, 1)
         )
         at = -1 if guard.kind == OF_SHARE else place[slide.keeps]
-        return (guard.kind, at, a, b, self._limits[guard.rub][0], guard.n_shares), (
+        return (guard.kind, at, a, b, self._limits[guard.friction][0], guard.n_shares), (
             float(slide.sign),
             down,
             up,

@@ -41,7 +41,7 @@ CORRECTED = 0.2  # part of a penetration that is taken back in one step
 
 
 @part
-def push(X, r, impulse, v):
+def apply_impulse(X, r, impulse, v):
     """What an impulse along a row does to velocities."""
     for k in range(X.response_ptr[r], X.response_ptr[r + 1]):
         v[X.response_at[k]] += impulse * X.response[k]
@@ -109,14 +109,14 @@ def sweep(X, v, held_impulse, is_backward):
                 bt = rate_of(X, t, v) + X.number[t, BIAS] - cross * before_n - tangential * before_t
                 pn, pt = block_impulses(bn, bt, own, cross, tangential, X.number[t, FORWARD], X.number[t, BACK])
                 if pt != before_t:
-                    push(X, t, pt - before_t, v)
+                    apply_impulse(X, t, pt - before_t, v)
                     X.number[t, IMPULSE] = pt
                     largest = max(largest, abs(pt - before_t) * tangential)
             else:
                 before_n = X.number[r, IMPULSE]
                 pn = max(0.0, -bn / own)
             if pn != before_n:
-                push(X, r, pn - before_n, v)
+                apply_impulse(X, r, pn - before_n, v)
                 X.number[r, IMPULSE] = pn
                 largest = max(largest, abs(pn - before_n) * own)
         elif X.what[r, LOAD_A] < 0 or X.what[X.what[r, LOAD_A], IS_COUPLED] == 0 or X.what[r, LOAD_A] != r - 1:
@@ -126,7 +126,7 @@ def sweep(X, v, held_impulse, is_backward):
             wanted = before - (rate_of(X, r, v) + X.number[r, BIAS]) / own
             p = min(max(wanted, -X.number[r, FORWARD] * load), X.number[r, BACK] * load)
             if p != before:
-                push(X, r, p - before, v)
+                apply_impulse(X, r, p - before, v)
                 X.number[r, IMPULSE] = p
                 largest = max(largest, abs(p - before) * own)
     return largest
@@ -151,7 +151,7 @@ def accelerated(X, v, before, is_first):
             along = beta * X.number[r, ALONG]
             if along != 0.0 and X.number[r, IMPULSE] != 0.0:
                 X.number[r, IMPULSE] += along
-                push(X, r, along, v)
+                apply_impulse(X, r, along, v)
             X.number[r, ALONG] = along + change
     return square
 
@@ -169,7 +169,7 @@ def start_from_memory(X, v):
         if not X.number[r, OWN] > 0.0:
             X.number[r, IMPULSE] = 0.0
         if X.number[r, IMPULSE] != 0.0:
-            push(X, r, X.number[r, IMPULSE], v)
+            apply_impulse(X, r, X.number[r, IMPULSE], v)
 
 
 @kernel
@@ -198,7 +198,7 @@ def correct(X, q, v, w, h, tolerance, most_sweeps):
             before = X.number[r, SHIFT]
             after = max(0.0, before - (rate_of(X, r, moved) + X.number[r, NEED]) / X.number[r, OWN])
             if after != before:
-                push(X, r, after - before, moved)
+                apply_impulse(X, r, after - before, moved)
                 X.number[r, SHIFT] = after
                 largest = max(largest, abs(after - before) * X.number[r, OWN])
         if largest <= 0.1 * CORRECTED * deepest:

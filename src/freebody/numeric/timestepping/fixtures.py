@@ -46,9 +46,9 @@ class SystemParts:
             packing.watch(bound.row.measure)
             for span in bound.within:
                 packing.watch(span.measure)
-        for rub in self.dry_friction:
-            packing.watch(rub.row.measure)
-            for _name, measure in rub.measures:
+        for friction in self.dry_friction:
+            packing.watch(friction.row.measure)
+            for _name, measure in friction.measures:
                 packing.watch(measure)
 
     def fixtures(
@@ -59,14 +59,14 @@ class SystemParts:
         places = {bound.name: k for k, bound in enumerate(self.bounds)}
         places |= {row.name: -2 - int(place_of[k]) for k, row in enumerate(self.joints)}
         bounds = [self._bound(bound, numbers, rows, tapes) for bound in self.bounds]
-        dry_friction = [self._rub(rub, numbers, rows, tapes, places) for rub in self.dry_friction]
+        dry_friction = [self._friction(friction, numbers, rows, tapes, places) for friction in self.dry_friction]
         return Fixtures(
             bound=ints([b[0] for b in bounds], 2, 6),
             bound_number=floats(np.array([b[1] for b in bounds]).reshape(-1, 6)),
             bound_memory=np.zeros(len(bounds)),
-            rub=ints([r[0] for r in dry_friction], 2, 6),
-            rub_number=floats(np.array([r[1] for r in dry_friction]).reshape(-1, 4)),
-            rub_memory=np.zeros(len(dry_friction)),
+            friction=ints([r[0] for r in dry_friction], 2, 6),
+            friction_number=floats(np.array([r[1] for r in dry_friction]).reshape(-1, 4)),
+            friction_memory=np.zeros(len(dry_friction)),
             tape_ptr=ints(tapes.ptr),
             tape=ints(list(zip(tapes.ops, tapes.left, tapes.right, strict=True)), 2, 3),
             tape_number=floats(tapes.constants),
@@ -100,22 +100,22 @@ class SystemParts:
             (value, numbers.number(bound.restitution), *lows, *highs),
         )
 
-    def _rub(
+    def _friction(
         self,
-        rub: DryFriction,
+        friction: DryFriction,
         numbers: Numbers,
         rows: Mapping[Measure | NonholonomicForm, int],
         tapes: Tapes,
         places: Mapping[str, int],
     ) -> tuple[tuple[int, ...], tuple[float, ...]]:
-        row = rows[rub.row.measure]
-        if not rub.load:
-            inputs = {name: (rows[measure], 0.0) for name, measure in rub.measures}
-            laws = [tapes.write(law, inputs) for law in (rub.static, rub.kinetic)]
+        row = rows[friction.row.measure]
+        if not friction.load:
+            inputs = {name: (rows[measure], 0.0) for name, measure in friction.measures}
+            laws = [tapes.write(law, inputs) for law in (friction.static, friction.kinetic)]
             return (row, _NONE, _NONE, *laws, 0), (1.0,) * 4
-        loads = [places[name] for name in rub.load]
+        loads = [places[name] for name in friction.load]
         coefficients = [
-            numbers.number(rub.coefficient(direction, at_rest=at_rest))
+            numbers.number(friction.coefficient(direction, at_rest=at_rest))
             for direction in (1, -1)
             for at_rest in (True, False)
         ]

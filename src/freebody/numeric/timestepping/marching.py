@@ -31,6 +31,7 @@ from freebody.numeric.engine.dynamics import (
     GOAL_RATE,
     MOTION,
     POWER_OF_LOADS,
+    apply_multipliers,
     back_solve,
     closed,
     factored,
@@ -38,7 +39,6 @@ from freebody.numeric.engine.dynamics import (
     held_along,
     kinematics,
     loads,
-    push_along,
 )
 from freebody.numeric.engine.jit import kernel, part
 from freebody.numeric.engine.layout import Floats, Floats2, Ints, ModelArrays, Workspace, example_of
@@ -65,8 +65,8 @@ from freebody.numeric.timestepping.rows import (
     Fixtures,
     add_bounds,
     add_candidates,
+    add_dry_friction,
     add_responses,
-    add_rubs,
     gap_of,
     is_within,
     rate_of,
@@ -151,7 +151,7 @@ def hold_velocities(L, S, velocities, h, impulse, n_passes):
             bending = S.held[r, GOAL + order] if L.held[r, 1] >= 0 else 0.0
             S.step[r] = S.held[r, MOTION] + 0.5 * h * (bending - S.rows[L.held[r, 0], ROW_BIAS])
         back_solve(L.column_ptr, L.column_row, S.schur, S.step)
-        push_along(L.held_ptr, L.held_slots, S.weighted, S.step, velocities)
+        apply_multipliers(L.held_ptr, L.held_slots, S.weighted, S.step, velocities)
         for r in range(len(L.held)):
             impulse[r] += S.step[r]
 
@@ -293,7 +293,7 @@ def remember(C, F, X):
         elif origin == OF_BOUND:
             F.bound_memory[k] = X.number[r, IMPULSE]
         else:
-            F.rub_memory[k] = X.number[r, IMPULSE]
+            F.friction_memory[k] = X.number[r, IMPULSE]
 
 
 @kernel
@@ -324,7 +324,7 @@ def forces(L, S, R, t):
     bare, v = R.bare.reshape(R.bare.size), R.v.reshape(R.v.size)
     for i in range(len(bare)):
         bare[i] = v[i] + h * L.inverse_mass[i] * S.force[i]
-    if len(L.push) > 0:
+    if len(L.load) > 0:
         for b in range(len(R.v)):
             for i in range(3):
                 R.new[b, i] = 0.5 * (R.v[b, i] + R.bare[b, i])
@@ -335,101 +335,148 @@ def forces(L, S, R, t):
 
 
 @kernel
-def step(L, S, C, F, X, R, is_pressed_by_held):
-    """One step; see above. Nothing of the motion is changed unless it is DONE."""
-    h = R.clock[STEP]
-    t = R.clock[NOW] + 0.5 * h
-    n = len(R.v)
-    old = R.v.reshape(R.v.size)
+def to_middle(L, S, R, t):
+    """The pose at the middle, q + h/2 v, and the velocities that loads alone would lead to. Returns the largest
+    acceleration by them, and the largest speed before."""
     typical, fastest = 0.0, 0.0
-    for b in range(n):
+    for b in range(len(R.v)):
         for i in range(3):
-            R.middle[b, i] = R.q[b, i] + 0.5 * h * R.v[b, i]
+            R.middle[b, i] = R.q[b, i] + 0.5 * R.clock[STEP] * R.v[b, i]
         fastest = max(fastest, abs(R.v[b, 0]) + abs(R.v[b, 1]))
     forces(L, S, R, t)
     free, bare = R.free.reshape(R.free.size), R.bare.reshape(R.bare.size)
     for i in range(len(free)):
         free[i] = bare[i]
-    for b in range(n):
+    for b in range(len(R.v)):
         typical = max(typical, abs(S.force[3 * b]) * L.inverse_mass[3 * b])
         typical = max(typical, abs(S.force[3 * b + 1]) * L.inverse_mass[3 * b + 1])
     R.clock[ACCELERATION] = max(R.clock[ACCELERATION], typical)
+    return typical, fastest
+
+
+@kernel
+def hold_free(L, S, R, free, h):
+    """Takes from the free velocities what is held. Returns how often a solution is refined."""
     n_passes = 1
     if len(L.held) > 0:
         n_passes = factored(L, S)
         for r in range(len(L.held)):
             R.held_impulse[r] = 0.0
         hold_velocities(L, S, free, h, R.held_impulse, n_passes)
+    return n_passes
 
-    # what may touch
+
+@kernel
+def collect(L, S, C, F, X, R, free, t, fastest, n_passes):
+    """The rows of all that may touch or has friction in this step, and what their impulses do; False if these are too
+    many."""
+    h, old = R.clock[STEP], R.v.reshape(R.v.size)
     gain = h * R.clock[ACCELERATION]
     X.count[0] = X.count[1] = 0
     measure(C.kinds, C.starts, C.bodies, C.numbers, R.middle, R.v, S.turn, C.measures, C.gradient)
     if not add_candidates(L, C, X, old, free, h, 3.0 * h * (fastest + gain), R.clock[SLOP], 1e-3 * gain):
-        return FULL
-    if X.count[0] + len(F.bound) + len(F.rub) >= len(X.what):
-        return FULL
+        return False
+    if X.count[0] + len(F.bound) + len(F.friction) >= len(X.what):
+        return False
     add_bounds(L, S, F, X, old, free, t, h, R.clock[SLOP])
-    add_rubs(L, S, F, X, old, t, h, 1e-3 * gain)
+    add_dry_friction(L, S, F, X, old, t, h, 1e-3 * gain)
     if not add_responses(L, S, X, R.is_jointed, n_passes):
-        return FULL
+        return False
     R.count[MOST_CLOSED] = max(R.count[MOST_CLOSED], X.count[0])
+    return True
 
-    # impulses
-    speed = fastest + h * typical
-    loss = 0.0
-    moved = R.new.reshape(R.new.size)
-    for b in range(n):
-        R.is_whole[b] = 0
-    if X.count[0] > 0:
-        energy = 0.0
-        for i in range(len(free)):
-            if L.inverse_mass[i] > 0.0:
-                energy += 0.5 * old[i] * old[i] / L.inverse_mass[i]
-        start_from_memory(X, free)
-        while True:
-            residual = solve_impulses(L, S, X, R, free, speed, is_pressed_by_held, n_passes)
-            if len(L.held) > 0:
-                held_impulses(L, S, X, R, n_passes)
-            choose_rule(L, X, R, free, h, 1e-6 * gain)
-            move(R, free, moved)
-            loss = loss_of(L, S, R, free, moved)
-            if not loss > 1e-9 * energy or not soften(X):
-                break
-            R.count[SOFTENED] += 1
-        R.clock[RESIDUAL] = residual
-        R.clock[WORST_RESIDUAL] = max(R.clock[WORST_RESIDUAL], residual)
-        if residual > R.clock[TOLERANCE] * speed:
-            R.count[CAPPED] += 1
-            R.clock[WORST_SHARE] = max(R.clock[WORST_SHARE], residual / speed)
-        remember(C, F, X)
-    move(R, free, moved)
 
-    # work of loads without a potential, and of held rows that move
+# Newton's law of impacts can add energy where several are coupled. With the kinetic energy E before, an energy gained
+# beyond 1e-9 E is taken for that, and all impacts of the step are done again without restitution.
+@kernel
+def exchange(L, S, C, F, X, R, free, moved, speed, is_pressed_by_held, n_passes):
+    """The impulses of the closed rows and what they do to the velocities. Returns what they add to the energy."""
+    h, old, energy = R.clock[STEP], R.v.reshape(R.v.size), 0.0
+    for i in range(len(free)):
+        if L.inverse_mass[i] > 0.0:
+            energy += 0.5 * old[i] * old[i] / L.inverse_mass[i]
+    start_from_memory(X, free)
+    while True:
+        residual = solve_impulses(L, S, X, R, free, speed, is_pressed_by_held, n_passes)
+        if len(L.held) > 0:
+            held_impulses(L, S, X, R, n_passes)
+        choose_rule(L, X, R, free, h, 1e-6 * (h * R.clock[ACCELERATION]))
+        move(R, free, moved)
+        loss = loss_of(L, S, R, free, moved)
+        if not loss > 1e-9 * energy or not soften(X):
+            break
+        R.count[SOFTENED] += 1
+    R.clock[RESIDUAL] = residual
+    R.clock[WORST_RESIDUAL] = max(R.clock[WORST_RESIDUAL], residual)
+    if residual > R.clock[TOLERANCE] * speed:
+        R.count[CAPPED] += 1
+        R.clock[WORST_SHARE] = max(R.clock[WORST_SHARE], residual / speed)
+    remember(C, F, X)
+    return loss
+
+
+@kernel
+def work_of(L, S, R, h):
+    """The work, in this step, of loads without a potential and of held rows that move: P_held (goal rate - drift)."""
     work = h * S.info[POWER_OF_LOADS]
     for r in range(len(L.held)):
         if L.held[r, 3]:
             goal = S.held[r, GOAL_RATE if L.held[r, 2] else GOAL] if L.held[r, 1] >= 0 else 0.0
             work += R.held_impulse[r] * (goal - S.rows[L.held[r, 0], DRIFT])
+    return work
 
-    # the new pose, in the place of that at the middle
-    deepest = 0.0
+
+@kernel
+def arrive(L, S, X, R, free, moved):
+    """The pose at the end, in the place of that at the middle, with penetrations and held rows closed. Returns how the
+    step ends, and the deepest penetration."""
+    h, deepest = R.clock[STEP], 0.0
     for i in range(len(free)):
         if not abs(free[i]) < 1e300:
-            return NOT_FINITE
-    for b in range(n):
+            return NOT_FINITE, deepest
+    for b in range(len(R.v)):
         for i in range(3):
             R.middle[b, i] = R.q[b, i] + h * R.new[b, i]
     if X.count[0] > 0:
         deepest = correct(X, R.middle.reshape(R.middle.size), free, moved, h, R.clock[SLOP], N_CORRECTED)
     if len(L.held) > 0 and not place(L, S, R, free, R.clock[NOW] + h):
-        return NOT_HELD
+        return NOT_HELD, deepest
+    return DONE, deepest
+
+
+@kernel
+def settle(S, R, h):
+    """Pose and velocities at the end become those of the motion; in `R.new` stays the mean acceleration."""
     for k in range(len(S.measures)):
         S.measures[k, NEAR] = S.measures[k, BEARING]
-    for b in range(n):
+    for b in range(len(R.v)):
         for i in range(3):
             R.new[b, i] = (R.free[b, i] - R.v[b, i]) / h
             R.q[b, i], R.v[b, i] = R.middle[b, i], R.free[b, i]
+
+
+@kernel
+def step(L, S, C, F, X, R, is_pressed_by_held):
+    """One step; see above. Nothing of the motion is changed unless it is DONE."""
+    h = R.clock[STEP]
+    t = R.clock[NOW] + 0.5 * h
+    typical, fastest = to_middle(L, S, R, t)
+    free, moved = R.free.reshape(R.free.size), R.new.reshape(R.new.size)
+    n_passes = hold_free(L, S, R, free, h)
+    if not collect(L, S, C, F, X, R, free, t, fastest, n_passes):
+        return FULL
+    for b in range(len(R.v)):
+        R.is_whole[b] = 0
+    loss = 0.0
+    if X.count[0] > 0:
+        speed = fastest + h * typical
+        loss = exchange(L, S, C, F, X, R, free, moved, speed, is_pressed_by_held, n_passes)
+    move(R, free, moved)
+    work = work_of(L, S, R, h)
+    how, deepest = arrive(L, S, X, R, free, moved)
+    if how != DONE:
+        return how
+    settle(S, R, h)
     R.clock[DEEPEST] = max(R.clock[DEEPEST], deepest)
     R.clock[WORK] += work
     R.clock[LOSS] += loss
@@ -449,9 +496,9 @@ def advance(L, S, C, F, X, R, n_steps):
     """Makes steps until the count of all is n_steps, or what is returned stops it."""
     # a Boolean from the first line on: begun as the literal False it would be of two types, and all that takes it
     # compiled for both
-    is_pressed_by_held = len(F.rub) < 0
-    for k in range(len(F.rub)):
-        is_pressed_by_held = is_pressed_by_held or F.rub[k, 1] < -1 or F.rub[k, 2] < -1
+    is_pressed_by_held = len(F.friction) < 0
+    for k in range(len(F.friction)):
+        is_pressed_by_held = is_pressed_by_held or F.friction[k, 1] < -1 or F.friction[k, 2] < -1
     while R.count[STEPS] < n_steps:
         if has_moved(R):
             return REBUILD

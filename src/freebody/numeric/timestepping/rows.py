@@ -15,7 +15,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from freebody.numeric.engine.dynamics import BIAS as ROW_BIAS
-from freebody.numeric.engine.dynamics import DRIFT, VALUE, back_solve, held_along, push_along
+from freebody.numeric.engine.dynamics import DRIFT, VALUE, apply_multipliers, back_solve, held_along
 from freebody.numeric.engine.jit import kernel, part
 from freebody.numeric.engine.layout import Floats, Floats2, Ints, Ints2
 from freebody.numeric.engine.tape import play
@@ -47,12 +47,12 @@ from freebody.numeric.timestepping.candidates import (
 from freebody.numeric.timestepping.templates import N_SPANS, N_TERMS
 
 # kinds of row
-NORMAL, RUB = 0, 1
+NORMAL, FRICTION = 0, 1
 # columns of `Rows.what`; a load is a row, or -1: none, or -2 - k: the held row k
 KIND, IS_COUPLED, LOAD_A, LOAD_B, ORIGIN, SOURCE, COLUMN = range(7)
 N_WHAT = 7
 # where a row comes from: a candidate, a bound of the layout, a friction of the layout
-OF_SITE, OF_BOUND, OF_RUB = range(3)
+OF_SITE, OF_BOUND, OF_FRICTION = range(3)
 # columns of `Rows.number`: the impulse; the row of a normal is J v + bias >= 0; J M^-1 J^T, that without held rows, and
 # that with the next row; limits of friction against a growing and a falling measure, by the load or as impulses; the
 # rate at the start of the step; what the rate at its end is more than J v; the gap at the start; what closes the gap at
@@ -68,9 +68,11 @@ class Fixtures(NamedTuple):
     bound: Ints2  # (n, 6): row, sign, tape of the target (-1: a number), rows of two spans (-1: none), has a rate
     bound_number: Floats2  # (n, 6): target, restitution, lows and highs of the spans
     bound_memory: Floats  # impulse of the last step
-    rub: Ints2  # (n, 6): row, loads a and b (bounds, or -2 - k: held rows, -1: none), tapes of static and kinetic limit
-    rub_number: Floats2  # (n, 4): coefficients, static and kinetic against a growing measure, then a falling one
-    rub_memory: Floats
+    friction: (
+        Ints2  # (n, 6): row, loads a and b (bounds, or -2 - k: held rows, -1: none), tapes of static and kinetic limit
+    )
+    friction_number: Floats2  # (n, 4): coefficients, static and kinetic against a growing measure, then a falling one
+    friction_memory: Floats
     tape_ptr: Ints
     tape: Ints2
     tape_number: Floats
@@ -246,7 +248,7 @@ def add_site(L, C, X, s, v, free, h, still_speed):
     set_rates(X, n, 0.0, bias, v, h)
     set_normal(X, n, what, gap, restitution, h)
     if C.number[s, STATIC] > 0.0:
-        r = begin_row(X, RUB, OF_SITE, s, SLIP_IMPULSE, C.memory[s, SLIP_IMPULSE])
+        r = begin_row(X, FRICTION, OF_SITE, s, SLIP_IMPULSE, C.memory[s, SLIP_IMPULSE])
         X.local[:6] = 0.0
         bias = 0.0
         for j in range(N_TERMS):
@@ -261,7 +263,7 @@ def add_site(L, C, X, s, v, free, h, still_speed):
         X.number[r, FORWARD], X.number[r, BACK] = mu, mu
         X.what[r, LOAD_A], X.what[n, IS_COUPLED] = n, 1
     if C.number[s, ARM] > 0.0:
-        r = begin_row(X, RUB, OF_SITE, s, TURN_IMPULSE, C.memory[s, TURN_IMPULSE])
+        r = begin_row(X, FRICTION, OF_SITE, s, TURN_IMPULSE, C.memory[s, TURN_IMPULSE])
         X.local[:6] = 0.0
         pour(C, C.site[s, TURN], 1.0, a, b, X.local)
         add_local(L, X, r, a, b)
@@ -393,22 +395,22 @@ def limit_of(S, F, tape, t):
 
 
 @kernel
-def add_rubs(L, S, F, X, v, t, h, still_speed):
+def add_dry_friction(L, S, F, X, v, t, h, still_speed):
     """Friction of the layout. Its limits by laws are impulses of the step, those by loads are coefficients."""
-    for k in range(len(F.rub)):
-        r = begin_row(X, RUB, OF_RUB, k, 0, F.rub_memory[k])
-        add_layout_row(L, S, X, r, F.rub[k, 0], 1.0)
-        set_rates(X, r, S.rows[F.rub[k, 0], DRIFT], S.rows[F.rub[k, 0], ROW_BIAS], v, h)
+    for k in range(len(F.friction)):
+        r = begin_row(X, FRICTION, OF_FRICTION, k, 0, F.friction_memory[k])
+        add_layout_row(L, S, X, r, F.friction[k, 0], 1.0)
+        set_rates(X, r, S.rows[F.friction[k, 0], DRIFT], S.rows[F.friction[k, 0], ROW_BIAS], v, h)
         moves = 0 if abs(X.number[r, BEFORE]) <= still_speed else 1
-        if F.rub[k, 3] >= 0:
+        if F.friction[k, 3] >= 0:
             X.what[r, LOAD_A] = X.what[r, LOAD_B] = -1
-            limit = h * max(0.0, limit_of(S, F, F.rub[k, 3 + moves], t))
+            limit = h * max(0.0, limit_of(S, F, F.friction[k, 3 + moves], t))
             X.number[r, FORWARD] = X.number[r, BACK] = limit
             continue
-        X.number[r, FORWARD], X.number[r, BACK] = F.rub_number[k, moves], F.rub_number[k, 2 + moves]
+        X.number[r, FORWARD], X.number[r, BACK] = F.friction_number[k, moves], F.friction_number[k, 2 + moves]
         is_pressed = False
         for j in range(2):
-            load = F.rub[k, 1 + j]
+            load = F.friction[k, 1 + j]
             if load >= 0:
                 load = F.row_of_bound[load]
             X.what[r, LOAD_A + j] = load
@@ -450,7 +452,7 @@ def add_responses(L, S, X, is_jointed, n_passes):
                 for i in range(len(L.held)):
                     S.step[i] = -held_along(L, S, i, x)
                 back_solve(L.column_ptr, L.column_row, S.schur, S.step)
-                push_along(L.held_ptr, L.held_slots, S.weighted, S.step, x)
+                apply_multipliers(L.held_ptr, L.held_slots, S.weighted, S.step, x)
             for i in range(n):
                 if x[i] != 0.0:
                     X.response_at[p], X.response[p] = i, x[i]

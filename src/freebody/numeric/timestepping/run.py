@@ -146,7 +146,7 @@ class _Run:
         if value is not None:
             packed.align(packed.state(poses, velocities), start, value)
         scene.fixtures.bound_memory[:] = 0.0
-        scene.fixtures.rub_memory[:] = 0.0
+        scene.fixtures.friction_memory[:] = 0.0
         scene.built.arrays.memory[:] = 0.0
         scene.built.arrays.pair[:, 1] = -1
         self._look()

@@ -35,8 +35,8 @@ class ContactScene:
         packing = Packing(numbers)
         packing.part_lent = KEPT
         self.parts.enter(packing)
-        for push in system.applied_loads:
-            packing.push(push)
+        for load in system.applied_loads:
+            packing.load(load)
         for measure in system.measures.values():
             packing.watch(measure)
         self.packed = Packed(numbers, packing)
@@ -172,5 +172,5 @@ class ContactScene:
     # -- names --------------------------------------------------------------------------------
     def site_name(self, pair: int, place: int) -> str:
         """What the model calls a site."""
-        bounds, _rubs = self.numbers.system.contacts[pair].elements()
+        bounds, _friction = self.numbers.system.contacts[pair].elements()
         return bounds[place].name

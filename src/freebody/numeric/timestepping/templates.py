@@ -62,8 +62,10 @@ class Template:
         pair = OutlinePair(
             "", first.stand_in(FIRST), second.stand_in(SECOND), _surface(), starts_closed=False, is_alone=False
         )
-        bounds, rubs = pair.elements()
-        by_bound = {bound.name: [rub for rub in rubs if rub.of == bound.name] for bound in bounds}
+        bounds, dry_friction = pair.elements()
+        by_bound = {
+            bound.name: [friction for friction in dry_friction if friction.of == bound.name] for bound in bounds
+        }
         edges: dict[str, int] = {}
         self.slips: list[list[Expr]] = []
         self.targets: list[Expr] = []
@@ -73,11 +75,15 @@ class Template:
         self._prepare()
 
     # -- reading ------------------------------------------------------------------------------
-    def _site(self, bound: UnilateralConstraint, rubs: list[DryFriction], edges: dict[str, int]) -> TemplateSite:
+    def _site(
+        self, bound: UnilateralConstraint, dry_friction: list[DryFriction], edges: dict[str, int]
+    ) -> TemplateSite:
         row = bound.row
         assert not isinstance(row.measure, Combination)
         assert row.target is not None
-        slip, turn = (rub.row for rub in rubs)  # friction and rolling resistance, as `_surface` has both
+        slip, turn = (
+            friction.row for friction in dry_friction
+        )  # friction and rolling resistance, as `_surface` has both
         terms = _terms(slip.measure)
         self.slips.append([coefficient for coefficient, _m in terms])
         self.targets.append(row.target)

@@ -145,7 +145,7 @@ class Slopes:
 
     def __init__(self, engine: Evaluator) -> None:
         self._engine = engine
-        self._laws = [_derivatives(push) for push in engine.applied_loads]
+        self._laws = [_derivatives(load) for load in engine.applied_loads]
 
     def at(self, t: float, y: Floats) -> Floats:
         """(n_y, n_y)."""
@@ -173,8 +173,8 @@ class Slopes:
     def _law_values(self, t: float) -> list[float]:
         e = self._engine
         values: list[float] = []
-        for p, (row, tape, _works) in enumerate(e.layout.push):
-            c, x = e.layout.push_law[p], e.room.rows[row]
+        for p, (row, tape, _works) in enumerate(e.layout.load):
+            c, x = e.layout.load_law[p], e.room.rows[row]
             linear = c[0] + c[1] * x[dynamics.VALUE] + c[2] * x[dynamics.RATE]
             values.append(float(linear) if tape < 0 else e.tape_value(int(tape), t))
         return values
@@ -184,11 +184,11 @@ class Slopes:
         e = self._engine
         n = e.n_coordinates
         stiffness, damping = np.zeros((n, n)), np.zeros((n, n))
-        for p, (row, tape, _works) in enumerate(e.layout.push):
+        for p, (row, tape, _works) in enumerate(e.layout.load):
             g = e.gradient_of(int(row))
             if tape < 0:
-                stiffness += e.layout.push_law[p, 1] * np.outer(g, g)
-                damping += e.layout.push_law[p, 2] * np.outer(g, g)
+                stiffness += e.layout.load_law[p, 1] * np.outer(g, g)
+                damping += e.layout.load_law[p, 2] * np.outer(g, g)
                 continue
             names = e.law_names(p, t)
             for expr, other, is_rate in self._laws[p]:
@@ -210,21 +210,21 @@ class Slopes:
         return result
 
 
-def _derivatives(push: AppliedLoad) -> list[tuple[Expr, Any, bool]]:
+def _derivatives(load: AppliedLoad) -> list[tuple[Expr, Any, bool]]:
     """Of a law: the derivative, the measure by which it is taken (None: its own), and whether by its rate."""
     found: list[tuple[Expr, Any, bool]] = []
-    if not isinstance(push.measure, NonholonomicForm):
-        found.append((differentiate(push.law, VALUE.name), None, False))
-    found.append((differentiate(push.law, RATE.name), None, True))
-    found += [(differentiate(push.law, name), measure, False) for name, measure in push.measures]
+    if not isinstance(load.measure, NonholonomicForm):
+        found.append((differentiate(load.law, VALUE.name), None, False))
+    found.append((differentiate(load.law, RATE.name), None, True))
+    found += [(differentiate(load.law, name), measure, False) for name, measure in load.measures]
     return found
 
 
 def _frozen(layout: ModelArrays, laws: list[float]) -> ModelArrays:
-    push, law = layout.push.copy(), np.zeros_like(layout.push_law)
-    push[:, 1] = -1
+    load, law = layout.load.copy(), np.zeros_like(layout.load_law)
+    load[:, 1] = -1
     law[:, 0] = laws
-    return layout._replace(push=push, push_law=law)
+    return layout._replace(load=load, load_law=law)
 
 
 INTEGRATOR = Integrator(rk4.INTEGRATOR.tableau, Implicit, own_order=5)
