@@ -12,6 +12,7 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
+import mpmath
 import pytest
 import sympy
 
@@ -22,7 +23,7 @@ Within = Callable[[int, Callable[[], object]], None]
 _FUNCTIONS = ["sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "sqrt", "exp", "log", "pi"]
 _NUMBER = re.compile(r"(?<![\w.])\d+(?:\.\d+)?(?:[eE][+-]?\d+)?")
 _SEED = 20
-_DIGITS = 30
+_DIGITS = 60
 
 
 _compiling: list[subprocess.Popen[bytes]] = []
@@ -83,12 +84,14 @@ def assert_same_function(found: str, expected: str, near: Mapping[str, float]) -
     a, b = formula(found), formula(expected)
     numbers = random.Random(_SEED)
     symbols = sorted(a.free_symbols | b.free_symbols, key=str)
+    both = sympy.lambdify(symbols, (a, b), "mpmath")
     for _ in range(10):
-        point = {s: near.get(str(s), 0.0) * numbers.uniform(0.9, 1.1) or numbers.uniform(0.2, 1.0) for s in symbols}
-        exact = {s: sympy.Rational(round(value * 10**6), 10**6) for s, value in point.items()}
-        x, y = (sympy.N(e.subs(exact), _DIGITS) for e in (a, b))
-        size = max(abs(x), abs(y), sympy.Float(1e-6))
-        assert abs(x - y) < 1e-20 * size, f"seed {_SEED}: {found} is {x}, {expected} is {y} at {exact}"
+        point = [near.get(str(s), 0.0) * numbers.uniform(0.9, 1.1) or numbers.uniform(0.2, 1.0) for s in symbols]
+        with mpmath.workdps(_DIGITS):
+            x, y = both(*(mpmath.mpf(round(value * 10**6)) / 10**6 for value in point))
+            size = max(abs(x), abs(y), mpmath.mpf("1e-6"))
+            told = f"seed {_SEED}: {found} is {x}, {expected} is {y} at {dict(zip(symbols, point, strict=True))}"
+            assert abs(x - y) < size / mpmath.mpf(10) ** 20, told
 
 
 @pytest.fixture

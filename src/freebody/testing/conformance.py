@@ -149,9 +149,18 @@ def example_is_a_valid_model_that_holds_something(kind: str) -> None:
 def _validate(system: Description) -> None:
     if find_spec("jsonschema") is None:
         return
+    _validator((*Connection.kinds, *Load.kinds)).validate(system.document.data)
+
+
+@cache
+def _validator(_kinds: tuple[str, ...]) -> Any:
+    """What checks documents by the schema of the kinds that there are; looking over the schema takes half a second."""
     import jsonschema
 
-    jsonschema.validate(system.document.data, json_schema())  # pyright: ignore[reportUnknownMemberType]
+    schema = json_schema()
+    kind: Any = jsonschema.Draft202012Validator
+    kind.check_schema(schema)
+    return kind(schema)
 
 
 @_of_connections
