@@ -10,7 +10,6 @@ import pytest
 
 import freebody as fb
 from freebody.study.friction.answers import prepared
-from freebody.study.friction.ends import ParameterEnds
 
 Agree = Callable[[fb.Solution, str, str | list[str]], None]
 
@@ -120,8 +119,7 @@ def test_both_ways_round_are_mirror_images() -> None:
 
 @pytest.mark.parametrize("sign", [-1, 1])
 def test_slip_begins_where_the_ratio_of_tensions_is_reached(sign: int) -> None:
-    touched, setup = prepared(fb.System.from_text(HALF_TURN))
-    ends = ParameterEnds(touched, setup, "F")
+    ends = prepared(fb.System.from_text(HALF_TURN)).parameter("F")
     for draw in ends.draws[:5]:
         edge = ends.edge(draw, sign, None)
         assert edge is not None

@@ -23,7 +23,6 @@ from freebody.numeric.friction_branches import Sector, extreme, margin, spread
 from freebody.numeric.friction_limits import RestProblem, at, ray, rest_problem
 from freebody.numeric.reference import Reference
 from freebody.study.friction.answers import prepared
-from freebody.study.friction.ends import ParameterEnds
 from freebody.study.friction.touching import touching
 
 Agree = Callable[[fb.Solution, str, str | list[str]], None]
@@ -395,8 +394,8 @@ def test_just_inside_the_limit_contact_forces_keep_it_at_rest_and_just_outside_i
         "LIFTED": (LIFTED, "F", 1),
         "BEAM": (BEAM, "F", 1),
     }[name]
-    touched, setup = prepared(fb.System.from_text(model))
-    ends = ParameterEnds(touched, setup, parameter)
+    rest = prepared(fb.System.from_text(model))
+    touched, ends = rest.touching, rest.parameter(parameter)
     n_checked = 0
     for draw in ends.draws[:6]:
         edge = ends.edge(draw, sign, None)

@@ -42,7 +42,9 @@ S = TypeVar("S", bound=Scalar)
 Components = tuple[Expr, ...]  # two in the plane, three in space
 
 
-@dataclass(frozen=True)
+# Vectors and poses are what evaluation makes by the million, so they are not frozen, which would double their cost;
+# nobody changes one.
+@dataclass(slots=True)
 class Vector(Generic[S]):
     """A vector by its ground components; one in the plane has no z."""
 
@@ -74,7 +76,7 @@ def _sum(a: S | None, b: S | None) -> S | None:
     return a + b
 
 
-@dataclass(frozen=True)
+@dataclass(slots=True)
 class Pose(Generic[S]):
     """Where a body is in the plane: its mass centre, its angle, and the cosine and sine of that angle."""
 
@@ -94,7 +96,7 @@ class Pose(Generic[S]):
         return Vector(self.x + turned.x, self.y + turned.y)
 
 
-@dataclass(frozen=True)
+@dataclass(slots=True)
 class SpatialPose(Generic[S]):
     """Where a body is in space: its mass centre, and its axes by their ground components (the columns of the rotation
     matrix)."""
@@ -199,11 +201,13 @@ def unit(g: Geometry[S], direction: Direction) -> Vector[S]:
 
 def _remembered(g: Geometry[S], what: Point | Direction, made: Callable[[], Vector[S]]) -> Vector[S]:
     """The rows of a connection ask for the same points: a geometry of one instant keeps them in its `memory`, if it has
-    one."""
+    one; with `lasting` it makes those once that are the same at all instants."""
     memory: dict[int, tuple[object, Vector[S]]] | None = getattr(g, "memory", None)
     if memory is None:
         return made()
     known = memory.get(id(what))
     if known is None:
-        known = memory[id(what)] = what, made()  # kept with what it belongs to, so that the number stays its own
+        lasting: Callable[[Point | Direction, Callable[[], Vector[S]]], Vector[S]] | None = getattr(g, "lasting", None)
+        vector = made() if lasting is None else lasting(what, made)
+        known = memory[id(what)] = what, vector  # kept with what it belongs to, so that the number stays its own
     return known[1]

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Generator
-from contextlib import contextmanager
+from collections.abc import Callable
 from typing import Any
 
 from freebody.errors import CannotAnswer
@@ -19,16 +18,21 @@ def finite(value: Any) -> float:
     return number
 
 
-@contextmanager
-def named(name: str | Callable[[], str]) -> Generator[None]:
+class named:  # noqa: N801 - used as `with named(...)`, around every jet: a generator would cost more than many of them
     """Says in whose name something has no value; the name may be one that is looked up only then."""
-    try:
-        yield
-    except CannotAnswer as error:
-        raise CannotAnswer(
-            Message("{what}: {why}", what=name if isinstance(name, str) else name(), why=error)
-        ) from None
-    except (ArithmeticError, ValueError) as error:
-        raise CannotAnswer(
-            Message("{x} has no value here: {why}", x=name if isinstance(name, str) else name(), why=error)
-        ) from None
+
+    __slots__ = ("_name",)
+
+    def __init__(self, name: str | Callable[[], str]) -> None:
+        self._name = name
+
+    def __enter__(self) -> None:
+        pass
+
+    def __exit__(self, _kind: type[BaseException] | None, error: BaseException | None, _trace: object) -> None:
+        if not isinstance(error, (CannotAnswer, ArithmeticError, ValueError)):
+            return
+        name = self._name if isinstance(self._name, str) else self._name()
+        if isinstance(error, CannotAnswer):
+            raise CannotAnswer(Message("{what}: {why}", what=name, why=error)) from None
+        raise CannotAnswer(Message("{x} has no value here: {why}", x=name, why=error)) from None

@@ -27,7 +27,7 @@ from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, evaluate, free_symbols
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure
-from freebody.measures.geometry import NO_DIRECTION, Pose, SpatialPose, Vector
+from freebody.measures.geometry import NO_DIRECTION, Direction, Point, Pose, SpatialPose, Vector
 from freebody.model.elements import Component, NonholonomicForm
 from freebody.numeric import spatial
 from freebody.numeric.rotation import matrix
@@ -90,9 +90,10 @@ class Jet:
     def __mul__(self, other: Any, /) -> Jet:
         if not isinstance(other, Jet):
             return self.scaled(float(other))
-        if other.is_constant:
+        # constants as in `is_constant`, written out where it is asked most
+        if other.gradient is None and other.rate == 0.0 and other.bias == 0.0:
             return self.scaled(other.value)
-        if self.is_constant:
+        if self.gradient is None and self.rate == 0.0 and self.bias == 0.0:
             return other.scaled(self.value)
         return Jet(
             self.value * other.value,
@@ -250,6 +251,10 @@ class Frame:
     _constants: dict[int, tuple[Expr, Jet]] = field(default_factory=dict[int, tuple[Expr, Jet]], repr=False)
     _seen: dict[int, tuple[object, int]] = field(default_factory=dict[int, tuple[object, int]], repr=False)
     _numbers: dict[object, int] = field(default_factory=dict[object, int], repr=False)
+    # points and directions that stay as they are: of fixed bodies, with components that do not know the time
+    lasting: dict[int, tuple[object, Vector[Jet]]] = field(
+        default_factory=dict[int, tuple[object, Vector["Jet"]]], repr=False
+    )
 
     @property
     def n(self) -> int:
@@ -259,7 +264,7 @@ class Frame:
         """The same frame in which a fixed body may move: its coordinates are the last three."""
         kept = {name: pose for name, pose in self.fixed.items() if name != body}
         own = tuple(range(self.n, self.n + (6 if self.space else 3)))
-        return replace(self, columns={**self.columns, body: own}, fixed=kept)
+        return replace(self, columns={**self.columns, body: own}, fixed=kept, lasting={})
 
     def moved(self, q: Array, step: Array) -> Array:
         """The pose a small step from q, by the speeds' directions."""
@@ -368,6 +373,18 @@ class JetGeometry:
         if known is None:
             known = self._poses[body] = self._in_space(body) if self.frame.space else self._pose(body)
         return known
+
+    def lasting(self, what: Point | Direction, made: Callable[[], Vector[Jet]]) -> Vector[Jet]:
+        """Of a fixed body what was made at an earlier instant, unless time is in it."""
+        if what.body not in self.frame.fixed:
+            return made()
+        known = self.frame.lasting.get(id(what))
+        if known is None:
+            known = what, made()
+            own = what.offset if isinstance(what, Point) else what.components
+            if all(self.frame.constant(expr) is not None for expr in own):
+                self.frame.lasting[id(what)] = known
+        return known[1]
 
     def root(self, x: Jet) -> Jet:
         if x.value <= 0.0:

@@ -133,7 +133,7 @@ class Closure:
 
     def _values(self, q: Coordinate, cos: Ratio, sin: Ratio) -> dict[int, Ratio]:
         f = self.field
-        if any(len(f.terms(part.num)) > _MOST_TERMS for part in (cos, sin)):
+        if any(len(part.num) > _MOST_TERMS for part in (cos, sin)):
             raise CannotAnswer(Message("the formula of {x} would be too long", x=q.name))
         c, s = f.pair_of(q.index) or (-1, -1)
         return {c: cos, s: sin, q.index: angle_with(f, cos, sin)}

@@ -132,7 +132,7 @@ class CoordinateChoice:
         if not measure.incremental or self._samples.starts_at_zero(row.name):
             return self._field.zero
         given = self._start.of_measure(measure, row.name)
-        if given is not None and (len(self._field.terms(given.num)) == 1 or self._start.is_placed(measure)):
+        if given is not None and (len(given.num) == 1 or self._start.is_placed(measure)):
             return given
         name = row.name.replace(".", "_").replace(" ", "_")
         constant = self._field.parameter(f"{name}_0")

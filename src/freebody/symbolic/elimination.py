@@ -278,7 +278,7 @@ class Elimination:
                 parts = self._plane(equation.value, *pair)
                 if parts is None or any(unknown.index in self.field.ingredients(part) for part in parts):
                     continue
-                size = sum(len(self.field.terms(part.num)) for part in parts)
+                size = sum(len(part.num) for part in parts)
                 if size <= MOST_OF_AN_ANGLE:
                     others = self.field.ingredients(equation.value) & self.unknowns.keys()
                     found.append(((len(others), size, *unknown.rank), equation, unknown.index, parts))

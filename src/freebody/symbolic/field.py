@@ -35,6 +35,9 @@ Kind = Literal["parameter", "coordinate", "speed", "acceleration", "time", "cos"
 
 MAX_POWER = 64
 
+_ONE: Terms = {(): 1}
+_KEPT_TERMS = 200  # of an element [terms]; those of longer ones would fill the memory
+
 
 class NoValue(CannotAnswer, KeyError):
     """A part of a formula has no real value at the numbers that are put in."""
@@ -70,17 +73,22 @@ class Generator:
 class Ratio:
     """An element of the field: `num / den`, coprime, the leading coefficient of `den` positive."""
 
-    __slots__ = ("_generators", "den", "field", "num")
+    __slots__ = ("_generators", "_terms", "den", "field", "num")
 
     def __init__(self, field: Field, num: Poly, den: Poly | None) -> None:
         self.field = field
         self.num = num
         self.den = den  # None means 1
         self._generators: frozenset[int] | None = None
+        self._terms: tuple[Terms, Terms] | None = None
 
     # -- arithmetic ---------------------------------------------------------------------------
     def __add__(self, other: Ratio | int) -> Ratio:
         b = self.field.element(other)
+        if self.is_zero():
+            return b
+        if b.is_zero():
+            return self
         an, bn = self.field.lift(self, b)
         if self.den is None and b.den is None:
             return Ratio(self.field, an + bn, None)
@@ -102,6 +110,10 @@ class Ratio:
 
     def __mul__(self, other: Ratio | int) -> Ratio:
         b = self.field.element(other)
+        if self.is_zero() or b.is_one():
+            return self
+        if b.is_zero() or self.is_one():
+            return b
         an, bn = self.field.lift(self, b)
         if self.den is None and b.den is None:
             return Ratio(self.field, self.field.reduce(an * bn), None)
@@ -148,7 +160,10 @@ class Ratio:
 
     # -- questions ----------------------------------------------------------------------------
     def is_zero(self) -> bool:
-        return bool(self.num == 0)
+        return bool(self.num.is_zero())
+
+    def is_one(self) -> bool:
+        return self.den is None and bool(self.num.is_one())
 
     def is_constant(self) -> bool:
         """True if nothing in it moves: numbers and parameters only."""
@@ -176,9 +191,18 @@ class Ratio:
 
     def key(self) -> tuple[Any, ...]:
         """A hashable form; equal elements in normal form have equal keys."""
-        n = tuple(sorted(self.field.terms(self.num).items()))
-        d = () if self.den is None else tuple(sorted(self.field.terms(self.den).items()))
-        return n, d
+        top, below = self.terms()
+        return tuple(sorted(top.items())), () if self.den is None else tuple(sorted(below.items()))
+
+    def terms(self) -> tuple[Terms, Terms]:
+        """Those of the numerator and of the denominator. They are asked for at every point where the element is
+        evaluated, so short ones are kept."""
+        if self._terms is not None:
+            return self._terms
+        found = self.field.terms(self.num), _ONE if self.den is None else self.field.terms(self.den)
+        if len(found[0]) + len(found[1]) <= _KEPT_TERMS:
+            self._terms = found
+        return found
 
     def coefficients(self, generator: int) -> list[Ratio]:
         """c_0, c_1, ... with self = sum c_k g^k; the denominator must be free of g."""
@@ -272,14 +296,20 @@ class Field(PolynomialRing):
     def element(self, value: Ratio | int | Fraction) -> Ratio:
         if isinstance(value, Ratio):
             return value
+        if isinstance(value, int):
+            return Ratio(self, self.constant(value), None)
         fraction = Fraction(value)
         num = self.constant(fraction.numerator)
         den = None if fraction.denominator == 1 else self.constant(fraction.denominator)
         return Ratio(self, num, den)
 
     def lift(self, a: Ratio, b: Ratio) -> tuple[Poly, Poly]:
-        """The numerators, both in the present context (the pool may have grown since)."""
-        return self.current(a.num), self.current(b.num)
+        """The numerators, both in the present context (the pool may have grown since), in which the elements are
+        written from here on."""
+        for x in (a, b):
+            if not self.is_current(x.num):
+                x.num, x.den = self.current(x.num), None if x.den is None else self.current(x.den)
+        return a.num, b.num
 
     def denominators(self, a: Ratio, b: Ratio) -> tuple[Poly, Poly]:
         one = self.one.num
@@ -549,12 +579,13 @@ class Field(PolynomialRing):
 
     def evaluate(self, x: Ratio, values: Mapping[int, Any], functions: Any = math) -> Any:
         """Value at the given generator values (floats, mpmath numbers, arrays)."""
-        top = self._evaluate_poly(x.num, values)
-        return top if x.den is None else top / self._evaluate_poly(x.den, values)
+        top, below = x.terms()
+        value = self._evaluate_terms(top, values)
+        return value if x.den is None else value / self._evaluate_terms(below, values)
 
-    def _evaluate_poly(self, poly: Poly, values: Mapping[int, Any]) -> Any:
+    def _evaluate_terms(self, terms: Terms, values: Mapping[int, Any]) -> Any:
         total: Any = 0
-        for monomial, coefficient in self.terms(poly).items():
+        for monomial, coefficient in terms.items():
             term: Any = coefficient
             try:
                 for index, exponent in monomial:
@@ -573,7 +604,7 @@ class Field(PolynomialRing):
             is_zero = self.generators[k].kind in ("cos", "sin") and abs(values[k]) <= ROUND_OFF
             return 1.0 if is_zero else abs(values[k])
 
-        terms = self.terms(x.num).items()
+        terms = x.terms()[0].items()
         parts = (math.prod((values[k] ** e for k, e in monomial), start=float(c)) for monomial, c in terms)
         sizes = (math.prod((size(k) ** e for k, e in monomial), start=abs(float(c))) for monomial, c in terms)
         return math.fsum(parts), math.fsum(sizes)

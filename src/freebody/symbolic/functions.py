@@ -208,12 +208,12 @@ def sum_of_angles(field: Field, y: Ratio, x: Ratio, length: Ratio) -> Ratio | No
     known = known_angle(field, y, x, length)
     if known is not None:
         return known
-    size = len(field.terms(x.num)) + len(field.terms(y.num))
+    size = len(x.num) + len(y.num)
     for cos, sin in field.pairs(x.generators() | y.generators()):
         for sign in (1, -1):
             c, s = field.variable(cos), sign * field.variable(sin)
             u, w = x * c + y * s, y * c - x * s
-            if len(field.terms(u.num)) + len(field.terms(w.num)) < size:
+            if len(u.num) + len(w.num) < size:
                 rest = sum_of_angles(field, w, u, length)
                 if rest is not None:
                     return sign * field.angles[cos] + rest

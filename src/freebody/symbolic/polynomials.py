@@ -38,13 +38,14 @@ class PolynomialRing:
         generators are larger in the lexicographic order. Names are stable when the pool grows."""
         self._capacity = capacity
         names = [f"g{k}" for k in range(capacity - 1, -1, -1)]
+        self._names = names
         self._context = _flint.fmpz_mpoly_ctx.get(names, _flint.Ordering.lex)
         self.variables: list[Poly] = list(reversed(self._context.gens()))
 
     def reserve(self, n: int) -> None:
-        """Room for n generators."""
+        """Room for n generators, and a quarter more when it grows: what is not used is carried by every term."""
         if n > self._capacity:
-            self._open(2 * self._capacity)
+            self._open(n + n // 4)
             self._relations = {k: self.current(p) for k, p in self._relations.items()}
 
     def bind(self, index: int, square: Poly) -> None:
@@ -61,7 +62,10 @@ class PolynomialRing:
 
     def current(self, poly: Poly) -> Poly:
         """A polynomial in the present context (the pool may have grown since)."""
-        return poly if poly.context() is self._context else poly.project_to_context(self._context)
+        return poly if self.is_current(poly) else poly.project_to_context(self._context)
+
+    def is_current(self, poly: Poly) -> bool:
+        return poly.context() is self._context
 
     def as_written(self, terms: Terms) -> Poly:
         """A polynomial of which no relation is used."""
@@ -86,9 +90,9 @@ class PolynomialRing:
             )
         if not self._relations or poly.is_constant():
             return poly
-        degrees = poly.degrees()
         last = self._capacity - 1
-        if all(degrees[last - index] < 2 for index in self._relations):
+        degrees = poly.degrees()
+        if max([degrees[last - index] for index in self._relations]) < 2:
             return poly
         for index in sorted(self._relations, reverse=True):
             if poly.degrees()[last - index] >= 2:
@@ -132,7 +136,10 @@ class PolynomialRing:
     def irreducible(self, poly: Poly) -> tuple[int, list[tuple[Poly, int]]]:
         """Unit and irreducible factors with exponents, no relation used. Raises OverflowError for some coefficients
         beyond machine integers, by which FLINT's Python orders factors."""
-        small = poly.context().drop_gens(poly.unused_gens())
+        # in a ring of its own generators alone, as FLINT's time grows with those of the ring
+        poly = self.current(poly)
+        names = [name for name, degree in zip(self._names, poly.degrees(), strict=True) if degree > 0]
+        small = _flint.fmpz_mpoly_ctx.get(names, _flint.Ordering.lex)
         unit, factors = poly.project_to_context(small).factor()
         return int(unit), [(factor.project_to_context(self._context), int(e)) for factor, e in factors]
 

@@ -108,7 +108,7 @@ def _root_of(inside: Expr) -> Expr:
 def _is_root_generator(field: Field, base: Ratio) -> bool:
     (index,) = base.generators()
     generator = field.generators[index]
-    return generator.kind == "root" and bool(generator.made_of) and len(field.terms(base.num)) == 1
+    return generator.kind == "root" and bool(generator.made_of) and len(base.num) == 1
 
 
 def _fraction(top: Expr, bottom: Expr, *, turns: bool = True) -> Expr:
@@ -205,7 +205,7 @@ def _candidates(field: Field, poly: Poly) -> list[Expr]:
                 parts.append((_place(field, base), shown if exponent == 1 else power(shown, number(exponent))))
             parts.sort(key=lambda item: item[0])
             found.append(_signed_product(unit, [e for _p, e in parts]))
-            if by_degree is not None or sum(len(field.terms(base.num)) > 1 for base, _e in factors) <= 1:
+            if by_degree is not None or sum(len(base.num) > 1 for base, _e in factors) <= 1:
                 return found  # only symbols came out in front: no other form is shorter
     found.append(_sum(field, poly))
     return found
@@ -225,7 +225,7 @@ def _signed_product(unit: int, parts: list[Expr]) -> Expr:
 def _place(field: Field, base: Ratio) -> tuple[int, int]:
     """Simple symbols first, sums last, each in order of declaration."""
     generators = base.generators()
-    if len(field.terms(base.num)) == 1 and len(generators) == 1:
+    if len(base.num) == 1 and len(generators) == 1:
         (index,) = generators
         return _PLACE[field.generators[index].kind], index
     return 4 if base.is_constant() else 9, min(generators, default=0)

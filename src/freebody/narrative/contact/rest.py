@@ -29,7 +29,7 @@ from freebody.questions.rest import FirstFailure, Holds, ReactionRange, RestLimi
 from freebody.study.answering.answer import Answer
 from freebody.study.friction.answers import prepared
 from freebody.study.friction.cases import Ends, FailureCase, HoldingLimit
-from freebody.study.friction.ends import ParameterEnds, ReactionEnds
+from freebody.study.friction.ends import ParameterEnds
 from freebody.study.friction.touching import TouchingAtRest
 from freebody.study.phases.numbers import coefficients_of_friction
 from freebody.symbolic.active_set import Failure, RestEquations
@@ -58,7 +58,8 @@ class _RestTelling:
         self.context = context
         self.question = question
         self.answer = answer
-        self.touching, self.setup = prepared(context.system)
+        self.rest = prepared(context.system)
+        self.touching = self.rest.touching
         self.script = Script(context.glossary, context.next_number)
 
     def tell(self) -> None:
@@ -70,20 +71,20 @@ class _RestTelling:
 
     @_tell.register(RestLimit)
     def _limit(self, q: RestLimit) -> None:
-        ends = ParameterEnds(self.touching, self.setup, q.parameter)
+        ends = self.rest.parameter(q.parameter)
         self._contacts(ends)
         self._ends(ends, Symbol(q.parameter), q.parameter, q.ends)
 
     @_tell.register(ReactionRange)
     def _reaction(self, q: ReactionRange) -> None:
         row = next(r.name for r in self.touching.rows if r.name in q.rows)
-        ends = ReactionEnds(self.touching, self.setup, row)
+        ends = self.rest.reaction(row)
         self._contacts(ends)
         self._ends(ends, Symbol(reaction_symbols(self.touching.system)[row].name), "", (-1, 1), row)
 
     @_tell.register(FirstFailure)
     def _failure(self, q: FirstFailure) -> None:
-        ends = ParameterEnds(self.touching, self.setup, q.parameter)
+        ends = self.rest.parameter(q.parameter)
         self._contacts(ends)
         self._first(ends, q.parameter)
 
@@ -270,7 +271,7 @@ class _RestTelling:
             raise CannotAnswer(
                 Message("the reserve contains no coefficient of friction that could be followed to its limit")
             )
-        ends = ParameterEnds(self.touching, self.setup, name)
+        ends = self.rest.parameter(name)
         self._contacts(ends)
         limit = ends.limit(-1)
         if limit.main is None:

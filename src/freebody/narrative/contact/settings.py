@@ -16,7 +16,7 @@ def setup_of(system: System) -> Setup:
     if asked and all(q.quantity.scope == "rest" for q in asked):
         from freebody.study.friction.answers import prepared
 
-        return prepared(system)[1]
+        return prepared(system).setup
     if not has_phases(system):
         return Setup(system)
     if len(system.bounds) > MOST_PLACES:

@@ -274,6 +274,7 @@ class ExactDualGeometry:
         self.places, self.values = places, values
         self._poses: dict[str, Pose[ExactDual] | SpatialPose[ExactDual]] = {}
         self._scalars: dict[int, tuple[Expr, ExactDual]] = {}
+        self.memory: dict[int, tuple[object, Vector[ExactDual]]] = {}  # of points and directions
 
     def of(self, measure: Measure | NonholonomicForm | Component) -> ExactDual:
         """Of a measure that is only a rate, the coefficients of the velocities in it as gradient."""

@@ -161,7 +161,7 @@ def _at_rest(system: System, questions: Sequence[Question]) -> Solution:
     """The start pose, with all that touches held there."""
     from freebody.study.friction.answers import answer, prepared
 
-    model = prepared(system)[1].model
+    model = prepared(system).setup.model
     return Solution.of(system, model, tuple(answer(system, q) for q in questions))
 
 

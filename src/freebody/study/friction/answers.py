@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, field, replace
 from functools import lru_cache, singledispatchmethod
 
 from freebody.errors import CannotAnswer
@@ -35,11 +35,31 @@ ROUTE = Message("the linear programs of all reactions that rest allows")
 _ENDS = {1: "at most", -1: "at least"}
 
 
+@dataclass(frozen=True)
+class PreparedRest:
+    """What touches at the start, both routes for it, and what has ends there, each made once."""
+
+    touching: TouchingAtRest
+    setup: Setup
+    _parameters: dict[str, ParameterEnds] = field(default_factory=dict[str, ParameterEnds], repr=False)
+    _reactions: dict[str, ReactionEnds] = field(default_factory=dict[str, ReactionEnds], repr=False)
+
+    def parameter(self, name: str) -> ParameterEnds:
+        if name not in self._parameters:
+            self._parameters[name] = ParameterEnds(self.touching, self.setup, name)
+        return self._parameters[name]
+
+    def reaction(self, row: str) -> ReactionEnds:
+        if row not in self._reactions:
+            self._reactions[row] = ReactionEnds(self.touching, self.setup, row)
+        return self._reactions[row]
+
+
 @lru_cache(maxsize=8)
-def prepared(system: System) -> tuple[TouchingAtRest, Setup]:
-    """What touches at the start, and both routes for it."""
+def prepared(system: System) -> PreparedRest:
+    """A system at rest, ready to be asked."""
     touched = touching(system)
-    return touched, Setup(touched.held)
+    return PreparedRest(touched, Setup(touched.held))
 
 
 def answer(system: System, question: Question) -> Answer:
@@ -53,7 +73,8 @@ class _Answerer:
     def __init__(self, system: System, question: Question) -> None:
         self.system = system
         self.question = question
-        self.touching, self.setup = prepared(system)
+        self.rest = prepared(system)
+        self.touching, self.setup = self.rest.touching, self.rest.setup
 
     @singledispatchmethod
     def answer(self, q: Quantity) -> Answer:
@@ -62,16 +83,15 @@ class _Answerer:
 
     @answer.register(RestLimit)
     def _limit(self, q: RestLimit) -> Answer:
-        ends = ParameterEnds(self.touching, self.setup, q.parameter)
-        return self._ends(ends, q.parameter, q.ends)
+        return self._ends(self.rest.parameter(q.parameter), q.parameter, q.ends)
 
     @answer.register(FirstFailure)
     def _failure(self, q: FirstFailure) -> Answer:
-        return self._first(ParameterEnds(self.touching, self.setup, q.parameter), q.parameter)
+        return self._first(self.rest.parameter(q.parameter), q.parameter)
 
     @answer.register(ReactionRange)
     def _reaction(self, q: ReactionRange) -> Answer:
-        return self._ends(ReactionEnds(self.touching, self.setup, self._row(q)), "it", (-1, 1))
+        return self._ends(self.rest.reaction(self._row(q)), "it", (-1, 1))
 
     @answer.register(Holds)
     def _holds(self, q: Holds) -> Answer:

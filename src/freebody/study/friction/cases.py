@@ -88,6 +88,7 @@ class Ends:
         self.setup = setup
         self.model = setup.model
         self.field = setup.model.field
+        self._limits: dict[int, HoldingLimit] = {}
 
     def edge(self, draw: Draw, sign: int, near: float | None) -> HoldingEnd | None:
         """The largest (sign +1) or smallest value at a draw; None if there is none at all. near: where it may be."""
@@ -106,7 +107,12 @@ class Ends:
         return found
 
     def limit(self, sign: int) -> HoldingLimit:
-        """One end, with all cases that the draws come across."""
+        """One end, with all cases that the draws come across, searched for once."""
+        if sign not in self._limits:
+            self._limits[sign] = self._searched(sign)
+        return self._limits[sign]
+
+    def _searched(self, sign: int) -> HoldingLimit:
         cases: list[FailureCase] = []
         compared: list[Compared] = []
         for draw in self.draws:

@@ -152,7 +152,8 @@ def statics(system: System) -> Statics:
         raise CannotAnswer(
             Message("numbers need a value for {names}; or ask a question: does it hold", names=", ".join(missing))
         )
-    touching, setup = prepared(system)
+    rest = prepared(system)
+    touching, setup = rest.touching, rest.setup
     draw = setup.draws[0]
     touching.insist(touching.is_admissible(draw.reference, draw.q))
     problem = rest_problem(draw.reference, draw.q, touching.dry_friction)

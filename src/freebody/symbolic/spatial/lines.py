@@ -85,5 +85,5 @@ class SpatialLines(Lines):
         w = f.sqrt(f.lowest_terms(square - d * d)) * (1 if signs.pop() else -1)
         pair = (b / w, -a / w) if d.is_zero() else ((b * w - a * d) / square, -(a * w + b * d) / square)
         c, s = map(f.lowest_terms, pair)
-        n_terms = sum(len(f.terms(part)) for x in (c, s) for part in (x.num, x.denominator().num))
+        n_terms = sum(len(part) for x in (c, s) for part in (x.num, x.denominator().num))
         return angle_with(f, c, s) if n_terms <= _MOST_TERMS else None
