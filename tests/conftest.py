@@ -6,8 +6,6 @@ import cProfile
 import gc
 import random
 import re
-import subprocess
-import sys
 from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
@@ -26,22 +24,8 @@ _SEED = 20
 _DIGITS = 60
 
 
-_compiling: list[subprocess.Popen[bytes]] = []
-
-
 def pytest_configure(config: pytest.Config) -> None:
-    """Where workers share the tests, kernels are compiled beside them (`compile_kernels`)."""
     gc.set_threshold(50_000, 20, 100)  # what the tests keep for each other is looked through less often
-    if config.getoption("numprocesses", None) and not hasattr(config, "workerinput"):
-        command = [sys.executable, str(Path(__file__).with_name("compile_kernels.py"))]
-        quiet = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
-        _compiling.extend(subprocess.Popen([*command, half], **quiet) for half in ("plane", "space"))
-
-
-def pytest_unconfigure() -> None:
-    for process in _compiling:
-        process.terminate()
-        process.wait()
 
 
 # files that share explained examples (`examples_told`), and so one worker

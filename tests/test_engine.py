@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import subprocess
 import sys
 from pathlib import Path
@@ -20,12 +19,12 @@ from freebody.measures.displacement import Displacement
 from freebody.measures.distance import Bearing, Distance
 from freebody.measures.geometry import Direction, Point
 from freebody.measures.lead import Lead
-from freebody.numeric.engine import tape
 from freebody.numeric.engine.course import NO_TRACKS
 from freebody.numeric.engine.engine import Engine
 from freebody.numeric.engine.evaluator import Observer
-from freebody.numeric.engine.jit import plain
 from freebody.numeric.engine.tapes import Tapes
+from freebody.numeric.kernels import tape
+from freebody.numeric.kernels.declaring import plain
 from freebody.numeric.reference import Reference
 from freebody.study.settled import settled, start_mode
 from freebody.system.kinds import register_kinds
@@ -217,34 +216,6 @@ def test_the_same_input_gives_the_same_bits() -> None:
     first, second = (system.simulate(3.0).course for _ in range(2))
     assert first.poses.tobytes() == second.poses.tobytes()
     assert first.multipliers.tobytes() == second.multipliers.tobytes()
-
-
-def test_everything_also_runs_without_compilation() -> None:
-    code = (
-        "import freebody as fb\n"
-        f"r = fb.System.load(r'{ROOT / 'examples' / 'falling_hinged_rod.yaml'}').simulate(0.1, every=0.05)\n"
-        "print(repr(r.course.poses[-1, 0].tolist()), r.status)"
-    )
-    texts = [
-        subprocess.run(
-            [sys.executable, "-c", code],
-            capture_output=True,
-            text=True,
-            check=True,
-            env=os.environ | {"NUMBA_DISABLE_JIT": off},
-        ).stdout
-        for off in ("0", "1")
-    ]
-    compiled, plain = (np.array(eval(text.rsplit(" ", 1)[0])) for text in texts)
-    assert texts[1].strip().endswith("finished")
-    assert np.abs(compiled - plain).max() < 1e-12
-
-
-def test_kernels_are_kept_under_the_digest_of_their_sources() -> None:
-    from freebody.numeric.engine import jit
-
-    assert jit.is_compiled()
-    assert "freebody-kernels-" in str(jit._folder())
 
 
 # -- motions ----------------------------------------------------------------------------------

@@ -23,11 +23,11 @@ from freebody.measures.distance import Bearing, Distance
 from freebody.measures.geometry import GROUND, Direction, Point, SpatialPose, Vector
 from freebody.measures.lead import Lead
 from freebody.measures.turn import Alignment, Turn
-from freebody.numeric.engine import stepping
 from freebody.numeric.engine.course import Status, Trajectory
 from freebody.numeric.engine.engine import Engine
 from freebody.numeric.engine.evaluator import Observer
 from freebody.numeric.engine.integrators.radau5 import Slopes
+from freebody.numeric.kernels import stepping
 from freebody.numeric.numbers import Numbers
 from freebody.numeric.options import SimulationOptions
 from freebody.numeric.reference import Reference

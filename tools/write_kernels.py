@@ -1,6 +1,6 @@
 """Writes the kernels of the measures, of the plane and of space, from their statements.
 
-    python tools/write_kernels.py            writes src/freebody/numeric/engine/measures_planar.py, measures_spatial.py
+    python tools/write_kernels.py            writes src/freebody/numeric/kernels/measures_planar.py, measures_spatial.py
     python tools/write_kernels.py --check    fails if the files are not what would be written
 
 Each statement is run once over symbols. Its gradient and its bias (the second derivative along a motion without
@@ -34,7 +34,7 @@ from freebody.measures.geometry import GROUND, Direction, Point, Pose, SpatialPo
 from freebody.measures.lead import Lead
 from freebody.measures.turn import Alignment, Turn
 
-ENGINE = Path(__file__).parents[1] / "src/freebody/numeric/engine"
+ENGINE = Path(__file__).parents[1] / "src/freebody/numeric/kernels"
 Kinds = list[tuple[type[Any], tuple[str, ...]]]
 
 # kinds of measure, and the fields whose body is the ground, for which shorter code is written
@@ -529,7 +529,7 @@ FILES = [
             "import math",
             "from typing import Any, NamedTuple",
             "",
-            "from freebody.numeric.engine.jit import kernel",
+            "from freebody.numeric.kernels.declaring import kernel",
             "",
             "TURN = 2.0 * math.pi",
             "VALUE, BIAS, BEARING, NEAR = range(4)  # what stands in `out` of every measure",
@@ -558,9 +558,9 @@ FILES = [
             "import math",
             "from typing import Any",
             "",
-            "from freebody.numeric.engine.jit import kernel",
-            "from freebody.numeric.engine.measures_planar import BEARING, BIAS, NEAR, TURN, VALUE, Kind",
-            "from freebody.numeric.engine.rotating import carried, crossed, returned",
+            "from freebody.numeric.kernels.declaring import kernel",
+            "from freebody.numeric.kernels.measures_planar import BEARING, BIAS, NEAR, TURN, VALUE, Kind",
+            "from freebody.numeric.kernels.rotating import carried, crossed, returned",
             "",
         ],
         "kinds, starts, bodies, numbers, q, v, frames, out, gradient",

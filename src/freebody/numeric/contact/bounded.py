@@ -23,11 +23,11 @@ from freebody.measures.turned import carriers
 from freebody.model.elements import ConstraintRow, NonholonomicForm, UnilateralConstraint
 from freebody.model.elements import DryFriction as RubElement
 from freebody.numeric.contact.problem import ContactProblem, FrictionProblemRow
-from freebody.numeric.engine import dynamics, stepping
 from freebody.numeric.engine.engine import Engine
 from freebody.numeric.engine.evaluator import EngineRows, EngineWatch, packed
-from freebody.numeric.engine.layout import Floats
 from freebody.numeric.engine.writing import OF_MULTIPLIER, OF_RATE, OF_RESERVE, OF_SHARE, OF_VALUE, ArrayBuilder, Guard
+from freebody.numeric.kernels import dynamics, stepping
+from freebody.numeric.kernels.arrays import Floats
 from freebody.numeric.numbers import Numbers
 
 LENT = 1e-6  # part of the mass lent to massless bodies that they keep in contact problems

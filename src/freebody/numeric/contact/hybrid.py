@@ -26,13 +26,13 @@ from freebody.numeric.contact.problem import OutcomeCount as Outcome
 from freebody.numeric.contact.record import PhaseRecord, merged
 from freebody.numeric.contact.transition import HELD_ALONE, After, Choice, InstantTransition
 from freebody.numeric.contact.words import events_between
-from freebody.numeric.engine import dynamics
 from freebody.numeric.engine.course import Collision, Event, Status, Trajectory
 from freebody.numeric.engine.engine import Engine
-from freebody.numeric.engine.layout import Floats
 from freebody.numeric.engine.motion import stopped
 from freebody.numeric.engine.patrol import Guarding
 from freebody.numeric.engine.writing import OF_MULTIPLIER, OF_RATE, OF_VALUE
+from freebody.numeric.kernels import dynamics
+from freebody.numeric.kernels.arrays import Floats
 from freebody.numeric.options import SimulationOptions
 from freebody.tolerances import ROUND_OFF
 
@@ -69,7 +69,6 @@ class Hybrid:
         self, y: Floats, start: float, until: float, outputs: Floats, near: Floats, progress: Progress | None = None
     ) -> Trajectory:
         """The motion from a state; outputs: times at which it is wanted."""
-        self.bounded.free.compile(is_guarded=True)
         began = time.perf_counter()
         t, mode = start, None
         result = self.transition.after(y, t, near, None)

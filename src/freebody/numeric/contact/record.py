@@ -7,10 +7,10 @@ from dataclasses import dataclass, fields
 import numpy as np
 
 from freebody.numeric.contact.bounded import Bounded, FrictionRow, ModeOf
-from freebody.numeric.engine import stepping
 from freebody.numeric.engine.course import Collision, ContactRecord, Event, RotationHistory, Status, Tracks, Trajectory
 from freebody.numeric.engine.engine import Engine
-from freebody.numeric.engine.layout import Floats
+from freebody.numeric.kernels import stepping
+from freebody.numeric.kernels.arrays import Floats
 
 ABSENT = 2  # in `ContactRecord.slips`: no friction
 

@@ -23,7 +23,7 @@ from freebody.numeric.contact.impacts import impact
 from freebody.numeric.contact.impulses import ImpactOutcome
 from freebody.numeric.contact.keller import impact_without_collision
 from freebody.numeric.contact.problem import ForceOutcome, OutcomeCount, RowState
-from freebody.numeric.engine.layout import Floats
+from freebody.numeric.kernels.arrays import Floats
 from freebody.numeric.options import Law
 from freebody.tolerances import ROUND_OFF, ROUNDED
 

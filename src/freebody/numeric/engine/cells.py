@@ -18,8 +18,8 @@ from numpy.typing import NDArray
 from freebody.language.expression import Expr
 from freebody.measures.geometry import GROUND, Direction, Point
 from freebody.model.elements import RigidBody
-from freebody.numeric.engine import measures_planar, measures_spatial
-from freebody.numeric.engine.measures_planar import Kind
+from freebody.numeric.kernels import measures_planar, measures_spatial
+from freebody.numeric.kernels.measures_planar import Kind
 from freebody.numeric.numbers import Numbers
 
 Floats = NDArray[np.float64]

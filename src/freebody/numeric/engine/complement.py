@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from freebody.numeric.engine.layout import Floats, floats, ints, pointers
 from freebody.numeric.engine.ordering import symbolic_factor
+from freebody.numeric.kernels.arrays import Floats, floats, ints, pointers
 
 
 def held_entries(

@@ -14,14 +14,14 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from freebody.numeric.engine import stepping
 from freebody.numeric.engine.course import Tracks
-from freebody.numeric.engine.following import follow
-from freebody.numeric.engine.layout import Floats
+from freebody.numeric.kernels import stepping
+from freebody.numeric.kernels.arrays import Floats
+from freebody.numeric.kernels.following import follow
 
 if TYPE_CHECKING:
     from freebody.numeric.engine.evaluator import Evaluator
-    from freebody.numeric.engine.stepping import SteppedRun
+    from freebody.numeric.kernels.stepping import SteppedRun
 
 TURN = 0.5  # [rad] of a body, in which bearings are counted on
 BATCH = 128  # steps

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from freebody.numeric.engine.layout import Floats
+from freebody.numeric.kernels.arrays import Floats
 
 
 class Status(StrEnum):

@@ -6,31 +6,16 @@ import time
 
 import numpy as np
 
-from freebody.numeric.engine import enclosures, stepping
 from freebody.numeric.engine.course import Trajectory
 from freebody.numeric.engine.evaluator import Evaluator
-from freebody.numeric.engine.following import follow
-from freebody.numeric.engine.integrators import dop853
-from freebody.numeric.engine.layout import Floats
 from freebody.numeric.engine.motion import Progress, RunningMotion
 from freebody.numeric.engine.patrol import Guarding
+from freebody.numeric.kernels.arrays import Floats
 from freebody.numeric.options import SimulationOptions
 
 
 class Engine(Evaluator):
     """A system with a number for every parameter, packed: its instants and its motions."""
-
-    def compile(self, *, is_guarded: bool = False) -> None:
-        """Compiles what a motion needs, if that has not been done before: that is no part of its time."""
-        idle = self.idle
-        stepping.advance(self.layout, self.room, dop853.INTEGRATOR.tableau, idle, 0)
-        if is_guarded:
-            tables = [np.zeros((0, len(self.layout.guard))) for _ in range(3)]
-            stepping.patrol(self.layout, self.room, idle, np.zeros(0), 0.0, idle.states[0], *tables)
-        if is_guarded or self.watches:
-            enclosures.kernels()
-        if self.is_tracked:
-            follow(self.layout, self.room, np.zeros(0), np.zeros((0, self.n_y)), np.zeros((0, 0)))
 
     def run(
         self,
@@ -47,7 +32,6 @@ class Engine(Evaluator):
         """The motion from a state at the time `start` [s] to `until`, or to a terminal event. first_step: [s], chosen
         if it is zero. outputs: times at which the motion is wanted, besides its events and its end. guarded: what is
         known of the guards of the mode, of which the first violation is the end."""
-        self.compile(is_guarded=guarded is not None)
         began = time.perf_counter()
         wanted = np.array([until]) if outputs is None else outputs
         motion = RunningMotion(self, y, start, until, options, first_step, wanted)

@@ -13,20 +13,20 @@ from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.model.elements import RATE, VALUE, NonholonomicForm
-from freebody.numeric.engine import dynamics, stepping
 from freebody.numeric.engine.border import border_of
 from freebody.numeric.engine.course import Trajectory
 from freebody.numeric.engine.guard_programs import GuardPrograms
 from freebody.numeric.engine.integrators import dop853
-from freebody.numeric.engine.jit import plain
-from freebody.numeric.engine.layout import Floats, ModelArrays, room_for
-from freebody.numeric.engine.measures_planar import BEARING, NEAR
-from freebody.numeric.engine.observing import observe
 from freebody.numeric.engine.packing import Packing
-from freebody.numeric.engine.stepping import SteppedRun
-from freebody.numeric.engine.tableaus import Tableau
-from freebody.numeric.engine.tape import play
+from freebody.numeric.engine.workspace import room_for
 from freebody.numeric.engine.writing import ArrayBuilder, Guard
+from freebody.numeric.kernels import dynamics, stepping
+from freebody.numeric.kernels.arrays import Floats, ModelArrays
+from freebody.numeric.kernels.declaring import plain
+from freebody.numeric.kernels.measures_planar import BEARING, NEAR
+from freebody.numeric.kernels.observing import observe
+from freebody.numeric.kernels.stepping import SteppedRun, Tableau
+from freebody.numeric.kernels.tape import play
 from freebody.numeric.numbers import Numbers
 
 COMPLIANCE = 1e-5  # of held rows whose multipliers are shared, by the most mobile one
@@ -289,7 +289,7 @@ class Evaluator(Packed):
             names[name], names[f"rate({name})"] = float(other[dynamics.VALUE]), float(other[dynamics.RATE])
         return names
 
-    @property
+    @cached_property
     def idle(self) -> SteppedRun:
         """A run that is not under way, for looking at single states."""
         return self.new_run(np.zeros(self.n_y), dop853.INTEGRATOR.tableau, np.zeros(0))

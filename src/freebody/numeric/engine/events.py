@@ -17,10 +17,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from freebody.numeric.engine import stepping
 from freebody.numeric.engine.course import Event
-from freebody.numeric.engine.layout import Floats
 from freebody.numeric.engine.search import StepZero
+from freebody.numeric.kernels import stepping
+from freebody.numeric.kernels.arrays import Floats
 
 if TYPE_CHECKING:
     from freebody.numeric.engine.evaluator import EngineWatch

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from freebody.numeric.engine import dynamics
-from freebody.numeric.engine.layout import ModelArrays, floats, ints, pointers
 from freebody.numeric.engine.programs import Program
 from freebody.numeric.engine.writing import ArrayBuilder
+from freebody.numeric.kernels import dynamics
+from freebody.numeric.kernels.arrays import ModelArrays, floats, ints, pointers
 
 
 class GuardPrograms:

@@ -11,7 +11,7 @@ from __future__ import annotations
 import numpy as np
 
 from freebody.numeric.engine.cells import Cells
-from freebody.numeric.engine.layout import Floats
+from freebody.numeric.kernels.arrays import Floats
 from freebody.numeric.numbers import Numbers
 from freebody.numeric.sizes import neighbours
 

@@ -11,17 +11,17 @@ import numpy as np
 
 from freebody.language.expression import free_symbols, has_jump
 from freebody.language.sentences import Message, further, in_turn
-from freebody.numeric.engine import dynamics, stepping
 from freebody.numeric.engine.counting import Counting, bearings_at
 from freebody.numeric.engine.course import NO_TRACKS, Event, Status, Trajectory
 from freebody.numeric.engine.evaluator import Evaluator
 from freebody.numeric.engine.events import found_in_step
 from freebody.numeric.engine.integrators import integrator
-from freebody.numeric.engine.layout import Floats
-from freebody.numeric.engine.measures_planar import BEARING, NEAR
 from freebody.numeric.engine.patrol import Guarding, GuardMonitor, Violation
 from freebody.numeric.engine.trouble import diagnosed
 from freebody.numeric.engine.underway import MotionUnderWay
+from freebody.numeric.kernels import dynamics, stepping
+from freebody.numeric.kernels.arrays import Floats
+from freebody.numeric.kernels.measures_planar import BEARING, NEAR
 from freebody.numeric.options import SimulationOptions
 
 CHUNK = 0.1  # seconds between looks at the clock and the keyboard

@@ -15,7 +15,7 @@ from itertools import accumulate
 
 import numpy as np
 
-from freebody.numeric.engine.layout import Ints
+from freebody.numeric.kernels.arrays import Ints
 
 
 def elimination_order(bodies: Sequence[frozenset[Hashable]]) -> list[int]:

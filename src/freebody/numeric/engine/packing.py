@@ -25,7 +25,7 @@ from freebody.model.elements import (
 )
 from freebody.numeric.engine.cells import cells_of
 from freebody.numeric.engine.laws import linear_law, stored_law
-from freebody.numeric.engine.layout import Floats
+from freebody.numeric.kernels.arrays import Floats
 from freebody.numeric.numbers import Numbers
 
 Terms = tuple[tuple[int, float], ...]  # (measure, coefficient)

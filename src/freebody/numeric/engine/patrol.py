@@ -30,9 +30,9 @@ import numpy as np
 import scipy.optimize
 from numpy.typing import NDArray
 
-from freebody.numeric.engine import dynamics, enclosures, stepping
-from freebody.numeric.engine.layout import Floats
 from freebody.numeric.engine.search import ProgramSearch
+from freebody.numeric.kernels import dynamics, enclosures, stepping
+from freebody.numeric.kernels.arrays import Floats
 from freebody.tolerances import RESOLUTION, WATCHED_ZERO
 
 if TYPE_CHECKING:
@@ -95,7 +95,7 @@ class Gaps:
         """The signs that the guards with programs have throughout the last step; 0 where that is not clear. values: of
         the guards where it begins; floor: from where each counts."""
         dense, old = run.dense, run.states[stepping.OLD]
-        enclosures.kernels().powers(dense, old, self.programs.inputs, self._powers)
+        enclosures.powers(dense, old, self.programs.inputs, self._powers)
         t0, h = float(run.clock[stepping.BEFORE]), float(run.clock[stepping.DONE_STEP])
         if self._offsets is None:  # rows count from somewhere: what a program is off by at the beginning is that
             self._sift(t0, 0.0, np.zeros(len(self.signs)))
@@ -113,7 +113,7 @@ class Gaps:
         return self.signs
 
     def _sift(self, t0: float, h: float, offsets: Floats) -> None:
-        enclosures.kernels().sifted(
+        enclosures.sifted(
             self.programs.code,
             self.programs.constants,
             self.programs.ptr,

@@ -23,13 +23,34 @@ from freebody.measures.base import Measure
 from freebody.measures.combination import Combination, Composed
 from freebody.measures.geometry import Pose, SpatialPose, Vector
 from freebody.model.elements import Component, NonholonomicForm
-from freebody.numeric.engine.layout import Floats, Ints, floats, ints
+from freebody.numeric.kernels.arrays import Floats, Ints, floats, ints
+from freebody.numeric.kernels.operations import (
+    ABS,
+    ACOS,
+    ADD,
+    ARGUMENT,
+    ASIN,
+    ATAN,
+    CONSTANT,
+    COS,
+    COSH,
+    DIVIDE,
+    EXP,
+    FUNCTIONS,
+    INPUT,
+    LOG,
+    MULTIPLY,
+    POWER,
+    SIGN,
+    SIN,
+    SINH,
+    SQRT,
+    SUBTRACT,
+    TAN,
+    TANH,
+    TIME,
+)
 from freebody.numeric.numbers import Numbers
-
-# operations; functions of one number are those of `FUNCTIONS`, in this order
-CONSTANT, TIME, INPUT, ADD, SUBTRACT, MULTIPLY, DIVIDE, POWER, ARGUMENT = range(9)
-SQRT, SIN, COS, TAN, ASIN, ACOS, ATAN, EXP, LOG, SINH, COSH, TANH, ABS, SIGN = range(9, 23)
-FUNCTIONS = ("sqrt", "sin", "cos", "tan", "asin", "acos", "atan", "exp", "log", "sinh", "cosh", "tanh", "abs", "sign")
 
 
 @dataclass(frozen=True)

@@ -15,13 +15,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from freebody.numeric.engine import enclosures, stepping
-from freebody.numeric.engine.layout import Floats
 from freebody.numeric.engine.programs import Program
+from freebody.numeric.kernels import enclosures, stepping
+from freebody.numeric.kernels.arrays import Floats
 from freebody.tolerances import RESOLUTION, WATCHED_ZERO
 
 if TYPE_CHECKING:
-    from freebody.numeric.engine.stepping import SteppedRun
+    from freebody.numeric.kernels.stepping import SteppedRun
 
 A_STEP = 0.1  # of the tolerance, that a step may be off
 MOST_PARTS = 2_000_000  # of one step that are looked at
@@ -108,7 +108,7 @@ class ProgramSearch:
         if not self._is_shared:
             if not len(self._powers):
                 self._powers = np.zeros((run.dense.shape[1], enclosures.N_TERMS))
-            enclosures.kernels().powers(run.dense, run.states[stepping.OLD], self.program.inputs, self._powers)
+            enclosures.powers(run.dense, run.states[stepping.OLD], self.program.inputs, self._powers)
 
     def calibrate(self, run: SteppedRun, value: float) -> None:
         """Counts from the value where the last step begins, if the program does not say the same: of some measures only
@@ -149,7 +149,7 @@ class ProgramSearch:
         t0, h = float(run.clock[stepping.BEFORE]), float(run.clock[stepping.DONE_STEP])
         self._info[1] = at
         return int(
-            enclosures.kernels().search(
+            enclosures.search(
                 self.program.code,
                 self.program.constants,
                 self._powers,

@@ -11,24 +11,13 @@ sec. II.1 (classical), II.5 (DOPRI5), II.5 and II.6 (DOP853 and their dense outp
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
-from freebody.numeric.engine.layout import Floats, Floats2, Ints
+from freebody.numeric.kernels.stepping import Tableau
 
 Row = Mapping[int, float]
-
-
-class Tableau(NamedTuple):
-    """One method in arrays."""
-
-    a: Floats2  # (n + extra + 1, n + extra + 1)
-    c: Floats
-    b: Floats
-    error: Floats2  # (2, n + 1): the second row is zero if there is one embedded formula only
-    dense: Floats2  # (n_terms, n + extra + 1)
-    sizes: Ints  # number of stages, extra stages, order, is adaptive, error needs the slope at the new point
 
 
 def tableau(

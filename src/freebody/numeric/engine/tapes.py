@@ -19,7 +19,7 @@ from freebody.language.expression import (
     whole_exponent,
 )
 from freebody.language.sentences import Message
-from freebody.numeric.engine import tape
+from freebody.numeric.kernels import tape
 
 _NAMES = ("sqrt", "sin", "cos", "tan", "asin", "acos", "atan", "exp", "log", "sinh", "cosh", "tanh", "abs", "sign")
 _OPS: dict[str, int] = {name: getattr(tape, name.upper()) for name in _NAMES}

@@ -8,12 +8,12 @@ import numpy as np
 
 from freebody.language.expression import ZERO, free_symbols
 from freebody.language.sentences import Message, in_turn
-from freebody.numeric.engine import stepping
 from freebody.numeric.engine.course import Status
+from freebody.numeric.kernels import stepping
 
 if TYPE_CHECKING:
     from freebody.numeric.engine.evaluator import Evaluator
-    from freebody.numeric.engine.stepping import SteppedRun
+    from freebody.numeric.kernels.stepping import SteppedRun
 
 SINGULAR = 1e-3  # a singular value below this part of the largest: the pose is next to a singular one
 ROUND_OFF = 16.0 * stepping.EPSILON  # steps below this part of a time are too small beside it

@@ -7,15 +7,14 @@ from functools import cached_property
 import numpy as np
 
 from freebody.language.sentences import Message
-from freebody.numeric.engine import dynamics, stepping
 from freebody.numeric.engine.course import Event
 from freebody.numeric.engine.evaluator import EngineWatch, Evaluator
 from freebody.numeric.engine.integrators.base import OwnSteps
-from freebody.numeric.engine.layout import Floats
-from freebody.numeric.engine.measures_planar import NEAR
 from freebody.numeric.engine.search import ProgramSearch
-from freebody.numeric.engine.stepping import SteppedRun
-from freebody.numeric.engine.tableaus import Tableau
+from freebody.numeric.kernels import dynamics, stepping
+from freebody.numeric.kernels.arrays import Floats
+from freebody.numeric.kernels.measures_planar import NEAR
+from freebody.numeric.kernels.stepping import SteppedRun, Tableau
 
 
 class MotionUnderWay:

@@ -15,14 +15,14 @@ import numpy as np
 from freebody.language.expression import Expr, free_symbols
 from freebody.language.units import LENGTH
 from freebody.model.elements import VALUE, AppliedLoad, DryFriction, NonholonomicForm
-from freebody.numeric.engine import dynamics
 from freebody.numeric.engine.complement import held_entries, schur_complement
-from freebody.numeric.engine.layout import ModelArrays, floats, ints, pointers
 from freebody.numeric.engine.lending import lent_sizes
 from freebody.numeric.engine.ordering import elimination_order
 from freebody.numeric.engine.packing import Composition, Packing, Where
 from freebody.numeric.engine.programs import Program, Writer
 from freebody.numeric.engine.tapes import Tapes
+from freebody.numeric.kernels import dynamics
+from freebody.numeric.kernels.arrays import ModelArrays, floats, ints, pointers
 
 # what presses a sliding friction, and what is watched; see `dynamics`
 BY_LAW, BY_ONE, BY_SIZE = 0, 1, 2

@@ -3,46 +3,39 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from freebody.numeric.engine.layout import Floats, Floats2, Ints, Ints2, ints
-from freebody.numeric.engine.measures_planar import KINDS, MAX_BODIES, MAX_NUMBERS, fill
+from freebody.numeric.kernels.arrays import Floats, ints
+from freebody.numeric.kernels.candidates import (
+    CHOSEN,
+    EDGE,
+    FIRST_BODY,
+    GAP,
+    HIGH,
+    LOW,
+    N_NUMBER,
+    N_SITE,
+    N_SPANS,
+    N_TERMS,
+    SECOND_BODY,
+    SIDE,
+    SIGN,
+    SLIP,
+    SLIP_SIGN,
+    SLOPE,
+    SPAN,
+    STATIC,
+    TARGET,
+    TURN,
+    Candidates,
+)
+from freebody.numeric.kernels.measures_planar import KINDS, MAX_BODIES, MAX_NUMBERS, fill
 from freebody.numeric.timestepping.shapes import Outlines
-from freebody.numeric.timestepping.templates import N_SPANS, N_TERMS, Template
+from freebody.numeric.timestepping.templates import Template
 
 _WIDTH = np.array([kind.n_bodies for kind in KINDS], np.intp)
-
-# columns of `Candidates.site`: places of measures and what is known of them
-GAP, SIGN, SLIP, SLIP_SIGN, TURN, SPAN, EDGE, SIDE, FIRST_BODY, SECOND_BODY = 0, 1, 2, 5, 6, 7, 9, 10, 11, 12
-N_SITE = 13
-# columns of `Candidates.number`
-TARGET, SLOPE, LOW, HIGH, STATIC, KINETIC, RESTITUTION, ARM = 0, 1, 4, 6, 8, 9, 10, 11
-N_NUMBER = 12
-# columns of `Candidates.memory`: impulses of the last step, by which the next one begins
-NORMAL_IMPULSE, SLIP_IMPULSE, TURN_IMPULSE = range(3)
-# columns of `Candidates.pair`
-N_EDGES, CHOSEN = 0, 1
-
-
-class Candidates(NamedTuple):
-    """Places that may touch; those of one pair of outlines stand together."""
-
-    kinds: Ints  # measures, as in a layout
-    starts: Ints
-    bodies: Ints2
-    numbers: Floats2
-    measures: Floats2
-    gradient: Floats
-    at: Ints  # where the gradient of a measure begins
-    width: Ints  # its number of bodies
-    site: Ints2  # (n_sites, N_SITE)
-    number: Floats2  # (n_sites, N_NUMBER)
-    memory: Floats2  # (n_sites, 3) [N s or N m s]
-    pair_ptr: Ints
-    pair: Ints2  # (n_pairs, 2): number of edges, the one that separates best (-1: not known)
 
 
 @dataclass(frozen=True)

@@ -10,11 +10,11 @@ import numpy as np
 from freebody.language.expression import Expr, free_symbols
 from freebody.measures.base import Measure
 from freebody.model.elements import ConstraintRow, DryFriction, NonholonomicForm, UnilateralConstraint
-from freebody.numeric.engine.layout import floats, ints
 from freebody.numeric.engine.packing import Packing
 from freebody.numeric.engine.tapes import Tapes
+from freebody.numeric.kernels.arrays import floats, ints
+from freebody.numeric.kernels.rows import NO_LIMIT, Fixtures
 from freebody.numeric.numbers import Numbers
-from freebody.numeric.timestepping.rows import NO_LIMIT, Fixtures
 
 _NONE = -1
 

@@ -13,49 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from freebody.numeric.engine.layout import Floats
-from freebody.numeric.timestepping.compiled import entry
-
-_LIST, _TABLE, _INTS, _PAIRS, _FLOAT = (
-    np.zeros(1),
-    np.zeros((1, 1)),
-    np.zeros(1, np.int32),
-    np.zeros((1, 1), np.int32),
-    1.0,
-)
-
-
-@entry(_TABLE, _LIST, _INTS, _FLOAT, _PAIRS, _PAIRS)
-def close_circles(centers, radii, order, margin, pair_of, found):
-    """Pairs of circles (with `pair_of` their number, -1: none) that come within the margin: (n, 1) numbers of pairs in
-    `found`, as many as have room; returns how many there are. order: the circles from left to right, as it was before
-    and as it becomes."""
-    n = len(order)
-    for k in range(1, n):  # insertion sort: little changes between two calls
-        i = order[k]
-        left = centers[i, 0] - radii[i]
-        j = k - 1
-        while j >= 0 and centers[order[j], 0] - radii[order[j]] > left:
-            order[j + 1] = order[j]
-            j -= 1
-        order[j + 1] = i
-    count = 0
-    for k in range(n):
-        i = order[k]
-        x, y, r = centers[i, 0], centers[i, 1], radii[i] + margin
-        for m in range(k + 1, n):
-            j = order[m]
-            if centers[j, 0] - radii[j] > x + r:
-                break
-            p = pair_of[i, j]
-            if p < 0:
-                continue
-            dx, dy, reach = centers[j, 0] - x, centers[j, 1] - y, r + radii[j]
-            if dx * dx + dy * dy <= reach * reach:
-                if count < len(found):
-                    found[count, 0] = p
-                count += 1
-    return count
+from freebody.numeric.kernels.arrays import Floats
 
 
 def placed(q: Floats, bodies: NDArray[Any], offsets: Floats) -> Floats:

@@ -14,15 +14,15 @@ from freebody.errors import InputError
 from freebody.language.sentences import Message, further, in_turn
 from freebody.measures.base import Measure
 from freebody.numeric.engine.course import NO_TRACKS, Status, Trajectory
-from freebody.numeric.engine.layout import Floats
 from freebody.numeric.engine.lending import OF_LIGHTEST
-from freebody.numeric.engine.measures_planar import NEAR
 from freebody.numeric.engine.motion import stopped
+from freebody.numeric.kernels import marching
+from freebody.numeric.kernels.arrays import Floats
+from freebody.numeric.kernels.marching import March
+from freebody.numeric.kernels.measures_planar import NEAR
+from freebody.numeric.kernels.rows import IMPULSE, KIND, NORMAL, OF_BOUND, OF_SITE, ORIGIN, SOURCE
 from freebody.numeric.numbers import Numbers
 from freebody.numeric.options import SimulationOptions
-from freebody.numeric.timestepping import marching
-from freebody.numeric.timestepping.marching import March
-from freebody.numeric.timestepping.rows import IMPULSE, KIND, NORMAL, OF_BOUND, OF_SITE, ORIGIN, SOURCE
 from freebody.numeric.timestepping.scene import KEPT, ContactScene
 
 Progress = Callable[[float, int], None]

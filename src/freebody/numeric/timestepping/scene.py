@@ -9,13 +9,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from freebody.numeric.engine.evaluator import Packed
-from freebody.numeric.engine.layout import Floats
 from freebody.numeric.engine.packing import Packing
+from freebody.numeric.kernels.arrays import Floats
+from freebody.numeric.kernels.near import close_circles
+from freebody.numeric.kernels.rows import N_NUMBER, N_WHAT, ClosedRows
 from freebody.numeric.numbers import Numbers
 from freebody.numeric.timestepping import near
 from freebody.numeric.timestepping.candidates import Built, built, keep_memory
 from freebody.numeric.timestepping.fixtures import SystemParts
-from freebody.numeric.timestepping.rows import N_NUMBER, N_WHAT, ClosedRows
 from freebody.numeric.timestepping.shapes import Outlines
 from freebody.numeric.timestepping.templates import Template
 
@@ -113,10 +114,10 @@ class ContactScene:
         if len(circles) > 1:
             pair_of = self._pair_of if len(circles) == len(o.outlines) else self._circle_pairs
             centers, radii = np.ascontiguousarray(where[circles]), np.ascontiguousarray(o.radius[circles])
-            n = near.close_circles(centers, radii, self._order, margin, pair_of, self._room)
+            n = close_circles(centers, radii, self._order, margin, pair_of, self._room)
             while n > len(self._room):
                 self._room = np.zeros((2 * n, 1), np.int32)
-                n = near.close_circles(centers, radii, self._order, margin, pair_of, self._room)
+                n = close_circles(centers, radii, self._order, margin, pair_of, self._room)
             found.append(self._room[:n, 0].astype(np.intp))
         for other in self._others:
             k = int(other)

@@ -18,7 +18,7 @@ from freebody.connections.outlines import Hollow, Outline, RoundPart, Straight
 from freebody.language.expression import ZERO, Expr, Symbol
 from freebody.measures.geometry import GROUND, Components, Direction, Point
 from freebody.model.elements import Line
-from freebody.numeric.engine.layout import Floats
+from freebody.numeric.kernels.arrays import Floats
 from freebody.numeric.numbers import Numbers
 
 FIRST, SECOND = "first", "second"

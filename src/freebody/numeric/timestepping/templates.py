@@ -23,12 +23,11 @@ from freebody.measures.combination import Combination
 from freebody.measures.geometry import Direction, Point
 from freebody.model.elements import DryFriction, UnilateralConstraint
 from freebody.model.friction import Friction
-from freebody.numeric.engine.layout import Floats
-from freebody.numeric.engine.measures_planar import KINDS, MAX_BODIES, MAX_NUMBERS
+from freebody.numeric.kernels.arrays import Floats
+from freebody.numeric.kernels.candidates import N_SPANS, N_TERMS
+from freebody.numeric.kernels.measures_planar import KINDS, MAX_BODIES, MAX_NUMBERS
 from freebody.numeric.timestepping.shapes import FIRST, SECOND, OutlineShape
 
-N_TERMS = 3  # most measures in one slip
-N_SPANS = 2  # most spans of one site
 SURFACE = ("static", "kinetic", "restitution", "arm")
 _BODIES = {FIRST: 0, SECOND: 1}
 _GROUND = 2

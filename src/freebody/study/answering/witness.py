@@ -16,11 +16,11 @@ from freebody.budgets import allowed
 from freebody.errors import BudgetExhausted, CannotAnswer
 from freebody.language.sentences import Message
 from freebody.model.elements import ConstraintRow
-from freebody.numeric.engine import dynamics
 from freebody.numeric.engine.course import Status, Trajectory
 from freebody.numeric.engine.engine import Engine
 from freebody.numeric.engine.evaluator import EngineWatch
 from freebody.numeric.jets import Array
+from freebody.numeric.kernels import dynamics
 from freebody.numeric.options import SimulationOptions
 from freebody.numeric.reference import Reference, Snapshot
 from freebody.questions.reading import QuestionEvent

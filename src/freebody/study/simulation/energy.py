@@ -16,8 +16,8 @@ import numpy as np
 
 from freebody.model.elements import NonholonomicForm
 from freebody.numeric.engine.laws import stored_law
-from freebody.numeric.engine.stepping import EPSILON
 from freebody.numeric.jets import Array
+from freebody.numeric.kernels.stepping import EPSILON
 from freebody.numeric.spatial import tensor_of
 
 if TYPE_CHECKING:

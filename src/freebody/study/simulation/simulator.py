@@ -16,12 +16,12 @@ from freebody.model.names import did_you_mean
 from freebody.numeric.contact.bounded import Bounded
 from freebody.numeric.contact.hybrid import Hybrid
 from freebody.numeric.contact.start import assembled_touching, start_velocities
-from freebody.numeric.engine import dynamics
 from freebody.numeric.engine.course import Trajectory
 from freebody.numeric.engine.engine import Engine
 from freebody.numeric.engine.evaluator import EngineWatch
 from freebody.numeric.instant import check_laws
 from freebody.numeric.jets import Array
+from freebody.numeric.kernels import dynamics
 from freebody.numeric.options import SimulationOptions
 from freebody.numeric.reference import Reference
 from freebody.study.answering.assumed import rates_not_given

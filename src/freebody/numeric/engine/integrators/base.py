@@ -6,8 +6,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, Protocol
 
-from freebody.numeric.engine.layout import Floats
-from freebody.numeric.engine.tableaus import Tableau
+from freebody.numeric.kernels.arrays import Floats
+from freebody.numeric.kernels.stepping import Tableau
 
 
 class OwnSteps(Protocol):

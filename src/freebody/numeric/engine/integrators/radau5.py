@@ -18,11 +18,11 @@ import numpy as np
 
 from freebody.language.expression import FLOAT_FUNCTIONS, Expr, differentiate, evaluate
 from freebody.model.elements import RATE, VALUE, AppliedLoad, NonholonomicForm
-from freebody.numeric.engine import dynamics, stepping
 from freebody.numeric.engine.integrators import rk4
 from freebody.numeric.engine.integrators.base import Integrator
-from freebody.numeric.engine.layout import Floats, ModelArrays
-from freebody.numeric.engine.measures_planar import BEARING, NEAR
+from freebody.numeric.kernels import dynamics, stepping
+from freebody.numeric.kernels.arrays import Floats, ModelArrays
+from freebody.numeric.kernels.measures_planar import BEARING, NEAR
 
 if TYPE_CHECKING:
     from freebody.numeric.engine.evaluator import Evaluator

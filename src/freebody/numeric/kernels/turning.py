@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import math
 
-from freebody.numeric.engine.jit import kernel
+from freebody.numeric.kernels.declaring import kernel
 
 LARGEST = 1e5
 ROUND = 6755399441055744.0  # 1.5 * 2^52: x + ROUND - ROUND is x rounded to a whole number

@@ -2,18 +2,26 @@
 
 # pyright: basic
 
-import numpy as np
+from __future__ import annotations
 
-from freebody.numeric.engine.dynamics import BIAS, DRIFT, VALUE, along, kinematics
-from freebody.numeric.engine.either import of_either
-from freebody.numeric.engine.measures_planar import BEARING, NEAR
-from freebody.numeric.engine.rotating import framed
+from freebody.numeric.kernels.arrays import Floats, Floats2, ModelArrays, Workspace
+from freebody.numeric.kernels.declaring import of_either
+from freebody.numeric.kernels.dynamics import BIAS, DRIFT, VALUE, along, kinematics
+from freebody.numeric.kernels.measures_planar import BEARING, NEAR
+from freebody.numeric.kernels.rotating import framed
 
-_TABLE, _LIST = np.zeros((1, 1)), np.zeros(1)
 
-
-@of_either(_LIST, _TABLE, _TABLE, _TABLE, _TABLE, _TABLE)
-def observe(L, S, times, states, accelerations_of, values, rates, seconds):
+@of_either
+def observe(
+    L: ModelArrays,
+    S: Workspace,
+    times: Floats,
+    states: Floats2,
+    accelerations_of: Floats2,
+    values: Floats2,
+    rates: Floats2,
+    seconds: Floats2,
+) -> None:
     """(n_times, n_rows) values, rates and second derivatives of all rows along states y = (q, v, ...)."""
     n = accelerations_of.shape[1]
     for k in range(len(times)):

@@ -14,12 +14,8 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from freebody.numeric.engine.dynamics import BIAS as ROW_BIAS
-from freebody.numeric.engine.dynamics import DRIFT, VALUE, apply_multipliers, back_solve, held_along
-from freebody.numeric.engine.jit import kernel, part
-from freebody.numeric.engine.layout import Floats, Floats2, Ints, Ints2
-from freebody.numeric.engine.tape import play
-from freebody.numeric.timestepping.candidates import (
+from freebody.numeric.kernels.arrays import Floats, Floats2, Ints, Ints2
+from freebody.numeric.kernels.candidates import (
     ARM,
     CHOSEN,
     EDGE,
@@ -29,6 +25,8 @@ from freebody.numeric.timestepping.candidates import (
     KINETIC,
     LOW,
     N_EDGES,
+    N_SPANS,
+    N_TERMS,
     NORMAL_IMPULSE,
     RESTITUTION,
     SECOND_BODY,
@@ -44,7 +42,10 @@ from freebody.numeric.timestepping.candidates import (
     TURN,
     TURN_IMPULSE,
 )
-from freebody.numeric.timestepping.templates import N_SPANS, N_TERMS
+from freebody.numeric.kernels.declaring import kernel, part
+from freebody.numeric.kernels.dynamics import BIAS as ROW_BIAS
+from freebody.numeric.kernels.dynamics import DRIFT, VALUE, apply_multipliers, back_solve, held_along
+from freebody.numeric.kernels.tape import play
 
 # kinds of row
 NORMAL, FRICTION = 0, 1

@@ -17,12 +17,12 @@ Source: Nikravesh, Computer-Aided Analysis of Mechanical Systems, 1988, ch. 8; R
 
 import math
 
-from freebody.numeric.engine.jit import kernel, part
-from freebody.numeric.engine.measures_planar import measure
-from freebody.numeric.engine.measures_spatial import measure as measure_in_space
-from freebody.numeric.engine.rotating import gyroscopic
-from freebody.numeric.engine.tape import play, sweep
-from freebody.numeric.engine.turning import turned
+from freebody.numeric.kernels.declaring import kernel, part
+from freebody.numeric.kernels.measures_planar import measure
+from freebody.numeric.kernels.measures_spatial import measure as measure_in_space
+from freebody.numeric.kernels.rotating import gyroscopic
+from freebody.numeric.kernels.tape import play, sweep
+from freebody.numeric.kernels.turning import turned
 
 VANISHED = 1e-13  # a pivot below this part of its diagonal is none
 # nor is one below this by the smallest pivot before it, which enlarges rounding so much, up to a part of the diagonal

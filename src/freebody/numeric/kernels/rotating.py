@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import math
 
-from freebody.numeric.engine.jit import kernel
+from freebody.numeric.kernels.declaring import kernel
 
 
 @kernel

@@ -17,9 +17,9 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-import numpy as np
-
-from freebody.numeric.engine.dynamics import (
+from freebody.numeric.kernels.arrays import Floats, Floats2, Ints, ModelArrays, Workspace
+from freebody.numeric.kernels.declaring import kernel, of_either, part
+from freebody.numeric.kernels.dynamics import (
     BEST_OF_MOTION,
     IS_REGULARISED,
     N_LEFT_OUT,
@@ -34,12 +34,8 @@ from freebody.numeric.engine.dynamics import (
     power,
     respond,
 )
-from freebody.numeric.engine.either import of_either
-from freebody.numeric.engine.jit import kernel, part
-from freebody.numeric.engine.layout import Floats, Floats2, Ints, example_of
-from freebody.numeric.engine.measures_planar import BEARING, NEAR
-from freebody.numeric.engine.rotating import absorbed, framed, normalised, rates
-from freebody.numeric.engine.tableaus import Tableau
+from freebody.numeric.kernels.measures_planar import BEARING, NEAR
+from freebody.numeric.kernels.rotating import absorbed, framed, normalised, rates
 
 # -- what a run is about ----------------------------------------------------------------------
 N_CLOCK = 16
@@ -89,6 +85,17 @@ CAREFUL_PIVOT = 1e-2  # below this part of the best pivot met so far, stages are
 MOST_ALLOWED = 1e5  # errors of a step, by the tolerance, that are accepted there if nothing else helps
 NEAR_PIVOT = 1e-5  # below this part of it, no step should end
 N_OTHER_STEPS = 24  # how often a slightly shorter step is tried to get past a singular pose
+
+
+class Tableau(NamedTuple):
+    """An explicit Runge-Kutta method in arrays (`engine.tableaus`)."""
+
+    a: Floats2  # (n + extra + 1, n + extra + 1)
+    c: Floats
+    b: Floats
+    error: Floats2  # (2, n + 1): the second row is zero if there is one embedded formula only
+    dense: Floats2  # (n_terms, n + extra + 1)
+    sizes: Ints  # number of stages, extra stages, order, is adaptive, error needs the slope at the new point
 
 
 class SteppedRun(NamedTuple):
@@ -430,12 +437,8 @@ def show(L, S, T, R):
         store_outputs(L, S, R)
 
 
-_T, _R = example_of(Tableau), example_of(SteppedRun)
-_INT, _FLOAT, _STATE = 1, 1.0, np.zeros(1)
-
-
-@of_either(_T, _R, _INT)
-def advance(L, S, T, R, max_steps):
+@of_either
+def advance(L: ModelArrays, S: Workspace, T: Tableau, R: SteppedRun, max_steps: int) -> int:
     """Makes steps to the end time, or max_steps of them, or one if the run is watched.
 
     A step is tried until its error is allowed, what is held can be closed at its end, and it does not end next to a
@@ -494,8 +497,10 @@ def advance(L, S, T, R, max_steps):
     return REACHED if R.clock[NOW] >= R.clock[END] else PAUSED
 
 
-@of_either(_R, _FLOAT, _STATE, _FLOAT, _STATE, _INT)
-def visit(L, S, R, s, y, t, out, n_times):
+@of_either
+def visit(
+    L: ModelArrays, S: Workspace, R: SteppedRun, s: float, y: Floats, t: float, out: Floats, n_times: int
+) -> bool:
     """The slope of a state: that at the part s of the last step, or, for s < 0, of y as it is. Its rows, accelerations
     and multipliers stand in `S`. The gaps of the state are closed before; with n_times > 0 they are not, and the slope
     is found that many times. False if the gaps cannot be closed."""
@@ -508,11 +513,18 @@ def visit(L, S, R, s, y, t, out, n_times):
     return True
 
 
-_TABLE = np.zeros((1, 1))
-
-
-@of_either(_R, _STATE, _FLOAT, _STATE, _TABLE, _TABLE, _TABLE)
-def patrol(L, S, R, parts, t, y, values, rates, sizes):
+@of_either
+def patrol(
+    L: ModelArrays,
+    S: Workspace,
+    R: SteppedRun,
+    parts: Floats,
+    t: float,
+    y: Floats,
+    values: Floats2,
+    rates: Floats2,
+    sizes: Floats2,
+) -> None:
     """What is guarded at parts of the last step (after a negative part, at the state y and the time t as they are): one
     row of values, rates and sizes for each."""
     for j in range(len(parts)):

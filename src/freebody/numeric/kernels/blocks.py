@@ -15,8 +15,8 @@ from __future__ import annotations
 
 import math
 
-from freebody.numeric.engine.jit import kernel, part
-from freebody.numeric.timestepping.rows import (
+from freebody.numeric.kernels.declaring import kernel, part
+from freebody.numeric.kernels.rows import (
     ALONG,
     BACK,
     BIAS,

@@ -10,7 +10,7 @@ starts[i] + 3 n_bodies (k - kinds[i]).
 import math
 from typing import Any, NamedTuple
 
-from freebody.numeric.engine.jit import kernel
+from freebody.numeric.kernels.declaring import kernel
 
 TURN = 2.0 * math.pi
 VALUE, BIAS, BEARING, NEAR = range(4)  # what stands in `out` of every measure

@@ -2,19 +2,17 @@
 
 # pyright: basic
 
-import numpy as np
+from __future__ import annotations
 
-from freebody.numeric.engine.dynamics import kinematics
-from freebody.numeric.engine.either import of_either
-from freebody.numeric.engine.measures_planar import BEARING, NEAR
-from freebody.numeric.engine.rotating import framed
-
-SOURCES = ("following",)
-_TABLE, _LIST = np.zeros((1, 1)), np.zeros(1)
+from freebody.numeric.kernels.arrays import Floats, Floats2, ModelArrays, Workspace
+from freebody.numeric.kernels.declaring import of_either
+from freebody.numeric.kernels.dynamics import kinematics
+from freebody.numeric.kernels.measures_planar import BEARING, NEAR
+from freebody.numeric.kernels.rotating import framed
 
 
-@of_either(_LIST, _TABLE, _TABLE, more=SOURCES)
-def follow(L, S, times, states, bearings):
+@of_either
+def follow(L: ModelArrays, S: Workspace, times: Floats, states: Floats2, bearings: Floats2) -> None:
     """(n_times, n_measures) bearings at states y = (q, v, ...), each counted on from the state before."""
     n = len(L.inverse_mass)
     for k in range(len(times)):

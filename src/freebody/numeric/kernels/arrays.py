@@ -16,18 +16,15 @@ The gradient of a row is a list of slots: a cell, and where its three entries be
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, NamedTuple, TypeVar
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-
-from freebody.numeric.engine.cells import PLANE, SPACE
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int32]
 Floats2 = NDArray[np.float64]  # two-dimensional
 Ints2 = NDArray[np.int32]
-T = TypeVar("T")
 
 
 class ModelArrays(NamedTuple):
@@ -115,72 +112,6 @@ class Workspace(NamedTuple):
     unit_force: Floats
     slide_matrix: Floats2  # (n, n + 1)
     info: Floats  # smallest pivot, regularised?, work power
-
-
-def room_for(layout: ModelArrays, *, space: bool = False) -> Workspace:
-    """Empty room for a layout, its constant gradients filled in."""
-    n, known = len(layout.inverse_mass) // 3, SPACE if space else PLANE
-    n_bodies, widest = n // known.width, 3 * known.width * known.max_bodies
-    n_measures, n_rows, n_held = len(layout.measure_numbers), len(layout.row_constant), len(layout.held)
-    n_entries = int(
-        max(
-            [
-                0,
-                *(layout.slots[:, 1] + 3).tolist(),
-                *(
-                    int(layout.starts[k] + widest * (layout.kinds[k + 1] - layout.kinds[k]))
-                    for k in range(len(layout.starts))
-                ),
-            ]
-        )
-    )
-
-    def empty(*shape: int) -> Any:
-        return np.zeros(shape)
-
-    room = Workspace(
-        turn=empty(0 if space else n_bodies, 2),
-        frames=np.tile(np.eye(3).ravel(), (n_bodies, 1)) if space else None,
-        gyroscopic=empty(len(layout.gyration), 3),
-        measures=empty(n_measures, 4),
-        gradient=empty(n_entries),
-        rows=empty(n_rows, 5),
-        registers=empty(max(1, len(layout.tape)), 4),
-        product_weight=empty(len(layout.product)),
-        held=empty(n_held, 6),
-        force=empty(3 * n),
-        weighted=empty(len(layout.held_slots)),
-        schur=empty(int(layout.column_ptr[-1])),
-        diagonal=empty(n_held),
-        step=empty(n_held),
-        multiplier=empty(n_held),
-        acceleration=empty(3 * n),
-        residual=empty(3 * n),
-        descent=empty(3 * n),
-        search=empty(3 * n),
-        slide_force=empty(len(layout.slide)),
-        slide_response=empty(len(layout.slide) + 1, n_held),
-        unit_force=empty(3 * n),
-        slide_matrix=empty(len(layout.slide), len(layout.slide) + 1),
-        info=empty(8),
-    )
-    known.fill(layout.kinds, layout.starts, layout.measure_numbers, room.gradient)
-    return room
-
-
-def example_of(kind: type[T], *, space: bool = False) -> T:
-    """Arrays of the types of a bundle, by which entries are compiled: what is there in space only is None in the
-    plane."""
-    empty: dict[str, Any] = {
-        "Floats": np.zeros(1),
-        "Floats2": np.zeros((1, 1)),
-        "Ints": np.zeros(1, np.int32),
-        "Ints2": np.zeros((1, 1), np.int32),
-        "Floats2 | None": np.zeros((1, 1)) if space else None,
-    }
-    annotations: dict[str, Any] = kind.__annotations__
-    make: Any = kind
-    return make(**{name: empty[annotation.__forward_arg__] for name, annotation in annotations.items()})
 
 
 # -- making arrays ----------------------------------------------------------------------------

@@ -11,9 +11,9 @@ Body b has the cells 2 b and 2 b + 1 of q and v; row b of `frames` is its rotati
 import math
 from typing import Any
 
-from freebody.numeric.engine.jit import kernel
-from freebody.numeric.engine.measures_planar import BEARING, BIAS, NEAR, TURN, VALUE, Kind
-from freebody.numeric.engine.rotating import carried, crossed, returned
+from freebody.numeric.kernels.declaring import kernel
+from freebody.numeric.kernels.measures_planar import BEARING, BIAS, NEAR, TURN, VALUE, Kind
+from freebody.numeric.kernels.rotating import carried, crossed, returned
 
 MAX_BODIES = 3
 MAX_NUMBERS = 19

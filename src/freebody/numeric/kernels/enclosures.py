@@ -24,14 +24,11 @@ Derivatives, 2nd ed. 2008, ch. 13 (Taylor coefficients).
 from __future__ import annotations
 
 import math
-from functools import cache, partial
 from typing import NamedTuple
 
-import numpy as np
-
-from freebody.numeric.engine.jit import Function, entry, kernel
-from freebody.numeric.engine.layout import Floats, Floats2, Ints2
-from freebody.numeric.engine.programs import (
+from freebody.numeric.kernels.arrays import Floats, Floats2, Ints, Ints2
+from freebody.numeric.kernels.declaring import entry, kernel
+from freebody.numeric.kernels.operations import (
     ABS,
     ACOS,
     ADD,
@@ -57,7 +54,6 @@ from freebody.numeric.engine.programs import (
 )
 
 EPS = 2.3e-16
-SOURCES = ("enclosures", "programs")
 N_TERMS = 8  # of a dense output: degree 7
 NARROWEST = 2.0**-44  # a part of a step that is not divided further
 # what is found: a sign change, with the sign after it; a touch; what could not be told apart within the resolution
@@ -612,7 +608,23 @@ def pass_simple(W, a, fa, da, m, fm, b, fb, has_turn, bend, zero, resolution, fo
     return n
 
 
-def search(code, constants, P, t0, h, sizes, T, turns, C, R, state, found, stack, info):
+@entry
+def search(
+    code: Ints2,
+    constants: Floats,
+    P: Floats2,
+    t0: float,
+    h: float,
+    sizes: Floats,
+    T: Floats,
+    turns: Floats2,
+    C: Floats2,
+    R: Floats2,
+    state: Floats,
+    found: Floats2,
+    stack: Floats2,
+    info: Floats,
+) -> int:
     """The events in a step from t0 of length h, in their order; see above. sizes: what is added to the program, below
     what it is zero, the resolution, how many parts may be looked at. state: what is carried from step to step. found:
     places in the step and kinds. info: how many were found, where the search begins and how far it came, how many parts
@@ -672,7 +684,22 @@ def search(code, constants, P, t0, h, sizes, T, turns, C, R, state, found, stack
     return DONE
 
 
-def sifted(code, constants, ptr, P, t0, h, offsets, resolutions, T, turns, C, R, signs):
+@entry
+def sifted(
+    code: Ints2,
+    constants: Floats,
+    ptr: Ints,
+    P: Floats2,
+    t0: float,
+    h: float,
+    offsets: Floats,
+    resolutions: Floats,
+    T: Floats,
+    turns: Floats2,
+    C: Floats2,
+    R: Floats2,
+    signs: Floats,
+) -> None:
     """signs[g]: the sign that program g has throughout a step, 0 if that cannot be said at once. With h = 0 the values
     where the step begins."""
     for g in range(len(ptr) - 1):
@@ -693,7 +720,8 @@ def sifted(code, constants, ptr, P, t0, h, offsets, resolutions, T, turns, C, R,
                 signs[g] = 1.0 if c0 > 0.0 else -1.0
 
 
-def powers(dense, old, inputs, P):
+@entry
+def powers(dense: Floats2, old: Floats, inputs: Ints, P: Floats2) -> None:
     """P[i]: the coefficients by powers of s of the entry i of the state, from the terms of a dense output, which are
     nested by s and 1 - s in turn (`stepping.between`). inputs: which entries."""
     n_terms = len(dense)
@@ -711,23 +739,3 @@ def powers(dense, old, inputs, P):
                 for j in range(N_TERMS - 1, 0, -1):
                     P[i, j] -= P[i, j - 1]
         P[i, 0] += old[i]
-
-
-class Kernels(NamedTuple):
-    """What is called from Python."""
-
-    search: Function
-    sifted: Function
-    powers: Function
-
-
-@cache
-def kernels() -> Kernels:
-    """The entries, compiled when they are first needed."""
-    code, row, rows, places, x = np.zeros((1, 3), np.int32), np.zeros(1), np.zeros((1, 1)), np.zeros(1, np.int32), 1.0
-    of_search = partial(entry, more=SOURCES, what="the search for events")
-    return Kernels(
-        of_search(code, row, rows, x, x, row, row, rows, rows, rows, row, rows, rows, row)(search),
-        of_search(code, row, places, rows, x, x, row, row, row, rows, rows, rows, row)(sifted),
-        of_search(rows, row, places, rows)(powers),
-    )

@@ -8,7 +8,7 @@ last register by the rows that it reads. Source: Griewank & Walther, Evaluating 
 
 import math
 
-from freebody.numeric.engine.jit import kernel, leaf
+from freebody.numeric.kernels.declaring import kernel, leaf
 
 CONSTANT, TIME, VALUE, RATE = 0, 1, 2, 3
 ADD, MULTIPLY, DIVIDE, WHOLE_POWER, POWER = 4, 5, 6, 7, 8

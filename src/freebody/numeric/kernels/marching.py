@@ -20,12 +20,15 @@ Stewart & Trinkle, Int. J. Numer. Meth. Engrg. 39 (1996) 2673 (gaps at the end o
 
 from __future__ import annotations
 
+import math
 from typing import NamedTuple
 
-import numpy as np
-
-from freebody.numeric.engine.dynamics import BIAS as ROW_BIAS
-from freebody.numeric.engine.dynamics import (
+from freebody.numeric.kernels.arrays import Floats, Floats2, Ints, ModelArrays, Workspace
+from freebody.numeric.kernels.blocks import accelerated, correct, note_impulses, start_from_memory, sweep
+from freebody.numeric.kernels.candidates import Candidates
+from freebody.numeric.kernels.declaring import entry, kernel, part
+from freebody.numeric.kernels.dynamics import BIAS as ROW_BIAS
+from freebody.numeric.kernels.dynamics import (
     DRIFT,
     GOAL,
     GOAL_RATE,
@@ -40,14 +43,8 @@ from freebody.numeric.engine.dynamics import (
     kinematics,
     loads,
 )
-from freebody.numeric.engine.jit import kernel, part
-from freebody.numeric.engine.layout import Floats, Floats2, Ints, ModelArrays, Workspace, example_of
-from freebody.numeric.engine.measures_planar import BEARING, NEAR, measure
-from freebody.numeric.engine.turning import turned
-from freebody.numeric.timestepping.blocks import accelerated, correct, note_impulses, start_from_memory, sweep
-from freebody.numeric.timestepping.candidates import Candidates
-from freebody.numeric.timestepping.compiled import entry
-from freebody.numeric.timestepping.rows import (
+from freebody.numeric.kernels.measures_planar import BEARING, NEAR, measure
+from freebody.numeric.kernels.rows import (
     BEFORE,
     BIAS,
     COLUMN,
@@ -71,6 +68,7 @@ from freebody.numeric.timestepping.rows import (
     is_within,
     rate_of,
 )
+from freebody.numeric.kernels.turning import turned
 
 # what `advance` returns
 DONE, REBUILD, FULL, NOT_FINITE, NOT_HELD = range(5)
@@ -129,7 +127,7 @@ def has_moved(R):
         # within a step a centre moves by h (|v| + |w| |offset|) at most, and gravity adds to that
         reach = abs(R.circle[k, 0]) + abs(R.circle[k, 1])
         if reach > 0.0:
-            c, s = np.cos(R.q[b, 2]), np.sin(R.q[b, 2])
+            c, s = math.cos(R.q[b, 2]), math.sin(R.q[b, 2])
             x = R.q[b, 0] + c * R.circle[k, 0] - s * R.circle[k, 1]
             y = R.q[b, 1] + s * R.circle[k, 0] + c * R.circle[k, 1]
         else:
@@ -486,13 +484,8 @@ def step(L, S, C, F, X, R, is_pressed_by_held):
     return DONE
 
 
-_L, _S, _C, _F, _X, _R = (
-    example_of(kind) for kind in (ModelArrays, Workspace, Candidates, Fixtures, ClosedRows, March)
-)
-
-
-@entry(_L, _S, _C, _F, _X, _R, 1)
-def advance(L, S, C, F, X, R, n_steps):
+@entry
+def advance(L: ModelArrays, S: Workspace, C: Candidates, F: Fixtures, X: ClosedRows, R: March, n_steps: int) -> int:
     """Makes steps until the count of all is n_steps, or what is returned stops it."""
     # a Boolean from the first line on: begun as the literal False it would be of two types, and all that takes it
     # compiled for both
@@ -508,11 +501,8 @@ def advance(L, S, C, F, X, R, n_steps):
     return DONE
 
 
-_TABLE = np.zeros((1, 1))
-
-
-@entry(_S, _C, _TABLE, _TABLE, 1.0)
-def penetration(S, C, q, v, tolerance):
+@entry
+def penetration(S: Workspace, C: Candidates, q: Floats2, v: Floats2, tolerance: float) -> float:
     """The deepest penetration of the candidates at a pose, of those that a step would look at."""
     turned(q, S.turn)
     measure(C.kinds, C.starts, C.bodies, C.numbers, q, v, S.turn, C.measures, C.gradient)

@@ -1,0 +1,55 @@
+"""Motions by which what runs the kernels is compared: `python kernel_runs.py NAME ...` prints a hash of each.
+
+What goes into the kernels is rounded to nine decimals, so that the last digits that Python and linear algebra gave it,
+which may differ between machines, do not come out again.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import sys
+from pathlib import Path
+
+import numpy as np
+
+import freebody as fb
+from freebody.numeric.options import SimulationOptions
+from freebody.study.simulation.simulator import Simulator
+
+EXAMPLES = Path(__file__).parents[1] / "examples"
+# smooth motions: in the plane and in space, with loops, gears, rolling, springs, drivers and expressions
+NAMES = (
+    "cart_and_pendulum",
+    "spherical_four_bar",
+    "double_pendulum",
+    "falling_hinged_rod",
+    "four_bar",
+    "free_asymmetric_body",
+    "planetary_gear",
+    "slider_crank",
+    "spinning_top",
+    "two_masses_three_springs",
+)
+
+
+def motion(name: str, until: float = 0.5) -> np.ndarray:
+    """(n_times, ...) poses of the bodies of an example."""
+    system = fb.System.load(EXAMPLES / f"{name}.yaml")
+    values = {p.name: 0.7 + 0.1 * k for k, p in enumerate(system.parameters.values()) if p.value is None}
+    simulator = Simulator(system, values)
+    engine = simulator.engine
+    assert simulator.bounded is None, f"{name} has phases, between which more than kernels are at work"
+    rounded = {k: np.round(x, 9) for k, x in engine.layout._asdict().items() if x.dtype == float}
+    engine.layout = engine.layout._replace(**rounded)
+    course = engine.run(np.round(simulator.start, 9), until, SimulationOptions(), outputs=np.linspace(0.0, until, 6))
+    assert course.status.is_complete
+    return course.poses
+
+
+def hashed(name: str) -> str:
+    return hashlib.sha256(np.ascontiguousarray(motion(name)).tobytes()).hexdigest()[:16]
+
+
+if __name__ == "__main__":
+    print(json.dumps({name: hashed(name) for name in sys.argv[1:]}))
