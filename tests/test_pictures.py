@@ -13,7 +13,6 @@ from typing import Any
 
 import numpy as np
 import pytest
-import xarray as xr
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from PIL import Image
@@ -28,6 +27,7 @@ from freebody.present.figures import GROUND, Array, Heading, Node, Place, Rope, 
 from freebody.present.layout import Layout, headings, sweep
 from freebody.present.picture.label import equation
 from freebody.present.plots import plot, save
+from freebody.present.recording import Recording, Series
 from freebody.present.scene import Scene
 from freebody.present.stage import Stage, draw_frame, show_of_plane
 from freebody.present.strokes import Path as Outline
@@ -549,14 +549,15 @@ def test_of_a_repeated_time_the_last_pose_is_shown(tmp_path: Path) -> None:
 
 
 # -- curves -----------------------------------------------------------------------------------
-def dataset(measures: list[str]) -> xr.Dataset:
+def recording(measures: list[str]) -> Recording:
     """Two bodies, a measure and a reaction over one second."""
     t = np.linspace(0.0, 1.0, 11)
 
-    def of(dims: tuple[str, ...], values: Array, units: str, words: str) -> tuple[Any, ...]:
-        return dims, values, {"units": units, "long_name": words}
+    def of(dimensions: tuple[str, ...], values: Array, units: str, words: str) -> Series:
+        return Series(dimensions, values, {"units": units, "long_name": words})
 
-    return xr.Dataset(
+    return Recording(
+        t,
         {
             "body_position": of(
                 ("time", "body", "axis"), np.arange(44.0).reshape(11, 2, 2), "m", "position of the mass centre"
@@ -566,8 +567,8 @@ def dataset(measures: list[str]) -> xr.Dataset:
             "theta_rate": of(("time",), np.cos(t), "rad/s", "rate of theta"),
             "main.x": of(("time",), 5 * t, "N", "x force of main on crank"),
         },
-        coords={"time": t, "body": ["crank", "rod"], "axis": ["x", "y"]},
-        attrs={"measures": measures},
+        {"body": ["crank", "rod"], "axis": ["x", "y"]},
+        {"measures": measures},
     )
 
 
@@ -577,7 +578,7 @@ def panels(figure: Any) -> dict[str, list[str]]:
 
 
 def test_curves_of_one_unit_share_a_panel() -> None:
-    figure = plot(dataset([]), ["theta", "crank.angle", "main.x", "rod.y"])
+    figure = plot(recording([]), ["theta", "crank.angle", "main.x", "rod.y"])
     assert panels(figure) == {
         "[rad]": ["theta: angle of crank", "crank.angle"],
         "x force of main on crank [N]": ["main.x: x force of main on crank"],
@@ -586,24 +587,24 @@ def test_curves_of_one_unit_share_a_panel() -> None:
 
 
 def test_a_component_of_a_body_is_taken_from_its_body_and_axis() -> None:
-    figure: Any = plot(dataset([]), ["rod.y"])
+    figure: Any = plot(recording([]), ["rod.y"])
     assert figure.axes[0].lines[0].get_ydata() == pytest.approx(np.arange(3.0, 44.0, 4.0))
 
 
 def test_a_variable_of_all_bodies_makes_one_curve_for_each() -> None:
-    assert panels(plot(dataset([]), ["body_position"])) == {"[m]": ["crank.x", "rod.x", "crank.y", "rod.y"]}
+    assert panels(plot(recording([]), ["body_position"])) == {"[m]": ["crank.x", "rod.x", "crank.y", "rod.y"]}
 
 
 def test_without_names_the_measures_are_shown_or_else_all_bodies() -> None:
-    assert panels(plot(dataset(["theta"]))) == {"angle of crank [rad]": ["theta: angle of crank"]}
-    assert panels(plot(dataset([]))) == {
+    assert panels(plot(recording(["theta"]))) == {"angle of crank [rad]": ["theta: angle of crank"]}
+    assert panels(plot(recording([]))) == {
         "[rad]": ["crank.angle", "rod.angle"],
         "[m]": ["crank.x", "rod.x", "crank.y", "rod.y"],
     }
 
 
 def test_events_are_lines_through_all_panels_with_their_names_above() -> None:
-    figure: Any = plot(dataset([]), ["theta", "main.x"], events=[("slip", 0.25), ("impact", 0.5)])
+    figure: Any = plot(recording([]), ["theta", "main.x"], events=[("slip", 0.25), ("impact", 0.5)])
     for axes in figure.axes:
         assert [line.get_xdata()[0] for line in axes.lines[1:]] == [0.25, 0.5]
     assert [text.get_text() for text in figure.axes[0].texts] == ["slip", "impact"]
@@ -611,14 +612,14 @@ def test_events_are_lines_through_all_panels_with_their_names_above() -> None:
 
 def test_all_misspelt_names_are_told_at_once() -> None:
     with pytest.raises(InputError) as told:
-        plot(dataset([]), ["thta", "crank.angel", "theta"])
+        plot(recording([]), ["thta", "crank.angel", "theta"])
     assert "there is no curve thta. Did you mean theta?" in str(told.value)
     assert "there is no curve crank.angel. Did you mean crank.angle?" in str(told.value)
 
 
 def test_curves_are_told_apart_by_colour_and_by_dashes_on_both_papers() -> None:
     for dark in (False, True):
-        figure: Any = plot(dataset([]), ["body_position"], dark=dark)
+        figure: Any = plot(recording([]), ["body_position"], dark=dark)
         drawn = figure.axes[0].lines
         assert len({line.get_color() for line in drawn}) == 4
         assert len({str(line._dash_pattern) for line in drawn}) == 4
@@ -628,19 +629,20 @@ def test_curves_are_told_apart_by_colour_and_by_dashes_on_both_papers() -> None:
 
 @pytest.mark.parametrize(("suffix", "start"), [(".png", b"\x89PNG"), (".svg", b"<?xml"), (".pdf", b"%PDF")])
 def test_a_plot_is_written_by_its_suffix(tmp_path: Path, suffix: str, start: bytes) -> None:
-    path = save(plot(dataset(["theta"])), tmp_path / f"curves{suffix}")
+    path = save(plot(recording(["theta"])), tmp_path / f"curves{suffix}")
     assert path.read_bytes().startswith(start)
 
 
 @pytest.mark.parametrize(("name", "message"), [("a.docx", ".png, .svg, .pdf"), ("no/a.png", "cannot be written")])
 def test_a_plot_that_cannot_be_written_says_why(tmp_path: Path, name: str, message: str) -> None:
     with pytest.raises(InputError, match=re.escape(message)):
-        save(plot(dataset(["theta"])), tmp_path / name)
+        save(plot(recording(["theta"])), tmp_path / name)
 
 
 def test_names_with_dollar_signs_are_no_mathematics(tmp_path: Path) -> None:
-    data = dataset(["theta"])
-    data["theta"].attrs["long_name"] = r"$\frac{ costs $5"
+    data = recording(["theta"])
+    theta = replace(data.series["theta"], attributes={"units": "rad", "long_name": r"$\frac{ costs $5"})
+    data = replace(data, series={**data.series, "theta": theta})
     save(plot(data, events=[("$x_", 0.5)]), tmp_path / "a.png")
 
 

@@ -535,13 +535,29 @@ def test_a_dataset_has_units_and_comes_back_from_its_file(tmp_path: Path) -> Non
     result = example("mass_on_spring").simulate(0.5, every=0.1)
     data = result.dataset
     assert all(v.attrs["units"] and v.attrs["long_name"] for v in data.data_vars.values())
-    write(data, tmp_path / "run.nc")
+    write(result.recording, tmp_path / "run.nc")
     with xarray.open_dataset(tmp_path / "run.nc", engine="h5netcdf") as back:
         assert float(np.abs(back["body_position"] - data["body_position"]).max()) == 0.0
         assert back["body_position"].attrs["units"] == "m"
-    write(data, tmp_path / "run.csv")
+    write(result.recording, tmp_path / "run.csv")
     table = np.genfromtxt(tmp_path / "run.csv", delimiter=",", names=True)
     assert len(table) == len(result.course.times)
+
+
+def test_without_xarray_tables_and_plots_are_written_and_datasets_say_what_to_install(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from freebody.study.simulation import files
+
+    monkeypatch.setitem(sys.modules, "xarray", None)
+    monkeypatch.setattr(files, "find_spec", lambda _name: None)
+    result = example("mass_on_spring").simulate(0.5, every=0.1)
+    files.write(result.recording, tmp_path / "run.csv")
+    result.plot(path=tmp_path / "run.png")
+    with pytest.raises(fb.InputError, match=r'pip install "freebody\[data\]"'):
+        _ = result.dataset
+    with pytest.raises(fb.InputError, match=r'pip install "freebody\[data\]"'):
+        files.check_path(tmp_path / "run.nc", files.SUFFIXES)
 
 
 def test_a_path_that_cannot_be_written_is_told_before_the_run(tmp_path: Path) -> None:

@@ -104,7 +104,7 @@ def _written(
         from freebody.study.simulation.files import write
 
         busy_with(f"writing {out}")
-        write(result.dataset, out)
+        write(result.recording, out)
         written.append(out)
     if plot is not None:
         busy_with(f"drawing {plot}")
@@ -136,7 +136,7 @@ def _check_shown(system: System, show: list[str]) -> None:
     """Curves that there will not be are told before the run."""
     from freebody.errors import InputError
     from freebody.model.names import did_you_mean
-    from freebody.study.simulation.dataset import series_names
+    from freebody.study.simulation.recorded import series_names
 
     known = series_names(system)
     bodies = [body.name for body in system.moving]

@@ -17,10 +17,10 @@ from freebody.errors import InputError
 from freebody.model.names import did_you_mean
 from freebody.present.figures import Array
 from freebody.present.files import replaced
+from freebody.present.recording import Recording
 from freebody.present.theme import THEMES, Theme
 
 if TYPE_CHECKING:
-    import xarray as xr
     from matplotlib.figure import Figure
 
 _SUFFIXES = (".png", ".svg", ".pdf")
@@ -50,7 +50,7 @@ class Curve:
 
 
 def plot(
-    dataset: xr.Dataset,
+    recording: Recording,
     names: Sequence[str] = (),
     *,
     events: Iterable[tuple[str, float]] = (),
@@ -60,13 +60,13 @@ def plot(
 
     names: variables over time, variables over time and bodies (then all bodies), or one component of a body
     (`crank.angle`, `crank.x`, `crank.y`, `crank.angular_velocity`, `crank.x_velocity` ...). Without names: the named
-    measures of the model (`dataset.attrs["measures"]`), else angles and positions of all bodies. events: (name,
+    measures of the model (`recording.attributes["measures"]`), else angles and positions of all bodies. events: (name,
     time [s]), drawn as thin vertical lines. Raises InputError for a name that is not there."""
-    found = list(curves(dataset, names))
+    found = list(curves(recording, names))
     panels: dict[str, list[Curve]] = {}
     for curve in found:
         panels.setdefault(curve.unit, []).append(curve)
-    return _figure(np.asarray(dataset["time"].values, dtype=np.float64), panels, list(events), dark=dark)
+    return _figure(recording.times, panels, list(events), dark=dark)
 
 
 def save(figure: Figure, path: str | Path) -> Path:
@@ -86,51 +86,46 @@ def _nearest(name: str, everything: Iterable[str], series: Sequence[str]) -> str
     return nearest if "Did you mean" in nearest else f" There is: {', '.join(series)}, and crank.x for a body crank."
 
 
-def curves(dataset: xr.Dataset, names: Sequence[str] = ()) -> Iterator[Curve]:
+def curves(recording: Recording, names: Sequence[str] = ()) -> Iterator[Curve]:
     """The curves that names stand for. Raises InputError naming all that are not there."""
-    everything = _offered(dataset)
-    chosen = list(names) or _usual(dataset)
+    everything = _offered(recording)
+    chosen = list(names) or _usual(recording)
     unknown = [name for name in chosen if name not in everything]
     if unknown:
-        series = [str(name) for name in dataset.data_vars if dataset[name].dims == ("time",)]
+        series = recording.over_time
         raise InputError("\n".join(f"there is no curve {n}.{_nearest(n, everything, series)}" for n in unknown))
     for each in dict.fromkeys(part for name in chosen for part in everything[name]):
-        yield _curve(dataset, each)
+        yield _curve(recording, each)
 
 
-def _offered(dataset: xr.Dataset) -> dict[str, list[str]]:
+def _offered(recording: Recording) -> dict[str, list[str]]:
     """What each name stands for: itself, or one curve for each body and axis."""
-    offered: dict[str, list[str]] = {}
-    for name in map(str, dataset.data_vars):
-        dims = set(map(str, dataset[name].dims))
-        if dims == {"time"}:
-            offered[name] = [name]
-    bodies = [str(body) for body in dataset["body"].values] if "body" in dataset else []
+    offered = {name: [name] for name in recording.over_time}
+    bodies = recording.labels.get("body", ())
     for word, (variable, _axis) in _OF_BODIES.items():
-        if variable in dataset:
+        if variable in recording.series:
             each = [f"{body}.{word}" for body in bodies]
             offered.update((name, [name]) for name in each if name not in offered)
             offered.setdefault(variable, []).extend(each)
     return offered
 
 
-def _usual(dataset: xr.Dataset) -> list[str]:
-    measures = [str(name) for name in dataset.attrs.get("measures", ())]
-    return measures or [name for name in ("body_angle", "body_position") if name in dataset]
+def _usual(recording: Recording) -> list[str]:
+    measures = [str(name) for name in recording.attributes.get("measures", ())]
+    return measures or [name for name in ("body_angle", "body_position") if name in recording.series]
 
 
-def _curve(dataset: xr.Dataset, name: str) -> Curve:
-    if name in dataset:
-        data = dataset[name]
-        words = str(data.attrs.get("long_name", ""))
+def _curve(recording: Recording, name: str) -> Curve:
+    if name in recording.series:
+        series, words = recording.series[name], recording.series[name].long_name
+        values = series.values
     else:
         body, _, word = name.rpartition(".")
         variable, axis = _OF_BODIES[word]
-        data = cast("Any", dataset[variable]).sel({"body": body} | ({"axis": axis} if axis else {}))
-        words = ""
-    unit = str(data.attrs.get("units", "")) or "1"
+        series, words = recording.series[variable], ""
+        values = recording.of(variable, **({"body": body} | ({"axis": axis} if axis else {})))
     label = f"{name}: {words}" if words and words != name else name
-    return Curve(name, label, unit, np.asarray(data.values, dtype=np.float64))
+    return Curve(name, label, series.unit or "1", np.asarray(values, dtype=np.float64))
 
 
 # -- drawing ----------------------------------------------------------------------------------

@@ -28,6 +28,8 @@ from freebody.system.system import System
 if TYPE_CHECKING:
     import xarray
 
+    from freebody.present.recording import Recording
+
 
 N_OUTPUTS = 1001
 PARTED = 1e-3  # two runs have parted where they differ by this part of the system's size
@@ -61,11 +63,16 @@ class Simulation(MeasuredMotion, Result):
         return self.status.is_complete
 
     @cached_property
-    def dataset(self) -> xarray.Dataset:
-        """Everything along the motion, with units and long names; see `study.simulation.dataset`."""
-        from freebody.study.simulation.dataset import dataset_of
+    def recording(self) -> Recording:
+        """Everything along the motion, with units and long names; see `study.simulation.recorded`."""
+        from freebody.study.simulation.recorded import recorded
 
-        return dataset_of(self)
+        return recorded(self)
+
+    @cached_property
+    def dataset(self) -> xarray.Dataset:
+        """The recording as an xarray dataset (extra `data`)."""
+        return self.recording.dataset()
 
     def continued(self, until: float, **given: Any) -> Simulation:
         """The motion from here on to a later time, with the same tolerance; the arguments are those of `simulate`."""
@@ -81,7 +88,7 @@ class Simulation(MeasuredMotion, Result):
         """A figure of the named measures (all of them without names); saved if a path is given."""
         from freebody.present.plots import plot, save
 
-        figure = plot(self.dataset, names, events=[(e.name, e.time) for e in self.events], dark=dark)
+        figure = plot(self.recording, names, events=[(e.name, e.time) for e in self.events], dark=dark)
         if path is not None:
             save(figure, Path(path))
         return figure

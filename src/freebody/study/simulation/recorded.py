@@ -1,4 +1,4 @@
-"""A simulation as an xarray dataset: everything along the motion, with units and long names.
+"""Everything along a simulated motion, with units and long names.
 
     time                                       [s]
     body_position (time, body, axis)           of mass centres, ground components [m]; body_velocity, body_acceleration
@@ -29,7 +29,6 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-import xarray
 
 from freebody.language.expression import evaluate
 from freebody.language.units import DIMENSIONLESS, LENGTH, unit_of
@@ -38,6 +37,7 @@ from freebody.numeric.engine.course import RotationHistory, Trajectory
 from freebody.numeric.jets import Array
 from freebody.numeric.potential import ARRAY_FUNCTIONS
 from freebody.numeric.spatial import matrices_of, vectors_of
+from freebody.present.recording import Recording, Series
 from freebody.study.simulation.observed import observed
 from freebody.system.system import System
 
@@ -48,8 +48,8 @@ _SPACE = "right-handed axes; SI units, angles in rad; quaternions (w, x, y, z) t
 _FIXED_NAMES = ("position", "angle", "velocity", "angular_velocity", "acceleration", "angular_acceleration")
 
 
-def dataset_of(result: MeasuredMotion) -> xarray.Dataset:
-    """The dataset of a simulation."""
+def recorded(result: MeasuredMotion) -> Recording:
+    """All series of a simulation."""
     from importlib.metadata import PackageNotFoundError, version
 
     course, system = result.course, result.system
@@ -86,14 +86,13 @@ def dataset_of(result: MeasuredMotion) -> xarray.Dataset:
         "source": made_by,
         "convention": _SPACE if system.space else "x right, y up, angles counter-clockwise; SI units, angles in rad",
     }
-    coordinates = {
-        "time": ("time", course.times, _named("s", "time")),
-        "body": bodies,
-        "axis": ["x", "y", "z"] if system.space else ["x", "y"],
-    }
+    labels = {"body": bodies, "axis": ["x", "y", "z"] if system.space else ["x", "y"]}
     if system.space:
-        coordinates |= {"quaternion": ["w", "x", "y", "z"], "body_axis": ["x", "y", "z"]}
-    return xarray.Dataset(data, coords=coordinates, attrs=attributes)
+        labels |= {"quaternion": ["w", "x", "y", "z"], "body_axis": ["x", "y", "z"]}
+    series = {
+        name: Series((of,) if isinstance(of, str) else of, values, about) for name, (of, values, about) in data.items()
+    }
+    return Recording(course.times, series, labels, attributes)
 
 
 def _bodies(course: Trajectory) -> dict[str, Any]:
