@@ -594,3 +594,18 @@ def test_the_limit_of_work_is_not_lost_in_a_destructor_or_a_callback(is_collecte
             work()
     finally:
         gc.callbacks.remove(busy)
+
+
+def test_what_is_raised_in_place_of_the_limit_of_work_is_the_limit() -> None:
+    # as NumPy does where the comparison of two types is interrupted
+    def work() -> None:
+        try:
+            while True:
+                pass
+        except OutOfWork:
+            raise TypeError("cannot compare") from None
+
+    with pytest.raises(OutOfWork), limited(0.02):
+        work()
+    with pytest.raises(TypeError), limited(10.0):
+        raise TypeError("an error of its own")

@@ -308,6 +308,7 @@ class JetGeometry:
         self.time = Jet(t, None, 1.0, 0.0)
         self.angles: dict[Branch, float] = dict(near)
         self.q, self.v = q, v
+        self.least = 0.0  # [m] a line must be longer than this to have a direction
         self._q, self._v = q.tolist(), v.tolist()
         self._unit_rows = np.eye(len(self._q))
         self._poses: dict[str, Pose[Jet] | SpatialPose[Jet]] = {}
@@ -387,7 +388,7 @@ class JetGeometry:
         return known[1]
 
     def root(self, x: Jet) -> Jet:
-        if x.value <= 0.0:
+        if x.value <= self.least**2:
             raise CannotAnswer(NO_DIRECTION)
         return cast("Jet", _call("sqrt", x))
 
@@ -433,7 +434,7 @@ class JetGeometry:
         # v = l e(a) + offset n(a):  l = sqrt(|v|^2 - offset^2),  a = atan2(v_y, v_x) - atan2(offset, l)
         distance2 = v.dot(v)
         square = distance2.value - offset.value**2
-        if distance2.value == 0.0:
+        if distance2.value <= self.least**2:
             raise CannotAnswer(NO_DIRECTION)
         if square <= 0.0:
             raise CannotAnswer(

@@ -23,6 +23,7 @@ from freebody.numeric.reference import Reference
 from freebody.symbolic.field import DivisorVanishes
 from freebody.symbolic.tidy import tidy
 from freebody.system.system import System
+from freebody.tolerances import SAME_PLACE
 
 P = ParamSpec("P")
 T = TypeVar("T")
@@ -80,6 +81,7 @@ def without_value(system: System) -> Iterator[str]:
         reference = Reference(system)
         q = reference.assemble()
         geometry = reference.snapshot(q, np.zeros_like(q)).geometry
+        geometry.least = SAME_PLACE * reference.sizes.length
         for name, measure in named:
             try:
                 jet = reference.jet(geometry, measure, name)

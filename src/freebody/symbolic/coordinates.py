@@ -97,7 +97,7 @@ class CoordinateChoice:
         express, bodies = elimination.express, self._bodies
         poses = {name: bodies.expressed(pose, express) for name, pose in bodies.poses.items()}
         tangents = KnownTangents(self._unknowns, elimination, self._samples)
-        root = self._lines.known_root(express)
+        root = self._lines.known_root(elimination)
         geometry = bodies.geometry(poses, tangents, root, self._samples.is_negative)
         configuration = Configuration(bodies, elimination, geometry)
         speeds = Speeds(self._unknowns, elimination, self._system.constraint_rows, configuration, self._samples)
@@ -187,8 +187,10 @@ class CoordinateChoice:
         # a measure without a value at a sample, as the bearing of points that coincide there, is no coordinate
         without = {d.label for d in definitions if not all(map(self._samples.has_values, d.made))}
         with_lines = {d.label for d in definitions if d.has_lines} - without
+        # of a measure that is given by a formula the lines are as little needed as of one that is dropped
         replaced = {e.name for e in given}
         open_ = [d for d in definitions if d.label not in replaced]
+        idle = {i for d in definitions if d.label in replaced for i in d.made} - self._unknowns.defined.keys()
         n_assumed = len(self._samples.assumed)
         dropped = with_lines | without
 
@@ -196,7 +198,8 @@ class CoordinateChoice:
             """Drops what only adds loops of its own, one elimination after the other."""
             while True:
                 del self._samples.assumed[n_assumed:]  # what a choice of measures assumed that is not taken
-                elimination = self._run(constraints, open_, dropped)
+                dropped.update(self._without_lines(open_, dropped, idle))
+                elimination = self._run(constraints, open_, dropped, idle)
                 bad = {e.name for e in elimination.loops if e.name.startswith(_label(""))}
                 if not bad:
                     return elimination
@@ -212,9 +215,17 @@ class CoordinateChoice:
                 elimination = settled()
         return elimination, frozenset(label.removeprefix(_label("")) for label in dropped)
 
-    def _run(self, constraints: list[RowEquation], definitions: list[Definition], dropped: set[str]) -> Elimination:
-        """With the measures that are not dropped."""
-        out = {index for d in definitions if d.label in dropped for index in d.made}
+    def _without_lines(self, definitions: list[Definition], dropped: set[str], idle: set[int]) -> set[str]:
+        """The measures that are written with a line of one that is dropped or given by a formula."""
+        gone = idle | {index for d in definitions if d.label in dropped for index in d.made}
+        found = {d.label for d in definitions if any(gone & self._unknowns.inside(e.value) for e in d.equations)}
+        return found if found <= dropped else self._without_lines(definitions, dropped | found, idle)
+
+    def _run(
+        self, constraints: list[RowEquation], definitions: list[Definition], dropped: set[str], idle: set[int]
+    ) -> Elimination:
+        """With the measures that are not dropped. idle: unknowns that nothing needs."""
+        out = idle | {index for d in definitions if d.label in dropped for index in d.made}
         return Elimination(
             self._field,
             {index: u for index, u in self._unknowns.found.items() if index not in out},

@@ -121,7 +121,7 @@ class Lines:
         """How a root in a held measure is made an unknown; None where it is none."""
         return None
 
-    def known_root(self, express: ElementMap) -> ElementMap | None:
+    def known_root(self, elimination: Elimination) -> ElementMap | None:
         """How a root is written in the coordinates that stay; None where it is left as it is."""
         return None
 

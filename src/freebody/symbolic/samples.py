@@ -95,8 +95,9 @@ class Samples:
                 values[index] = random.Random(to_text(generator.display)).uniform(0.5, 1.5)
 
     def _add_speeds(self, values: dict[int, Any]) -> None:
-        """Speeds of lines, by l da/dt = n . dv/dt and dl/dt = e . dv/dt + offset da/dt, and of named measures. Some
-        have none, as the rate of a distance has where its ends coincide: nothing else waits for them."""
+        """Speeds of lines, by l da/dt = n . dv/dt and dl/dt = e . dv/dt + offset da/dt, of roots l^2 = x, by
+        2 l dl/dt = dx/dt, and of named measures. Some have none, as the rate of a distance has where its ends coincide:
+        nothing else waits for them."""
         f, speeds = self.field, self._unknowns.speeds
         for line in self._unknowns.lines:
             # a line without length has no direction that could turn
@@ -108,6 +109,11 @@ class Samples:
             turning = (cos * vy - sin * vx) / values[line.length]
             values[speeds[line.angle]] = turning
             values[speeds[line.length]] = cos * vx + sin * vy + f.evaluate(line.offset, values) * turning
+        for index, square in self._unknowns.roots.items():
+            if values.get(index):
+                values[speeds[index]] = f.evaluate(f.rate(square), values) / (2.0 * values[index])
+            else:
+                self._without_rate.add(speeds[index])
         for index, value in self._unknowns.defined.items():
             try:
                 values[speeds[index]] = f.evaluate(f.rate(value), values)

@@ -49,6 +49,7 @@ class ModelUnknowns:
         self.measures: dict[int, Measure] = {}  # that unknowns are
         self.defined: dict[int, Ratio] = {}  # named measures as coordinates: what they are
         self.lines: list[TangentPair] = []
+        self.roots: dict[int, Ratio] = {}  # lengths in space: what their square is
 
     def new(
         self,

@@ -89,14 +89,19 @@ def _swallows(frame: FrameType | None) -> bool:
 
 @contextmanager
 def limited(seconds: float | None) -> Generator[None]:
-    """At most so much processor time [s] inside; without a limit where the system has no such alarm."""
+    """At most so much processor time [s] inside; without a limit where the system has no such alarm. Compiled code that
+    is interrupted while it calls back into Python may drop the alarm and raise an error of its own: what comes out
+    after the alarm is the alarm."""
     if seconds is None or not hasattr(signal, "setitimer") or threading.current_thread() is not threading.main_thread():
         yield
         return
     collecting = _Collecting()
+    has_rung = False
 
     def stop(_number: int, frame: FrameType | None) -> None:
+        nonlocal has_rung
         if not collecting.is_so and not _swallows(frame):
+            has_rung = True
             raise OutOfWork
         signal.setitimer(signal.ITIMER_PROF, UNHEARD, REPEATED)
 
@@ -106,6 +111,10 @@ def limited(seconds: float | None) -> Generator[None]:
     signal.setitimer(signal.ITIMER_PROF, seconds, REPEATED)
     try:
         yield
+    except Exception as error:
+        if has_rung:
+            raise OutOfWork from error
+        raise
     finally:
         signal.setitimer(signal.ITIMER_PROF, 0.0)
         signal.signal(signal.SIGPROF, before)

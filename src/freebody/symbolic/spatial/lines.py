@@ -8,7 +8,7 @@ from typing import Any
 from freebody.measures.geometry import Vector
 from freebody.symbolic.atoms import angle_with
 from freebody.symbolic.bodies import ElementMap
-from freebody.symbolic.elimination import RowEquation
+from freebody.symbolic.elimination import Elimination, RowEquation
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import sum_of_angles
 from freebody.symbolic.lines import AngleBy, Lines
@@ -54,13 +54,16 @@ class SpatialLines(Lines):
             k = len(self._roots)
             length = self.unknowns.new(f"length_{self._label or k}", (TANGENT_LENGTH, -k), compute=size)
             self._roots[key] = x, length
+            self.unknowns.roots[self.field.index(length)] = x
             self.add(key, [RowEquation(f"length {k}", length * length - x)])
         self.take_up(key)
         return self._roots[key][1]
 
-    def known_root(self, express: ElementMap) -> ElementMap | None:
-        """What is under the roots of the held measures has their values."""
-        roots = {express(x).key(): express(length) for x, length in self._roots.values()}
+    def known_root(self, elimination: Elimination) -> ElementMap | None:
+        """What is under the roots that took part in an elimination has their values; others are written out."""
+        express, taken = elimination.express, elimination.unknowns
+        made = [root for root in self._roots.values() if self.field.index(root[1]) in taken]
+        roots = {express(x).key(): express(length) for x, length in made}
 
         def root(x: Ratio) -> Ratio:
             return roots.get(x.key()) or self.field.sqrt(x, self.samples.is_negative)

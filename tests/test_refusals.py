@@ -1,0 +1,110 @@
+"""What cannot be answered is refused with its cause in the user's terms, and what can be is not."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+import freebody as fb
+from freebody.errors import CannotAnswer
+
+SCREW = """
+space: true
+ground: {points: {A: [0, 2 m, 0.3 m]}}
+bodies: {nut: {sphere: {mass: 3 kg, radius: 0.125 m}}}
+connections: {thread: {screw: {first: ground.A, second: nut, about: -x, pitch: 0.2 m, second_axis: [1, 1, 0]}}}
+measures: {d: distance from ground.A to nut}
+questions: [velocity of d, speed of nut]
+"""
+
+
+def test_a_distance_that_starts_at_nothing_has_no_formula_for_its_rate() -> None:
+    """d = |pitch phi/(2 pi)|: at d = 0 it is no coordinate and its rate has no sign; the nut stands there."""
+    rate, speed = fb.System.from_text(SCREW).solve().answers
+    assert rate.expression is None
+    assert rate.reason == "at the start the formulas have no value, or another sign than nearby"
+    assert speed.value == pytest.approx(0.0)
+
+
+def test_a_distance_that_starts_open_is_the_one_coordinate() -> None:
+    """|phi'| = 2 pi d'/pitch."""
+    text = SCREW.replace(
+        "questions: [", "start: {d: 0.4 m, rate(d): 0.1 m/s}\nquestions: [angular velocity of nut along x, "
+    )
+    found = fb.System.from_text(text).solve()
+    assert found.coordinates == ("d",)
+    assert all(answer.expression is not None for answer in found.answers)
+    assert [answer.value for answer in found.answers] == pytest.approx([2 * math.pi * 0.1 / 0.2, 0.1, 0.1])
+
+
+LINKED = """
+bodies:
+  hub: {disk: {mass: 2 kg, radius: 0.3 m}, at: [0.5 m, 1 m]}
+  arm: {rod: {mass: 1 kg, length: 1 m}, points: {eye: [0.2 m, 0]}, near: {at: [0.4 m, 1 m]}}
+connections:
+  fast: {weld: [arm.eye, hub]}
+  bar: {link: [hub, arm.eye]}
+loads: {weight: {gravity: 9.81 m/s^2}}
+"""
+WHEELS = """
+bodies:
+  small: {ring: {mass: 1 kg, radius: 0.2 m}}
+  large: {ring: {mass: 1 kg, radius: 0.4 m}}
+connections:
+  axle: {pin: [small.center, large.center]}
+  gears: {gear_mesh: [small, large]}
+loads: {drive: {torque: {on: large, magnitude: 2 N m}}}
+"""
+
+
+@pytest.mark.parametrize(("text", "row"), [(LINKED, "bar"), (WHEELS, "gears")])
+def test_points_that_are_in_one_place_but_for_round_off_are_named(text: str, row: str) -> None:
+    with pytest.raises(CannotAnswer, match=rf"{row}\.\w+: two points coincide"):
+        fb.System.from_text(text).simulate(1.0)
+
+
+BRAKED = """
+parameters: {m: 2 kg, R: 3 N, c: 0.4 N m s, v: 6 m/s}
+bodies: {disk: {disk: {mass: m, radius: 0.5 m}, velocity: [v, 0], angular_velocity: 2 rad/s}}
+measures: {s: x of disk}
+connections: {rub: {dry_friction: {measure: s, force: R}}}
+loads: {drag: {torsional_damper: {body: disk, damping: c}}}
+questions: [time until rate(s) = 0]
+"""
+
+
+def test_friction_ends_a_translation_beside_a_turn_that_decays() -> None:
+    """Two laws of their own: s' = v - R t/m is zero at m v/R, while the turn goes on as exp(-c t/I)."""
+    (stopped,) = fb.System.from_text(BRAKED).solve().answers
+    assert stopped.value == pytest.approx(2 * 6 / 3)
+
+
+STANDING = """
+ground: {points: {A: [0, 1 m]}}
+bodies: {ball: {disk: {mass: 2 kg, radius: 0.1 m}}}
+connections: {end: {stop: {measure: y of ground.A, min: 0.5 m}}}
+loads: {weight: {gravity: 9.81 m/s^2}}
+questions: [reaction of end]
+"""
+
+
+def test_a_reaction_on_nothing_that_moves_is_said_to_be_one() -> None:
+    (answer,) = fb.System.from_text(STANDING).solve().answers
+    assert answer.reason == "end acts on nothing that moves"
+
+
+SPRUNG = """
+space: true
+bodies: {nut: {sphere: {mass: 3 kg, radius: 0.125 m}}}
+connections: {thread: {screw: {first: ground.origin, second: nut, about: -x, pitch: 0.2 m, second_axis: y}}}
+loads: {hold: {spring: {first: ground.origin, second: nut, stiffness: 5 N/m, length: 0.1 m}}}
+questions: [speed of nut]
+"""
+
+
+def test_a_start_without_a_draw_on_the_branch_of_the_formulas_is_refused() -> None:
+    """A relaxed length of a spring whose ends coincide: it pushes, but neither way."""
+    (answer,) = fb.System.from_text(SPRUNG).solve().answers
+    assert answer.reason == "at the start the formulas have no value, or another sign than nearby"
+    assert answer.value == pytest.approx(0.0, abs=1e-12)
