@@ -108,3 +108,18 @@ def test_a_start_without_a_draw_on_the_branch_of_the_formulas_is_refused() -> No
     (answer,) = fb.System.from_text(SPRUNG).solve().answers
     assert answer.reason == "at the start the formulas have no value, or another sign than nearby"
     assert answer.value == pytest.approx(0.0, abs=1e-12)
+
+
+STOPPED = """
+bodies: {p: {disk: {mass: 3 kg, radius: 1 m}, at: [0, 0]}, q: {disk: {mass: 1 kg, radius: 1 m}, at: [3 m, 0]}}
+measures: {c: alignment of p.x and right}
+connections: {still: {velocity_constraint: {expression: rate(c)}}}
+questions: [position of c]
+"""
+
+
+def test_formulas_are_not_compared_where_no_motion_leads() -> None:
+    """(cos a)' = -sin a a' = 0 says nothing at a = 0 alone: nearby a is held, so no motion leads there."""
+    (answer,) = fb.System.from_text(STOPPED).solve().answers
+    assert "defect" not in answer.reason
+    assert answer.value == pytest.approx(1.0)

@@ -15,6 +15,8 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
+from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.model.elements import NonholonomicForm
 from freebody.numeric.jets import Array
@@ -61,9 +63,14 @@ class Reference(NumericSystem):
             step: Array = free @ np.linalg.lstsq(scaled, self.noise(rng), rcond=None)[0]
             return step * (size / (float(self.sizes.relative(step).max(initial=0.0)) or 1.0))
 
-        step = along(self.split_at(q, self.branches).null, size)
-        here = self.placing.placed(self.frame.moved(q, step), self.held_where(q, 0.0), t, self.branches).q
-        free = self.split_at(here, self.branches, t).null
+        free = self.split_at(q, self.branches).null
+        here = self.placing.placed(self.frame.moved(q, along(free, size)), self.held_where(q, 0.0), t, self.branches).q
+        n_free, free = free.shape[1], self.split_at(here, self.branches, t).null
+        # rows of velocities hold no pose: where they say more a step away than here, no motion goes there
+        if free.shape[1] < n_free and any(
+            isinstance(row.measure, NonholonomicForm) for row in self.system.constraint_rows
+        ):
+            raise CannotAnswer(Message("the velocity constraints bind more a step away than at the pose itself"))
         return here, along(free, 1.0) + self.velocities(here, (), t, with_start=False)
 
     def velocities(
