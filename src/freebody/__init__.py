@@ -97,6 +97,9 @@ def __getattr__(name: str) -> Any:
         return getattr(import_module(_HOMES[name]), name)
     if name in STUDIES:
         return STUDIES[name].function
+    if not name[:1].isupper():
+        # also what `from freebody import progress` asks first: is it an attribute? Then it is imported as a module
+        raise AttributeError(f"module 'freebody' has no attribute {name!r}")
     # descriptions: shapes, connections and loads by their class names
     import_module("freebody.connections")
     import_module("freebody.loads")

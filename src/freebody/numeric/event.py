@@ -7,8 +7,8 @@ method on the motion itself, followed exactly from the step before.
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any, cast
 
+from freebody.numeric.brent import zero_between
 from freebody.numeric.checks import finite, named
 from freebody.numeric.jets import Array
 from freebody.numeric.snapshot import Snapshot, snapshot_of
@@ -53,8 +53,6 @@ class EventWatch:
         return None
 
     def _root(self, late: float, at: Callable[[Snapshot, float], Snapshot]) -> Snapshot:
-        from scipy import optimize
-
         def value(t: float) -> float:
             return self._value(at(self._from, t))
 
@@ -62,8 +60,7 @@ class EventWatch:
         if value(early) * value(late) > 0.0:
             # rounding took the sign of one end: that end is the root
             return at(self._from, early if abs(value(early)) < abs(value(late)) else late)
-        find: Callable[..., float] = cast("Any", optimize).brentq
-        return at(self._from, find(value, early, late, xtol=_OF_TIMES, rtol=_LAST_DIGIT))
+        return at(self._from, zero_between(value, early, late, xtol=_OF_TIMES, rtol=_LAST_DIGIT))
 
     def _value(self, s: Snapshot) -> float:
         with named("the event"):

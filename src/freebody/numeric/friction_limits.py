@@ -22,7 +22,6 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
-from scipy import optimize
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import FLOAT_FUNCTIONS, Expr, evaluate
@@ -31,10 +30,9 @@ from freebody.model.elements import ConstraintRow, DryFriction
 from freebody.numeric.instant import forces
 from freebody.numeric.jets import TIME, Array, JetGeometry
 from freebody.numeric.reference import Reference
+from freebody.numeric.solvers import optimize
 from freebody.numeric.split import stack
 from freebody.tolerances import ROUND_OFF, ROUNDED
-
-_optimize: Any = optimize  # SciPy tells no types
 
 _FREE = ROUND_OFF  # a load along a direction in which nothing resists, of the largest load
 _RCOND, _POLISH = 1e-11, 1e-5  # of the constraints that decide, solved once more; a step that is larger is no polish
@@ -302,7 +300,7 @@ def _solved(cost: Array, A: Array, b: Array, G: Array, h: Array, bounds: Bounds)
 
     The simplex method is exact up to its own tolerance of 1e-7 only. What it says is which constraints decide: with
     these as equations, x follows by least squares to round-off."""
-    found: Any = _optimize.linprog(
+    found: Any = optimize().linprog(
         cost, A_ub=G if len(G) else None, b_ub=h if len(G) else None, A_eq=A, b_eq=b, bounds=bounds
     )
     if found.status != 0:
@@ -326,7 +324,7 @@ def _solved(cost: Array, A: Array, b: Array, G: Array, h: Array, bounds: Bounds)
 
 
 def _is_possible(A: Array, b: Array, G: Array, h: Array) -> bool:
-    found: Any = _optimize.linprog(
+    found: Any = optimize().linprog(
         np.zeros(A.shape[1]),
         A_ub=G if len(G) else None,
         b_ub=h if len(G) else None,

@@ -8,16 +8,13 @@ Source: Lawson & Hanson, Solving Least Squares Problems (1974), ch. 23 (LDP).
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
-import scipy.optimize
 from numpy.typing import NDArray
 
+from freebody.numeric.solvers import optimize
 from freebody.tolerances import ROUND_OFF, ROUNDED
 
 Array = NDArray[np.float64]
-_optimize: Any = scipy.optimize
 
 _FAR = 1e-7  # what is left of the unit vector: no y is as long as one over this
 
@@ -36,7 +33,7 @@ def least_within(G: Array, h: Array) -> Array | None:
     f = np.zeros(len(E))
     f[-1] = 1.0
     try:
-        u = np.array(_optimize.nnls(E, f)[0], dtype=np.float64)
+        u = np.array(optimize().nnls(E, f)[0], dtype=np.float64)
     except RuntimeError:  # too many iterations
         return None
     r = E @ u - f

@@ -14,12 +14,10 @@ from itertools import product
 from typing import Any
 
 import numpy as np
-import scipy.optimize
 
 from freebody.numeric.contact.problem import SLIPPING, Array, ContactProblem, FrictionProblemRow, Mode, RowState
+from freebody.numeric.solvers import optimize
 from freebody.tolerances import ROUND_OFF
-
-_optimize: Any = scipy.optimize
 
 _RANK = 1e-11  # of the matrix with unit diagonal
 _CONSISTENT = ROUND_OFF  # of the terms of an equation: what it may miss
@@ -195,7 +193,7 @@ def _bounds(l0: Array, Z: Array, cuts: list[_Cut]) -> tuple[Array, Array] | None
 def _least(cost: Array, cuts: list[_Cut]) -> float | None:
     """The least cost.y within the cuts, or None if nothing is or it is unbounded."""
     below, equal = [c for c in cuts if not c.is_equation], [c for c in cuts if c.is_equation]
-    found: Any = _optimize.linprog(
+    found: Any = optimize().linprog(
         cost,
         A_ub=np.array([c.left for c in below]) if below else None,
         b_ub=np.array([c.right for c in below]) if below else None,

@@ -27,9 +27,9 @@ from itertools import zip_longest
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-import scipy.optimize
 from numpy.typing import NDArray
 
+from freebody.numeric.brent import least_between, zero_between
 from freebody.numeric.engine.search import ProgramSearch
 from freebody.numeric.kernels import dynamics, enclosures, stepping
 from freebody.numeric.kernels.arrays import Floats
@@ -38,7 +38,6 @@ from freebody.tolerances import RESOLUTION, WATCHED_ZERO
 if TYPE_CHECKING:
     from freebody.numeric.engine.underway import MotionUnderWay
 
-_optimize: Any = scipy.optimize
 N_PARTS = 4
 QUARTERS = np.linspace(0.0, 1.0, N_PARTS + 1)
 TURN = 0.1  # [rad]
@@ -285,9 +284,9 @@ class GuardMonitor:
         for j in range(len(parts)):
             if is_least[j]:
                 around = float(parts[j - 1]), float(parts[j + 1])
-                least = _optimize.minimize_scalar(value, bounds=around, method="bounded", options={"xatol": 1e-9})
-                if least.fun < -zero:
-                    return _root(value, around[0] if around[0] < least.x else 0.0, float(least.x))
+                lowest, least = least_between(value, *around, xtol=1e-9)
+                if least < -zero:
+                    return _root(value, around[0] if around[0] < lowest else 0.0, lowest)
             if j == len(parts) - 1:
                 break
             low, high, a, b = float(parts[j]), float(parts[j + 1]), float(v[j]), float(v[j + 1])
@@ -385,4 +384,4 @@ def _root(value: Callable[[float], float], low: float, high: float) -> float:
         x = value(s)
         return x if math.isfinite(x) else before
 
-    return float(_optimize.brentq(known, low, high, xtol=1e-15, rtol=1e-14))
+    return zero_between(known, low, high, xtol=1e-15, rtol=1e-14)

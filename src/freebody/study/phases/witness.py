@@ -22,6 +22,7 @@ from freebody.errors import CannotAnswer
 from freebody.language.expression import evaluate
 from freebody.language.sentences import Message
 from freebody.model.elements import DryFriction
+from freebody.numeric.brent import least_between, zero_between
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference, Snapshot
 from freebody.questions.reading import QuestionEvent
@@ -36,6 +37,7 @@ Watcher = Callable[[Array, Array, float], float]
 _RTOL, _ATOL = 1e-12, 1e-13  # of the integrated motions, relative and [SI]
 _STILL = 1e-9  # [SI] of what is watched: rounding and the steps before leave this of a zero
 _OF_TIMES = 1e-14  # of roots, relative and [s]
+_OF_DIPS = 1e-5  # [s] of the time at which something is least
 _N_LOOKS = 6  # places in a step at which events are looked for
 _SLOPE = 1e-4  # of the time between two looks: over that slopes are taken
 _PLACES = ("touches", "is reached")  # events of places, which a motion may pass and come back from between two looks
@@ -287,20 +289,17 @@ def _looks(
 
 def _root(watch: Watcher, state: Callable[[float], Array], n: int, a: float, b: float) -> float:
     """The time at which a watched function falls through zero."""
-    from scipy import optimize
 
     def value(t: float) -> float:
         y = state(t)
         return watch(y[:n], y[n:], t)
 
-    solver: Any = optimize
-    return float(solver.brentq(value, a, b, xtol=_OF_TIMES, rtol=_OF_TIMES))
+    return zero_between(value, a, b, xtol=_OF_TIMES, rtol=_OF_TIMES)
 
 
 def _dip(watch: Watcher, state: Callable[[float], Array], n: int, a: float, b: float) -> float | None:
     """Where what is positive at both ends has fallen below zero between them: what moves freely passes through another
     body in one look."""
-    from scipy import optimize
 
     def value(t: float) -> float:
         y = state(t)
@@ -309,9 +308,8 @@ def _dip(watch: Watcher, state: Callable[[float], Array], n: int, a: float, b: f
     h = _SLOPE * (b - a)
     if value(a + h) >= value(a) or value(b - h) >= value(b):
         return None
-    solver: Any = optimize
-    low = solver.minimize_scalar(value, bounds=(a, b), method="bounded")
-    return float(low.x) if low.fun < 0.0 else None
+    place, least = least_between(value, a, b, xtol=_OF_DIPS)
+    return place if least < 0.0 else None
 
 
 def _signs(first: Array, is_guide: NDArray[np.bool_]) -> Sequence[Array]:
