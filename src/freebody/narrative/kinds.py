@@ -36,6 +36,4 @@ def _place(system: System, question: Question) -> str:
         return "contact.phases"
     if scope in _PLACES:
         return _PLACES[scope]
-    if question.event is not None:
-        return "questions.course"
-    return "space.spatial" if system.space else "questions.instant"
+    return "questions.instant" if question.event is None else "questions.course"

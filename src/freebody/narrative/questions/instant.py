@@ -4,15 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
+from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr
 from freebody.language.sentences import Message
 from freebody.narrative.context import Context, Method, refuse
 from freebody.narrative.lines.naming import asked_entry, asked_symbol, side_of, written
-from freebody.narrative.lines.script import DerivationStage, Script
+from freebody.narrative.lines.script import Argument, DerivationStage, Script
 from freebody.narrative.principles.formal import elements
 from freebody.narrative.principles.momentum import by_method, parts_of
 from freebody.narrative.principles.newton import Solved, same_answer
-from freebody.narrative.questions.state import AnswerParts, parts_of_state
+from freebody.narrative.questions.state import AnswerParts, PlanarTelling, StateTelling
+from freebody.narrative.space.spatial import SpatialTelling
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
 from freebody.symbolic.field import Ratio
@@ -20,20 +22,50 @@ from freebody.symbolic.tidy import tidy
 
 
 def derive(context: Context, question: Question, answer: Answer, method: Method) -> list[DerivationStage]:
-    """The derivation of a quantity at an instant. Raises CannotAnswer where there is none by this method."""
+    """The derivation of a quantity at an instant. Raises CannotAnswer where the solver has no formula, or
+    where there is no derivation by this method."""
+    if answer.expression is None:
+        raise CannotAnswer(answer.reason or Message("there is no closed form"))
     parts, unknowns = parts_of(context, question.quantity)
     script = context.script()
+    telling = telling_of(context, script, at_start=question.at_start)
     found: Solved = {}
-    before = AnswerParts(())
-    if unknowns:
-        if method in ("auto", "newton"):
-            context.rates.loops(context.setup, script)
-        found = by_method(context, script, unknowns, method)
-    else:
+    if not unknowns:
         refuse(method, (), Message("what follows from the state alone"))
-        before = parts_of_state(context, script, question)
-    finish(context, script, question, parts, found, before)
+        before = telling.parts(question.quantity)
+    elif telling.tells_all(question, method):
+        return script.stages
+    else:
+        before = telling.before(question.quantity, method)
+        found = by_method(context, script, unknowns, method, telling.kinematics)
+    if question.at_start and not found and before.total is not None and telling.is_formal:
+        _finish_at_start(context, script, question, parts, before)
+    else:
+        finish(context, script, question, parts, found, before)
     return script.stages
+
+
+def telling_of(context: Context, script: Script, *, at_start: bool = False) -> StateTelling:
+    """What tells of pose and velocities, in the plane or in space."""
+    if context.system.space:
+        return SpatialTelling(context, script, at_start=at_start)
+    return PlanarTelling(context, script)
+
+
+def _finish_at_start(
+    context: Context, script: Script, question: Question, parts: Sequence[Ratio], before: AnswerParts
+) -> None:
+    """What is asked at the start, from symbols whose values there are told."""
+    here, f = context.setup.start_instant, context.setup.model.field
+    name = asked_symbol(context, question, len(parts))
+    values = tuple(f.lowest_terms(here.here(part)) for part in parts)
+    total = before.total
+    assert total is not None
+    with script.stage("stage.value", "hint.value"):
+        script.add(asked_entry(name, question, n=len(parts)))
+        left = side_of(name, len(parts))
+        args: dict[str, Argument] = {"lines": before.lines}
+        script.line(left, total, written(values), why="value.follows", args=args, uses=before.lines, when="start")
 
 
 def finish(

@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import singledispatch
+from typing import Protocol
 
 from freebody.language.expression import Expr, Symbol, add, multiply, number, power
 from freebody.measures.geometry import Point
-from freebody.model.elements import RigidBody
-from freebody.narrative.context import Context
+from freebody.model.elements import AppliedLoad, RigidBody
+from freebody.narrative.context import Context, Method
 from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.script import Script, Sentence
 from freebody.narrative.principles.kinematics import Term
 from freebody.narrative.principles.sides import positive_first, scaled
+from freebody.narrative.space.spatial_kinematics import SpatialKinematics
 from freebody.questions.base import Quantity
 from freebody.questions.centres import InstantCentre, motion_at_origin
 from freebody.questions.energy import Energy
@@ -30,11 +33,53 @@ class AnswerParts:
     total: Expr | tuple[Expr, ...] | None = None
 
 
-def parts_of_state(context: Context, script: Script, question: Question) -> AnswerParts:
-    """What a quantity is made of."""
-    uses = context.rates.loops(context.setup, script)
-    lines, symbols = _told(question.quantity, context, script)
-    return AnswerParts(tuple(dict.fromkeys((*uses, *lines))), add(*symbols) if symbols else None)
+class StateTelling(Protocol):
+    """What a quantity is made of that follows from pose and velocities, told in a script."""
+
+    @property
+    def kinematics(self) -> SpatialKinematics | None:
+        """What is told of the motion, in space."""
+        ...
+
+    @property
+    def is_formal(self) -> bool:
+        """Whether a sum is told by symbols that have values at the start."""
+        ...
+
+    def parts(self, q: Quantity) -> AnswerParts:
+        """Lines, and the sum that the quantity is. Written inside stages of their own."""
+        ...
+
+    def before(self, q: Quantity, method: Method) -> AnswerParts:
+        """What is told before its accelerations and reactions are."""
+        ...
+
+    def tells_all(self, question: Question, method: Method) -> bool:
+        """Whether the answer needs no more, and was told."""
+        ...
+
+
+class PlanarTelling:
+    """The same in the plane."""
+
+    kinematics = None
+    is_formal = False
+
+    def __init__(self, context: Context, script: Script) -> None:
+        self.context, self.script = context, script
+
+    def parts(self, q: Quantity) -> AnswerParts:
+        uses = self.context.rates.loops(self.context.setup, self.script)
+        lines, symbols = _told(q, self.context, self.script)
+        return AnswerParts(tuple(dict.fromkeys((*uses, *lines))), add(*symbols) if symbols else None)
+
+    def before(self, q: Quantity, method: Method) -> AnswerParts:
+        if method in ("auto", "newton"):
+            self.context.rates.loops(self.context.setup, self.script)
+        return AnswerParts(())
+
+    def tells_all(self, question: Question, method: Method) -> bool:
+        return False
 
 
 @singledispatch
@@ -69,7 +114,7 @@ def _square(context: Context, body: str) -> tuple[Expr | None, list[Term]]:
     return add(*squares), terms
 
 
-def _name(context: Context, letter: str, of: str) -> Symbol:
+def name_of(context: Context, letter: str, of: str) -> Symbol:
     """T_left, or E_kin_left where T_left is a tension."""
     long = {"T": "E_kin", "V": "E_pot", "H": "L"}[letter]
     return context.symbol(f"{letter}_{of}", f"{long}_{of}")
@@ -88,13 +133,9 @@ def _energy(q: Energy, context: Context, script: Script) -> tuple[list[int], lis
                 if q.body is None or q.body == body.name:
                     more = kinetic_of(context, script, body.name)
                     lines += more
-                    symbols += [_name(context, "T", body.name)] if more else []
+                    symbols += [name_of(context, "T", body.name)] if more else []
         if q.what in ("potential", "total"):
-            for load in system.loads:
-                own = [p for p in system.applied_loads if p.load == load and (q.body in (None, *p.measure.bodies()))]
-                if own and system.loads[load].stores_energy:
-                    lines.append(_potential_of(context, script, load, q.body))
-                    symbols.append(_name(context, "V", load))
+            lines += stored(context, script, q.body, symbols)
     return lines, symbols
 
 
@@ -111,7 +152,7 @@ def kinetic_of(context: Context, script: Script, body: str) -> list[int]:
         terms = [*terms, turning]
     if not parts:
         return []
-    symbol = _name(context, "T", body)
+    symbol = name_of(context, "T", body)
     what = Sentence("symbol.kinetic_of", {"body": body})
     script.introduce(Meaning(symbol, what, Energy("kinetic", body), "J"))
     context.rates.announce(script, terms)
@@ -119,16 +160,22 @@ def kinetic_of(context: Context, script: Script, body: str) -> list[int]:
     return [own, *context.rates.explain_velocities(script, terms)]
 
 
-def _potential_of(context: Context, script: Script, load: str, body: str | None) -> int:
+def stored(context: Context, script: Script, body: str | None, terms: list[Expr]) -> list[int]:
+    """What each load stores, in one body or in all, as lines and terms of the sum."""
+    system, lines = context.system, list[int]()
+    for load in system.loads:
+        own = [p for p in system.applied_loads if p.load == load and (body is None or body in set(p.measure.bodies()))]
+        if own and system.loads[load].stores_energy:
+            lines.append(_stored_by(context, script, load, own))
+            terms.append(name_of(context, "V", load))
+    return lines
+
+
+def _stored_by(context: Context, script: Script, load: str, applied_loads: Sequence[AppliedLoad]) -> int:
     """The energy that a load stores."""
     state, f = context.setup.state, context.setup.model.field
-    applied_loads = [
-        p for p in context.system.applied_loads if p.load == load and (body is None or body in set(p.measure.bodies()))
-    ]
-    total = f.zero
-    for push in applied_loads:
-        total = total + state.potential(push)
-    symbol = _name(context, "V", load)
+    total = sum((state.potential(push) for push in applied_loads), f.zero)
+    symbol = name_of(context, "V", load)
 
     def read(world: World) -> float:
         return float(sum(world.snapshot.potential(push) for push in applied_loads))
@@ -164,7 +211,7 @@ def _spin(q: AngularMomentum, context: Context, script: Script) -> tuple[list[in
             if is_among(body.name, q.body):
                 more = _spin_of(context, script, q, body)
                 lines += more
-                symbols += [_name(context, "H", body.name)] if more else []
+                symbols += [name_of(context, "H", body.name)] if more else []
     return lines, symbols
 
 
@@ -184,7 +231,7 @@ def _spin_of(context: Context, script: Script, q: AngularMomentum, body: RigidBo
     if not shown:
         return []
     point = q.about if isinstance(q.about, Point) else body.mass_center if isinstance(q.body, str) else None
-    symbol, what = _name(context, "H", body.name), Sentence("symbol.spin_of", {"body": body.name})
+    symbol, what = name_of(context, "H", body.name), Sentence("symbol.spin_of", {"body": body.name})
     script.introduce(Meaning(symbol, what, AngularMomentum(body.name, point or ORIGIN), "kg m^2/s"))
     moving = [*x, *y, *([turning] if turning is not None else [])]
     context.rates.announce(script, moving)

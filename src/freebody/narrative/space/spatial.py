@@ -3,18 +3,14 @@ reactions by momentum and angular momentum."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from functools import singledispatch, singledispatchmethod
+from functools import singledispatchmethod
 
-from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr
 from freebody.language.sentences import Message
 from freebody.measures.geometry import GROUND
 from freebody.narrative.context import Context, Method, refuse
-from freebody.narrative.lines.naming import asked_entry, asked_symbol, side_of, written
-from freebody.narrative.lines.script import Argument, DerivationStage, Script
-from freebody.narrative.principles.momentum import by_method, parts_of, spatial
-from freebody.narrative.questions.instant import finish
+from freebody.narrative.lines.script import Script
+from freebody.narrative.principles.momentum import spatial
 from freebody.narrative.questions.state import AnswerParts
 from freebody.narrative.space.spatial_euler import by_euler, free_bodies, kinetic_energy_of_free, turns_freely
 from freebody.narrative.space.spatial_frames import axes_of
@@ -24,62 +20,38 @@ from freebody.questions.momentum import AngularMomentum, Momentum
 from freebody.questions.motion import AngularVelocity, OfMeasure, OfPoint
 from freebody.questions.ratio import RatioOf
 from freebody.questions.reading import Question
-from freebody.study.answering.answer import Answer
-from freebody.symbolic.field import Ratio
-
-
-def derive(context: Context, question: Question, answer: Answer, method: Method) -> list[DerivationStage]:
-    """The derivation of a quantity at an instant. Raises CannotAnswer where the solver has no formula."""
-    if answer.expression is None:
-        raise CannotAnswer(answer.reason or Message("there is no closed form"))
-    script = context.script()
-    parts, unknowns = parts_of(context, question.quantity)
-    telling = SpatialTelling(context, script, at_start=question.at_start)
-    found: dict[int, tuple[Ratio, int]] = {}
-    before = AnswerParts(())
-    if unknowns and _turns_by_itself(question.quantity, telling, question, method):
-        return script.stages
-    if unknowns:
-        if question.quantity.kinematic_order is not None and question.quantity.watched is None:
-            before = telling.parts(question.quantity)
-        found = by_method(context, script, unknowns, method, telling.kinematics)
-    else:
-        refuse(method, (), Message("what follows from the state alone"))
-        before = telling.parts(question.quantity)
-    if question.at_start and not found and before.total is not None and telling.is_formal:
-        finish_at_start(context, script, question, parts, before)
-    else:
-        finish(context, script, question, parts, found, before)
-    return script.stages
-
-
-def finish_at_start(
-    context: Context, script: Script, question: Question, parts: Sequence[Ratio], before: AnswerParts
-) -> None:
-    """What is asked at the start, from symbols whose values there are told."""
-    here, f = context.setup.start_instant, context.setup.model.field
-    name = asked_symbol(context, question, len(parts))
-    values = tuple(f.lowest_terms(here.here(part)) for part in parts)
-    total = before.total
-    assert total is not None
-    with script.stage("stage.value", "hint.value"):
-        script.add(asked_entry(name, question, n=len(parts)))
-        left = side_of(name, len(parts))
-        args: dict[str, Argument] = {"lines": before.lines}
-        script.line(left, total, written(values), why="value.follows", args=args, uses=before.lines, when="start")
 
 
 class SpatialTelling:
-    """What a quantity is made of that follows from pose and velocities."""
+    """What a quantity is made of that follows from pose and velocities in space (`StateTelling`)."""
 
     def __init__(self, context: Context, script: Script, *, at_start: bool = False) -> None:
         self.context, self.script, self.at_start = context, script, at_start
         self.kinematics = spatial(context, script)
-        self.is_formal = False  # whether a sum is told by symbols that have values at the start
+        self.is_formal = False
 
     def parts(self, q: Quantity) -> AnswerParts:
         """Lines, and the sum that the quantity is. Written inside stages of their own."""
         return self._told(q)
+
+    def before(self, q: Quantity, method: Method) -> AnswerParts:
+        return self.parts(q) if q.kinematic_order is not None and q.watched is None else AnswerParts(())
+
+    def tells_all(self, question: Question, method: Method) -> bool:
+        return self._tells_all(question.quantity, question, method)
+
+    @singledispatchmethod
+    def _tells_all(self, q: Quantity, question: Question, method: Method) -> bool:
+        return False
+
+    @_tells_all.register(AngularVelocity)
+    def _free_turning(self, q: AngularVelocity, question: Question, method: Method) -> bool:
+        """The turning of a body that nothing holds, by Euler's equations."""
+        if not turns_freely(self.context, q):
+            return False
+        refuse(method, ("newton",), Message("the turning of a free body"))
+        by_euler(self.context, self.script, self.kinematics, question, q)
+        return True
 
     @singledispatchmethod
     def _told(self, q: Quantity) -> AnswerParts:
@@ -181,18 +153,3 @@ class SpatialTelling:
         if any(f.ingredients(x) & bound for x in raw):
             lines = (*lines, *self.kinematics.velocities_bound())
         return lines
-
-
-@singledispatch
-def _turns_by_itself(q: Quantity, telling: SpatialTelling, question: Question, method: Method) -> bool:
-    """Tells the turning of a body that nothing holds, by Euler's equations; False for everything else."""
-    return False
-
-
-@_turns_by_itself.register(AngularVelocity)
-def _told_by_euler(q: AngularVelocity, telling: SpatialTelling, question: Question, method: Method) -> bool:
-    if not turns_freely(telling.context, q):
-        return False
-    refuse(method, ("newton",), Message("the turning of a free body"))
-    by_euler(telling.context, telling.script, telling.kinematics, question, q)
-    return True

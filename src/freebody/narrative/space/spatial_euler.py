@@ -153,7 +153,7 @@ def _energy(
     squares = add(*(power(x, number(2)) for x in v))
     turning = [multiply(i, power(x, number(2))) for i, x in zip(inertia, w, strict=True)]
     symbol = Symbol(fresh(context, f"T_{b.name}", f"T_{b.name}_k"))
-    what = Sentence("space.kinetic_of", {"body": b.name})
+    what = Sentence("symbol.kinetic_of", {"body": b.name})
     named(context, script, Meaning(symbol, what, Energy("kinetic", b.name), "J"))
     terms.append(symbol)
     value = add(multiply(half, mass, squares), multiply(half, add(*turning)))

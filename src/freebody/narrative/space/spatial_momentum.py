@@ -5,7 +5,7 @@ T = m v^2/2 + omega . I omega/2,        H_G = I omega,        H_O = H_G + r x m 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 
 from freebody.language.expression import Expr, Symbol, add
@@ -14,7 +14,7 @@ from freebody.narrative.context import Context
 from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.naming import fresh, named
 from freebody.narrative.lines.script import Argument, Script, Sentence
-from freebody.narrative.questions.state import AnswerParts
+from freebody.narrative.questions.state import AnswerParts, name_of, stored
 from freebody.narrative.space.spatial_frames import axes_of, axes_of_body
 from freebody.narrative.space.spatial_kinematics import SpatialKinematics
 from freebody.questions.energy import Energy
@@ -52,7 +52,7 @@ class Momenta:
             for b in bodies:
                 lines += self.kinetic(b, spins[b.name], terms)
             if q.what != "kinetic":
-                lines += self._potentials(q, terms)
+                lines += stored(self.context, self.script, q.body, terms)
         return AnswerParts(tuple(lines), add(*terms) if terms else None)
 
     def kinetic(self, b: RigidBody, turning: tuple[int, ...], terms: list[Expr]) -> list[int]:
@@ -72,41 +72,13 @@ class Momenta:
         return (self.kinematics.velocity(b, axes_of(None))[1],)
 
     def _energy_line(self, b: RigidBody, value: Ratio, uses: tuple[int, ...], terms: list[Expr]) -> int:
-        symbol = Symbol(fresh(self.context, f"T_{b.name}", f"T_{b.name}_k"))
-        what = Sentence("space.kinetic_of", {"body": b.name})
-        named(self.context, self.script, Meaning(symbol, what, Energy("kinetic", b.name), "J"))
+        symbol = name_of(self.context, "T", b.name)
+        what = Sentence("symbol.kinetic_of", {"body": b.name})
+        self.script.introduce(Meaning(symbol, what, Energy("kinetic", b.name), "J"))
         terms.append(symbol)
         args: dict[str, Argument] = {"body": b.name, "lines": uses}
         why = "space.kinetic_is" if uses else "space.kinetic_is_plain"
         return self.script.line(symbol, tidy(value), why=why, args=args, uses=uses)
-
-    def _potentials(self, q: Energy, terms: list[Expr]) -> list[int]:
-        lines: list[int] = []
-        loads: dict[str, Ratio] = {}
-        for push in self.context.system.applied_loads:
-            own = q.body is None or q.body in set(push.measure.bodies())
-            if own and self.context.system.loads[push.load].stores_energy:
-                total = loads.get(push.load, self.field.zero) + self.state.potential(push)
-                loads[push.load] = total
-        for load, value in loads.items():
-            symbol = Symbol(fresh(self.context, f"V_{load}", f"V_{load}_p"))
-            what = Sentence("space.potential", {"load": load})
-            named(self.context, self.script, Meaning(symbol, what, self._stored(load, q.body), "J"))
-            terms.append(symbol)
-            shown = tidy(self.field.lowest_terms(value))
-            lines.append(self.script.line(symbol, shown, why="space.potential_is", args={"load": load}))
-        return lines
-
-    def _stored(self, load: str, body: str | None) -> Callable[[World], float]:
-        def read(world: World) -> float:
-            own = [
-                p
-                for p in self.context.system.applied_loads
-                if p.load == load and (body is None or body in set(p.measure.bodies()))
-            ]
-            return float(sum(world.snapshot.potential(p) for p in own))
-
-        return read
 
     # -- momenta ------------------------------------------------------------------------------
     def spins(self, q: AngularMomentum) -> AnswerParts:
