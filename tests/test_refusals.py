@@ -123,3 +123,35 @@ def test_formulas_are_not_compared_where_no_motion_leads() -> None:
     (answer,) = fb.System.from_text(STOPPED).solve().answers
     assert "defect" not in answer.reason
     assert answer.value == pytest.approx(1.0)
+
+
+@pytest.mark.parametrize(
+    ("magnitude", "told"),
+    [
+        ("9e999 N", "9e999 is too large or too small: the exponent of ten is at most 300"),
+        ("2 xyz", "the unit 'xyz' is not known"),
+        ("2 xyz" + "*1" * 100, "xyz in"),  # longer than any quantity, so it is meant as an expression
+    ],
+)
+def test_what_begins_as_a_quantity_is_told_as_one(magnitude: str, told: str) -> None:
+    bodies = "bodies: {b: {particle: {mass: 1 kg}}}\n"
+    text = f"{bodies}loads: {{p: {{force: {{at: b, along: x, magnitude: {magnitude}}}}}}}\n"
+    with pytest.raises(fb.InputError) as refused:
+        fb.System.from_text(text)
+    assert told in str(refused.value)
+
+
+BEADED = """
+ground: {points: {far: [10 m, 0]}}
+bodies: {bead: {disk: {mass: 2 kg, radius: 3 m}, at: [-3 m, 0]}}
+measures: {x: x of bead}
+connections: {rod: {slider: {body: bead, along: right}}}
+loads: {s: {spring: {first: ground.origin, second: bead, stiffness: 0.5 N/m, length: 1 m}}}
+questions: [when is Jacobi integral conserved]
+"""
+
+
+def test_a_conserved_quantity_is_followed_as_far_as_its_formula_holds() -> None:
+    """V = k (|x| - L)^2/2 goes through x = 0, where its formula for x > 0 ends."""
+    (answer,) = fb.System.from_text(BEADED).solve().answers
+    assert "defect" not in answer.reason

@@ -4,6 +4,7 @@ FreebodyError
 +-- InputError            the user's text, file or model is at fault (exit code 2)
 |   +-- ExpressionError   one expression cannot be read: message and column
 |   +-- UnitError         a unit is unknown or does not fit
+|   |   +-- NoQuantity        a text is too long for a number with a unit
 |   +-- ModelError        a model file or System: all its problems, each with its place
 +-- CannotAnswer          the model is fine, the question has no answer here (exit code 1)
 |   +-- BudgetExhausted   a search did all the work it was allowed: more effort may find it
@@ -41,6 +42,10 @@ class ExpressionError(InputError):
 
 class UnitError(InputError):
     """A unit that is unknown, or dimensions that do not fit together."""
+
+
+class NoQuantity(UnitError):
+    """A text that is too long for a number with a unit."""
 
 
 @dataclass(frozen=True)

@@ -14,7 +14,7 @@ from contextlib import contextmanager, suppress
 from fractions import Fraction
 from typing import Any, Protocol, cast
 
-from freebody.errors import ExpressionError, InputError, Problem, UnitError
+from freebody.errors import ExpressionError, InputError, NoQuantity, Problem, UnitError
 from freebody.language.expression import (
     FUNCTIONS,
     Call,
@@ -257,10 +257,14 @@ class Names:
         return None if found is None else substitute(found, values)
 
     def _quantity(self, text: str, dimension: Dimension, path: tuple[str | int, ...], why_not: str) -> Expr:
-        try:
-            quantity = parse_quantity(text) if _QUANTITY.match(text) else None
-        except InputError as error:
-            why_not, quantity = str(error) if "unit" in str(error) else why_not, None
+        quantity = None
+        if _QUANTITY.match(text):
+            try:
+                quantity = parse_quantity(text)
+            except NoQuantity:  # then it is meant as an expression
+                pass
+            except UnitError as error:
+                why_not = str(error)
         if quantity is None:
             self.problem(self._mixed(text) or why_not, *path)
             return ZERO

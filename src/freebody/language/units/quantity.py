@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from itertools import count
 
-from freebody.errors import UnitError
+from freebody.errors import NoQuantity, UnitError
 from freebody.language.sentences import Message
 from freebody.language.units.dimension import DIMENSIONLESS, Dimension
 from freebody.language.units.reader import MAX_CHARACTERS, parse_unit
@@ -78,7 +78,7 @@ def quantities_within(text: str, taken: Container[str]) -> tuple[str, dict[str, 
 
 def _quantity_of_text(text: str) -> Quantity:
     if len(text) > MAX_CHARACTERS:
-        raise UnitError(
+        raise NoQuantity(
             Message("a quantity has at most {most} characters, this one has {n}", most=MAX_CHARACTERS, n=len(text))
         )
     found = _NUMBER.fullmatch(text)

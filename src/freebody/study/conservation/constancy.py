@@ -11,7 +11,8 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
-from functools import singledispatch
+from functools import partial, singledispatch
+from itertools import takewhile
 from typing import Any
 
 import numpy as np
@@ -37,6 +38,7 @@ TOLERANCE = 1e-9  # of the size of a conserved quantity
 VISIBLE = 1e-6  # of the size: more than this is a change
 _DURATION = 1.5  # [s]; motions run at about one size, or radian, a second
 _N_TIMES = 9
+_FEWEST = 3  # instants of a motion that tells something
 N_MOTIONS = 5
 N_IN_SEARCH = 3
 _STEP_TOLERANCE = 1e-12  # of the motions: a thousandth of the change that is looked for
@@ -270,7 +272,7 @@ def _run(draw: Draw, seed: int) -> list[SimulatedRun]:
         course = engine.run(y, float(outputs[-1]), options, start=start.t, outputs=outputs)
     except (np.linalg.LinAlgError, ZeroDivisionError):  # gradients that are not finite, or nothing with inertia
         return []
-    if len(course.times) < 3:
+    if len(course.times) < _FEWEST:
         return []
     snapshots = [start]
     for k, t in enumerate(course.times[1:], 1):
@@ -282,11 +284,14 @@ def _run(draw: Draw, seed: int) -> list[SimulatedRun]:
 def _motion(setup: Setup, balance: RateBalance, run: SimulatedRun) -> SimulatedQuantity | None:
     """The quantity along a run."""
     read = _reader(setup, balance, run)
-    values = np.array([read(s) for s in run.snapshots])
-    if not np.isfinite(values).all():
+    snapshots = run.snapshots
+    if balance.quantity.is_of_coordinates:  # a formula says nothing where what it takes to be positive is not
+        snapshots = tuple(takewhile(partial(setup.is_on_branch, run.draw), snapshots))
+    values = np.array([read(s) for s in snapshots])
+    if len(values) < _FEWEST or not np.isfinite(values).all():
         return None
-    size = max(float(np.abs(values).max()), max(_size(s, balance) for s in run.snapshots))
-    return SimulatedQuantity(run.times, values, size or 1.0, run.snapshots[0], setup.system)
+    size = max(float(np.abs(values).max()), max(_size(s, balance) for s in snapshots))
+    return SimulatedQuantity(run.times[: len(values)], values, size or 1.0, snapshots[0], setup.system)
 
 
 def _size(snapshot: Snapshot, balance: RateBalance) -> float:
