@@ -155,3 +155,15 @@ def test_a_conserved_quantity_is_followed_as_far_as_its_formula_holds() -> None:
     """V = k (|x| - L)^2/2 goes through x = 0, where its formula for x > 0 ends."""
     (answer,) = fb.System.from_text(BEADED).solve().answers
     assert "defect" not in answer.reason
+
+
+PAIRED = """
+bodies: {wheel: {ring: {mass: 2 kg, radius: 0.5 m}}}
+connections: {teeth: {rack_and_pinion: {pinion: wheel, rack: ground}}}
+measures: {a: angle of line from ground.origin to ground.origin}
+"""
+
+
+def test_a_line_from_a_point_to_itself_is_named_where_a_motion_needs_its_direction() -> None:
+    with pytest.raises(CannotAnswer, match="two points coincide, so the line between them has no direction"):
+        fb.System.from_text(PAIRED).simulate(1.0)

@@ -31,6 +31,7 @@ from freebody.numeric.kernels.declaring import N_DIMENSIONS, RUNNING, Entry, Fun
 
 FOLDER = Path(__file__).parent
 _MOST_TABLES = 64  # bundles whose tables are kept
+_RAISED = 1  # the status of an entry that has raised; kernels raise nothing but quotients by zero
 
 _SUFFIX = {"darwin": "dylib", "win32": "dll"}
 
@@ -177,6 +178,8 @@ def found(declared: Entry) -> Function:
             take(x, words, held)
         result, error = ctypes.c_double(), ctypes.c_void_p()
         status = function(result, error, packed(*words))
+        if status == _RAISED:
+            raise ZeroDivisionError(f"{name} divides by zero")
         if status != 0:
             raise RuntimeError(f"{name} ended with status {status}")
         return result_of(result.value)

@@ -96,6 +96,10 @@ def confirm(
         if case.is_solved:
             for motion in runs.along(balance, case if case.equalities else None):
                 if motion.drift > TOLERANCE:
+                    motion = motion.on_branch()
+                    if len(motion.values) < _FEWEST:
+                        continue
+                if motion.drift > TOLERANCE:
                     raise RoutesDisagree(
                         Message(
                             "the {name} should stay constant, and changes by {drift:.2g} of its size in a "
@@ -124,6 +128,12 @@ class SimulatedQuantity:
     size: float
     start: Snapshot
     system: System
+    n_on_branch: Callable[[], int]  # the first instants, up to which all is positive that its formula takes to be so
+
+    def on_branch(self) -> SimulatedQuantity:
+        """As far as its formula holds."""
+        n = self.n_on_branch()
+        return replace(self, times=self.times[:n], values=self.values[:n])
 
     @property
     def drift(self) -> float:
@@ -284,14 +294,17 @@ def _run(draw: Draw, seed: int) -> list[SimulatedRun]:
 def _motion(setup: Setup, balance: RateBalance, run: SimulatedRun) -> SimulatedQuantity | None:
     """The quantity along a run."""
     read = _reader(setup, balance, run)
-    snapshots = run.snapshots
-    if balance.quantity.is_of_coordinates:  # a formula says nothing where what it takes to be positive is not
-        snapshots = tuple(takewhile(partial(setup.is_on_branch, run.draw), snapshots))
-    values = np.array([read(s) for s in snapshots])
-    if len(values) < _FEWEST or not np.isfinite(values).all():
+    values = np.array([read(s) for s in run.snapshots])
+
+    def n_on_branch() -> int:
+        if not balance.quantity.is_of_coordinates:
+            return len(values)
+        return sum(1 for _ in takewhile(partial(setup.is_on_branch, run.draw), run.snapshots))
+
+    if not np.isfinite(values).all():
         return None
-    size = max(float(np.abs(values).max()), max(_size(s, balance) for s in snapshots))
-    return SimulatedQuantity(run.times[: len(values)], values, size or 1.0, snapshots[0], setup.system)
+    size = max(float(np.abs(values).max()), max(_size(s, balance) for s in run.snapshots))
+    return SimulatedQuantity(run.times, values, size or 1.0, run.snapshots[0], setup.system, n_on_branch)
 
 
 def _size(snapshot: Snapshot, balance: RateBalance) -> float:
