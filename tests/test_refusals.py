@@ -167,3 +167,23 @@ measures: {a: angle of line from ground.origin to ground.origin}
 def test_a_line_from_a_point_to_itself_is_named_where_a_motion_needs_its_direction() -> None:
     with pytest.raises(CannotAnswer, match="two points coincide, so the line between them has no direction"):
         fb.System.from_text(PAIRED).simulate(1.0)
+
+
+GEARED = """
+parameters: {k: 5 N/m^3}
+bodies:
+  p:
+    body: {mass: 0.5 kg, inertia: 10 kg m^2, center_of_mass: [10 m, 0], radius: 0.125 m}
+    near: {at: [-1 m, 0.5 m]}
+connections: {teeth: {gear_mesh: {first: p, second: ground, second_radius: 3 m}}}
+measures: {u: height of p.mass_center above ground.origin}
+loads: {f: {law: {measure: u, force: -k*u^3}}}
+questions: [angular acceleration of p at start]
+"""
+
+
+def test_terms_that_cancel_are_added_with_more_digits() -> None:
+    """u has the sine of 25 times an angle in it, as a polynomial with terms of 1e3, and its cube terms of 1e9."""
+    (answer,) = fb.System.from_text(GEARED).solve().answers
+    assert "defect" not in answer.reason
+    assert answer.evidence is not None

@@ -5,10 +5,11 @@ The routes share only the statements of the measures. A disagreement is an error
 
 from __future__ import annotations
 
-from collections.abc import Callable, Generator, Iterable
+from collections.abc import Callable, Generator, Iterable, Mapping
 from contextlib import contextmanager, suppress
 from typing import TypeVar
 
+from freebody.assess.points import EvaluationPoint, real, working_precision
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.numeric.reference import Snapshot
@@ -26,6 +27,7 @@ MOTION_TOLERANCE = 1e-7
 MIN_DRAWS = 5
 SMALL = 1e-6  # a quantity that is smaller than this (SI) in every draw is compared absolutely
 ZERO_FLOOR = 1e-2  # the same for an answer that is exactly zero, where only round-off can be compared
+CANCELLED = 1e-5  # of the terms of a sum: below that fewer digits of doubles are left than routes are compared by
 OF_PARTS = 1e-3  # of the parts of a sum, by the tolerance: differences below that are no differences
 
 
@@ -131,11 +133,22 @@ def element_at(
     numbers = setup.model.samples.numbers(draw.sample(snapshot), draw.sample(begin))
     parts = x if isinstance(x, tuple) else (x,)
     try:
-        return tuple(float(setup.model.field.evaluate(p, numbers)) for p in parts)
+        return tuple(_value(p, numbers) for p in parts)
     except KeyError:
         raise NotReal(Message("a part of the closed form has no real value here")) from None
     except ZeroDivisionError:
         raise NotReal(Message("the closed form divides by zero")) from None
+
+
+def _value(x: Ratio, numbers: Mapping[int, float]) -> float:
+    """The value of an element; with 200 bits where its terms cancel, as in powers of sines of many times an angle."""
+    f, value = x.field, float(x.field.evaluate(x, numbers))
+    sums = (f.numerator_and_size(part, numbers) for part in (x, x.denominator()))
+    if all(abs(total) >= CANCELLED * size for total, size in sums):
+        return value
+    with working_precision():
+        exact = EvaluationPoint(f, lambda index: real(numbers[index])).number(x)
+        return float(exact.mid()) if exact.is_finite() else value
 
 
 def holds(setup: Setup, condition: Condition, draw: Draw, snapshot: Snapshot, *, round_off: float = 0.0) -> bool:
