@@ -146,9 +146,10 @@ connections: {{c: {{contact: {{between: [ball, block], restitution: 1}}}}}}
     assert result.status is Status.FINISHED
 
 
-@pytest.mark.parametrize("above", [-1e-9, 1e-9])
+@pytest.mark.parametrize("above", [-2e-9, 2e-9])
 def test_a_stop_is_met_or_just_missed_at_the_turning_point(above: float) -> None:
-    """Thrown up with v it turns at v^2/(2 g): a stop a nanometre below or above."""
+    """Thrown up with v it turns at v^2/(2 g): a stop two nanometres below or above. One nanometre is what the search
+    takes for a touch, so there round-off would decide."""
     top = 2.0**2 / (2 * G) + above
     result = model(f"""
 bodies: {{p: {{particle: {{mass: 1 kg}}, at: [0, 0], velocity: [0, 2 m/s]}}}}

@@ -21,19 +21,15 @@ that results are the same on every processor of a kind.
 from __future__ import annotations
 
 import os
-from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Any, Literal, get_args
 
 import numpy as np
 
-Function = Callable[..., Any]
+from freebody.numeric.kernels.entries import ENTRIES, N_DIMENSIONS, RUNNING, Entry, Function, fields_of
+
 Backend = Literal["library", "numba", "python"]
 
 OPTIONS: dict[str, Any] = {"error_model": "numpy", "nogil": True, "_nrt": False}  # of numba's compiler
-
-# how many words of eight bytes an argument takes: where an array begins and its sizes; a number; where a bundle begins
-N_DIMENSIONS = {"Floats": 1, "Floats2": 2, "Ints": 1, "Ints2": 2, "Floats2 | None": 2}
 
 
 def chosen_backend() -> Backend:
@@ -45,21 +41,6 @@ def chosen_backend() -> Backend:
 
 
 BACKEND: Backend = chosen_backend()
-
-
-@dataclass(frozen=True)
-class Entry:
-    """A function that is called from Python, as it stands in the library."""
-
-    name: str
-    function: Function
-    arguments: tuple[Any, ...]  # the names of kinds above, or the class of a bundle
-    result: str  # int, bool, float or None
-    is_spatial: bool = False
-
-
-ENTRIES: dict[str, Entry] = {}
-RUNNING: dict[str, Function] = {}  # what runs the entries that were called
 
 
 def _jitted(function: Function, **options: Any) -> Function:
@@ -146,11 +127,6 @@ def _begun(declared: Entry) -> Function:
 
 
 # -- types ------------------------------------------------------------------------------------
-def fields_of(bundle: Any) -> list[tuple[str, str]]:
-    """Names and kinds of what a bundle holds, in order."""
-    return [(name, kind.__forward_arg__) for name, kind in bundle.__annotations__.items()]
-
-
 def example_of(kind: Any, *, is_spatial: bool = False) -> Any:
     """An argument of a kind, by which types are inferred."""
     if kind in ("int", "float"):

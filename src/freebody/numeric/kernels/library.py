@@ -1,7 +1,7 @@
 """The shared library of kernels: found beside these sources, checked against them, and called.
 
 An entry has the C signature `int32 entry(double *result, void **error, const int64 *words)`. The words are those of its
-arguments one after the other (`declaring.N_DIMENSIONS`): of an array where it begins and its sizes, of a number its
+arguments one after the other (`entries.N_DIMENSIONS`): of an array where it begins and its sizes, of a number its
 bits, of a bundle the place of a table of the words of its arrays. These tables are kept: making one takes as long as
 thirty steps of a small system.
 
@@ -27,7 +27,7 @@ import numpy as np
 
 from freebody.errors import FreebodyError
 from freebody.messages import Message
-from freebody.numeric.kernels.declaring import N_DIMENSIONS, RUNNING, Entry, Function, fields_of
+from freebody.numeric.kernels.entries import N_DIMENSIONS, RUNNING, Entry, Function, fields_of
 
 FOLDER = Path(__file__).parent
 _MOST_TABLES = 64  # bundles whose tables are kept
