@@ -284,9 +284,7 @@ def anywhere() -> tuple[Array, Array]:
 
 # without weight the floor carries nothing in it, and next to the shaft, which is lent a mass, round-off says whether the
 # disk touches
-TIED = pytest.mark.xfail(
-    reason="whether an unloaded contact beside a body without mass is closed is round-off", strict=False
-)
+TIED = pytest.mark.xfail(reason="whether an unloaded contact by a massless body is closed is round-off")
 
 
 @pytest.mark.parametrize(
