@@ -282,8 +282,8 @@ def anywhere() -> tuple[Array, Array]:
     return rng.uniform(-2.0, 2.0, 3), rng.standard_normal(3)
 
 
-# without weight the floor carries nothing in it, and next to the shaft, which is lent a mass, round-off says whether the
-# disk touches
+# without weight the floor carries nothing in it, and beside the shaft, which is lent a mass, round-off says whether
+# the disk touches
 TIED = pytest.mark.xfail(reason="whether an unloaded contact by a massless body is closed is round-off")
 
 
