@@ -42,7 +42,7 @@ def run(backend: str, *names: str, **more: str) -> dict[str, str]:
 @pytest.fixture
 def copied(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """A folder in whose library and sources may be spoilt."""
-    for path in KERNELS.iterdir():
+    for path in library.FOLDER.iterdir():  # as installed: in the sources there may be no library
         if path.is_file():
             shutil.copy(path, tmp_path)
     monkeypatch.setattr(library, "FOLDER", tmp_path)
