@@ -160,11 +160,11 @@ def test_a_picture_on_a_full_disk(suffix: str, model: Path, monkeypatch: pytest.
 
 @pytest.mark.parametrize("suffix", [".nc", ".csv"])
 def test_a_motion_on_a_full_disk(suffix: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    xarray = pytest.importorskip("xarray")
+    from freebody.present.recording import Recording, Series
     from freebody.study.simulation import files
 
     times = np.linspace(0.0, 1.0, 5)
-    data = xarray.Dataset({"x": ("time", times, {"units": "m"})}, {"time": times, "body": ["b"]}, {"measures": ["x"]})
+    data = Recording(times, {"x": Series(("time",), times, {"units": "m"})}, {"body": ["b"]}, {"measures": ["x"]})
     files.write(data, tmp_path / f"good{suffix}")
     assert (tmp_path / f"good{suffix}").stat().st_size > 0
     monkeypatch.setattr(Path, "write_bytes", _full)

@@ -16,7 +16,7 @@ from declared import undeclared
 from examples_told import EXAMPLES, FOLDER, solved
 from freebody.language.parser import parse
 from freebody.questions.reactions import ReactionComponent
-from freebody.study.simulation.dataset import reaction_names
+from freebody.study.simulation.recorded import reaction_names
 from goldens import assert_golden
 
 Agree = Callable[[fb.Solution, str, str | list[str]], None]
