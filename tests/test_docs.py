@@ -127,7 +127,7 @@ def test_the_connection_of_contributing_works_as_written() -> None:
         (line,) = (shown.sign for shown in fb.System.from_text(model).glyphs if shown.owner == "it")
         assert [point.body for point in line.points] == ["a", "m", "b"]
     finally:
-        Connection.kinds.pop("midpoint", None)
+        Connection.kinds.forget("midpoint")
 
 
 def test_what_benchmarks_and_tools_import_is_there() -> None:

@@ -127,8 +127,8 @@ def added(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
     yield tmp_path
     for package, name in ((connections, "circular_groove"), (loads, "wind")):
         sys.modules.pop(f"{package.__name__}.{name}")
-    Connection.kinds.pop("circular_groove")
-    Load.kinds.pop("wind")
+    Connection.kinds.forget("circular_groove")
+    Load.kinds.forget("wind")
 
 
 def drawn(system: fb.System) -> Drawing:
@@ -229,7 +229,7 @@ connections: {it: {tether: [ground.A, bob]}}
 """)
         drawing = drawn(system)
     finally:
-        Connection.kinds.pop("tether")
+        Connection.kinds.forget("tether")
     (line,) = (stroke for stroke in drawing.strokes if stroke.style == "pull")
     assert drawing.points(line, 0) == pytest.approx(np.array([(0.0, 0.0), (0.0, -1.0)]))
 

@@ -16,6 +16,7 @@ from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, RIGHT, UP, Direction, Point
 from freebody.model.elements import Attitude, ConstraintRow, DryFriction, UnilateralConstraint
 from freebody.model.glyphs import Glyph, Relation
+from freebody.model.kinds import Kinds
 from freebody.model.spec import Heading, Spec
 
 if TYPE_CHECKING:
@@ -25,7 +26,7 @@ if TYPE_CHECKING:
 class Connection(Spec):
     """Base of the connections; a subclass is found by its `kind`."""
 
-    kinds: ClassVar[dict[str, type[Connection]]] = {}
+    kinds: ClassVar[Kinds[type[Connection]]] = Kinds("freebody.connections")
     # the smallest model that uses it: the rest of the file, for documentation and the conformance tests
     example: ClassVar[str] = ""
     # in space it joins only bodies that a planar joint keeps in the plane of x and y
@@ -35,7 +36,7 @@ class Connection(Spec):
         super().__init_subclass__(**rest)
         if kind:
             cls.kind = kind
-            Connection.kinds[kind] = cls
+            Connection.kinds.register(kind, cls)
 
     def rows(self, names: Names) -> list[ConstraintRow]:
         """The measures it holds."""

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 from freebody.model.elements import AppliedLoad
 from freebody.model.glyphs import Glyph
+from freebody.model.kinds import Kinds
 from freebody.model.spec import Spec
 
 if TYPE_CHECKING:
@@ -20,7 +21,7 @@ if TYPE_CHECKING:
 class Load(Spec):
     """Base of the loads; a subclass is found by its `kind`."""
 
-    kinds: ClassVar[dict[str, type[Load]]] = {}
+    kinds: ClassVar[Kinds[type[Load]]] = Kinds("freebody.loads")
     example: ClassVar[str] = ""
     # -1 for loads between two points, whose force is positive when it pulls them together
     pulling_sign: ClassVar[int] = 1
@@ -31,7 +32,7 @@ class Load(Spec):
         super().__init_subclass__(**rest)
         if kind:
             cls.kind = kind
-            Load.kinds[kind] = cls
+            Load.kinds.register(kind, cls)
 
     def applied_loads(self, names: Names) -> list[AppliedLoad]:
         """The measures it pushes."""

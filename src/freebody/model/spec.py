@@ -19,7 +19,7 @@ Heading = str | int | float | list[Formula] | tuple[Formula, Formula]
 class Spec(BaseModel):
     """One described thing."""
 
-    model_config = ConfigDict(frozen=True, extra="forbid", strict=False)
+    model_config = ConfigDict(frozen=True, extra="forbid", strict=False, defer_build=True)
 
     kind: ClassVar[str] = ""
 

@@ -6,8 +6,7 @@ from importlib import import_module
 
 
 def register_kinds() -> None:
-    """Imports every file of connections, loads, questions and shapes, each of which registers its kind."""
-    import_module("freebody.connections")
-    import_module("freebody.loads")
+    """Imports every file of questions and shapes, each of which registers its kind; connections and loads are imported
+    when they are named."""
     import_module("freebody.questions")
     import_module("freebody.model.composite")

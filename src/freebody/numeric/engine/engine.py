@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 import time
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from freebody.numeric.engine.course import Trajectory
 from freebody.numeric.engine.evaluator import Evaluator
-from freebody.numeric.engine.motion import Progress, RunningMotion
-from freebody.numeric.engine.patrol import Guarding
 from freebody.numeric.kernels.arrays import Floats
 from freebody.numeric.options import SimulationOptions
+
+if TYPE_CHECKING:
+    from freebody.numeric.engine.motion import Progress
+    from freebody.numeric.engine.patrol import Guarding
 
 
 class Engine(Evaluator):
@@ -32,6 +35,8 @@ class Engine(Evaluator):
         """The motion from a state at the time `start` [s] to `until`, or to a terminal event. first_step: [s], chosen
         if it is zero. outputs: times at which the motion is wanted, besides its events and its end. guarded: what is
         known of the guards of the mode, of which the first violation is the end."""
+        from freebody.numeric.engine.motion import RunningMotion  # instants need none of it
+
         began = time.perf_counter()
         wanted = np.array([until]) if outputs is None else outputs
         motion = RunningMotion(self, y, start, until, options, first_step, wanted)

@@ -23,7 +23,7 @@ from freebody.study.answering.conditions import as_written, at_instant, is_kinem
 from freebody.study.answering.crosscheck import element_at, holds
 from freebody.study.answering.finding import Elements, Finding, Otherwise, answered, judged
 from freebody.study.answering.magnitude import magnitude
-from freebody.study.answering.numbers import NOTHING_DRIVES_BACK, number_of
+from freebody.study.answering.numbers import number_of
 from freebody.study.answering.passage import smooth_passage
 from freebody.study.answering.scope import for_all
 from freebody.study.setup import Setup
@@ -185,6 +185,8 @@ class QuestionSolver:
     # -- small oscillations and equilibrium ---------------------------------------------------
     @_found.register(SmallOscillations)
     def _small(self, q: SmallOscillations) -> Finding:
+        from freebody.study.answering import at_equilibrium
+
         found = small_oscillations(self.model, self.setup.start)
         f = self.model.field
         resting, swings = self._at_rest(found.rest, ">"), list[Condition]()
@@ -198,7 +200,7 @@ class QuestionSolver:
         if q.what == "frequencies":
             squares = list(found.squares)
         elif not squares:
-            raise CannotAnswer(further(*found.notes, NOTHING_DRIVES_BACK))
+            raise CannotAnswer(further(*found.notes, at_equilibrium.NOTHING_DRIVES_BACK))
         elif len(squares) > 1:
             raise CannotAnswer(
                 Message("there are {n} natural frequencies; ask for natural frequencies", n=len(squares))
@@ -210,17 +212,19 @@ class QuestionSolver:
         else:
             roots = [f.sqrt(s, self.model.samples.is_negative) for s in squares]
             element = roots[0] if len(roots) == 1 else tuple(roots)
-        evidence = proof.small_oscillations(
+        evidence = at_equilibrium.small_oscillations(
             self.setup, self.question.text, q, element, found.equilibrium, resting, swings
         )
         return Finding(element, evidence, [*resting, *swings], notes)
 
     @_found.register(Equilibrium)
     def _equilibrium(self, q: Equilibrium) -> Finding:
+        from freebody.study.answering import at_equilibrium
+
         rest = find_equilibrium(self.model, self.setup.start, stable_first=False)
         x = SymbolicState(self.model, rest.values).value(q.measure)
         conditions = self._at_rest(rest)
-        evidence = proof.at_rest(self.setup, self.question.text, rest.values, x, conditions)
+        evidence = at_equilibrium.at_rest(self.setup, self.question.text, rest.values, x, conditions)
         notes = self._stability(rest)
         if lies_in_family(self.model, rest.values, q.measure):
             notes.append(Message("one of a family: free to rest anywhere along {names}", names=q.name))

@@ -5,7 +5,7 @@ The routes share only the statements of the measures. A disagreement is an error
 
 from __future__ import annotations
 
-from collections.abc import Callable, Generator, Iterable, Mapping
+from collections.abc import Callable, Generator, Iterable, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from typing import TypeVar
 
@@ -17,7 +17,7 @@ from freebody.study.answering.answer import Evidence
 from freebody.study.answering.draws import Draw
 from freebody.study.answering.spread import disagreement
 from freebody.study.setup import Setup
-from freebody.symbolic.conditions import Condition
+from freebody.symbolic.conditions import Condition, merged
 from freebody.symbolic.field import Ratio
 from freebody.tolerances import LEAST
 
@@ -157,3 +157,16 @@ def holds(setup: Setup, condition: Condition, draw: Draw, snapshot: Snapshot, *,
     if condition.relation == ">=":
         return value >= -round_off
     return value > 0 if condition.relation == ">" else value != 0
+
+
+def broken(setup: Setup, conditions: Sequence[Condition]) -> list[str]:
+    """The conditions that do not hold at the model's own values."""
+    draw = setup.draws[0]
+    found: list[Condition] = []
+    for c in conditions:
+        try:
+            if not holds(setup, c, draw, draw.start()):
+                found.append(c)
+        except NotReal:
+            continue
+    return merged([Condition(c.element, c.relation) for c in found])

@@ -6,31 +6,28 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import partial
 
-import numpy as np
-
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.numeric.reference import Snapshot
 from freebody.questions.base import Quantity
 from freebody.questions.reading import QuestionEvent
-from freebody.questions.small_motion import SmallOscillations
 from freebody.study.answering.answer import Evidence
 from freebody.study.answering.crosscheck import (
     INSTANT_TOLERANCE,
     MIN_DRAWS,
     MOTION_TOLERANCE,
     CrossCheck,
-    NotReal,
+    broken,
     element_at,
     holds,
 )
 from freebody.study.answering.draws import Draw
 from freebody.study.answering.finding import NotHere
 from freebody.study.answering.magnitude import magnitude
-from freebody.study.answering.numbers import AT_REST, at_event, frequencies_about, places_at, resting, unrest
+from freebody.study.answering.numbers import at_event
 from freebody.study.mobility.centres import moving_for
 from freebody.study.setup import Setup, rank_freedoms
-from freebody.symbolic.conditions import Condition, merged
+from freebody.symbolic.conditions import Condition
 from freebody.symbolic.field import Ratio
 
 LONGEST = 100.0  # [s] that a motion without a closed form of its time is followed
@@ -91,98 +88,23 @@ def along_motion(
 
     check.gather(setup.draw_stream(), compare)
     is_short = len(check.pairs) < MIN_DRAWS and setup.has_values
-    if is_short and (broken := _broken(setup, signs)):
+    if is_short and (missed := broken(setup, signs)):
         raise NotHere(
             Message(
                 "a formula is found only for motions that keep to {needs}, as at the start; this one does not do so "
                 "until '{event}'",
                 event=event.text,
-                needs=", ".join(broken),
+                needs=", ".join(missed),
             )
         )
-    if is_short and (broken := _broken(setup, conditions)):
+    if is_short and (missed := broken(setup, conditions)):
         raise NotHere(
             Message(
                 "'{event}' does not come at the model's own values: that needs {needs}",
                 event=event.text,
-                needs=", ".join(broken),
+                needs=", ".join(missed),
             )
         )
-    return check.evidence()
-
-
-def _broken(setup: Setup, conditions: Sequence[Condition]) -> list[str]:
-    """The conditions that do not hold at the model's own values."""
-    draw = setup.draws[0]
-    found: list[Condition] = []
-    for c in conditions:
-        try:
-            if not holds(setup, c, draw, draw.start()):
-                found.append(c)
-        except NotReal:
-            continue
-    return merged([Condition(c.element, c.relation) for c in found])
-
-
-def small_oscillations(
-    setup: Setup,
-    question: str,
-    quantity: SmallOscillations,
-    x: Ratio | tuple[Ratio, ...],
-    equilibrium: dict[int, Ratio],
-    rest: Sequence[Condition],
-    swings: Sequence[Condition],
-) -> Evidence:
-    """Compares angular frequencies, or the period, with a numerical linearisation of the full system. rest, swings:
-    conditions for the equilibrium, and for oscillations about it."""
-    check = CrossCheck(question, Message("numerical linearisation about the same equilibrium"), 1e-5)
-
-    def compare(draw: Draw) -> None:
-        if not all(holds(setup, c, draw, draw.start()) for c in (*rest, *swings)):
-            return
-        exact = np.sort(element_at(setup, x, draw, draw.start()))
-        q, v = resting(draw, places_at(setup, equilibrium, draw))
-        found = frequencies_about(draw, q, v) if v.any() else draw.reference.frequencies(q)
-        if quantity.what != "frequencies":
-            found = found[found > 0.0]  # beside what nothing drives back
-        numeric = 2 * np.pi / found if quantity.what == "period" else np.sort(found)
-        check.compare(draw, tuple(map(float, exact)), tuple(map(float, numeric)))
-
-    check.gather(setup.draw_stream(), compare)
-    _insist_on_rest(setup, check, rest)
-    if len(check.pairs) < MIN_DRAWS and setup.has_values and (broken := _broken(setup, swings)):
-        raise CannotAnswer(
-            Message("it does not oscillate at the model's own values: that needs {needs}", needs=", ".join(broken))
-        )
-    return check.evidence()
-
-
-def _insist_on_rest(setup: Setup, check: CrossCheck, rest: Sequence[Condition]) -> None:
-    """Raises CannotAnswer where too little was compared because the equilibrium is none at the model's own values."""
-    if len(check.pairs) < MIN_DRAWS and setup.has_values and (broken := _broken(setup, rest)):
-        raise CannotAnswer(
-            Message(
-                "the equilibrium that formulas give is none at the model's own values: that needs {needs}",
-                needs=", ".join(broken),
-            )
-        )
-
-
-def at_rest(
-    setup: Setup, question: str, equilibrium: dict[int, Ratio], x: Ratio, conditions: Sequence[Condition]
-) -> Evidence:
-    """At the equilibrium the full system, at rest but for what is driven, must not accelerate. conditions: of the
-    equilibrium."""
-    check = CrossCheck(question, Message("accelerations of the full system at rest there"), AT_REST)
-
-    def compare(draw: Draw) -> None:
-        if not all(holds(setup, c, draw, draw.start()) for c in conditions):
-            return
-        wanted = places_at(setup, equilibrium, draw)
-        q, v = resting(draw, wanted)
-        check.compare(draw, (1.0,), (1.0 + unrest(draw, wanted, q, v),))
-
-    _insist_on_rest(setup, check.gather(setup.draw_stream(), compare), conditions)
     return check.evidence()
 
 

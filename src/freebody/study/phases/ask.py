@@ -16,8 +16,8 @@ from freebody.study.answering.answer import Answer, AnswerCase, Evidence, Value,
 from freebody.study.answering.conditions import loops_in
 from freebody.study.answering.crosscheck import TooLittleCompared
 from freebody.study.answering.finding import answered, judged
-from freebody.study.answering.numbers import number_with_changes
 from freebody.study.answering.scope import for_all
+from freebody.study.answering.simulated_numbers import number_with_changes
 from freebody.study.phases.decide import NOTHING, as_test, cells
 from freebody.study.phases.evidence import compare
 from freebody.study.phases.kept import in_first_modes

@@ -1,0 +1,157 @@
+"""Equilibria and small motion about them: the evidence of closed forms, and numbers from the numeric route alone."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
+from freebody.measures.base import Measure
+from freebody.measures.displacement import Displacement
+from freebody.measures.geometry import GROUND, RIGHT, UP, Point
+from freebody.numeric.jets import Array
+from freebody.numeric.linearised import frequencies
+from freebody.numeric.small_motion import LinearisationPoint, SmallMotion
+from freebody.questions.small_motion import SmallOscillations
+from freebody.study.answering.answer import Evidence
+from freebody.study.answering.crosscheck import MIN_DRAWS, CrossCheck, broken, element_at, holds
+from freebody.study.answering.draws import Draw
+from freebody.study.setup import Setup
+from freebody.study.small_motion.equilibrium import nearest_equilibrium
+from freebody.symbolic.conditions import Condition
+from freebody.symbolic.equilibrium import GYROSCOPIC, find_equilibrium
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.state import SymbolicState
+from freebody.tolerances import ROUND_OFF
+
+AT_REST = 1e-7  # [SI] that an acceleration may differ from zero at an equilibrium
+NOTHING_DRIVES_BACK = Message("there is no period of small oscillations: to first order nothing drives it back")
+
+
+def small_oscillations(
+    setup: Setup,
+    question: str,
+    quantity: SmallOscillations,
+    x: Ratio | tuple[Ratio, ...],
+    equilibrium: dict[int, Ratio],
+    rest: Sequence[Condition],
+    swings: Sequence[Condition],
+) -> Evidence:
+    """Compares angular frequencies, or the period, with a numerical linearisation of the full system. rest, swings:
+    conditions for the equilibrium, and for oscillations about it."""
+    check = CrossCheck(question, Message("numerical linearisation about the same equilibrium"), 1e-5)
+
+    def compare(draw: Draw) -> None:
+        if not all(holds(setup, c, draw, draw.start()) for c in (*rest, *swings)):
+            return
+        exact = np.sort(element_at(setup, x, draw, draw.start()))
+        q, v = resting(draw, places_at(setup, equilibrium, draw))
+        found = frequencies_about(draw, q, v) if v.any() else draw.reference.frequencies(q)
+        if quantity.what != "frequencies":
+            found = found[found > 0.0]  # beside what nothing drives back
+        numeric = 2 * np.pi / found if quantity.what == "period" else np.sort(found)
+        check.compare(draw, tuple(map(float, exact)), tuple(map(float, numeric)))
+
+    check.gather(setup.draw_stream(), compare)
+    _insist_on_rest(setup, check, rest)
+    if len(check.pairs) < MIN_DRAWS and setup.has_values and (missed := broken(setup, swings)):
+        raise CannotAnswer(
+            Message("it does not oscillate at the model's own values: that needs {needs}", needs=", ".join(missed))
+        )
+    return check.evidence()
+
+
+def _insist_on_rest(setup: Setup, check: CrossCheck, rest: Sequence[Condition]) -> None:
+    """Raises CannotAnswer where too little was compared because the equilibrium is none at the model's own values."""
+    if len(check.pairs) < MIN_DRAWS and setup.has_values and (missed := broken(setup, rest)):
+        raise CannotAnswer(
+            Message(
+                "the equilibrium that formulas give is none at the model's own values: that needs {needs}",
+                needs=", ".join(missed),
+            )
+        )
+
+
+def at_rest(
+    setup: Setup, question: str, equilibrium: dict[int, Ratio], x: Ratio, conditions: Sequence[Condition]
+) -> Evidence:
+    """At the equilibrium the full system, at rest but for what is driven, must not accelerate. conditions: of the
+    equilibrium."""
+    check = CrossCheck(question, Message("accelerations of the full system at rest there"), AT_REST)
+
+    def compare(draw: Draw) -> None:
+        if not all(holds(setup, c, draw, draw.start()) for c in conditions):
+            return
+        wanted = places_at(setup, equilibrium, draw)
+        q, v = resting(draw, wanted)
+        check.compare(draw, (1.0,), (1.0 + unrest(draw, wanted, q, v),))
+
+    _insist_on_rest(setup, check.gather(setup.draw_stream(), compare), conditions)
+    return check.evidence()
+
+
+def small_number(quantity: SmallOscillations, setup: Setup, draw: Draw) -> float | tuple[float, ...]:
+    """Natural frequencies, or the one period, about the equilibrium that formulas give, else the one nearest to the
+    start. Raises CannotAnswer where there is none, where it is not stable, or where there are several periods."""
+    try:
+        places = places_at(setup, find_equilibrium(setup.model, setup.start).values, draw)
+        q, v = resting(draw, places)
+        if unrest(draw, places, q, v) > AT_REST:  # the formula takes something to be positive that is not so there
+            raise CannotAnswer(Message("this is no equilibrium"))
+    except CannotAnswer:
+        q = nearest_equilibrium(setup.system)[0].q
+        v = np.zeros_like(q)
+    there = draw.reference.snapshot(q, v)
+    if not all(holds(setup, c, draw, there) for c in setup.clearances(setup.state, ">")):
+        raise CannotAnswer(Message("there is no room to move about the equilibrium"))
+    found = [float(w) for w in frequencies_about(draw, q, v)]
+    if not found:
+        raise CannotAnswer(Message("nothing can move, so nothing oscillates"))
+    if quantity.what == "frequencies":
+        return tuple(found) if len(found) > 1 else found[0]
+    swinging = [w for w in found if w > 0.0]
+    if len(swinging) > 1:
+        raise CannotAnswer(Message("there are {n} natural frequencies; ask for natural frequencies", n=len(swinging)))
+    if not swinging:
+        raise CannotAnswer(NOTHING_DRIVES_BACK)
+    return 2.0 * math.pi / swinging[0] if quantity.what == "period" else swinging[0]
+
+
+def resting(draw: Draw, places: Sequence[tuple[Measure, float]]) -> tuple[Array, Array]:
+    """The pose in which measures have values, and the velocities of what is driven, all else at rest beside it."""
+    q = draw.reference.pose_near(draw.q, places)
+    return q, draw.reference.velocities(q, [(measure, 0.0) for measure, _value in places], with_start=False)
+
+
+def unrest(draw: Draw, places: Sequence[tuple[Measure, float]], q: Array, v: Array) -> float:
+    """The largest acceleration of the full system at rest; beside what is driven, that of the measures alone."""
+    still = draw.seen(draw.reference.snapshot(q, v))
+    if v.any():
+        return max((abs(still.acceleration(measure)) for measure, _value in places), default=0.0)
+    return float(np.abs(still.accelerations).max(initial=0.0))
+
+
+def frequencies_about(draw: Draw, q: Array, v: Array) -> Array:
+    """Natural angular frequencies [rad/s] of the undamped system at rest, or at rest beside what is driven. Raises
+    CannotAnswer where forces that are linear in the speeds, and do no work, mix the motions."""
+    small = SmallMotion(draw.reference, LinearisationPoint(q, v, 0.0, draw.start().branches, frozen=not v.any()))
+    if float(np.abs(small.C - small.C.T).max(initial=0.0)) > ROUND_OFF * float(np.abs(small.C).max(initial=1.0)):
+        raise CannotAnswer(GYROSCOPIC)
+    return frequencies(small.M, small.K)
+
+
+def places_at(setup: Setup, equilibrium: dict[int, Ratio], draw: Draw) -> list[tuple[Measure, float]]:
+    """The measures that the coordinates are, with their values at an equilibrium; and where a coordinate is none, as
+    the angle of a link, the places of the bodies."""
+    start = draw.start()
+    measures = {c.index: setup.model.measure_of(c) for c in setup.model.coordinates}
+    wanted = [(measure, equilibrium[index]) for index, measure in measures.items() if measure is not None]
+    if len(wanted) < len(measures) and not setup.system.space:
+        there = SymbolicState(setup.model, equilibrium)
+        for body in setup.system.moving:
+            of, ground = body.point(body.default_point), Point(GROUND)
+            wanted += [(place, there.value(place)) for place in (Displacement(of, ground, d) for d in (RIGHT, UP))]
+    return [(measure, element_at(setup, x, draw, start)[0]) for measure, x in wanted]

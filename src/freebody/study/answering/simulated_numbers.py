@@ -1,0 +1,62 @@
+"""What is asked for from a simulated motion in which contacts and dry friction may change their states."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from freebody.budgets import allowed
+from freebody.errors import BudgetExhausted, CannotAnswer
+from freebody.language.sentences import Message
+from freebody.numeric.engine.course import Status
+from freebody.numeric.options import SimulationOptions
+from freebody.questions.energy import Energy
+from freebody.questions.reading import Question
+from freebody.study.answering.answer import Value
+from freebody.study.answering.crosscheck import as_parts
+from freebody.study.answering.numbers import LONGEST
+from freebody.study.answering.passage import NumericPassage
+from freebody.study.answering.witness import TOLERANCE
+from freebody.study.phases.quantities import only_friction_takes_energy, value_in_mode
+from freebody.study.simulation.instant import SimulatedInstant, with_all_held
+from freebody.study.simulation.motion import SimulatedMotion
+from freebody.study.simulation.observed import observed
+from freebody.study.simulation.simulator import Simulator
+from freebody.system.system import System
+
+_STEPS = 20_000  # of a motion in which contacts change
+_SOON = 1e-9  # [s] of a motion that is looked at where it begins
+
+
+def number_with_changes(system: System, question: Question) -> Value:
+    """What a motion in which contacts and dry friction change their states gives, at its start or at the first event
+    within a minute; None where that does not come. Just before an impact, where the event is one. Raises
+    BudgetExhausted where the event was not reached within the budget of steps, CannotAnswer where it has no number."""
+    quantity, event = question.quantity, question.event
+    if not system.has_values or question.transition is not None or not quantity.is_of_state:
+        return None
+    simulator = Simulator(system, events=() if event is None else (f"stop when {event.text}",))
+    options = SimulationOptions(method="dop853", tolerance=TOLERANCE, max_steps=allowed(_STEPS))
+    until = LONGEST if event is not None else _SOON
+    course = simulator.run(until, options, outputs=np.array([0.0] if event is None else [until]))
+    if course.status is Status.TOO_LONG:
+        raise BudgetExhausted(course.message)
+    if event is not None and course.status is not Status.EVENT:
+        return None
+    motion, k = SimulatedMotion(system, simulator, course, options), 0 if event is None else -1
+    if quantity.watched is not None:  # angles are counted along the motion
+        measure, order = quantity.watched
+        return float(observed(motion, {"it": measure})["it"][order][k])
+    reference = simulator.reference
+    q, v = map(reference.by_column, simulator.engine.coordinates(simulator.start))
+    begin = reference.snapshot(q, v)
+    now, held = SimulatedInstant(motion, k), with_all_held(system)
+
+    def lost() -> float:
+        if not only_friction_takes_energy(system):
+            raise CannotAnswer(Message("other loads do work as well, and the heat of friction is not counted apart"))
+        before, after = (float(Energy("total").value(system, s)) for s in (begin, now))
+        return before - after
+
+    passage = NumericPassage(system, begin, now, lambda q: value_in_mode(q, system, held, now), lost)
+    values = as_parts(quantity.counted(passage))
+    return values[0] if len(values) == 1 else values
