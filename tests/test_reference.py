@@ -438,6 +438,21 @@ def test_a_loop_closes_even_if_nothing_says_where_its_bodies_are() -> None:
     assert s.kinetic_energy > 0
 
 
+@pytest.mark.parametrize("loop", ["", "  last: {pin: [b59.end, ground.wall]}\n"], ids=["open", "closed"])
+def test_a_long_chain_is_assembled_even_if_nothing_says_where_its_bodies_are(loop: str) -> None:
+    n = 60
+    joints = [f"  p{i}: {{pin: [{f'b{i - 1}.end' if i else 'ground.O'}, b{i}.start]}}\n" for i in range(n)]
+    s = start_of(
+        "ground: {points: {O: [0, 0], wall: [10 m, 2 m]}}\nbodies:\n"
+        + "".join(f"  b{i}: {{rod: {{mass: 1 kg, length: 1 m}}}}\n" for i in range(n))
+        + "connections:\n"
+        + "".join(joints)
+        + loop
+    )
+    gaps = [s.value(row.measure) for row in s.reference.system.constraint_rows]
+    assert max(map(abs, gaps)) < 1e-9
+
+
 def test_a_loop_that_cannot_close_is_named_with_its_gap() -> None:
     with pytest.raises(CannotAnswer, match=r"[ABC]\.[xy]|guide|at of block|angle of crank"):
         start_of(SLIDER_CRANK.replace("3 kg}", "3 kg}, at: [1.4 m, 0]"))

@@ -45,6 +45,7 @@ class PoseEquation:
     name: str
     unit: str
     gap: Callable[[JetGeometry], Jet]
+    bodies: frozenset[str] = frozenset()  # whose poses it depends on, where that is known
 
     @classmethod
     def of(
@@ -56,7 +57,7 @@ class PoseEquation:
             wanted = target if isinstance(target, Jet) else target(g)
             return g.of_near(measure, wanted.value) - wanted
 
-        return cls(name, _unit(measure.dimension), gap)
+        return cls(name, _unit(measure.dimension), gap, frozenset(measure.bodies()))
 
     @classmethod
     def along(cls, direction: Array, q: Array, length: float) -> PoseEquation:

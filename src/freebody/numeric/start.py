@@ -24,6 +24,7 @@ from freebody.model.elements import Attitude, NonholonomicForm, RigidBody, Start
 from freebody.numeric import spatial
 from freebody.numeric.described import axes_of, start_pose
 from freebody.numeric.jets import Array, Branch, Jet, JetGeometry
+from freebody.numeric.outward import placed_outward
 from freebody.numeric.placing import ACCEPTED, N_STEPS, TOLERANCE, Fit, PoseEquation
 from freebody.numeric.rotation import matrix, rotation_vector
 from freebody.numeric.senses import turned_over, turned_to_face
@@ -130,7 +131,7 @@ def _assembled_whole(reference: NumericSystem, extra: Wanted, guess: Array | Non
             return fit
     left = allowed(MOST_STEPS)
     q = guess
-    for q in _starts(reference, guess, n_starts):
+    for q in _starts(reference, guess, equations, n_starts):
         fit = reference.placing.fit(q, equations, 0.0, {}, min(N_STEPS, left))
         left -= 1 if fit is None else fit.n_steps
         if fit is not None and fit.error <= ACCEPTED and (over := next(turned_over(reference, fit.q), None)):
@@ -248,9 +249,13 @@ def _guess(reference: NumericSystem) -> Array:
     return q
 
 
-def _starts(reference: NumericSystem, guess: Array, n_starts: int) -> Iterator[Array]:
-    """The guess, then disturbed ones: first a little, later by the size of the system."""
+def _starts(
+    reference: NumericSystem, guess: Array, equations: Sequence[PoseEquation], n_starts: int
+) -> Iterator[Array]:
+    """The guess, then bodies placed outward from the ground, then disturbed guesses: first a little, later by the size
+    of the system."""
     yield guess
+    yield placed_outward(reference, guess, equations)
     for k in range(n_starts):
         disturbance = reference.noise(np.random.default_rng(k))
         yield reference.frame.moved(guess, min(1.0, 0.02 * 2.0**k) * reference.sizes.unit_moves * disturbance)
@@ -302,7 +307,8 @@ def _attitude(body: str, R: Array) -> list[PoseEquation]:
         return 0.5 * mixed
 
     return [
-        PoseEquation(f"turned of {body}", "rad", lambda g, i=i, j=j: gap(g, i, j)) for i, j in ((0, 1), (1, 2), (2, 0))
+        PoseEquation(f"turned of {body}", "rad", lambda g, i=i, j=j: gap(g, i, j), frozenset({body}))
+        for i, j in ((0, 1), (1, 2), (2, 0))
     ]
 
 

@@ -121,9 +121,9 @@ class NumericSystem:
         equations = self.held_where(q, 0.0) + [PoseEquation.of(self.name_of(m), m, Jet(x)) for m, x in wanted]
         return self.placing.placed(q, equations, t, self.branches).q
 
-    def noise(self, rng: np.random.Generator) -> Array:
-        """(n,) normal deviates, drawn body by body in an order that neither the file nor units change: by how many rows
-        hold them, by mass, then by name."""
+    def by_rows(self) -> list[str]:
+        """Moving bodies in an order that neither the file nor units change: by how many rows hold them, the most
+        first, by mass, then by name."""
         n_rows = {
             b.name: sum(b.name in row.measure.bodies() for row in self.system.constraint_rows)
             for b in self.system.moving
@@ -132,7 +132,11 @@ class NumericSystem:
         def rank(name: str) -> tuple[object, ...]:
             return -n_rows[name], float(f"{self.masses[self.columns(name)[0]]:.9g}"), natural(name)
 
-        columns = [column for name in sorted(n_rows, key=rank) for column in self.columns(name)]
+        return sorted(n_rows, key=rank)
+
+    def noise(self, rng: np.random.Generator) -> Array:
+        """(n,) normal deviates, drawn body by body."""
+        columns = [column for name in self.by_rows() for column in self.columns(name)]
         found = np.zeros(len(self.masses))
         found[columns] = rng.standard_normal(len(columns))
         return found
