@@ -122,6 +122,9 @@ class Snapshot:
             raise CannotAnswer(Message("there is no real root of {x:.6g}", x=value))
         return math.sqrt(value)
 
+    def absolute(self, x: Any) -> float:
+        return abs(float(x))
+
     def _jet(self, measure: Measure | NonholonomicForm) -> Jet:
         return self.reference.jet(self.geometry, measure)
 

@@ -95,6 +95,10 @@ class Passage(Protocol[S_co]):
         """A quantity in the state at the event."""
         ...
 
+    def started(self, quantity: Quantity) -> Any:
+        """A quantity at the start."""
+        ...
+
 
 class Quantity:
     """Base of the kinds of questions; a subclass is found by its `kind`."""

@@ -10,7 +10,7 @@ from __future__ import annotations
 import difflib
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any, Literal, cast
 
 from freebody.language.expression import Expr
@@ -20,9 +20,11 @@ from freebody.language.units import TIME
 from freebody.measures.base import Measure
 from freebody.model.names import Names, did_you_mean
 from freebody.model.phrases import PHRASES, measure_of, phrase_text, read_measure
+from freebody.questions.arithmetic import AtStart, read_calculated
 from freebody.questions.base import FORMS, Path, Quantity
 from freebody.questions.course import Counted, Transition, When, as_condition, read_transition
 from freebody.questions.motion import OfMeasure
+from freebody.questions.operands import Operands, event_at_end, operands_of, ratio_as_quotient, without_start
 
 
 @dataclass(frozen=True)
@@ -140,38 +142,16 @@ def _question(names: Names, name: str, value: Any) -> Question | None:
         if key not in known:
             names.problem(Message("a question has no {key}.{hint}", key=key, hint=did_you_mean(key, known)), key)
     text = " ".join(str(entry["find"]).split())
-    phrase, at_start, event, transition = as_condition(names, text), False, None, None
-    if phrase.endswith((" at start", " at the start")):
-        phrase, at_start = re.sub(r" at (the )?start$", "", phrase), True
-    condition = entry.get("when")
-    if condition is None:
-        for word in (" when ", " until ", " to reach "):
-            if word in phrase:
-                phrase, _, condition = phrase.partition(word)
-                break
-    elif str(condition) in ("start", "at start"):
-        at_start, condition = True, None
-    if condition is not None:
-        where: Path = ("find",) if "when" not in entry else ("when",)
-        transition = read_transition(names, str(condition), where)
-        event = None if transition is not None else _event(names, str(condition), where)
-        if event is None and transition is None:
-            return None
-    quantity: Quantity | None
-    if phrase in ("time", "the time"):
-        if event is None and transition is None:
-            names.problem(Message("say of what: time when x = h"), "find")
-            return None
-        quantity = When()
-    else:
-        quantity = read_quantity(names, phrase, ("find",))
-    if quantity is None:
+    found = _asked(names, as_condition(names, text), entry.get("when"))
+    if found is None:
         return None
+    quantity, event, at_start, transition = found.quantity, found.event, found.at_start, found.transition
+    condition = event or transition
     if quantity.scope == "every motion" and (condition is not None or at_start):
         names.problem(Message("what is conserved is so at every instant; leave out 'at start' and 'when'"), "find")
         return None
     if isinstance(quantity, Counted) and condition is None:
-        names.problem(Message("say until when: {phrase} until {until}", phrase=phrase, until=quantity.until), "find")
+        names.problem(Message("say until when: {phrase} until {until}", phrase=text, until=quantity.until), "find")
     options: Any = entry.get("options") or {}
     if isinstance(options, list):
         letters = "abcdefghijklmnopqrstuvwxyz"
@@ -193,6 +173,90 @@ def _question(names: Names, name: str, value: Any) -> Question | None:
         None if key is None else str(key),
         transition,
     )
+
+
+@dataclass(frozen=True)
+class _Asked:
+    """A quantity, and when it is meant."""
+
+    quantity: Quantity
+    event: QuestionEvent | None = None
+    at_start: bool = False
+    transition: Transition | None = None
+
+
+def _asked(names: Names, phrase: str, when: object) -> _Asked | None:
+    """What a phrase asks for. when: what the file says of it beside the phrase."""
+    if when is not None:
+        path: Path = ("when",)
+        condition, phrase, at_start = str(when), without_start(phrase), False
+        if condition in ("start", "at start"):
+            condition, at_start = None, True
+    else:
+        path = ("find",)
+        phrase, condition = event_at_end(names, ratio_as_quotient(names, phrase))
+        at_start = condition is None and without_start(phrase) != phrase
+        phrase = without_start(phrase)
+    operands = operands_of(names, phrase)
+    if operands is not None:
+        return _calculated(names, phrase, operands, condition, at_start, path)
+    return _meant(names, phrase, condition, at_start, path)
+
+
+def _calculated(
+    names: Names, phrase: str, operands: Operands, condition: str | None, at_start: bool, path: Path
+) -> _Asked | None:
+    """What is calculated from operands, which may say themselves when they are meant: all at one event, or at the
+    start."""
+    events = {o.condition for o in operands.phrases.values() if o.condition is not None}
+    if condition is not None:
+        events.add(condition)
+    if len(events) > 1:
+        told = Message("{events} are two events; ask for what belongs to each alone", events=", ".join(sorted(events)))
+        names.problem(told, *path)
+        return None
+    condition = next(iter(events), None)
+    starts = [o.at_start for o in operands.phrases.values()]
+    if condition is None and any(starts) and not (at_start or all(starts)):
+        names.problem(Message("say of each quantity in '{text}' when it is meant", text=phrase), "find")
+        return None
+    read: dict[int, Quantity] = {}
+    for k, operand in operands.phrases.items():
+        quantity = read_quantity(names, operand.phrase, ("find",))
+        if quantity is None:
+            return None
+        if condition is not None and (operand.at_start or (at_start and k == max(operands.phrases))):
+            quantity = AtStart(quantity)  # words at the very end belong to the last one where another has an event
+        read[k] = quantity
+    at_start = condition is None and (at_start or all(starts))
+    quantity = read_calculated(names, phrase, read, ("find",), operands.runs)
+    if quantity is None:
+        return None
+    return _placed(names, quantity, condition, at_start, path)
+
+
+def _meant(names: Names, phrase: str, condition: str | None, at_start: bool, path: Path) -> _Asked | None:
+    """One quantity."""
+    if phrase in ("time", "the time"):
+        if condition is None:
+            names.problem(Message("say of what: time when x = h"), "find")
+            return None
+        return _placed(names, When(), condition, at_start, path)
+    # the event is read first: what is wrong with it is said first
+    placed = _placed(names, When(), condition, at_start, path)
+    quantity = None if placed is None else read_quantity(names, phrase, ("find",))
+    return None if quantity is None or placed is None else replace(placed, quantity=quantity)
+
+
+def _placed(names: Names, quantity: Quantity, condition: str | None, at_start: bool, path: Path) -> _Asked | None:
+    """A quantity at the event that a condition states, or at the start."""
+    if condition is None:
+        return _Asked(quantity, at_start=at_start)
+    transition = read_transition(names, condition, path)
+    event = None if transition is not None else _event(names, condition, path)
+    if event is None and transition is None:
+        return None
+    return _Asked(quantity, event, at_start, transition)
 
 
 def _option_text(value: Any) -> str:

@@ -26,6 +26,7 @@ from freebody.measures.geometry import SpatialPose, Vector
 from freebody.model.elements import AppliedLoad, ConstraintRow, NonholonomicForm
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
+from freebody.symbolic.signs import Sign, sign_of
 
 _POLYNOMIAL_LIMIT = 12
 
@@ -100,6 +101,16 @@ class SymbolicState:
 
     def sqrt(self, x: Any) -> Ratio:
         return self.model.field.sqrt(x, self.model.samples.is_turned)
+
+    def absolute(self, x: Any) -> Ratio:
+        """As a root, out of which only factors come whose sign is known: |m1 - m2| g."""
+
+        def is_negative(factor: Ratio) -> bool | None:
+            sign = sign_of(factor)
+            return None if sign in (Sign.UNKNOWN, Sign.ZERO) else sign in (Sign.NEGATIVE, Sign.NONPOSITIVE)
+
+        element = self.model.field.element(x)
+        return self.model.field.sqrt(element * element, is_negative)
 
 
 def law_polynomial(push: AppliedLoad) -> list[Expr]:

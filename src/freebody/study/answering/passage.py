@@ -114,6 +114,11 @@ class FormulaPassage:
         x = self.elements(quantity, last.end)
         return tuple(map(last.told, x)) if isinstance(x, tuple) else last.told(x)
 
+    def started(self, quantity: Quantity) -> Elements:
+        first = self.phases[0]
+        x = self.elements(quantity, first.begin)
+        return tuple(map(first.told, x)) if isinstance(x, tuple) else first.told(x)
+
 
 def smooth_passage(
     setup: Setup, reached: Reached, elements: Callable[[Quantity, SymbolicState], Elements]
@@ -150,8 +155,8 @@ def both_ways(body: str) -> CannotAnswer:
 @dataclass(frozen=True)
 class NumericPassage:
     """A motion in numbers, whatever its phases. begin, now: the instants at its ends, before an impact with which it
-    begins. at_end: a quantity where it ends; lost: [J] what dry friction and impacts have taken; work_done: [J] of a
-    load, else what its potential has lost; ways: instants on the way, phase by phase."""
+    begins. at_end, at_begin: a quantity at its ends; lost: [J] what dry friction and impacts have taken; work_done: [J]
+    of a load, else what its potential has lost; ways: instants on the way, phase by phase."""
 
     system: Described
     begin: Snapshot
@@ -160,6 +165,7 @@ class NumericPassage:
     lost: Callable[[], float]
     work_done: Callable[[str], float] | None = None
     ways: Callable[[], Iterable[Sequence[Snapshot]]] | None = None
+    at_begin: Callable[[Quantity], Any] | None = None
 
     def time(self) -> float:
         return self.now.t
@@ -183,6 +189,9 @@ class NumericPassage:
 
     def there(self, quantity: Quantity) -> Any:
         return self.at_end(quantity)
+
+    def started(self, quantity: Quantity) -> Any:
+        return quantity.value(self.system, self.begin) if self.at_begin is None else self.at_begin(quantity)
 
 
 def smooth_numbers(

@@ -37,6 +37,11 @@ class _WithFriction(FormulaPassage):
     first: FirstEvent | None
     after: PhaseNode | None
 
+    def started(self, quantity: Quantity) -> Elements:
+        phase = self.way.nodes[0].phase
+        x = elements_in(self.tree, phase, quantity, phase.start_instant)
+        return tuple(map(self.phases[0].told, x)) if isinstance(x, tuple) else self.phases[0].told(x)
+
     def heat(self) -> Ratio:
         nodes = (*self.way.nodes, *(() if self.after is None else (self.after,)))
         return sum((_taken_by_impact(self.tree, node) for node in nodes), _heat(self.tree, self.way, self.first))

@@ -15,9 +15,9 @@ from freebody.language.sentences import Message
 from freebody.measures.geometry import Direction
 from freebody.model.elements import AppliedLoad
 from freebody.model.state import State
+from freebody.questions.arithmetic import Joined
 from freebody.questions.base import Quantity
 from freebody.questions.loads import Power
-from freebody.questions.ratio import RatioOf, quotient
 from freebody.questions.reactions import ReactionComponent, Wrench
 from freebody.system.system import System
 
@@ -32,9 +32,9 @@ def _value(quantity: Quantity, base: System, system: System, state: State[Any]) 
     return quantity.value(plain(system), state)
 
 
-@_value.register(RatioOf)
-def _ratio(quantity: RatioOf, base: System, system: System, state: State[Any]) -> Any:
-    return quotient(*(_value(q, base, system, state) for q in quantity.inner))
+@_value.register(Joined)
+def _joined(quantity: Joined, base: System, system: System, state: State[Any]) -> Any:
+    return quantity.made_of(tuple(_value(q, base, system, state) for q in quantity.inner), state)
 
 
 @_value.register(ReactionComponent)

@@ -1,0 +1,299 @@
+"""Questions about what is calculated from several quantities.
+
+    tension of rope at a - tension of rope at b        normal force of floor/(m*g)        |velocity of x|
+
+Sums, differences, products, ratios, powers, roots and absolute values of quantities, parameters and numbers. An operand
+may say when it is meant: `energy lost until rolling begins / kinetic energy at start`.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any, Protocol
+
+from freebody.errors import CannotAnswer, ExpressionError, UnitError
+from freebody.language.expression import FUNCTIONS, Call, Expr, Number, PowerOf, ProductOf, Sum, Symbol, free_symbols
+from freebody.language.parser import parse
+from freebody.language.sentences import Message, Sentence
+from freebody.language.units import DIMENSIONLESS, Dimension
+from freebody.language.units.inference import dimension_of
+from freebody.model.state import State
+from freebody.questions.base import Described, Passage, Path, Quantity
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+
+class Functions(Protocol):
+    """Functions in the arithmetic of the values."""
+
+    def sqrt(self, x: Any) -> Any: ...
+    def absolute(self, x: Any) -> Any: ...
+
+
+class Joined(Quantity):
+    """Made of other quantities."""
+
+    def made_of(self, values: tuple[Any, ...], of: Functions) -> Any:
+        """The value, from those of the inner quantities. Raises CannotAnswer where it has none."""
+        raise NotImplementedError
+
+    def value(self, system: Described, state: State[Any]) -> Any:
+        return self.made_of(tuple(q.value(system, state) for q in self.inner), state)
+
+    def counted(self, passage: Passage[Any]) -> Any:
+        if all(q.scope == "instant" for q in self.inner):
+            return passage.there(self)
+        return self.made_of(tuple(q.counted(passage) for q in self.inner), _OnTheWay())
+
+    @property
+    def kinematic_order(self) -> int | None:
+        orders = [q.kinematic_order for q in self.inner]
+        known = [k for k in orders if k is not None]
+        return max(known) if len(known) == len(orders) else None
+
+    @property
+    def bodies_in_motion(self) -> tuple[str, ...]:
+        return tuple(dict.fromkeys(name for q in self.inner for name in q.bodies_in_motion))
+
+    @property
+    def may_jump(self) -> bool:
+        return any(q.may_jump for q in self.inner)
+
+
+def quotient(top: Any, bottom: Any) -> Any:
+    """One value over another. Raises CannotAnswer for vectors, and where the lower one is zero."""
+    _refuse_vectors((top, bottom))
+    try:
+        return top / bottom
+    except ZeroDivisionError:
+        raise CannotAnswer(Message("the ratio has no value, because what stands below is zero")) from None
+
+
+def _refuse_vectors(values: tuple[Any, ...]) -> None:
+    if any(isinstance(x, tuple) for x in values):
+        raise CannotAnswer(Message("a vector stands where one calculates with numbers: ask for it along a direction"))
+
+
+@dataclass(frozen=True)
+class OfParameters(Quantity):
+    """An expression in the parameters."""
+
+    expr: Expr
+    measured: Dimension
+
+    @property
+    def dimension(self) -> Dimension:
+        return self.measured
+
+    @property
+    def kinematic_order(self) -> int:
+        return 0
+
+    def value(self, system: Described, state: State[Any]) -> Any:
+        return state.scalar(self.expr)
+
+
+@dataclass(frozen=True)
+class AtStart(Quantity):
+    """A quantity at the start of the motion that leads to the event."""
+
+    of: Quantity
+
+    scope = "course"
+
+    @property
+    def dimension(self) -> Dimension:
+        return self.of.dimension
+
+    @property
+    def unit(self) -> str:
+        return self.of.unit
+
+    @property
+    def inner(self) -> tuple[Quantity, ...]:
+        return (self.of,)
+
+    def counted(self, passage: Passage[Any]) -> Any:
+        return passage.started(self.of)
+
+
+@dataclass(frozen=True)
+class Calculated(Joined, kind="calculated"):
+    """What is calculated from quantities. form: of symbols, each the name of an operand."""
+
+    form: Expr
+    operands: tuple[tuple[str, Quantity], ...]
+    measured: Dimension
+    text: str
+
+    example = """
+bodies: {a: {particle: {mass: 2 kg}}, b: {particle: {mass: 1 kg}}}
+loads: {push: {force: {at: a, along: right, magnitude: 6 N}}, pull: {force: {at: b, along: right, magnitude: 1 N}}}
+measures: {x: x of a, y: x of b}
+questions: {it: acceleration of x - acceleration of y}
+"""
+
+    @property
+    def dimension(self) -> Dimension:
+        return self.measured
+
+    @property
+    def unit(self) -> str:
+        own = {q.unit for q in self.inner if q.dimension == self.measured and not isinstance(q, OfParameters)}
+        if len(own) == 1:
+            return own.pop()
+        return "1" if self.measured == DIMENSIONLESS else str(self.measured)
+
+    @property
+    def inner(self) -> tuple[Quantity, ...]:
+        return tuple(q for _name, q in self.operands)
+
+    def made_of(self, values: tuple[Any, ...], of: Functions) -> Any:
+        _refuse_vectors(values)
+        named = {name: x for (name, _quantity), x in zip(self.operands, values, strict=True)}
+        return _calculated(self.form, named, of)
+
+    def sentence(self, system: Described) -> Sentence | None:
+        return None
+
+
+@dataclass(frozen=True)
+class CalculatedOnTheWay(Calculated):
+    """The same where an operand is counted from the start to an event, or is meant at the start."""
+
+    scope = "course"
+
+
+class _OnTheWay:
+    """Functions of what is gathered on the way to an event: what sign it has does not follow from its formula."""
+
+    def sqrt(self, x: Any) -> Any:
+        if isinstance(x, (int, float, Fraction)):
+            return math.sqrt(x)
+        raise CannotAnswer(
+            Message("no roots and absolute values are formed of what comes together on the way: ask for it alone")
+        )
+
+    def absolute(self, x: Any) -> Any:
+        return abs(x) if isinstance(x, (int, float, Fraction)) else self.sqrt(x)
+
+
+def _calculated(e: Expr, values: Mapping[str, Any], of: Functions) -> Any:
+    match e:
+        case Number(value):
+            return value
+        case Symbol(name):
+            return values[name]
+        case Sum(terms):
+            total = _calculated(terms[0], values, of)
+            for term in terms[1:]:
+                total = total + _calculated(term, values, of)
+            return total
+        case ProductOf(factors):
+            return _product(factors, values, of)
+        case PowerOf(base, Number(n)) if n.denominator in (1, 2):
+            x = _calculated(base, values, of)
+            return quotient(1, _raised(x, -n, of)) if n < 0 else _raised(x, n, of)
+        case Call("sqrt", argument):
+            return of.sqrt(_calculated(argument, values, of))
+        case Call("abs", argument):
+            return of.absolute(_calculated(argument, values, of))
+        case _:
+            raise CannotAnswer(
+                Message("of quantities only sums, products, powers, square roots and absolute values are formed")
+            )
+
+
+def _product(factors: tuple[Expr, ...], values: Mapping[str, Any], of: Functions) -> Any:
+    """What stands above, over what stands below."""
+    top: Any = Fraction(1)
+    bottom: Any = Fraction(1)
+    for factor in factors:
+        if isinstance(factor, PowerOf) and isinstance(factor.exponent, Number) and factor.exponent.value < 0:
+            below = PowerOf(factor.base, Number(-factor.exponent.value))
+            bottom = bottom * _calculated(below, values, of)
+        else:
+            top = top * _calculated(factor, values, of)
+    return quotient(top, bottom)
+
+
+def _raised(x: Any, n: Fraction, of: Functions) -> Any:
+    return x ** int(n) if n.denominator == 1 else of.sqrt(x) ** int(2 * n)
+
+
+# -- words ------------------------------------------------------------------------------------
+def read_calculated(
+    names: Names, text: str, operands: Mapping[int, Quantity], path: Path, runs: Sequence[str]
+) -> Quantity | None:
+    """What a text calculates. operands: by the number of the run, the quantities that are read already; all other runs
+    are numbers, parameters and functions."""
+    taken = {*names.parameters, *FUNCTIONS, "pi"}
+    stem = next(s for s in ("Q", "Q_", "Q__", "Q___") if not any(f"{s}{k}" in taken for k in operands))
+    written = "".join(f" {stem}{k} " if k in operands else run for k, run in enumerate(_with_bars(runs)))
+    named = {f"{stem}{k}": q for k, q in operands.items()}
+    try:
+        form = parse(written)
+        dimensions = {**names.dimensions(), **{name: q.dimension for name, q in named.items()}}
+        measured = dimension_of(form, dimensions)
+    except ExpressionError as error:
+        names.problem(Message("cannot read '{text}': {error}", text=text, error=error), *path)
+        return None
+    except UnitError as error:
+        shown = str(error)
+        for k in sorted(operands, reverse=True):
+            shown = shown.replace(f"{stem}{k}", runs[k].strip())
+        names.problem(Message("in '{text}': {error}", text=text, error=shown), *path)
+        return None
+    inside = list(named.items())
+    for name in sorted(free_symbols(form) - named.keys()):
+        if name != "pi":
+            inside.append((name, OfParameters(Symbol(name), dimensions[name])))
+    form = _with_constants(form, {*named}, inside, dimensions)
+    used = free_symbols(form)
+    operands_left = tuple((name, q) for name, q in inside if name in used)
+    counted = any(q.scope == "course" for _name, q in operands_left)
+    return (CalculatedOnTheWay if counted else Calculated)(form, operands_left, measured, text)
+
+
+def _with_bars(runs: Sequence[str]) -> list[str]:
+    """Bars as a function; those that open stand behind an operator or at the beginning."""
+    written: list[str] = []
+    is_open = False
+    for run in runs:
+        if run == "|":
+            written.append(")" if is_open else " abs(")
+            is_open = not is_open
+        else:
+            written.append(run)
+    return written
+
+
+def _with_constants(
+    e: Expr, quantities: set[str], inside: list[tuple[str, Quantity]], dimensions: Mapping[str, Dimension]
+) -> Expr:
+    """Functions of parameters alone, and pi, as operands of their own."""
+    if isinstance(e, Symbol) and e.name == "pi":
+        return _constant(e, inside, DIMENSIONLESS)
+    if isinstance(e, Call) and not free_symbols(e) & quantities:
+        return _constant(e, inside, dimension_of(e, dimensions))
+    match e:
+        case Sum(terms):
+            return Sum(tuple(_with_constants(t, quantities, inside, dimensions) for t in terms))
+        case ProductOf(factors):
+            return ProductOf(tuple(_with_constants(x, quantities, inside, dimensions) for x in factors))
+        case PowerOf(base, exponent):
+            return PowerOf(_with_constants(base, quantities, inside, dimensions), exponent)
+        case Call(function, argument):
+            return Call(function, _with_constants(argument, quantities, inside, dimensions))
+        case _:
+            return e
+
+
+def _constant(e: Expr, inside: list[tuple[str, Quantity]], dimension: Dimension) -> Expr:
+    name = f"_{len(inside)}"
+    inside.append((name, OfParameters(e, dimension)))
+    return Symbol(name)

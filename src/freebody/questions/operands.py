@@ -1,0 +1,147 @@
+"""What a question that calculates is made of: operators, quantities, and when each quantity is meant."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from freebody.language.expression import FUNCTIONS
+from freebody.language.sentences import Message
+from freebody.model.phrases import PHRASES
+from freebody.questions.base import FORMS
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+_EVENTS = (" when ", " until ", " to reach ")
+_START = re.compile(r" at (?:the )?start$")
+# what belongs to a quantity stands before what is an operator
+_OPERATORS = re.compile(r"rate\(\s*\w+\s*\)|\[[^\]]*\]|\*\*|[-+*/^()|]")
+_OPERATOR_SIGNS = {"+", "-", "*", "**", "/", "^", "(", ")", "|"}
+_PLAIN = re.compile(r"\d+(?:\.\d+)?(?:[eE]\d+)?|[A-Za-z_]\w*")
+_RATIO = re.compile(r"^(?:the )?ratio of (?P<top>.+) to (?:the )?(?P<bottom>.+)$")
+
+
+@dataclass(frozen=True)
+class Operand:
+    """A quantity in words, and what is said of when it is meant."""
+
+    phrase: str
+    condition: str | None = None
+    at_start: bool = False
+
+
+@dataclass(frozen=True)
+class Operands:
+    """A text as runs: operators, and what stands between them. phrases: those that are quantities, by their place."""
+
+    runs: tuple[str, ...]
+    phrases: Mapping[int, Operand]
+
+
+def without_start(phrase: str) -> str:
+    return _START.sub("", phrase)
+
+
+def ratio_as_quotient(names: Names, phrase: str) -> str:
+    """The ratio of what is calculated, or is meant at different instants, by a sign of division."""
+    found = _RATIO.match(phrase)
+    if found is None:
+        return phrase
+    top, bottom = found["top"], found["bottom"]
+    is_timed = _START.search(top) is not None or any(word in top for word in _EVENTS)
+    is_calculated = any(not _is_quantity(names, event_at_end(names, part)[0]) for part in (top, without_start(bottom)))
+    return f"({top})/({bottom})" if is_timed or is_calculated else phrase
+
+
+def event_at_end(names: Names, phrase: str) -> tuple[str, str | None]:
+    """A phrase without the event at which all of it is meant, and that event; none where more quantities follow."""
+    for word in _EVENTS:
+        if word in phrase:
+            head, _, tail = phrase.partition(word)
+            is_whole = head.count("(") == head.count(")") and not _goes_on(names, tail)
+            return (head, tail) if is_whole else (phrase, None)
+    return phrase, None
+
+
+def _goes_on(names: Names, tail: str) -> bool:
+    """Whether behind an event one goes on to calculate: with a further quantity, behind a value of zero, as in `tension
+    of rod when theta = 0 / (m*g)`, or behind an event without a value."""
+    has_value = re.search(r"=|\breaches\b|\bequals\b|\bis\b", tail)
+    if re.search(r"=\s*0\s*[-+*/^]", tail) or (has_value is None and len(_runs_of(tail)) > 1):
+        return True
+    further = _operands(names, tail).phrases.items()
+    return any(k > 0 and " " in operand.phrase and _is_quantity(names, operand.phrase) for k, operand in further)
+
+
+def operands_of(names: Names, phrase: str) -> Operands | None:
+    """What a phrase calculates with; None where it is one quantity. Notes a problem where the sense is open."""
+    found = _operands(names, phrase)
+    if len(found.runs) < 2 or not found.phrases:
+        return None
+    first = next(k for k, run in enumerate(found.runs) if run not in _OPERATOR_SIGNS)
+    if first in found.phrases and not _is_quantity(names, found.phrases[first].phrase):
+        return None
+    for k, operand in found.phrases.items():
+        following = found.runs[k + 1 :]
+        if " " in operand.phrase and operand.phrase.split()[-1] in names.measures and _is_drawn_in(names, following):
+            told = Message(
+                "what does '{sign}' belong to in '{text}'? Put the quantity in parentheses: ({phrase})",
+                sign=following[0],
+                text=phrase,
+                phrase=operand.phrase,
+            )
+            names.problem(told, "find")
+    return found
+
+
+def _is_drawn_in(names: Names, following: tuple[str, ...]) -> bool:
+    """Whether what follows could as well be part of the measure whose rate is asked for: velocity of x^2."""
+    if not following or following[0] not in ("^", "**", "*", "/"):
+        return False
+    return following[0] in ("^", "**") or (len(following) > 1 and following[1].strip() in names.measures)
+
+
+def _operands(names: Names, text: str) -> Operands:
+    runs = _runs_of(text)
+    phrases: dict[int, Operand] = {}
+    for k, run in enumerate(runs):
+        if run not in _OPERATOR_SIGNS and not _is_plain(names, run.strip()):
+            phrases[k] = _operand(run.strip())
+    return Operands(tuple(runs), phrases)
+
+
+def _runs_of(text: str) -> list[str]:
+    pieces: list[str] = []
+    place = 0
+    for found in _OPERATORS.finditer(text):
+        if found.group() in _OPERATOR_SIGNS:
+            pieces += [text[place : found.start()], found.group()]
+            place = found.end()
+    return [piece for piece in (*pieces, text[place:]) if piece.strip()]
+
+
+def _is_plain(names: Names, run: str) -> bool:
+    """Whether it is a number, a parameter or a function."""
+    if not _PLAIN.fullmatch(run):
+        return False
+    return (
+        run[0].isdigit() or run == "pi" or run in FUNCTIONS or (run in names.parameters and run not in names.measures)
+    )
+
+
+def _operand(run: str) -> Operand:
+    for word in _EVENTS:
+        if word in run:
+            phrase, _, condition = run.partition(word)
+            return Operand(phrase.strip(), condition.strip())
+    return Operand(without_start(run), at_start=without_start(run) != run)
+
+
+def _is_quantity(names: Names, phrase: str) -> bool:
+    """Whether its words are those of a quantity, whatever names stand in them."""
+    if phrase in names.measures or re.fullmatch(r"rate\(\s*\w+\s*\)", phrase):
+        return True
+    return any(p.pattern.match(phrase) for p in PHRASES) or any(f.pattern.match(phrase) for f in FORMS)

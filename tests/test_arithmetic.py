@@ -1,0 +1,148 @@
+"""What is calculated from several quantities: textbook relations between forces, energies and speeds.
+
+Each formula is derived here by hand from the principle that is named. Problem families: Meriam & Kraige, Engineering
+Mechanics: Dynamics, ch. 3 and 6; Hibbeler, Engineering Mechanics: Dynamics, ch. 13 to 18.
+"""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from freebody.api import System
+from freebody.errors import ModelError
+
+ATWOOD = """
+parameters: {m1: 3 kg, m2: 2 kg, M: 1 kg, R: 0.1 m, g: 9.81 m/s^2}
+bodies: {pulley: {disk: {mass: M, radius: R}}, left: {particle: {mass: m1}}, right: {particle: {mass: m2}}}
+connections:
+  axle: {pin: [ground.axle, pulley.center]}
+  rope: {string: {from: left, over: [pulley], to: right, grips: [pulley]}}
+loads: {weight: {gravity: g}}
+measures: {x1: {drop of left below ground.axle}, x2: {drop of right below ground.axle}}
+"""
+PENDULUM = """
+parameters: {m: 2 kg, L: 1.5 m, g: 9.81 m/s^2, theta0: 60 deg}
+bodies: {bob: {particle: {mass: m}}}
+connections: {rod: {link: [ground.O, bob, L]}}
+loads: {weight: {gravity: g}}
+measures: {theta: {angle of line from ground.O to bob from down}}
+start: {theta: theta0}
+"""
+BALL = """
+parameters: {m: 1 kg, r: 0.1 m, mu: 0.2, v0: 3 m/s, g: 9.81 m/s^2}
+ground: {lines: {floor: {along: right}}}
+bodies: {ball: {sphere: {mass: m, radius: r}}}
+connections: {touch: {contact: {between: [ball, floor], friction: mu}}}
+loads: {weight: {gravity: g}}
+measures: {x: {travel of ball along floor}}
+start: {x: 0, rate(x): v0}
+"""
+BLOCK = """
+parameters: {m: 4 kg, F: 10 N, g: 9.81 m/s^2}
+bodies: {a: {particle: {mass: m}}, b: {particle: {mass: 2*m}, at: [1 m, 0]}}
+connections:
+  first: {slider: {body: a, along: right}}
+  bar: {link: [a, b, 1 m]}
+  second: {slider: {body: b, along: right}}
+loads: {pull: {force: {at: b, along: right, magnitude: F}}}
+measures: {x: x of a}
+"""
+
+
+def value(model: str, question: str) -> float:
+    answer = System.from_text(model).solve(question).answers[0]
+    assert answer.expression is not None, answer.reason
+    assert answer.evidence is not None
+    found = answer.value
+    assert isinstance(found, float)
+    return found
+
+
+G, M1, M2, M = 9.81, 3.0, 2.0, 1.0
+A = (M1 - M2) * G / (M1 + M2 + M / 2)  # Newton's law for both masses, and the pulley's M R^2/2 a/R = (T1 - T2) R
+
+
+@pytest.mark.parametrize(
+    ("question", "wanted"),
+    [
+        ("tension of rope at left - tension of rope at right", M / 2 * A),
+        ("(tension of rope at left - tension of rope at right)*R", M / 2 * A * 0.1),
+        ("acceleration of x1 + acceleration of x2", 0.0),
+        ("acceleration of x1/g", A / G),
+        ("ratio of acceleration of x1 to g", A / G),
+        ("tension of rope at left/(m1*g) + acceleration of x1/g", 1.0),  # m1 g - T1 = m1 a
+        ("|acceleration of x2|", A),
+        ("-acceleration of x2 - acceleration of x1", 0.0),
+        ("(velocity of x1)^2/(2*g) when x1 = R", A * 0.1 / G),  # v^2 = 2 a R
+        ("sqrt((velocity of x1)^2 + (velocity of x2)^2) when x1 = R", math.sqrt(2 * 2 * A * 0.1)),
+    ],
+)
+def test_relations_in_an_atwood_machine(question: str, wanted: float) -> None:
+    assert value(ATWOOD, question) == pytest.approx(wanted, abs=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("question", "wanted"),
+    [
+        # energy: v^2 = 2 g L (1 - cos theta0); Newton along the rod: T = m g + m v^2/L
+        ("tension of rod/(m*g) when theta = 0", 3 - 2 * math.cos(math.pi / 3)),
+        ("tension of rod when theta = 0 / (m*g)", 3 - 2 * math.cos(math.pi / 3)),
+        ("tension of rod when theta = 0 - tension of rod at start", 2 * G * (3 - 2 * 0.5) - 2 * G * 0.5),
+        ("ratio of tension of rod when theta = 0 to tension of rod at start", (3 - 2 * 0.5) / 0.5),
+        ("kinetic energy when theta = 0 / (m*g*L)", 1 - math.cos(math.pi / 3)),
+    ],
+)
+def test_relations_on_the_swing_of_a_pendulum(question: str, wanted: float) -> None:
+    assert value(PENDULUM, question) == pytest.approx(wanted, rel=1e-10)
+
+
+@pytest.mark.parametrize(
+    ("question", "wanted"),
+    [
+        # angular momentum about a point of the floor: m v0 r = 7/5 m v r, so v = 5 v0/7
+        ("velocity of x when rolling begins/v0", 5 / 7),
+        ("(velocity of x)/v0 when rolling begins", 5 / 7),
+        ("energy lost until rolling begins/kinetic energy at start", 2 / 7),
+        ("ratio of energy lost until rolling begins to kinetic energy at start", 2 / 7),
+        ("1 - kinetic energy when rolling begins / kinetic energy at start", 2 / 7),
+        ("velocity of x at start - velocity of x when rolling begins", 2 / 7 * 3),
+        ("friction force of touch/normal force of touch at start", 0.2),
+    ],
+)
+def test_relations_on_the_way_to_rolling(question: str, wanted: float) -> None:
+    assert abs(value(BALL, question)) == pytest.approx(wanted, rel=1e-10)
+
+
+def test_the_force_in_a_bar_by_the_force_that_pulls_both_bodies() -> None:
+    assert abs(value(BLOCK, "tension of bar/F")) == pytest.approx(1 / 3)  # m of 3 m
+
+
+def test_options_of_a_ratio_are_judged() -> None:
+    options = "{a: (m1 - m2)/(m1 + m2), b: (m1 - m2)/(m1 + m2 + M/2)}"
+    text = ATWOOD + f"questions: [{{id: q, find: acceleration of x1/g, options: {options}}}]"
+    assert System.from_text(text).solve()["q"].choice == "b"
+
+
+@pytest.mark.parametrize(
+    ("question", "said"),
+    [
+        ("acceleration of x1 + tension of rope at left", "unlike units cannot be added"),
+        ("velocity of x1^2", "Put the quantity in parentheses"),
+        ("velocity of x1*x2", "Put the quantity in parentheses"),
+        ("acceleration of x1/g - tension of thread", "no connection thread"),
+        ("velocity of x1 when x1 = R - velocity of x1 when x2 = R", "two events"),
+        ("velocity of x1 at start - velocity of x1", "when it is meant"),
+        ("(acceleration of x1", r"cannot read"),
+    ],
+)
+def test_what_cannot_be_calculated_is_refused_in_words(question: str, said: str) -> None:
+    with pytest.raises(ModelError, match=said):
+        System.from_text(ATWOOD).solve(question)
+
+
+def test_a_vector_is_no_number() -> None:
+    answer = System.from_text(ATWOOD).solve("acceleration of left/g").answers[0]
+    assert answer.expression is None
+    assert "along a direction" in str(answer.reason)
