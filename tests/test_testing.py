@@ -233,7 +233,7 @@ bodies: {p: {disk: {mass: 1 kg, radius: 1 m}}}
 questions: [{find: ratio of velocity of p to kinetic energy of p}]
 """,
         "solve",
-        "a vector stands in it",
+        "a vector stands where one calculates with numbers",
     ),
     "a ratio to what is zero": (
         """
