@@ -3,8 +3,8 @@
     python benchmarks/commands.py [--rounds N]
 
 Seconds of wall clock and of the processor, the least of N rounds (5 unless said); all commands in turn in every round,
-so that what else the machine does falls on all alike. The first two lines are what the others are measured by. At the end
-the size of the environment that the program is installed in.
+so that what else the machine does falls on all alike. The first two lines are what the others are measured by. At the
+end the size of the environment that the program is installed in.
 """
 
 from __future__ import annotations
