@@ -35,7 +35,7 @@ SMOOTH = [
     for name in EXAMPLES
     if not any(
         kind == "contact" or "friction" in spec
-        for c in DOCUMENTS[name]["connections"].values()
+        for c in DOCUMENTS[name].get("connections", {}).values()
         for kind, spec in c.items()
     )
 ]

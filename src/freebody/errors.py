@@ -88,6 +88,10 @@ class NeverHappens(CannotAnswer):
     """The event that a question is about does not happen after the start, and that is proved."""
 
 
+class NotReached(CannotAnswer):
+    """The event that a question is about does not come at any parameter values that were tried."""
+
+
 class RoutesDisagree(FreebodyError):
     """The symbolic and the numeric route give different values; no result is shown."""
 

@@ -20,8 +20,10 @@ from freebody.language.parser import parse
 from freebody.language.sentences import Message, Sentence
 from freebody.language.units import DIMENSIONLESS, Dimension
 from freebody.language.units.inference import dimension_of
+from freebody.model.names import quantity_expression
 from freebody.model.state import State
 from freebody.questions.base import Described, Passage, Path, Quantity
+from freebody.questions.operands import number_with_unit
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -233,6 +235,7 @@ def read_calculated(
     are numbers, parameters and functions."""
     taken = {*names.parameters, *FUNCTIONS, "pi"}
     stem = next(s for s in ("Q", "Q_", "Q__", "Q___") if not any(f"{s}{k}" in taken for k in operands))
+    operands = {**operands, **_numbers(runs)}
     written = "".join(f" {stem}{k} " if k in operands else run for k, run in enumerate(_with_bars(runs)))
     named = {f"{stem}{k}": q for k, q in operands.items()}
     try:
@@ -257,6 +260,12 @@ def read_calculated(
     operands_left = tuple((name, q) for name, q in inside if name in used)
     counted = any(q.scope == "course" for _name, q in operands_left)
     return (CalculatedOnTheWay if counted else Calculated)(form, operands_left, measured, text)
+
+
+def _numbers(runs: Sequence[str]) -> dict[int, Quantity]:
+    """Numbers with units, by their run."""
+    found = {k: number_with_unit(run) for k, run in enumerate(runs)}
+    return {k: OfParameters(quantity_expression(n), n.dimension) for k, n in found.items() if n is not None}
 
 
 def _with_bars(runs: Sequence[str]) -> list[str]:

@@ -7,8 +7,11 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from freebody.errors import UnitError
 from freebody.language.expression import FUNCTIONS
 from freebody.language.sentences import Message
+from freebody.language.units import parse_quantity
+from freebody.language.units.quantity import Quantity as Number
 from freebody.model.phrases import PHRASES
 from freebody.questions.base import FORMS
 
@@ -20,6 +23,7 @@ _START = re.compile(r" at (?:the )?start$")
 # what belongs to a quantity stands before what is an operator
 _OPERATORS = re.compile(r"rate\(\s*\w+\s*\)|\[[^\]]*\]|\*\*|[-+*/^()|]")
 _OPERATOR_SIGNS = {"+", "-", "*", "**", "/", "^", "(", ")", "|"}
+_BEFORE_UNITS = _OPERATOR_SIGNS - {"/", "^"}  # what no unit contains
 _PLAIN = re.compile(r"\d+(?:\.\d+)?(?:[eE]\d+)?|[A-Za-z_]\w*")
 _RATIO = re.compile(r"^(?:the )?ratio of (?P<top>.+) to (?:the )?(?P<bottom>.+)$")
 
@@ -97,6 +101,11 @@ def operands_of(names: Names, phrase: str) -> Operands | None:
     return found
 
 
+def has_quantities(names: Names, text: str) -> bool:
+    """Whether quantities stand in it, and not numbers and parameters alone."""
+    return any(_is_quantity(names, operand.phrase) for operand in _operands(names, text).phrases.values())
+
+
 def _is_drawn_in(names: Names, following: tuple[str, ...]) -> bool:
     """Whether what follows could as well be part of the measure whose rate is asked for: velocity of x^2."""
     if not following or following[0] not in ("^", "**", "*", "/"):
@@ -120,13 +129,36 @@ def _runs_of(text: str) -> list[str]:
         if found.group() in _OPERATOR_SIGNS:
             pieces += [text[place : found.start()], found.group()]
             place = found.end()
-    return [piece for piece in (*pieces, text[place:]) if piece.strip()]
+    return _with_units([piece for piece in (*pieces, text[place:]) if piece.strip()])
+
+
+def _with_units(runs: list[str]) -> list[str]:
+    """Runs in which a number and its unit are one: 2 m/s. Behind a sign of division 2 m could be read in two ways."""
+    found: list[str] = []
+    while runs:
+        taken = 1
+        if re.match(r"\s*[0-9.]", runs[0]) and (not found or found[-1] not in ("/", "^")):
+            most = next((k for k, run in enumerate(runs) if run in _BEFORE_UNITS), len(runs))
+            taken = next((k for k in range(most, 0, -1) if number_with_unit("".join(runs[:k])) is not None), 1)
+        found.append("".join(runs[:taken]))
+        runs = runs[taken:]
+    return found
+
+
+def number_with_unit(run: str) -> Number | None:
+    """A number that has a unit; None where it is something else."""
+    if not re.search(r"[A-Za-zµμ°]", run):
+        return None
+    try:
+        return parse_quantity(run)
+    except UnitError:
+        return None
 
 
 def _is_plain(names: Names, run: str) -> bool:
     """Whether it is a number, a parameter or a function."""
     if not _PLAIN.fullmatch(run):
-        return False
+        return number_with_unit(run) is not None
     return (
         run[0].isdigit() or run == "pi" or run in FUNCTIONS or (run in names.parameters and run not in names.measures)
     )

@@ -13,18 +13,27 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any, Literal, cast
 
-from freebody.language.expression import Expr
+from freebody.language.expression import ZERO, Expr
 from freebody.language.plain_text import plain
 from freebody.language.sentences import Message
 from freebody.language.units import TIME
 from freebody.measures.base import Measure
 from freebody.model.names import Names, did_you_mean
 from freebody.model.phrases import PHRASES, measure_of, phrase_text, read_measure
+from freebody.questions import turned_round
 from freebody.questions.arithmetic import AtStart, read_calculated
 from freebody.questions.base import FORMS, Path, Quantity
 from freebody.questions.course import Counted, Transition, When, as_condition, read_transition
 from freebody.questions.motion import OfMeasure
-from freebody.questions.operands import Operands, event_at_end, operands_of, ratio_as_quotient, without_start
+from freebody.questions.operands import (
+    Operands,
+    event_at_end,
+    has_quantities,
+    operands_of,
+    ratio_as_quotient,
+    without_start,
+)
+from freebody.questions.turned_round import VALUE_FOR, ValueFor, ValueForOnTheWay, relation_of
 
 
 @dataclass(frozen=True)
@@ -78,7 +87,7 @@ def read_quantity(names: Names, text: str, path: Path) -> Quantity | None:
     elif any(isinstance(p.message, Message) and "askable" in p.message.arguments for p in names.problems):
         names.problem(Message("cannot read '{text}'", text=text), *path)
     else:
-        askable = "\n    ".join(f.form for f in FORMS)
+        askable = "\n    ".join((*(f.form for f in FORMS), turned_round.FORM))
         names.unknown(
             text, Message("cannot read '{text}'. One can ask for\n    {askable}", text=text, askable=askable), *path
         )
@@ -187,6 +196,9 @@ class _Asked:
 
 def _asked(names: Names, phrase: str, when: object) -> _Asked | None:
     """What a phrase asks for. when: what the file says of it beside the phrase."""
+    turned = VALUE_FOR.match(phrase)
+    if turned is not None:
+        return _turned_round(names, turned["parameter"], turned["relation"], when)
     if when is not None:
         path: Path = ("when",)
         condition, phrase, at_start = str(when), without_start(phrase), False
@@ -201,6 +213,38 @@ def _asked(names: Names, phrase: str, when: object) -> _Asked | None:
     if operands is not None:
         return _calculated(names, phrase, operands, condition, at_start, path)
     return _meant(names, phrase, condition, at_start, path)
+
+
+def _turned_round(names: Names, name: str, relation: str, when: object) -> _Asked | None:
+    """For which value of a parameter an equation holds."""
+    parameter = names.parameters.get(name)
+    if parameter is None or parameter.form is not None:
+        told = Message("{name} is no parameter.{hint}", name=name, hint=did_you_mean(name, names.parameters))
+        names.unknown(name, told, "find")
+        return None
+    head, condition = (relation, None) if when is not None else event_at_end(names, relation)
+    starts = condition is None and without_start(head) != head  # else these words belong to what is last
+    found = relation_of(without_start(head) if starts else head, condition)
+    if found is None:
+        told = Message("write an equation: value of {name} for which acceleration of x = 0", name=name)
+        names.problem(told, "find")
+        return None
+    left, right, condition = found
+    timed = f" when {condition}" if condition is not None else " at start" if starts else ""
+    asked = _asked(names, left + timed, when)
+    if asked is None:
+        return None
+    target: Expr = ZERO
+    if has_quantities(names, right):
+        left = f"({left}) - ({right})"
+        asked = _asked(names, left + timed, when)
+        if asked is None:
+            return None
+    elif right != "zero":
+        target = names.formula(right, asked.quantity.dimension, "find")
+    kind = ValueForOnTheWay if asked.quantity.scope == "course" else ValueFor
+    unit = "rad" if parameter.is_angle else str(parameter.dimension)
+    return replace(asked, quantity=kind(name, asked.quantity, target, parameter.dimension, unit, left + timed))
 
 
 def _calculated(

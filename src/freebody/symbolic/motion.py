@@ -15,7 +15,7 @@ import math
 from dataclasses import dataclass, field
 from functools import cached_property
 
-from freebody.errors import CannotAnswer, NeverHappens
+from freebody.errors import CannotAnswer, NeverHappens, NotReached
 from freebody.language.notation import Stated, to_python, to_text
 from freebody.language.sentences import Message
 from freebody.questions.reading import QuestionEvent
@@ -274,7 +274,7 @@ class SmoothMotion:
             )
         pick = picks.pop()
         if pick is None:
-            raise CannotAnswer(
+            raise NotReached(
                 Message(
                     "{x} is never {value} after the start at any of the parameter values that were tried",
                     x=name,
@@ -303,9 +303,7 @@ class SmoothMotion:
                 raise NeverHappens(Message("{x} does not get that far", x=c.name))
             if all(i.time.is_zero() and i.period is None for i in instants):
                 raise NeverHappens(_HOLDS_ONCE if instants else Message("{x} only tends to that", x=c.name))
-            raise CannotAnswer(
-                Message("{x} does not get there at any of the parameter values that were tried", x=c.name)
-            )
+            raise NotReached(Message("{x} does not get there at any of the parameter values that were tried", x=c.name))
         i = found.instant
         lowest = self.field.lowest_terms
         return Reached(lowest(i.time), c, lowest(i.place), lowest(i.rate), [], [*needs, *found.conditions])

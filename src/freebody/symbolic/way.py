@@ -10,7 +10,7 @@ import math
 from collections.abc import Sequence
 from functools import cached_property
 
-from freebody.errors import CannotAnswer, NeverHappens
+from freebody.errors import CannotAnswer, NeverHappens, NotReached
 from freebody.language.sentences import Message
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
@@ -58,7 +58,7 @@ class EnergyPath:
             raise (
                 NeverHappens(why)
                 if is_proved
-                else CannotAnswer(Message("{why} (at the parameter values that were tried)", why=why))
+                else NotReached(Message("{why} (at the parameter values that were tried)", why=why))
             )
         _turn, back, says = self._turning
         if not side:
@@ -132,12 +132,13 @@ class EnergyPath:
             if ahead:
                 picks.add(min(ahead)[1])
         if not picks:
-            raise CannotAnswer(
+            if not places:
+                why = Message("no closed form was found for the place of {x} at which that is so", x=self.c.name)
+                raise CannotAnswer(why)
+            raise NotReached(
                 Message(
                     "{x} does not come to such a place at any of the parameter values that were tried", x=self.c.name
                 )
-                if places
-                else Message("no closed form was found for the place of {x} at which that is so", x=self.c.name)
             )
         if len(picks) > 1:
             raise CannotAnswer(

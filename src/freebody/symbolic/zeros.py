@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from typing import Protocol
+
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import functions
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.signs import Sign, sign_of
-from freebody.symbolic.unknowns import Coordinate
 
 
 def solve_linear(x: Ratio, index: int) -> Ratio | None:
@@ -33,9 +34,16 @@ def reals(place: Ratio) -> tuple[Ratio, ...]:
     return tuple(found)
 
 
-def zeros_of(model: SymbolicModel, F: Ratio, c: Coordinate, *, quadratic: bool = False) -> list[Ratio]:
-    """Zeros of F in one coordinate: linear factors (quadratic ones if wanted), and a cos + b sin + r = 0. What repeats
-    after whole turns is given once."""
+class Indexed(Protocol):
+    """A coordinate, or what else is one generator of the field."""
+
+    @property
+    def index(self) -> int: ...
+
+
+def zeros_of(model: SymbolicModel, F: Ratio, c: Indexed, *, quadratic: bool = False) -> list[Ratio]:
+    """Zeros of F in one coordinate or parameter: linear factors (quadratic ones if wanted), and a cos + b sin + r = 0.
+    What repeats after whole turns is given once."""
     f = model.field
     found: list[Ratio] = []
     _unit, factors = f.factor(F.num)
@@ -53,7 +61,7 @@ def zeros_of(model: SymbolicModel, F: Ratio, c: Coordinate, *, quadratic: bool =
     return found
 
 
-def _quadratic_zeros(model: SymbolicModel, base: Ratio, c: Coordinate) -> list[Ratio]:
+def _quadratic_zeros(model: SymbolicModel, base: Ratio, c: Indexed) -> list[Ratio]:
     f = model.field
     parts = base.coefficients(c.index)
     if len(parts) != 3 or any(c.index in f.ingredients(part) for part in parts):
@@ -62,7 +70,7 @@ def _quadratic_zeros(model: SymbolicModel, base: Ratio, c: Coordinate) -> list[R
     return [(-parts[1] - root) / (2 * parts[2]), (-parts[1] + root) / (2 * parts[2])]
 
 
-def _trigonometric_zeros(model: SymbolicModel, base: Ratio, c: Coordinate) -> list[Ratio]:
+def _trigonometric_zeros(model: SymbolicModel, base: Ratio, c: Indexed) -> list[Ratio]:
     """a cos(k q + d) + b sin(k q + d) + r = 0."""
     f = model.field
     pairs = [p for p in f.pairs(base.generators()) if c.index in f.generators[p[0]].made_of]
@@ -81,16 +89,29 @@ def _trigonometric_zeros(model: SymbolicModel, base: Ratio, c: Coordinate) -> li
 
 
 def _turned_zeros(model: SymbolicModel, base: Ratio, cos: int, sin: int) -> list[Ratio]:
-    """The angles at which a cos + b sin + r vanishes."""
+    """The angles at which p cos^2 + k cos sin + a cos + b sin + r vanishes, where that is a wave of the angle or of
+    twice the angle, or quadratic in its cosine or sine."""
     f = model.field
     in_cos = base.coefficients(cos)
-    if len(in_cos) > 2 or len(base.coefficients(sin)) > 2:
-        return _of_one_wave(model, base, cos, sin)
-    a = in_cos[1] if len(in_cos) == 2 else f.zero
-    in_sin = in_cos[0].coefficients(sin)
-    if {cos, sin} & a.generators():
+    if len(in_cos) > 3:
         return []
-    b, r = (in_sin[1] if len(in_sin) == 2 else f.zero), in_sin[0]
+    parts = [[*x.coefficients(sin), f.zero][:2] for x in in_cos]  # sin^2 never stands in the normal form
+    parts += [[f.zero, f.zero]] * (3 - len(parts))
+    (r, b), (a, k), (p, cubic) = parts
+    if not cubic.is_zero():
+        return []
+    if p.is_zero() and k.is_zero():
+        return _of_wave(model, a, b, r)
+    if a.is_zero() and b.is_zero() and not k.is_zero():
+        # cos^2 = (1 + cos 2q)/2, cos sin = sin(2q)/2
+        halves = [angle / 2 for angle in _of_wave(model, p / 2, k / 2, r + p / 2)]
+        return [*halves, *(half + f.pi for half in halves)]
+    return _quadratic_in_one(model, p, a, b, r) if k.is_zero() else []
+
+
+def _of_wave(model: SymbolicModel, a: Ratio, b: Ratio, r: Ratio) -> list[Ratio]:
+    """The angles at which a cos + b sin + r vanishes."""
+    f = model.field
     pi, fn = f.pi, functions(f, model.samples.is_negative)
     if r.is_zero():
         if a.is_zero():
@@ -113,20 +134,13 @@ def _turned_zeros(model: SymbolicModel, base: Ratio, cos: int, sin: int) -> list
     return [2 * fn["atan"]((-b - root) / (r - a)), 2 * fn["atan"]((-b + root) / (r - a))]
 
 
-def _of_one_wave(model: SymbolicModel, base: Ratio, cos: int, sin: int) -> list[Ratio]:
-    """The same of p cos^2 + q cos + r = 0, or of p cos^2 + q sin + r = 0 with cos^2 = 1 - sin^2."""
+def _quadratic_in_one(model: SymbolicModel, p: Ratio, a: Ratio, b: Ratio, r: Ratio) -> list[Ratio]:
+    """The angles at which p cos^2 + a cos + r vanishes, or p cos^2 + b sin + r with cos^2 = 1 - sin^2."""
     f = model.field
-    in_cos = base.coefficients(cos)
-    parts = [(*x.coefficients(sin), f.zero)[:2] for x in in_cos]  # sin^2 never stands in the normal form
-    if len(in_cos) != 3 or any(not of_sin.is_zero() for _rest, of_sin in parts[1:]):
+    if not a.is_zero() and not b.is_zero():
         return []
-    (r, q_sin), (q_cos, _), (p, _) = parts
-    if q_sin.is_zero():
-        c, arc = (r, q_cos, p), "acos"
-    elif q_cos.is_zero():
-        c, arc = (r + p, q_sin, -p), "asin"
-    else:
-        return []
+    takes_sine = not b.is_zero() or (a.is_zero() and _length(r + p) < _length(r))
+    c, arc = ((r + p, b, -p), "asin") if takes_sine else ((r, a, p), "acos")
     square = f.lowest_terms(c[1] * c[1] - 4 * c[0] * c[2])
     if sign_of(square) in (Sign.NEGATIVE, Sign.NONPOSITIVE):
         return []
@@ -134,3 +148,7 @@ def _of_one_wave(model: SymbolicModel, base: Ratio, cos: int, sin: int) -> list[
     root = f.sqrt(square, model.samples.is_negative)
     angles = [fn[arc](f.lowest_terms((way * root - c[1]) / (2 * c[2]))) for way in (1, -1)]
     return [x for angle in angles for x in ((angle, -angle) if arc == "acos" else (angle, f.pi - angle))]
+
+
+def _length(x: Ratio) -> int:
+    return sum(map(len, x.terms()))

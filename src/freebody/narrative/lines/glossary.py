@@ -8,9 +8,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
+from copy import copy
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, Literal
+from itertools import islice
+from typing import Any, Literal, Self, cast
 
 from freebody.errors import CannotAnswer, ExpressionError
 from freebody.language.expression import FLOAT_FUNCTIONS, Call, Expr, Sum, Symbol, evaluate, rate_key
@@ -155,6 +157,16 @@ class Glossary:
         self.meanings: dict[str, Meaning] = {}
         self.formulas: dict[str, Expr] = {}  # checked formulas of symbols that are differentiated
         self.event: QuestionEvent | None = None
+        self.is_one: Callable[[World], bool] = lambda _world: True
+
+    def where(self, is_one: Callable[[World], bool]) -> Self:
+        """The same symbols, with lines that have to hold only where something is so."""
+        made = copy(self)
+        made.meanings, made.formulas, made.is_one = dict(self.meanings), dict(self.formulas), is_one
+        for name, value in [*made.__dict__.items()]:
+            if isinstance(value, list) and all(isinstance(world, World) for world in cast("list[object]", value)):
+                del made.__dict__[name]  # worlds know the symbols that they were made for
+        return made
 
     def introduce(self, meaning: Meaning) -> Expr:
         """Adds a symbol; one that is known keeps its meaning."""
@@ -251,11 +263,13 @@ class Glossary:
         except CannotAnswer:  # without formulas there is no branch to be on
             general = [draw.anywhere(k, 0.3, 0.1) for k, draw in enumerate(self.setup.draws)]
         pairs = zip(self.setup.draws, general, strict=True)
-        return [World(self, draw, draw.seen(snapshot), snapshot) for draw, snapshot in list(pairs)[:N_WORLDS]]
+        worlds = (World(self, draw, draw.seen(snapshot), snapshot) for draw, snapshot in pairs)
+        return list(islice(filter(self.is_one, worlds), N_WORLDS))
 
     @cached_property
     def _at_start(self) -> list[World]:
-        return [World(self, draw, draw.seen(draw.start())) for draw in self.setup.draws[:N_WORLDS]]
+        worlds = (World(self, draw, draw.seen(draw.start())) for draw in self.setup.draw_stream())
+        return list(islice(filter(self.is_one, worlds), N_WORLDS))
 
     @cached_property
     def _at_event(self) -> list[World]:
@@ -268,8 +282,10 @@ class Glossary:
                 break
             with suppress(CannotAnswer, ArithmeticError, ValueError):
                 reached = motion_to(draw.reference, draw.start(), 60.0, self.event)
-                found.append(World(self, draw, draw.seen(reached.event)))
-                found[-1].is_integrated = True
+                world = World(self, draw, draw.seen(reached.event))
+                world.is_integrated = True
+                if self.is_one(world):
+                    found.append(world)
         return found
 
     def at_event(self, event: QuestionEvent | None) -> None:

@@ -168,7 +168,7 @@ class Script:
         expressions = list(sides)
         room = BY_DIFFERENCES if any(isinstance(s, (Derivative, Difference)) for s in sides) else ROUND_OFF
         n_held, trouble = 0, ""
-        for world in self.glossary.worlds(when):
+        for world in filter(self.glossary.is_one, self.glossary.worlds(when)):
             try:
                 known = [world.of(side) for side in expressions]
                 scale = max(world.scale(expressions), world.noise / ROUND_OFF)

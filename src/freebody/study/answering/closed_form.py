@@ -17,6 +17,7 @@ from freebody.questions.base import Quantity
 from freebody.questions.freedom import DegreesOfFreedom
 from freebody.questions.reading import Question
 from freebody.questions.small_motion import Equilibrium, SmallOscillations
+from freebody.questions.turned_round import ValueFor
 from freebody.study.answering import evidence as proof
 from freebody.study.answering.answer import Answer, Evidence, Value, made
 from freebody.study.answering.conditions import as_written, at_instant, is_kinematic, loops_in, real
@@ -34,6 +35,7 @@ from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.unknowns import Coordinate
 from freebody.symbolic.validity import texts
+from freebody.system.system import System
 
 _ROUND_OFF = 1e-12  # of an assembled pose, by the size of what is added up
 
@@ -64,7 +66,7 @@ class QuestionSolver:
                 return answered(self.system, self.question, self._smooth, self._number_instead, self.otherwise)
 
     def _smooth(self) -> Answer:
-        return self._finish(self._find())
+        return self.finish(self._find())
 
     def _conserved(self) -> Answer:
         """The rate of the quantity, and whether it vanishes; `study/conservation/conserved.py` has more to say."""
@@ -90,7 +92,7 @@ class QuestionSolver:
     def _number_instead(self) -> Value:
         """The value of the numeric route where there is no closed form, at the start or at the event."""
         q = self.question
-        if not self.setup.has_values or q.quantity.scope == "steady motion":
+        if not self.setup.has_values or q.quantity.scope == "steady motion" or isinstance(q.quantity, ValueFor):
             return None
         return number_of(self.setup, q.quantity, q.event)
 
@@ -98,6 +100,8 @@ class QuestionSolver:
         q = self.question.quantity
         if self.question.at_start or self.question.event is not None:
             as_written(self.setup, self.question, self.setup.start_instant)  # refuses where the file says nothing
+        if isinstance(q, ValueFor):
+            return self._turned_round(q)
         if q.scope == "steady motion":
             from freebody.study.steady.ask import find
 
@@ -105,6 +109,23 @@ class QuestionSolver:
         if self.question.event is not None:
             return self._at_event(q)
         return self._found(q)
+
+    def _turned_round(self, q: ValueFor) -> Finding:
+        """The formula of what is to have a value, solved for a parameter."""
+        from freebody.study.answering.turned_round import Formula, find, first_found
+
+        asked = replace(self.question, quantity=q.of, options={}, key=None)
+
+        def attempt(system: System) -> Finding:
+            setup = self.setup if system is self.system else Setup(system)
+            formula = QuestionSolver(setup, asked)
+            found = formula._find()
+            needed = [] if isinstance(found.element, Fraction) else formula._conditions(found, found.element)
+            answer = find(setup, self.question, [Formula(found.element, needed, lambda: found.evidence)])
+            self.setup, self.model, self.system = setup, setup.model, system
+            return answer
+
+        return first_found(self.system, q.parameter, attempt)
 
     # -- one instant --------------------------------------------------------------------------
     @singledispatchmethod
@@ -259,7 +280,8 @@ class QuestionSolver:
         return [reworded(verdict, where)]
 
     # -- conditions ---------------------------------------------------------------------------
-    def _finish(self, found: Finding) -> Answer:
+    def finish(self, found: Finding) -> Answer:
+        """The answer that a finding is, with its conditions and what the model's own numbers make of it."""
         q = self.question
         if isinstance(found.element, Fraction):
             expression: Expr | tuple[Expr, ...] = number(found.element)
@@ -289,6 +311,8 @@ class QuestionSolver:
 
     def _conditions(self, found: Finding, element: Elements) -> list[Condition]:
         """Everything without which the answer is not true."""
+        if found.is_complete:
+            return found.conditions
         q = self.question.quantity
         conditions = [*found.conditions]
         if not found.may_be_complex:

@@ -116,7 +116,8 @@ def draw_parameters(system: System, rng: random.Random, spread: float, *, length
         elif p.acute:
             center = 0.6 if p.value is None else p.value
             room = min(center, math.pi / 2 - center)
-            values[p.name] = center + spread * room * rng.uniform(-0.9, 0.9)
+            edge = 0.05 * room  # with a wide spread it stays between 0 and 90 degrees
+            values[p.name] = min(max(center + spread * room * rng.uniform(-0.9, 0.9), edge), math.pi / 2 - edge)
         elif p.value is None:
             values[p.name] = math.exp(rng.uniform(-0.7, 0.7))
         else:

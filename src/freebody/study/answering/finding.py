@@ -48,6 +48,7 @@ class Finding:
     may_be_complex: bool = False  # roots in it need not be real
     unit: str | None = None  # where it is not that of the quantity
     has_value: bool = True  # at the model's own numbers and start
+    is_complete: bool = False  # whether its conditions are all there are
 
 
 def answered(

@@ -47,7 +47,12 @@ def work_until(setup: Setup, load: str, draw: Draw, event: QuestionEvent, end: f
 def number_of(setup: Setup, quantity: Quantity, event: QuestionEvent | None) -> float | tuple[float, ...]:
     """The quantity from the numeric route alone, at the start or at the event; a plain number without a formula.
     Raises CannotAnswer if the event does not happen within a minute."""
-    return _number(quantity, setup, event, setup.draws[0])
+    return number_at(setup, quantity, event, setup.draws[0])
+
+
+def number_at(setup: Setup, quantity: Quantity, event: QuestionEvent | None, draw: Draw) -> float | tuple[float, ...]:
+    """The same at other numbers of the parameters."""
+    return _number(quantity, setup, event, draw)
 
 
 @singledispatch

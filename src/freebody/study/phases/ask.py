@@ -12,6 +12,7 @@ from freebody.language.expression import Expr
 from freebody.language.notation import joined, reworded
 from freebody.language.sentences import Message
 from freebody.questions.reading import Question
+from freebody.questions.turned_round import ValueFor
 from freebody.study.answering.answer import Answer, AnswerCase, Evidence, Value, made
 from freebody.study.answering.conditions import loops_in
 from freebody.study.answering.crosscheck import TooLittleCompared
@@ -35,10 +36,16 @@ from freebody.tolerances import ROUNDED
 def answer(tree: PhaseTree, question: Question) -> Answer:
     """The answer, or the reason why there is none."""
     system = tree.system
-    return answered(system, question, lambda: _by_cases(tree, question), lambda: number_with_changes(system, question))
+    turned = isinstance(question.quantity, ValueFor)
+    instead = None if turned else lambda: number_with_changes(system, question)
+    return answered(system, question, lambda: _by_cases(tree, question), instead)
 
 
 def _by_cases(tree: PhaseTree, question: Question) -> Answer:
+    if isinstance(question.quantity, ValueFor) and question.quantity.of.is_of_state:
+        from freebody.study.phases import turned_round
+
+        return turned_round.answer(tree, question, question.quantity)
     if not question.quantity.is_of_state:
         return in_first_modes(tree, question)
     found = pieces(tree, question)

@@ -1,0 +1,142 @@
+"""For which value of a parameter something is so: the quantity is derived, equated, and solved for the parameter."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+
+from freebody.errors import CannotAnswer
+from freebody.language.expression import Expr, substitute
+from freebody.language.sentences import Message
+from freebody.narrative.contact.settings import has_phases
+from freebody.narrative.context import Context, Method
+from freebody.narrative.kinds import derivation_of
+from freebody.narrative.lines.glossary import Meaning, World
+from freebody.narrative.lines.script import DerivationStage, Legend, NumberedFormula, Script, Sentence
+from freebody.numeric.reference import Reference
+from freebody.questions.base import Quantity
+from freebody.questions.reading import Question
+from freebody.questions.turned_round import ValueFor
+from freebody.study.answering.answer import Answer
+from freebody.study.answering.draws import Draw
+from freebody.study.answering.numbers import LONGEST, at_event, number_at
+from freebody.study.answering.simulated_numbers import number_with_changes
+from freebody.study.answering.solve import solve
+from freebody.study.answering.turned_round import with_others
+from freebody.system.system import System
+
+_STEP = 1e-4  # of the value: by so much it is changed to see how the quantity changes
+
+
+def derive(context: Context, question: Question, answer: Answer, method: Method) -> list[DerivationStage]:
+    """The derivation of the quantity, then the value. Raises CannotAnswer where the quantity has none with the number
+    that the file gives for the parameter."""
+    quantity = question.quantity
+    assert isinstance(quantity, ValueFor)
+    if answer.expression is None:
+        raise CannotAnswer(answer.reason or Message("there is no closed form"))
+    id = f"Q_{question.id}" if question.id.isidentifier() else "Q"
+    asked = replace(question, id=id, text=quantity.text, quantity=quantity.of, options={}, key=None)
+    there, given, formula = _reached(context, asked, quantity.parameter)
+    stages = derivation_of(there.system, asked)(there, asked, given, method)
+    numbers = [item.number for stage in stages for item in stage.items if isinstance(item, NumberedFormula)]
+    values = answer.expression if isinstance(answer.expression, tuple) else (answer.expression,)
+    glossary = there.glossary.where(lambda world: _has(world, values))
+    script = Script(glossary, max([context.next_number - 1, *numbers]) + 1)
+    with script.stage("stage.turned", "hint.turned", name=quantity.parameter):
+        _solved(there, script, question, formula, values)
+    return [*stages, *script.stages]
+
+
+def _reached(context: Context, asked: Question, name: str) -> tuple[Context, Answer, Expr]:
+    """The quantity as a formula; where it is out of reach with the number that the file gives, with another one."""
+    why: Message | str = ""
+    for system in with_others(context.system, name):
+        here = context if system is context.system else Context(system, context.next_number, context.introduced)
+        setup = None if has_phases(system) else here.setup
+        (given,) = solve(replace(system, questions=(asked,)), setup=setup).answers
+        if given.expression is not None and not isinstance(given.expression, tuple):
+            return here, given, given.expression
+        why = why or given.reason
+    raise CannotAnswer(why or Message("there is no closed form"))
+
+
+def _has(world: World, values: Sequence[Expr]) -> bool:
+    """Whether all values are real numbers there."""
+    try:
+        return all(math.isfinite(x) for value in values for x in world.of(value))
+    except (CannotAnswer, ArithmeticError, ValueError):
+        return False
+
+
+def _solved(context: Context, script: Script, question: Question, formula: Expr, values: Sequence[Expr]) -> None:
+    """The equation, and its solutions."""
+    quantity = question.quantity
+    assert isinstance(quantity, ValueFor)
+    when = "event" if question.event is not None else "start" if question.at_start else "always"
+    ends = [""] if len(values) == 1 else [str(k + 1) for k in range(len(values))]
+    names = [context.symbol(f"{quantity.parameter}_req{end}", f"{quantity.parameter}_asked{end}") for end in ends]
+    what = Sentence("symbol.asked", {"question": question.text})
+    number = _Refined(context.system, question, quantity)
+    for name, value in zip(names, values, strict=True):
+        meaning = Meaning(name, what, number.reader(value), quantity.unit)
+        script.glossary.redefine(meaning)
+        script.add(Legend(((name, what, quantity.unit),)))
+    for name, value in zip(names, values, strict=True):
+        put_in = substitute(formula, {quantity.parameter: name})
+        line = script.line(
+            put_in, quantity.target, why="turned.equation", args={"name": f"@{quantity.parameter}"}, when=when
+        )
+        script.line(name, value, why="turned.solved", args={"line": line}, uses=(line,), when=when)
+
+
+@dataclass(frozen=True)
+class _Refined:
+    """The value by the numeric route: that of the formula, and one step of Newton's method from there with the quantity
+    found in numbers."""
+
+    system: System
+    question: Question
+    quantity: ValueFor
+
+    def reader(self, value: Expr) -> Callable[[World], float]:
+        return lambda world: self._number(world, float(world.of(value)[0]))
+
+    def _number(self, world: World, x: float) -> float:
+        if self.question.transition is not None:  # a change of contacts is found by the numeric route in its own way
+            return x
+        target = float(world.of(self.quantity.target)[0])
+        step = _STEP * (abs(x) or 1.0)
+        there, near = self._quantity(world, x), self._quantity(world, x + step)
+        if near == there:
+            raise CannotAnswer(Message("that does not depend on {name}", name=self.quantity.parameter))
+        return x - (there - target) * step / (near - there)
+
+    def _quantity(self, world: World, x: float) -> float:
+        values = world.draw.values | {self.quantity.parameter: x}
+        of, question, setup = self.quantity.of, self.question, world.glossary.setup
+        if has_phases(self.system):
+            found = number_with_changes(self.system.with_parameters(**_given(self.system, values)), _of(question, of))
+        else:
+            reference = Reference(setup.system, values)
+            draw = Draw(values, reference, reference.assemble(guess=world.draw.q, n_starts=2))
+            if not of.is_of_state:
+                found = number_at(setup, of, question.event, draw)
+            elif question.event is not None:
+                found = at_event(setup, of, draw, draw.start(), LONGEST, question.event)
+            else:
+                here = world.snapshot
+                moved = draw.start() if question.at_start else reference.snapshot(here.q, here.v, here.t)
+                found = of.value(setup.system, draw.seen(moved))
+        if isinstance(found, (int, float)):
+            return float(found)
+        raise CannotAnswer(Message("one number must have a value here, and that is none in closed form"))
+
+
+def _of(question: Question, of: Quantity) -> Question:
+    return replace(question, quantity=of, options={}, key=None)
+
+
+def _given(system: System, values: dict[str, float]) -> dict[str, float]:
+    return {name: x for name, x in values.items() if name in system.parameters}

@@ -1,0 +1,350 @@
+"""For which value of a parameter a quantity has a value: its formula is solved for the parameter, and that put back.
+
+The formula holds under conditions, in which the value is put in for the parameter as well; the parameter keeps its own
+domain. A root of an equation that was squared need be none of the formula: at random numbers the value is put in for
+the parameter, and the quantity must have the value there by the numeric route. Source of the elimination of a root:
+a + b sqrt(c) = 0 implies a^2 = b^2 c.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import suppress
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from itertools import islice
+from typing import TypeVar
+
+from freebody.errors import CannotAnswer, FreebodyError, NeverHappens, NotReached
+from freebody.language.expression import ZERO, Symbol
+from freebody.language.notation import compared, joined, reworded, to_text
+from freebody.language.sentences import Message
+from freebody.model.elements import Parameter
+from freebody.numeric.reference import Reference
+from freebody.questions.reading import Question
+from freebody.questions.turned_round import ValueFor
+from freebody.study.answering.answer import Evidence, Value
+from freebody.study.answering.conditions import real
+from freebody.study.answering.crosscheck import (
+    INSTANT_TOLERANCE,
+    MIN_DRAWS,
+    MOTION_TOLERANCE,
+    CrossCheck,
+    element_at,
+    holds,
+)
+from freebody.study.answering.draws import SEED, Draw, draws
+from freebody.study.answering.finding import Elements, Finding, NotHere
+from freebody.study.answering.magnitude import magnitude
+from freebody.study.answering.numbers import LONGEST, at_event
+from freebody.study.setup import N_DRAWS, Setup
+from freebody.symbolic.conditions import Condition, merged, require
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.functions import functions
+from freebody.symbolic.parameter_roots import solutions
+from freebody.symbolic.tidy import tidy
+from freebody.symbolic.zeros import zeros_of
+from freebody.system.system import System
+
+_NEAR = 1e-6  # of the size of its parts: a quantity that is smaller is zero at the value that was put in
+_TIME = 0.37  # [s] at which drivers are looked at
+_ENOUGH = 2 * MIN_DRAWS  # numbers at which a value is one: some of them may say nothing more
+_WIDE, _BATCHES = 2.5, 6  # draws beyond the usual ones: their spread, and how many lots of them
+_ARCS = {  # the ranges of their values, in half turns
+    "asin": (Fraction(-1, 2), Fraction(1, 2)),
+    "acos": (Fraction(0), Fraction(1)),
+    "atan": (Fraction(-1, 2), Fraction(1, 2)),
+}
+_OTHERS = (3.0, 1 / 3, 10.0, 0.1, 30.0, 1 / 30)  # of the file's number: values with which a motion may get there
+_ANGLES = (0.2, 0.5, 0.8, 1.1, 1.4)  # [rad] the same for acute angles
+
+
+class NoneFound(CannotAnswer):
+    """The equation is solved, and none of its solutions was found to be one of the question."""
+
+
+T = TypeVar("T")
+
+
+@dataclass(frozen=True)
+class _PutBack:
+    """A draw with the value in place of its own. number: of the draw from which it was made; size: [SI] of the parts of
+    the quantity there, where they need not cancel."""
+
+    number: int
+    draw: Draw
+    size: float
+
+
+@dataclass(frozen=True)
+class Formula:
+    """What is asked for as a formula, where it is true, and how it was checked. in_numbers: how the quantity comes from
+    values of all parameters where it is not looked at in one smooth motion; is_put_back: whether the value is put back
+    into the numeric route, and not into the formula alone."""
+
+    element: Elements | Fraction
+    needed: Sequence[Condition]
+    evidence: Callable[[], Evidence]
+    in_numbers: Callable[[dict[str, float]], Value] | None = None
+    is_put_back: bool = True
+
+
+@dataclass
+class _Candidate:
+    """A value of the parameter, what it needs, and at which draws it is one."""
+
+    of: _Turned
+    value: Ratio
+    conditions: list[Condition]
+    at: list[_PutBack]
+
+
+def first_found(system: System, name: str, attempt: Callable[[System], T]) -> T:
+    """What is found with the system's own number for a parameter; where the motion does not get there with it, with
+    others."""
+    first: CannotAnswer | None = None
+    for other in with_others(system, name):
+        try:
+            return attempt(other)
+        except (NeverHappens, NotHere, NotReached, NoneFound) as error:
+            first = first or error
+    assert first is not None
+    raise first
+
+
+def with_others(system: System, name: str) -> Iterator[System]:
+    """The system, then with other numbers for a parameter that has one."""
+    yield system
+    parameter = system.parameters[name]
+    if parameter.value is None:
+        return
+    for number in _ANGLES if parameter.acute else [factor * parameter.value for factor in _OTHERS]:
+        with suppress(FreebodyError):
+            yield system.with_parameters(**{name: number})
+
+
+def find(setup: Setup, question: Question, formulas: Sequence[Formula]) -> Finding:
+    """The value of the parameter. formulas: of what is to have a value, each with its own conditions. Raises
+    CannotAnswer where the equation is not solvable in closed form, or no value was found."""
+    quantity = question.quantity
+    assert isinstance(quantity, ValueFor)
+    name = quantity.parameter
+    turned: list[_Turned] = []
+    why_not: CannotAnswer | None = None
+    for formula in formulas:
+        try:
+            turned.append(_turned(setup, question, quantity, formula))
+        except CannotAnswer as error:
+            why_not = why_not or error
+    if not turned:
+        assert why_not is not None
+        raise why_not
+    candidates = [candidate for one in turned for candidate in one.candidates()]
+    if not candidates:
+        equation = compared(tidy(turned[0].element.numerator()), "=", ZERO)
+        why = Message("the equation {equation} is not solved for {name} in closed form", equation=equation, name=name)
+        raise CannotAnswer(reworded(why, equation))
+    possible = [c for c in candidates if c.at]
+    if not possible:
+        raise NoneFound(Message("no value of {name} within its range was found for which that is so", name=name))
+    return _chosen(possible)
+
+
+def _turned(setup: Setup, question: Question, quantity: ValueFor, formula: Formula) -> _Turned:
+    name, model = quantity.parameter, setup.model
+    if not isinstance(formula.element, Ratio):
+        raise CannotAnswer(Message("one number must have a value here, and that is none in closed form"))
+    element = formula.element - model.geometry.scalar(quantity.target)
+    index = model.field.index(model.geometry.scalar(Symbol(name)))
+    if element.is_zero():
+        raise CannotAnswer(Message("that is so for every value of {name}", name=name))
+    if index not in model.field.ingredients(element):
+        raise CannotAnswer(Message("that does not depend on {name}", name=name))
+    return _Turned(setup, question, quantity, setup.system.parameters[name], index, element, formula)
+
+
+@dataclass(frozen=True)
+class _Turned:
+    """An equation to be solved. element: what vanishes; index: that of the parameter."""
+
+    setup: Setup
+    question: Question
+    quantity: ValueFor
+    parameter: Parameter
+    index: int
+    element: Ratio
+    formula: Formula
+
+    def candidates(self) -> list[_Candidate]:
+        """All values that solve the equation, with what they need."""
+        field, known = self.setup.model.field, list[Ratio]()
+        equation, one_side = _without_roots(self.element, self.index)
+        zeros = zeros_of(self.setup.model, equation, self, quadratic=True)
+        for value in zeros or [values[self.index] for values in solutions(field, equation, self.index)]:
+            value = field.lowest_terms(value)
+            if self.index not in field.ingredients(value) and value not in known:
+                known.append(value)
+        needed = [Condition(x, ">=", Message("the root has the sign it needs")) for x in one_side]
+        below = self.element.denominator()
+        if self.index in field.ingredients(below):
+            needed.append(Condition(below, "!=", Message("divisor")))
+        return [self._candidate(value, needed) for value in known]
+
+    def _candidate(self, value: Ratio, needed: Sequence[Condition]) -> _Candidate:
+        """needed: in which the value is put in for the parameter, as it is where the formula is one."""
+        conditions = [*_domain(self.parameter, value), *real(value)]
+        conditions += [replace(c, element=self._put_in(c.element, value)) for c in (*needed, *self.formula.needed)]
+        kept: list[Condition] = []
+        for c in conditions:
+            condition, possible = require(c.element, c.relation, c.purpose)
+            if not possible:
+                return _Candidate(self, value, [], [])
+            if condition is not None:
+                kept.append(condition)
+        so = (made for made in self._put_back(value) if self._is_so(made))
+        return _Candidate(self, value, kept, list(islice(so, _ENOUGH)))
+
+    def _put_in(self, x: Ratio, value: Ratio) -> Ratio:
+        return x.field.lowest_terms(x.field.follow(x, {self.index: value}))
+
+    # -- in numbers ---------------------------------------------------------------------------
+    def _put_back(self, value: Ratio) -> Iterator[_PutBack]:
+        """The draws with the value in place of their own, where it is within the range of the parameter and the system
+        can be assembled with it."""
+        system = self.setup.system
+        for k, draw in enumerate(self._draws()):
+            with suppress(CannotAnswer, ArithmeticError, ValueError):
+                (number,) = element_at(self.setup, value, draw, draw.start())
+                if math.isfinite(number) and _is_within(self.parameter, number):
+                    values = draw.values | {self.parameter.name: number}
+                    reference = Reference(system, values)
+                    made = Draw(values, reference, reference.assemble(guess=draw.q, n_starts=2))
+                    yield _PutBack(k, made, max(self._size(draw), self._size(made)) or 1.0)
+
+    def _draws(self) -> Iterator[Draw]:
+        """Those that all answers are compared at; then others further away, for values that are there only."""
+        yield from self.setup.draw_stream()
+        for k in range(_BATCHES):
+            yield from draws(self.setup.system, N_DRAWS, seed=SEED + 20 + k, widest=_WIDE, near=self.setup.draws[0])
+
+    def _size(self, draw: Draw) -> float:
+        target = abs(draw.reference.number(self.quantity.target))
+        return max(target, magnitude(self.quantity.of.dimension, draw.seen(draw.start())))
+
+    def _is_so(self, made: _PutBack) -> bool:
+        """Whether the formula has the value there, and is true."""
+        try:
+            start, room = made.draw.start(), _NEAR * made.size
+            (number,) = element_at(self.setup, self.element, made.draw, start)
+            strict = [c for c in self.formula.needed if c.relation != "!="]
+            return abs(number) <= room and all(holds(self.setup, c, made.draw, start, round_off=room) for c in strict)
+        except (CannotAnswer, ArithmeticError, ValueError):
+            return False
+
+    def evidence(self, candidate: _Candidate) -> Evidence:
+        """The quantity by the numeric route, with the value put in for the parameter; else that of the formula."""
+        of, event = self.quantity.of, self.question.event
+        if not (of.is_of_state and self.formula.is_put_back):
+            return self.formula.evidence()
+        route = (
+            Message("the value put in for the parameter, floating-point solve of all bodies and constraints")
+            if event is None
+            else Message("the value put in for the parameter, numerical integration from the start to the event")
+        )
+        check = CrossCheck(self.question.text, route, INSTANT_TOLERANCE if event is None else MOTION_TOLERANCE)
+
+        def compare(made: _PutBack) -> None:
+            draw, start = made.draw, made.draw.start()
+            if self.formula.in_numbers is not None:
+                numeric = self.formula.in_numbers(draw.values)
+            elif event is not None:
+                numeric = at_event(self.setup, of, draw, start, LONGEST, event)
+            else:
+                here = start if self.question.at_start else draw.anywhere(SEED + made.number, _TIME, 0.1)
+                numeric = of.value(self.setup.system, draw.seen(here))
+            check.compare(draw, draw.reference.number(self.quantity.target), numeric, lambda: made.size)
+
+        return check.gather(candidate.at, compare).evidence()
+
+
+def _chosen(possible: Sequence[_Candidate]) -> Finding:
+    """The value at the model's own numbers; several where several are values at the same numbers."""
+    first = min(made.number for c in possible for made in c.at)
+    own = [c for c in possible if any(made.number == first for made in c.at)]
+    evidence = [c.of.evidence(c) for c in own]
+    parameter = own[0].of.parameter
+    notes: list[str] = []
+    if parameter.value is not None:
+        notes.append(Message("the number that the file gives for {name} is left out", name=parameter.name))
+    for c in possible:
+        if all(c.value != other.value for other in own):
+            shown, where = to_text(tidy(c.value)), joined(merged(c.conditions))
+            notes.append(Message("elsewhere it is {value}, where {conditions}", value=shown, conditions=where))
+    return Finding(
+        own[0].value if len(own) == 1 else tuple(c.value for c in own),
+        max(evidence, key=lambda e: e.worst_relative_difference),
+        [condition for c in own for condition in c.conditions],
+        notes,
+        has_value=own[0].of.setup.has_values,
+        is_complete=True,
+    )
+
+
+def _without_roots(x: Ratio, index: int) -> tuple[Ratio, list[Ratio]]:
+    """An element that vanishes where x does, without roots of the parameter; and what must not be negative for its
+    zeros to be zeros of x: a + b sqrt(c) = 0 needs a b <= 0."""
+    field, needed = x.field, list[Ratio]()
+    x = x.numerator()
+    while True:
+        made = [g for g in x.generators() if index in field.generators[g].made_of]
+        roots = [g for g in made if field.generators[g].kind == "root"]
+        if not roots:
+            return x, needed
+        root = max(roots)
+        a, b = (*x.coefficients(root), field.zero)[:2]
+        needed.append(-a * b)
+        x = field.lowest_terms(a * a - b * b * field.radicand(root)).numerator()
+
+
+def _domain(parameter: Parameter, value: Ratio) -> list[Condition]:
+    """What the parameter is said to be."""
+    found, name = list[Condition](), parameter.name
+    if parameter.sign == "positive":
+        found.append(Condition(_above(value), ">", Message("{name} is positive", name=name)))
+    elif parameter.sign == "nonnegative":
+        found.append(Condition(value, ">=", Message("{name} is not negative", name=name)))
+    if parameter.acute:
+        below = _above(value.field.pi / 2 - value)
+        found.append(Condition(below, ">", Message("{name} is less than a right angle", name=name)))
+    return found
+
+
+def _above(x: Ratio) -> Ratio:
+    """What has the sign of x: of a root's multiple without the root, of an arc function and a share of pi something of
+    its argument alone."""
+    field = x.field
+    for g in x.generators():
+        if field.generators[g].kind == "root" and x.numerator().coefficients(g)[0].is_zero():
+            return field.lowest_terms(x * field.variable(g))  # the root is not negative
+    arcs = [g for g in x.generators() if field.arguments.get(g, ("", x))[0] in _ARCS]
+    if len(arcs) != 1 or x.denominator().generators():
+        return x
+    (rest, slope, *more), (name, argument) = x.coefficients(arcs[0]), field.arguments[arcs[0]]
+    turns, factor = (rest / field.pi).fraction(), slope.fraction()
+    if more or turns is None or factor is None:
+        return x
+    # factor arc + turns pi > 0: the arc lies above its value at 0, or below it
+    edge, (low, high) = -turns / factor, _ARCS[name]
+    if not (low <= edge <= high if name != "atan" else low < edge < high):
+        return field.element(1 if (factor > 0) == (edge <= low) else -1)
+    fn = functions(field)
+    wave = {"asin": "sin", "acos": "cos", "atan": "tan"}[name]
+    beyond = argument - fn[wave](edge.numerator * field.pi / edge.denominator)
+    return beyond if (factor > 0) == (name != "acos") else -beyond
+
+
+def _is_within(parameter: Parameter, number: float) -> bool:
+    if parameter.acute and not 0.0 < number < math.pi / 2:
+        return False
+    return number > 0.0 or (number == 0.0 and parameter.sign == "nonnegative") or parameter.sign == "any"

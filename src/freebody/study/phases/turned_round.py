@@ -1,0 +1,51 @@
+"""For which value of a parameter a quantity has a value where contacts and dry friction change their states."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
+from freebody.questions.reading import Question
+from freebody.questions.turned_round import ValueFor
+from freebody.study.answering.answer import Answer, Value
+from freebody.study.answering.closed_form import QuestionSolver
+from freebody.study.answering.simulated_numbers import number_with_changes
+from freebody.study.answering.turned_round import Formula, find, first_found
+from freebody.study.phases.evidence import compare
+from freebody.study.phases.pieces import AnswerBranch, pieces
+from freebody.study.phases.tree import PhaseTree
+from freebody.symbolic.field import Ratio
+from freebody.system.system import System
+
+
+def answer(tree: PhaseTree, question: Question, quantity: ValueFor) -> Answer:
+    """The formulas of all cases, each with its conditions, are solved for the parameter."""
+    asked = replace(question, quantity=quantity.of, options={}, key=None)
+
+    def attempt(system: System) -> Answer:
+        there = tree if system is tree.system else PhaseTree(system)
+        formulas = [_formula(there, asked, piece) for piece in pieces(there, asked)]
+        found = find(there.home, question, formulas)
+        return QuestionSolver(there.home, question).finish(found)
+
+    return first_found(tree.system, quantity.parameter, attempt)
+
+
+def _formula(tree: PhaseTree, asked: Question, piece: AnswerBranch) -> Formula:
+    """A case in the field that all phases share."""
+    value, needs = piece.value, piece.needs
+    if not piece.is_home:
+        if isinstance(value, tuple) or not value.is_constant():
+            raise CannotAnswer(Message("that changes along the motion; ask for it at start or when something happens"))
+        value = tree.to_home(piece.phase, value)
+        needs = [replace(n, element=tree.to_home(piece.phase, n.element)) for n in needs if n.element.is_constant()]
+    assert isinstance(value, (Ratio, tuple))
+
+    def in_numbers(values: dict[str, float]) -> Value:
+        return number_with_changes(tree.system.with_parameters(**values), asked)
+
+    conditions = [*piece.conditions, *needs]
+    if asked.transition is not None:
+        return Formula(value, conditions, lambda: compare(tree, asked, piece), is_put_back=False)
+    return Formula(value, conditions, lambda: compare(tree, asked, piece), in_numbers)

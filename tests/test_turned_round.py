@@ -1,0 +1,294 @@
+"""For which value of a parameter something is so: textbook problems whose answer is a parameter.
+
+Each formula is derived here by hand from the principle that is named, and the value is put into a formula of its own
+where there is one. Problem families: Meriam & Kraige, Engineering Mechanics: Dynamics, ch. 2, 3, 6 and 8.
+"""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+import freebody as fb
+from freebody.api import System
+from freebody.errors import ModelError
+from freebody.language.expression import FLOAT_FUNCTIONS, Expr, evaluate
+from freebody.language.parser import parse
+from freebody.study.answering.answer import Answer
+
+G = 9.81
+THROW = """
+parameters: {m: 0.5 kg, v0: 15 m/s, theta: 50 deg, s: 12 m, h: 2 m, T: 2 s, g: 9.81 m/s^2}
+bodies: {ball: {particle: {mass: m}}}
+loads: {weight: {gravity: g}}
+measures: {x: x of ball, y: y of ball}
+start: {x: 0, y: 0, rate(x): v0*cos(theta), rate(y): v0*sin(theta)}
+"""
+ATWOOD = """
+parameters: {m1: 3 kg, m2: 2 kg, M: 1 kg, R: 0.1 m, g: 9.81 m/s^2, a: 1 m/s^2, v: 2 m/s, d: 1 m}
+bodies: {pulley: {disk: {mass: M, radius: R}}, left: {particle: {mass: m1}}, right: {particle: {mass: m2}}}
+connections:
+  axle: {pin: [ground.axle, pulley.center]}
+  rope: {string: {from: left, over: [pulley], to: right, grips: [pulley]}}
+loads: {weight: {gravity: g}}
+measures: {x: {drop of left below ground.axle}}
+start: {x: 1 m}
+"""
+PENDULUM = """
+parameters: {m: 2 kg, L: 1.5 m, g: 9.81 m/s^2, theta0: 60 deg, w0: 1 1/s, F: 30 N, T: 2 s}
+bodies: {bob: {particle: {mass: m}}}
+connections: {rod: {link: [ground.O, bob, L]}}
+loads: {weight: {gravity: g}}
+measures: {theta: {angle of line from ground.O to bob from down}}
+"""
+RELEASED, THROWN = "start: {theta: theta0}\n", "start: {theta: 0, rate(theta): w0}\n"
+INCLINE = """
+parameters: {m: 2 kg, mu: 0.2, theta: 30 deg, g: 9.81 m/s^2, v0: 5 m/s, d: 2 m, a: 6 m/s^2, v1: 2 m/s}
+ground: {lines: {incline: {along: theta}}}
+bodies: {block: {particle: {mass: m}}}
+connections: {touch: {contact: {between: [block, incline], friction: mu}}}
+loads: {weight: {gravity: g}}
+measures: {s: {travel of block along incline}}
+start: {s: 0, rate(s): v0}
+"""
+BALL = """
+parameters: {m: 1 kg, r: 0.1 m, mu: 0.2, v0: 3 m/s, d: 1 m, T: 0.3 s, g: 9.81 m/s^2}
+ground: {lines: {floor: {along: right}}}
+bodies: {ball: {sphere: {mass: m, radius: r}}}
+connections: {touch: {contact: {between: [ball, floor], friction: mu}}}
+loads: {weight: {gravity: g}}
+measures: {x: {travel of ball along floor}}
+start: {x: 0, rate(x): v0}
+"""
+ROD = """
+parameters: {m: 2 kg, L: 1.2 m, w0: 3 1/s, e: 0.3 m, T: 2 s, g: 9.81 m/s^2}
+bodies: {rod: {rod: {mass: m, length: L}}}
+connections: {hinge: {pin: [rod.start, ground.O]}}
+loads: {weight: {gravity: g}}
+measures: {phi: {angle of rod from down}}
+start: {phi: 0, rate(phi): w0}
+"""
+
+
+def _answer(model: str, find: str) -> Answer:
+    return System.from_text(model).solve(find).answers[0]
+
+
+CASES = {
+    # x = v0^2 sin(2 theta)/g
+    "range, angle": (
+        THROW,
+        "value of theta for which x = s when y = 0",
+        ["asin(s*g/v0^2)/2", "pi/2 - asin(s*g/v0^2)/2"],
+    ),
+    "range, speed": (THROW, "value of v0 for which x = s when y = 0", ["sqrt(g*s/sin(2*theta))"]),
+    # y = x tan theta - g x^2 (1 + tan^2 theta)/(2 v0^2), quadratic in the tangent
+    "through a point, angle": (
+        THROW,
+        "value of theta for which y = h when x = s",
+        [
+            "atan((v0^2 + sqrt(v0^4 - g*(g*s^2 + 2*h*v0^2)))/(g*s))",
+            "atan((v0^2 - sqrt(v0^4 - g*(g*s^2 + 2*h*v0^2)))/(g*s))",
+        ],
+    ),
+    "through a point, speed": (
+        THROW,
+        "value of v0 for which y = h when x = s",
+        ["sqrt(g*s^2/(2*cos(theta)^2*(s*tan(theta) - h)))"],
+    ),
+    # t = 2 v0 sin(theta)/g
+    "time of flight": (THROW, "value of v0 for which time when y = 0 is T", ["g*T/(2*sin(theta))"]),
+    "time of flight in seconds": (THROW, "value of v0 for which time when y = 0 is 3 s", ["3*g/(2*sin(theta))"]),
+    # v0^2 sin^2 theta = 2 g h
+    "top": (THROW, "value of theta for which y = h when velocity of y = 0", ["asin(sqrt(2*g*h)/v0)"]),
+    # a = (m1 - m2) g/(m1 + m2 + M/2)
+    "Atwood, mass": (
+        ATWOOD,
+        "value of m1 for which acceleration of x = a",
+        ["(m2*(g + a) + M*a/2)/(g - a)"],
+    ),
+    "Atwood, pulley": (ATWOOD, "value of M for which acceleration of x = a", ["2*((m1 - m2)*g/a - m1 - m2)"]),
+    "Atwood, at rest": (ATWOOD, "value of m2 for which acceleration of x vanishes", ["m1"]),
+    # v^2 = 2 a d
+    "Atwood, speed": (
+        ATWOOD,
+        "value of m2 for which velocity of x = v when x = d + 1 m",
+        ["(2*m1*g*d - v^2*(m1 + M/2))/(2*g*d + v^2)"],
+    ),
+    # tension m g (3 cos theta - 2 cos theta0) at the bottom: m g (3 - 2 cos theta0)
+    "pendulum, release": (
+        PENDULUM + RELEASED,
+        "value of theta0 for which tension of rod = 2*m*g when theta = 0",
+        ["pi/3"],
+    ),
+    # m (g + L w^2), w at the bottom
+    "pendulum, tension": (
+        PENDULUM + THROWN,
+        "value of w0 for which tension of rod = F at start",
+        ["sqrt((F - m*g)/(m*L))"],
+    ),
+    # at the top: m L w^2 = m g + S, w^2 = w0^2 - 4 g/L
+    "pendulum, string just taut at the top": (
+        PENDULUM + THROWN,
+        "value of w0 for which tension of rod is zero when theta = 180 deg",
+        ["sqrt(5*g/L)"],
+    ),
+    "pendulum, period": (PENDULUM, "value of L for which period of small oscillations = T", ["g*T^2/(4*pi^2)"]),
+    # v0^2 = 2 g d (sin theta + mu cos theta)
+    "block comes to d": (
+        INCLINE,
+        "value of v0 for which s = d when velocity of s = 0",
+        ["sqrt(2*g*d*(sin(theta) + mu*cos(theta)))"],
+    ),
+    "friction from the way": (
+        INCLINE,
+        "value of mu for which s = d when velocity of s = 0",
+        ["v0^2/(2*g*d*cos(theta)) - tan(theta)"],
+    ),
+    "friction from a speed": (
+        INCLINE,
+        "value of mu for which velocity of s = v1 when s = d",
+        ["(v0^2 - v1^2)/(2*g*d*cos(theta)) - tan(theta)"],
+    ),
+    "friction from a deceleration": (
+        INCLINE,
+        "value of mu for which acceleration of s = -a",
+        ["(a - g*sin(theta))/(g*cos(theta))"],
+    ),
+    # rolling begins at v = 5 v0/7, t = 2 v0/(7 mu g), x = 12 v0^2/(49 mu g)
+    "rolling, friction": (BALL, "value of mu for which x = d when rolling begins", ["12*v0^2/(49*g*d)"]),
+    "rolling, speed": (BALL, "value of v0 for which time when rolling begins = T", ["7*mu*g*T/2"]),
+    # T = 2 pi sqrt(2 L/(3 g))
+    "rod, period": (ROD, "value of L for which period of small oscillations = T", ["3*g*T^2/(8*pi^2)"]),
+    # horizontal reaction at phi = 90 deg: m w^2 L/2 with w^2 = w0^2 - 3 g/L
+    "rod, horizontal reaction": (
+        ROD,
+        "value of w0 for which x component of reaction of hinge on rod is zero when phi = 90 deg",
+        ["sqrt(3*g/L)"],
+    ),
+}
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_the_value_is_that_of_a_textbook(name: str) -> None:
+    model, find, formulas = CASES[name]
+    answer = _answer(model, find)
+    assert answer.evidence is not None
+    assert answer.evidence.draws >= 5
+    found = answer.expression if isinstance(answer.expression, tuple) else (answer.expression,)
+    system = System.from_text(model)
+    wanted = sorted(_value(system, formula) for formula in formulas)
+    assert sorted(_value(system, e) for e in found) == pytest.approx(wanted, rel=1e-12)
+
+
+def _value(system: System, formula: Expr | str | None) -> float:
+    assert formula is not None
+    values = {p.name: p.value for p in system.parameters.values() if p.value is not None}
+    expr = parse(formula) if isinstance(formula, str) else formula
+    return float(evaluate(expr, values, FLOAT_FUNCTIONS))
+
+
+def test_conditions_say_where_there_is_a_value() -> None:
+    answer = _answer(THROW, "value of theta for which x = s when y = 0")
+    assert any("v₀² ≥" in c or "v₀ ≥" in c for c in answer.conditions)
+    slow = _answer(THROW.replace("v0: 15", "v0: 5"), "value of theta for which x = s when y = 0")
+    assert slow.value is None
+    assert slow.expression is not None
+    assert any("Not valid for the given numbers" in note for note in slow.notes)
+
+
+def test_the_number_of_the_file_is_left_out() -> None:
+    one = _answer(ATWOOD, "value of m1 for which acceleration of x = a")
+    other = _answer(ATWOOD.replace("m1: 3 kg", "m1: 17 kg"), "value of m1 for which acceleration of x = a")
+    assert one.value == other.value
+    assert "the number that the file gives for m1 is left out" in one.notes
+
+
+def test_a_value_out_of_reach_with_the_number_of_the_file_is_found_with_another() -> None:
+    """The rod does not come to the horizontal with 3 1/s."""
+    model, find, _formulas = CASES["rod, horizontal reaction"]
+    assert _answer(model, find).value == pytest.approx(math.sqrt(3 * G / 1.2))
+
+
+def test_a_root_that_squaring_brought_in_is_none() -> None:
+    """v0 cos(theta) and sqrt(g L) are both positive."""
+    model = THROW.replace("v0: 15", "L: 2 m, v0: 15")
+    answer = _answer(model, "value of L for which velocity of x + sqrt(g*L) = 0 at start")
+    assert answer.expression is None
+
+
+def test_a_root_has_the_side_of_the_equation() -> None:
+    """sqrt(g L) = v0 cos(theta) - u, where u may be the larger one."""
+    model = THROW.replace("v0: 15", "L: 2 m, u: 3 m/s, v0: 15")
+    answer = _answer(model, "value of L for which velocity of x = u + sqrt(g*L) at start")
+    assert answer.value == pytest.approx((15 * math.cos(math.radians(50)) - 3) ** 2 / G)
+    assert any("u" in condition for condition in answer.conditions)
+    faster = model.replace("u: 3", "u: 30")
+    assert _answer(faster, "value of L for which velocity of x = u + sqrt(g*L) at start").value is None
+
+
+@pytest.mark.parametrize(
+    ("find", "words"),
+    [
+        ("value of m for which acceleration of y = -g", "that is so for every value of m"),
+        ("value of m for which acceleration of y = -g/2", "that does not depend on m"),
+        ("value of s for which velocity of x = v0 at start", "that does not depend on s"),
+    ],
+)
+def test_what_has_no_value_says_so(find: str, words: str) -> None:
+    answer = _answer(THROW, find)
+    assert answer.expression is None
+    assert words in answer.reason
+
+
+@pytest.mark.parametrize(
+    ("find", "words"),
+    [
+        ("value of v1 for which x = s when y = 0", "v1 is no parameter"),
+        ("value of v0 for which x when y = 0", "write an equation"),
+        ("value of v0 for which x = m when y = 0", "m"),
+        ("value of v0 for which velocity of x = 3 m", "3 m"),
+    ],
+)
+def test_what_cannot_be_read_says_why(find: str, words: str) -> None:
+    with pytest.raises(ModelError, match=words):
+        _answer(THROW, find)
+
+
+def test_a_number_with_its_unit_is_calculated_with() -> None:
+    """Also where s is a measure and m a parameter."""
+    answer = _answer(INCLINE, "value of mu for which velocity of s = 2 m/s when s = d")
+    assert answer.value == _answer(INCLINE, CASES["friction from a speed"][1]).value
+    assert _answer(THROW, "velocity of x - 2 m/s at start").value == pytest.approx(15 * math.cos(math.radians(50)) - 2)
+
+
+def test_both_sides_may_be_quantities() -> None:
+    """The kinetic energy doubles on the way down by h: m v0^2/2 = m g h."""
+    find = "value of v0 for which kinetic energy of ball = 2 * kinetic energy of ball at start when y = -h"
+    assert _answer(THROW, find).value == pytest.approx(math.sqrt(2 * G * 2))
+
+
+@pytest.mark.parametrize("name", ["through a point, angle", "friction from the way", "rod, period", "rolling, speed"])
+def test_it_is_derived(name: str) -> None:
+    model, find, formulas = CASES[name]
+    explanation = fb.explain(System.from_text(model), find)
+    (derivation,) = explanation.derivations
+    assert not derivation.reason
+    assert derivation.stages[-2].title.key == "stage.turned"
+    equations = [item for item in derivation.stages[-2].items if hasattr(item, "number")]
+    assert len(equations) == 2 * len(formulas)  # the equation and its solution, for every value
+
+
+def test_it_is_derived_with_another_number_where_that_of_the_file_does_not_get_there() -> None:
+    model, find, _formulas = CASES["rod, horizontal reaction"]
+    (derivation,) = fb.explain(System.from_text(model), find).derivations
+    assert not derivation.reason
+
+
+def test_german() -> None:
+    find = "value of theta for which x = s when y = 0"
+    words = fb.explain(System.from_text(THROW), find, language="de").to_text()
+    assert "Nach theta aufgelöst" in words
+    assert "die Zahl, die in der Datei für theta steht, bleibt außer Betracht" in words
+    assert "left out" not in words
