@@ -575,6 +575,17 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
         "time": "sqrt(3*h/g)",
         "speed": "sqrt(4*g*h/3)",
     },
+    # the parabola y = x tan - g x^2/(2 v0^2 cos^2), a quadratic equation in tan; range v0^2 sin(2 theta)/g
+    "throw_at_target": {
+        "angles": [
+            "atan((v0**2 + sqrt(v0**4 - 2*v0**2*h*g - s**2*g**2))/(s*g))",
+            "atan((v0**2 - sqrt(v0**4 - 2*v0**2*h*g - s**2*g**2))/(s*g))",
+        ],
+        "level": ["asin(s*g/v0**2)/2", "(pi - asin(s*g/v0**2))/2"],
+        "speed": "s*sqrt(g/(2*cos(theta)*(s*sin(theta) - h*cos(theta))))",
+        "long": "g*T/(2*sin(theta))",
+        "height": "sqrt(2*g*h)/sin(theta)",
+    },
 }
 
 

@@ -17,7 +17,6 @@ from freebody.narrative.lines.script import DerivationStage, FormulaTable, Listi
 from freebody.narrative.mistakes.mistakes import found_mistakes
 from freebody.narrative.telling.telling import raised
 from freebody.questions.reading import Question
-from freebody.questions.turned_round import ValueFor
 from freebody.study.answering.answer import Answer
 
 
@@ -34,7 +33,7 @@ def closing(context: Context, question: Question, answer: Answer) -> list[Deriva
 
 
 def _result(context: Context, script: Script, question: Question, answer: Answer) -> None:
-    is_told = question.quantity.scope == "rest" or isinstance(question.quantity, ValueFor)
+    is_told = question.quantity.scope == "rest" or question.quantity.wanted is not None
     if answer.expression is not None and not is_told:
         n = len(answer.expression) if isinstance(answer.expression, tuple) else 1
         name = asked_symbol(context, question, n)

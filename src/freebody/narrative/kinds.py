@@ -10,7 +10,6 @@ from freebody.narrative.context import Derive
 from freebody.narrative.questions.numeric import or_in_numbers
 from freebody.questions.base import Scope
 from freebody.questions.reading import Question
-from freebody.questions.turned_round import ValueFor
 from freebody.system.system import System
 
 
@@ -31,7 +30,7 @@ _PLACES: dict[Scope, str] = {
 def _place(system: System, question: Question) -> str:
     """The module that derives the answer, by what part of mechanics the question belongs to."""
     scope = question.quantity.scope
-    if isinstance(question.quantity, ValueFor):
+    if question.quantity.wanted is not None:
         return "questions.turned_round"
     if scope == "rest":
         return "contact.rest"

@@ -21,6 +21,7 @@ from freebody.model.elements import AppliedLoad, ConstraintRow, RigidBody
 from freebody.model.state import State
 
 if TYPE_CHECKING:
+    from freebody.language.expression import Expr
     from freebody.model.names import Names
 
 Path = tuple[str | int, ...]
@@ -100,6 +101,24 @@ class Passage(Protocol[S_co]):
         ...
 
 
+class Wanted(Protocol):
+    """What is to be so for the value of a parameter that is asked for."""
+
+    @property
+    def parameter(self) -> str: ...
+    @property
+    def of(self) -> Quantity:
+        """What is to be equal to `target`."""
+        ...
+
+    @property
+    def target(self) -> Expr: ...
+    @property
+    def text(self) -> str:
+        """The quantity in words, with its event."""
+        ...
+
+
 class Quantity:
     """Base of the kinds of questions; a subclass is found by its `kind`."""
 
@@ -166,6 +185,11 @@ class Quantity:
     def inner(self) -> tuple[Quantity, ...]:
         """Quantities that this one is about."""
         return ()
+
+    @property
+    def wanted(self) -> Wanted | None:
+        """Where the question is turned round, and asks for the value of a parameter: what is to be so."""
+        return None
 
     @property
     def watched(self) -> tuple[Measure, int] | None:

@@ -8,9 +8,10 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 
-from freebody.language.expression import Expr
+from freebody.language.expression import Expr, Symbol
+from freebody.language.sentences import Sentence
 from freebody.language.units import Dimension
-from freebody.questions.base import NAME, Quantity
+from freebody.questions.base import NAME, Described, Quantity, Wanted
 
 FORM = "value of PARAMETER for which QUANTITY = EXPRESSION [at start | when EVENT]"
 VALUE_FOR = re.compile(
@@ -53,6 +54,10 @@ questions: {it: value of F for which acceleration of x = a}
         return self.shown_unit
 
     @property
+    def wanted(self) -> Wanted:
+        return self
+
+    @property
     def inner(self) -> tuple[Quantity, ...]:
         return (self.of,)
 
@@ -67,6 +72,12 @@ questions: {it: value of F for which acceleration of x = a}
     @property
     def kinematic_order(self) -> int | None:
         return self.of.kinematic_order
+
+    def sentence(self, system: Described) -> Sentence | None:
+        what = self.of.sentence(system)
+        if what is None:
+            return None
+        return Sentence("what.value_for", {"parameter": Symbol(self.parameter), "what": what, "target": self.target})
 
 
 def relation_of(head: str, event: str | None) -> tuple[str, str, str | None] | None:

@@ -15,9 +15,8 @@ from freebody.narrative.kinds import derivation_of
 from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.script import DerivationStage, Legend, NumberedFormula, Script, Sentence
 from freebody.numeric.reference import Reference
-from freebody.questions.base import Quantity
+from freebody.questions.base import Quantity, Wanted
 from freebody.questions.reading import Question
-from freebody.questions.turned_round import ValueFor
 from freebody.study.answering.answer import Answer
 from freebody.study.answering.draws import Draw
 from freebody.study.answering.numbers import LONGEST, at_event, number_at
@@ -32,8 +31,8 @@ _STEP = 1e-4  # of the value: by so much it is changed to see how the quantity c
 def derive(context: Context, question: Question, answer: Answer, method: Method) -> list[DerivationStage]:
     """The derivation of the quantity, then the value. Raises CannotAnswer where the quantity has none with the number
     that the file gives for the parameter."""
-    quantity = question.quantity
-    assert isinstance(quantity, ValueFor)
+    quantity = question.quantity.wanted
+    assert quantity is not None
     if answer.expression is None:
         raise CannotAnswer(answer.reason or Message("there is no closed form"))
     id = f"Q_{question.id}" if question.id.isidentifier() else "Q"
@@ -72,23 +71,25 @@ def _has(world: World, values: Sequence[Expr]) -> bool:
 
 def _solved(context: Context, script: Script, question: Question, formula: Expr, values: Sequence[Expr]) -> None:
     """The equation, and its solutions."""
-    quantity = question.quantity
-    assert isinstance(quantity, ValueFor)
+    quantity = question.quantity.wanted
+    assert quantity is not None
     when = "event" if question.event is not None else "start" if question.at_start else "always"
     ends = [""] if len(values) == 1 else [str(k + 1) for k in range(len(values))]
     names = [context.symbol(f"{quantity.parameter}_req{end}", f"{quantity.parameter}_asked{end}") for end in ends]
     what = Sentence("symbol.asked", {"question": question.text})
     number = _Refined(context.system, question, quantity)
     for name, value in zip(names, values, strict=True):
-        meaning = Meaning(name, what, number.reader(value), quantity.unit)
+        meaning = Meaning(name, what, number.reader(value), question.quantity.unit)
         script.glossary.redefine(meaning)
-        script.add(Legend(((name, what, quantity.unit),)))
-    for name, value in zip(names, values, strict=True):
+        script.add(Legend(((name, what, question.quantity.unit),)))
+    lines: list[int] = []
+    for name in names:
         put_in = substitute(formula, {quantity.parameter: name})
-        line = script.line(
-            put_in, quantity.target, why="turned.equation", args={"name": f"@{quantity.parameter}"}, when=when
-        )
-        script.line(name, value, why="turned.solved", args={"line": line}, uses=(line,), when=when)
+        args = {"name": f"@{quantity.parameter}"}
+        why = "" if lines else "turned.equation"
+        lines.append(script.line(put_in, quantity.target, why=why, args=args, when=when))
+    sides = (names[0], values[0]) if len(names) == 1 else (tuple(names), tuple(values))
+    script.line(*sides, why="turned.solved", args={"lines": tuple(lines)}, uses=tuple(lines), when=when)
 
 
 @dataclass(frozen=True)
@@ -98,7 +99,7 @@ class _Refined:
 
     system: System
     question: Question
-    quantity: ValueFor
+    quantity: Wanted
 
     def reader(self, value: Expr) -> Callable[[World], float]:
         return lambda world: self._number(world, float(world.of(value)[0]))

@@ -13,11 +13,10 @@ from freebody.errors import CannotAnswer, NeverHappens
 from freebody.language.expression import Expr, number
 from freebody.language.notation import joined, reworded
 from freebody.language.sentences import Message, further
-from freebody.questions.base import Quantity
+from freebody.questions.base import Quantity, Wanted
 from freebody.questions.freedom import DegreesOfFreedom
 from freebody.questions.reading import Question
 from freebody.questions.small_motion import Equilibrium, SmallOscillations
-from freebody.questions.turned_round import ValueFor
 from freebody.study.answering import evidence as proof
 from freebody.study.answering.answer import Answer, Evidence, Value, made
 from freebody.study.answering.conditions import as_written, at_instant, is_kinematic, loops_in, real
@@ -92,7 +91,7 @@ class QuestionSolver:
     def _number_instead(self) -> Value:
         """The value of the numeric route where there is no closed form, at the start or at the event."""
         q = self.question
-        if not self.setup.has_values or q.quantity.scope == "steady motion" or isinstance(q.quantity, ValueFor):
+        if not self.setup.has_values or q.quantity.scope == "steady motion" or q.quantity.wanted is not None:
             return None
         return number_of(self.setup, q.quantity, q.event)
 
@@ -100,8 +99,8 @@ class QuestionSolver:
         q = self.question.quantity
         if self.question.at_start or self.question.event is not None:
             as_written(self.setup, self.question, self.setup.start_instant)  # refuses where the file says nothing
-        if isinstance(q, ValueFor):
-            return self._turned_round(q)
+        if q.wanted is not None:
+            return self._turned_round(q.wanted)
         if q.scope == "steady motion":
             from freebody.study.steady.ask import find
 
@@ -110,7 +109,7 @@ class QuestionSolver:
             return self._at_event(q)
         return self._found(q)
 
-    def _turned_round(self, q: ValueFor) -> Finding:
+    def _turned_round(self, q: Wanted) -> Finding:
         """The formula of what is to have a value, solved for a parameter."""
         from freebody.study.answering.turned_round import Formula, find, first_found
 

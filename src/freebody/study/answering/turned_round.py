@@ -22,8 +22,8 @@ from freebody.language.notation import compared, joined, reworded, to_text
 from freebody.language.sentences import Message
 from freebody.model.elements import Parameter
 from freebody.numeric.reference import Reference
+from freebody.questions.base import Wanted
 from freebody.questions.reading import Question
-from freebody.questions.turned_round import ValueFor
 from freebody.study.answering.answer import Evidence, Value
 from freebody.study.answering.conditions import real
 from freebody.study.answering.crosscheck import (
@@ -127,8 +127,8 @@ def with_others(system: System, name: str) -> Iterator[System]:
 def find(setup: Setup, question: Question, formulas: Sequence[Formula]) -> Finding:
     """The value of the parameter. formulas: of what is to have a value, each with its own conditions. Raises
     CannotAnswer where the equation is not solvable in closed form, or no value was found."""
-    quantity = question.quantity
-    assert isinstance(quantity, ValueFor)
+    quantity = question.quantity.wanted
+    assert quantity is not None
     name = quantity.parameter
     turned: list[_Turned] = []
     why_not: CannotAnswer | None = None
@@ -151,7 +151,7 @@ def find(setup: Setup, question: Question, formulas: Sequence[Formula]) -> Findi
     return _chosen(possible)
 
 
-def _turned(setup: Setup, question: Question, quantity: ValueFor, formula: Formula) -> _Turned:
+def _turned(setup: Setup, question: Question, quantity: Wanted, formula: Formula) -> _Turned:
     name, model = quantity.parameter, setup.model
     if not isinstance(formula.element, Ratio):
         raise CannotAnswer(Message("one number must have a value here, and that is none in closed form"))
@@ -170,7 +170,7 @@ class _Turned:
 
     setup: Setup
     question: Question
-    quantity: ValueFor
+    quantity: Wanted
     parameter: Parameter
     index: int
     element: Ratio

@@ -12,7 +12,6 @@ from freebody.language.expression import Expr
 from freebody.language.notation import joined, reworded
 from freebody.language.sentences import Message
 from freebody.questions.reading import Question
-from freebody.questions.turned_round import ValueFor
 from freebody.study.answering.answer import Answer, AnswerCase, Evidence, Value, made
 from freebody.study.answering.conditions import loops_in
 from freebody.study.answering.crosscheck import TooLittleCompared
@@ -36,16 +35,17 @@ from freebody.tolerances import ROUNDED
 def answer(tree: PhaseTree, question: Question) -> Answer:
     """The answer, or the reason why there is none."""
     system = tree.system
-    turned = isinstance(question.quantity, ValueFor)
+    turned = question.quantity.wanted is not None
     instead = None if turned else lambda: number_with_changes(system, question)
     return answered(system, question, lambda: _by_cases(tree, question), instead)
 
 
 def _by_cases(tree: PhaseTree, question: Question) -> Answer:
-    if isinstance(question.quantity, ValueFor) and question.quantity.of.is_of_state:
+    wanted = question.quantity.wanted
+    if wanted is not None and wanted.of.is_of_state:
         from freebody.study.phases import turned_round
 
-        return turned_round.answer(tree, question, question.quantity)
+        return turned_round.answer(tree, question, wanted)
     if not question.quantity.is_of_state:
         return in_first_modes(tree, question)
     found = pieces(tree, question)

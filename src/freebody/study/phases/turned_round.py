@@ -6,8 +6,8 @@ from dataclasses import replace
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
+from freebody.questions.base import Wanted
 from freebody.questions.reading import Question
-from freebody.questions.turned_round import ValueFor
 from freebody.study.answering.answer import Answer, Value
 from freebody.study.answering.closed_form import QuestionSolver
 from freebody.study.answering.simulated_numbers import number_with_changes
@@ -19,7 +19,7 @@ from freebody.symbolic.field import Ratio
 from freebody.system.system import System
 
 
-def answer(tree: PhaseTree, question: Question, quantity: ValueFor) -> Answer:
+def answer(tree: PhaseTree, question: Question, quantity: Wanted) -> Answer:
     """The formulas of all cases, each with its conditions, are solved for the parameter."""
     asked = replace(question, quantity=quantity.of, options={}, key=None)
 
