@@ -576,6 +576,13 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
         "speed": "sqrt(4*g*h/3)",
     },
     # the parabola y = x tan - g x^2/(2 v0^2 cos^2), a quadratic equation in tan; range v0^2 sin(2 theta)/g
+    "ballistic_pendulum": {
+        "speed": "m*v/(m + M)",
+        "lost": "m*M*v**2/(2*(m + M))",
+        "tension": "(m + M)*g + m**2*v**2/((m + M)*L)",
+        "impulse": "m*M*v/(m + M)",
+        "height": "m**2*v**2/(2*g*(m + M)**2) - L",
+    },
     "throw_at_target": {
         "angles": [
             "atan((v0**2 + sqrt(v0**4 - 2*v0**2*h*g - s**2*g**2))/(s*g))",

@@ -179,6 +179,35 @@ loads: {it: {law: {measure: {expression: x2 - x1}, force: c*(rate(x1) - rate(x2)
 """,
         {"acceleration of x1": "c*(rate(x2) - rate(x1))/m1", "acceleration of x2": "c*(rate(x1) - rate(x2))/m2"},
     ),
+    # J = m v, and moments about the centre: J a = m r^2/2 w
+    "impulse": (
+        "impulse",
+        """
+parameters: {m: 2 kg, r: 0.3 m, J: 5 N s}
+bodies: {puck: {disk: {mass: m, radius: r}, points: {rim: [0, r]}}}
+loads: {it: {impulse: {at: puck.rim, along: right, magnitude: J}}}
+""",
+        {"velocity of puck along right at start": "J/m", "angular velocity of puck at start": "-2*J/(m*r)"},
+    ),
+    "impulse along a body": (
+        "impulse",
+        """
+parameters: {m: 2 kg, L: 1 m, J: 5 N s, alpha: 30 deg}
+bodies: {rod: {rod: {mass: m, length: L}, angle: alpha}}
+loads: {it: {impulse: {at: rod.end, along: rod.y, magnitude: J}}}
+""",
+        {"velocity of rod along up at start": "J*cos(alpha)/m", "angular velocity of rod at start": "6*J/(m*L)"},
+    ),
+    "angular impulse": (
+        "angular_impulse",
+        """
+parameters: {I1: 2 kg m^2, I2: 5 kg m^2, H: 3 N m s}
+bodies: {rotor: {body: {mass: 1 kg, inertia: I1}}, frame: {body: {mass: 1 kg, inertia: I2}}}
+connections: {bearing: {pin: [frame, rotor]}}
+loads: {it: {angular_impulse: {on: rotor, reacts_on: frame, magnitude: H}}}
+""",
+        {"angular velocity of rotor at start": "H/I1", "angular velocity of frame at start": "-H/I2"},
+    ),
 }
 
 

@@ -1,7 +1,8 @@
 """The base of all loads.
 
 A load is one file in this folder: a `Spec` with a `kind`; `applied_loads`, which says which measures it pushes and by
-what law; and `glyphs`, which says what is drawn of it. Extension and pulling are positive.
+what law; and `glyphs`, which says what is drawn of it. Extension and pulling are positive. A blow at the start says
+with `impulses` what it pushes by which impulse, and pushes nothing afterwards.
 """
 
 from __future__ import annotations
@@ -36,7 +37,11 @@ class Load(Spec):
 
     def applied_loads(self, names: Names) -> list[AppliedLoad]:
         """The measures it pushes."""
-        raise NotImplementedError
+        return []
+
+    def impulses(self, names: Names) -> list[AppliedLoad]:
+        """The measures it pushes at the start, in no time: by an impulse in the parameters."""
+        return []
 
     def pulls_with(self, laws: Sequence[Any], sqrt: Callable[[Any], Any]) -> Any:
         """The force or torque that people ask for, from the values of the laws of what it pushes; None where there is

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from freebody.language.units import FORCE, LENGTH
 from freebody.loads.base import Load
 from freebody.loads.law import law
+from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import AXES, GROUND
 from freebody.model import glyphs
@@ -17,6 +18,18 @@ from freebody.model.spec import Formula, Heading
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
+
+
+def pushed_along(names: Names, at: str, heading: Heading) -> Measure | NonholonomicForm:
+    """What a force at a point pushes along a direction."""
+    point, along = names.point(at, "at"), names.direction(heading, "along")
+    origin = names.ground_origin
+    if along.body == GROUND:
+        return Displacement(point, origin, along)
+    # a direction that turns with a body: virtual power only, there is no displacement that it pushes
+    x, y, z = (Displacement(point, origin, axis) for axis in AXES)
+    parts = [(Component(along, "x"), x), (Component(along, "y"), y)]
+    return NonholonomicForm((*parts, *([(Component(along, "z"), z)] if names.space else [])), LENGTH)
 
 
 class Force(Load, kind="force"):
@@ -33,17 +46,9 @@ loads: {it: {force: {at: ball, along: right, magnitude: 2 N}}}
 """
 
     def applied_loads(self, names: Names) -> list[AppliedLoad]:
-        point = names.point(self.at, "at")
-        along = names.direction(self.along, "along")
+        pushed = pushed_along(names, self.at, self.along)
         magnitude, used = law(names, self.magnitude, FORCE, "magnitude")
-        origin = names.ground_origin
-        if along.body == GROUND:
-            return [AppliedLoad("", Displacement(point, origin, along), magnitude, used)]
-        # a direction that turns with a body: virtual power only, there is no displacement that it pushes
-        x, y, z = (Displacement(point, origin, axis) for axis in AXES)
-        parts = [(Component(along, "x"), x), (Component(along, "y"), y)]
-        follower = NonholonomicForm((*parts, *([(Component(along, "z"), z)] if names.space else [])), LENGTH)
-        return [AppliedLoad("", follower, magnitude, used)]
+        return [AppliedLoad("", pushed, magnitude, used)]
 
     def glyphs(self, names: Names) -> Iterable[Glyph]:
         yield glyphs.ForceArrow(names.point(self.at), names.direction(self.along, "along"))

@@ -10,15 +10,31 @@ from freebody.language.units import TORQUE
 from freebody.loads.base import Load
 from freebody.loads.law import law
 from freebody.measures.angle import Angle
+from freebody.measures.base import Measure
 from freebody.measures.geometry import GROUND
 from freebody.model import glyphs
-from freebody.model.elements import AppliedLoad
+from freebody.model.elements import AppliedLoad, NonholonomicForm
 from freebody.model.glyphs import Glyph
 from freebody.model.spec import Formula, Heading
 from freebody.model.spins import spin
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
+
+
+def turned_about(names: Names, on: str, reacts_on: str, about: Heading | None) -> Measure | NonholonomicForm | None:
+    """What a torque on a body pushes, against another one; None where it has no axis."""
+    body, other = names.body(on, "on"), names.body(reacts_on, "reacts_on")
+    if not body.turns:
+        names.problem(Message("{body} is a particle and cannot take a torque", body=body.name), "on")
+    if not names.space:
+        if about is not None:
+            names.problem(Message("a torque in the plane has no axis; in space write space: true"), "about")
+        return Angle(body.name, other.name)
+    if about is None:
+        names.problem(Message("in space a torque needs its axis, e.g. about: z, or about: rotor.x"), "about")
+        return None
+    return spin(body.name, names.direction(about, "about"), other.name)
 
 
 class Torque(Load, kind="torque"):
@@ -37,19 +53,9 @@ loads: {it: {torque: {on: wheel, magnitude: 2 N m}}}
 """
 
     def applied_loads(self, names: Names) -> list[AppliedLoad]:
-        body, other = names.body(self.on, "on"), names.body(self.reacts_on, "reacts_on")
-        if not body.turns:
-            names.problem(Message("{body} is a particle and cannot take a torque", body=body.name), "on")
+        turned = turned_about(names, self.on, self.reacts_on, self.about)
         magnitude, used = law(names, self.magnitude, TORQUE, "magnitude")
-        if not names.space:
-            if self.about is not None:
-                names.problem(Message("a torque in the plane has no axis; in space write space: true"), "about")
-            return [AppliedLoad("", Angle(body.name, other.name), magnitude, used)]
-        if self.about is None:
-            names.problem(Message("in space a torque needs its axis, e.g. about: z, or about: rotor.x"), "about")
-            return []
-        along = names.direction(self.about, "about")
-        return [AppliedLoad("", spin(body.name, along, other.name), magnitude, used)]
+        return [] if turned is None else [AppliedLoad("", turned, magnitude, used)]
 
     def glyphs(self, names: Names) -> Iterable[Glyph]:
         axis = names.direction(self.about, "about") if names.space and self.about is not None else None

@@ -210,6 +210,7 @@ class ConstraintRow:
     general: Expr | None = None  # the target with functions of time as symbols; None: it contains none
     stretches: tuple[StringStretch, ...] = ()  # of a string, in order; the reaction is the tension of the last one
     instead: str = ""  # what to take where this is held by others as well, and may have been held by mistake
+    closes: bool = False  # held from the start on, and not before: two parts meet and stay together
 
     @property
     def in_symbols(self) -> Expr | None:

@@ -38,6 +38,15 @@ class State(Protocol[S_co]):
         """The multiplier of a held measure. Raises CannotAnswer naming the connections if it is not unique."""
         ...
 
+    def impulse(self, row: ConstraintRow) -> S_co:
+        """The impulse of a held measure in the blow at the start. Raises CannotAnswer if it is not unique."""
+        ...
+
+    @property
+    def energy_before(self) -> S_co:
+        """The kinetic energy just before the blow at the start [J]."""
+        ...
+
     def law(self, push: AppliedLoad) -> S_co:
         """The generalized force of a load in the direction in which its measure grows."""
         ...

@@ -9,7 +9,7 @@ from freebody.narrative.contact.settings import has_phases
 from freebody.narrative.context import Derive
 from freebody.narrative.questions.numeric import or_in_numbers
 from freebody.questions.base import Scope
-from freebody.questions.reading import Question
+from freebody.questions.reading import Question, is_of_start
 from freebody.system.system import System
 
 
@@ -32,6 +32,8 @@ def _place(system: System, question: Question) -> str:
     scope = question.quantity.scope
     if question.quantity.wanted is not None:
         return "questions.turned_round"
+    if is_of_start(question.quantity):
+        return "questions.blow"
     if scope == "rest":
         return "contact.rest"
     if question.transition is not None or (has_phases(system) and question.quantity.is_of_state):

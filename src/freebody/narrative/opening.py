@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from typing import Any, cast
 
 from freebody.errors import CannotAnswer
@@ -14,6 +15,7 @@ from freebody.model.phrases import phrase_text
 from freebody.narrative.contact.settings import has_phases
 from freebody.narrative.context import Context
 from freebody.narrative.lines.script import DerivationStage, Diagram, FormulaTable, Legend, Script, Sentence, ready
+from freebody.narrative.questions.blow import tell_blow
 from freebody.study.answering.evidence import rank_freedom
 from freebody.study.answering.spread import disagreement
 from freebody.study.mobility.gruebler import Gruebler, gruebler
@@ -29,6 +31,9 @@ def opening(context: Context) -> list[DerivationStage]:
     if context.system.constraint_rows or not context.system.space:
         with script.stage("stage.freedoms", "hint.freedoms"):
             count_freedoms(context, script)
+    if context.setup.system.is_struck:
+        with suppress(CannotAnswer):
+            tell_blow(context, script)
     context.next_number = script.next_number
     return script.stages
 

@@ -22,7 +22,7 @@ from freebody.errors import CannotAnswer
 from freebody.language.expression import FLOAT_FUNCTIONS, Sum, Symbol, domain, evaluate, free_symbols, substitute
 from freebody.language.notation import to_text
 from freebody.language.sentences import Message
-from freebody.model.elements import RATE, VALUE, AppliedLoad, NonholonomicForm
+from freebody.model.elements import RATE, VALUE, AppliedLoad, ConstraintRow, NonholonomicForm
 from freebody.numeric import spatial
 from freebody.numeric.checks import finite, named
 from freebody.numeric.jets import TIME, Array, Jet, JetGeometry
@@ -30,6 +30,7 @@ from freebody.numeric.split import RANK_CUT, Split, stack
 from freebody.numeric.system import NumericSystem
 from freebody.tolerances import ROUND_OFF, ROUNDED
 
+UNIQUE = 1e-9  # a multiplier is unique if no null vector has a larger component on it
 _CANCELS = ROUNDED  # terms that come to less than this part of their sizes come to zero
 
 
@@ -56,7 +57,7 @@ def dynamics(reference: NumericSystem, g: JetGeometry, cut: float | None = None)
         _check_consistent(reference, split, J @ a - b, b)
     N = split.null
     if N.shape[1]:
-        a = a + _free_motion(reference, N, Q - M * a)
+        a = a + free_motion(reference, N, Q - M * a)
     multipliers = split.multipliers(M * a - Q)
     if not (np.isfinite(a).all() and np.isfinite(multipliers).all()):
         raise CannotAnswer(Message("the accelerations at t = {t:.6g} s are not finite", t=g.time.value))
@@ -70,8 +71,9 @@ def _gyroscopic(reference: NumericSystem, g: JetGeometry) -> Array:
     return spatial.gyroscopic(g.v, reference.masses, reference.frame.columns.values())
 
 
-def _free_motion(reference: NumericSystem, N: Array, push: Array) -> Array:
-    """The accelerations along the free directions N. A thin rod may turn about itself without inertia: where no load
+def free_motion(reference: NumericSystem, N: Array, push: Array) -> Array:
+    """The accelerations (n,) along the free directions N (n, k) by generalized forces (n,), or the change of the
+    velocities by impulses. A thin rod may turn about itself without inertia: where no load
     turns it, it does not begin to."""
     inertia, force = N.T @ (reference.masses[:, None] * N), N.T @ push
     if reference.system.space:
@@ -83,6 +85,34 @@ def _free_motion(reference: NumericSystem, N: Array, push: Array) -> Array:
             return N @ (vectors @ (inverse * (vectors.T @ force)))
     check_inertia(reference, N, inertia)
     return N @ np.linalg.solve(inertia, force)
+
+
+def held(reference: NumericSystem, split: Split, multipliers: Array, row: ConstraintRow) -> float:
+    """The multiplier of a row among those of all held rows. Raises CannotAnswer if it is not held, or not unique."""
+    rows, k = reference.system.constraint_rows, place_of(reference, row)
+    empty = split.left_null
+    if float(np.linalg.norm(empty[k])) > UNIQUE:
+        shared = np.abs(empty @ empty[k]) > UNIQUE
+        names = dict.fromkeys(other.connection for other, is_one in zip(rows, shared, strict=True) if is_one)
+        raise CannotAnswer(
+            Message(
+                "the {reaction} of {row} is not unique: {names} hold the same thing "
+                "more than once. Remove what is redundant",
+                reaction=row.reaction,
+                row=row.name,
+                names=", ".join(names),
+            )
+        )
+    return float(multipliers[k])
+
+
+def place_of(reference: NumericSystem, row: ConstraintRow) -> int:
+    """Where a row stands among the held ones. Raises CannotAnswer if it is not held."""
+    rows = reference.system.constraint_rows
+    found = next((k for k, other in enumerate(rows) if other is row), None)
+    if found is None and row not in rows:
+        raise CannotAnswer(Message("{row} is not held in this system", row=row.name))
+    return rows.index(row) if found is None else found
 
 
 def forces(reference: NumericSystem, g: JetGeometry) -> Array:

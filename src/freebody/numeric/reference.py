@@ -19,6 +19,7 @@ from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.model.elements import NonholonomicForm
+from freebody.numeric.blow import blow
 from freebody.numeric.jets import Array
 from freebody.numeric.linearised import frequencies, linearised
 from freebody.numeric.snapshot import Snapshot, snapshot_of
@@ -82,9 +83,12 @@ class Reference(NumericSystem):
         with_start: bool = True,
     ) -> Array:
         """Velocities of least kinetic energy [m/s, rad/s] that hold what is held and have the rates of the
-        model's start; `extra` rates replace those. Without `with_start` only the `extra` rates are asked for.
-        Raises CannotAnswer naming a rate that contradicts."""
-        return start_velocities(self, self.geometry(q, np.zeros_like(q), t), extra, with_start=with_start)
+        model's start; `extra` rates replace those. Where the start is a blow, those after it. Without `with_start` only
+        the `extra` rates are asked for. Raises CannotAnswer naming a rate that contradicts."""
+        g = self.geometry(q, np.zeros_like(q), t)
+        if with_start and self.system.is_struck:
+            return blow(self, g, extra).after
+        return start_velocities(self, g, extra, with_start=with_start)
 
     def snapshot(self, q: Array, v: Array, t: float = 0.0, near: Snapshot | None = None) -> Snapshot:
         """The system at one instant; its accelerations and reactions are found when they are first asked for.

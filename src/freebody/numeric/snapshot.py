@@ -18,13 +18,12 @@ from freebody.language.expression import Expr
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.model.elements import AppliedLoad, ConstraintRow, NonholonomicForm
-from freebody.numeric.instant import Dynamics, dynamics, law
+from freebody.numeric.blow import Blow, blow, impulse
+from freebody.numeric.instant import Dynamics, dynamics, held, law
 from freebody.numeric.jets import Array, Branch, Jet, JetGeometry
 from freebody.numeric.potential import potential
 from freebody.numeric.rotation import matrix
 from freebody.numeric.system import NumericSystem
-
-UNIQUE = 1e-9  # a multiplier is unique if no null vector has a larger component on it
 
 
 class Snapshot:
@@ -84,30 +83,22 @@ class Snapshot:
         x, y, *theta = (float(row[k]) for k in frame.columns[body])
         return x, y, theta[0] if theta else 0.0
 
-    def place_of(self, row: ConstraintRow) -> int:
-        """Where a row stands among the held ones. Raises CannotAnswer if it is not held."""
-        rows = self.reference.system.constraint_rows
-        found = next((k for k, other in enumerate(rows) if other is row), None)
-        if found is None and row not in rows:
-            raise CannotAnswer(Message("{row} is not held in this system", row=row.name))
-        return rows.index(row) if found is None else found
-
     def multiplier(self, row: ConstraintRow) -> float:
-        rows, k = self.reference.system.constraint_rows, self.place_of(row)
-        empty = self._dynamics.split.left_null
-        if float(np.linalg.norm(empty[k])) > UNIQUE:
-            shared = np.abs(empty @ empty[k]) > UNIQUE
-            names = dict.fromkeys(other.connection for other, is_one in zip(rows, shared, strict=True) if is_one)
-            raise CannotAnswer(
-                Message(
-                    "the {reaction} of {row} is not unique: {names} hold the same thing "
-                    "more than once. Remove what is redundant",
-                    reaction=row.reaction,
-                    row=row.name,
-                    names=", ".join(names),
-                )
-            )
-        return float(self._dynamics.multipliers[k])
+        return held(self.reference, self._dynamics.split, self._dynamics.multipliers, row)
+
+    def impulse(self, row: ConstraintRow) -> float:
+        return impulse(self.reference, self._blow, row)
+
+    @property
+    def energy_before(self) -> float:
+        v = self._blow.before
+        return 0.5 * float(v @ (self.reference.masses * v))
+
+    @cached_property
+    def _blow(self) -> Blow:
+        """The blow in this pose."""
+        still = np.zeros_like(self.q)
+        return blow(self.reference, self.reference.geometry(self.q, still, 0.0, dict(self.branches)))
 
     def law(self, push: AppliedLoad) -> float:
         return law(self.reference, self.geometry, push)

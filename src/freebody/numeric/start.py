@@ -371,9 +371,11 @@ def _given(reference: NumericSystem, q: Array) -> Array | None:
 
 def wanted_rates(reference: NumericSystem, g: JetGeometry, extra: Wanted, with_start: bool) -> Iterator[_Rate]:
     """Held measures keep up with their targets; then the rates of the model's start, unless an extra one
-    replaces them, and the extra ones."""
+    replaces them, and the extra ones. What closes at the start does not hold before."""
     system = reference.system
     for row in system.constraint_rows:
+        if row.closes and with_start:
+            continue
         yield row.name, reference.gap(row, g), 0.0
     given = {name: reference.number(expr) for name, expr in system.start_rates.items()}
     for name, rate in given.items() if with_start else ():

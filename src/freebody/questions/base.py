@@ -144,6 +144,8 @@ class Quantity:
 
     # whether the event itself is asked for, and nothing of the state there
     is_of_event: ClassVar[bool] = False
+    # whether it belongs to the instant of the start alone: to the blow by which a motion begins
+    is_of_start: ClassVar[bool] = False
     # whether it is a force or moment that a connection transmits
     is_reaction: ClassVar[bool] = False
     # whether the conditions are the answer: a verdict

@@ -165,8 +165,12 @@ questions: {it: reaction of rod on bob}
             raise CannotAnswer(Message("{connection} joins fixed bodies only", connection=self.connection))
         return moving[0]
 
+    def transmitted(self, state: State[Any], row: ConstraintRow) -> Any:
+        """What a row pushes with in the direction in which its measure grows."""
+        return state.multiplier(row)
+
     def value(self, system: Described, state: State[Any]) -> Any:
-        """The sum of multiplier * gradient over the rows of the connection."""
+        """The sum of what is transmitted times the gradient over the rows of the connection."""
         body = self.body(system)
         rows = [row for row in system.constraint_rows if row.connection == self.connection]
         if self.moment and self.about is None and not system.space:
@@ -174,13 +178,13 @@ questions: {it: reaction of rod on bob}
             if couples:
                 total: Any = 0
                 for row in couples:
-                    total = total + state.gradient(row.measure, body)[2] * state.multiplier(row)
+                    total = total + state.gradient(row.measure, body)[2] * self.transmitted(state, row)
                 return total
         n = len(axes_of(system))
         force: Vector = (0,) * n
         moment: Vector = (0,) * (3 if system.space else 1)
         for row in rows:
-            push, multiplier = state.gradient(row.measure, body), state.multiplier(row)
+            push, multiplier = state.gradient(row.measure, body), self.transmitted(state, row)
             force = tuple(f + g * multiplier for f, g in zip(force, push[:n], strict=True))
             moment = tuple(m + g * multiplier for m, g in zip(moment, push[n:], strict=True))
         if not self.moment:
@@ -213,8 +217,12 @@ questions: {it: reaction of rod on bob}
 )
 def _reaction(names: Names, found: Found, path: Path) -> Quantity | None:
     of = str(found["of"])
-    if of in names.loads:
-        return LoadForce(of, names.loads[of])
+    return LoadForce(of, names.loads[of]) if of in names.loads else read_wrench(names, found, path)
+
+
+def read_wrench(names: Names, found: Found, path: Path, kind: type[Wrench] = Wrench) -> Wrench | None:
+    """The force of a connection, or a component of it: `of`, `part`, `on`, `along` and `basis` of what was found."""
+    of = str(found["of"])
     if not has_connection(names, of, path):
         return None
     on = None if found["on"] is None else names.body(str(found["on"]), *path).name
@@ -225,7 +233,7 @@ def _reaction(names: Names, found: Found, path: Path) -> Quantity | None:
     if part in ("vertical", "y component of"):
         along = UP
     is_size = part in ("size of", "magnitude of")
-    return Wrench(of, on, along, size=is_size, basis=read_basis(names, found["basis"], path))
+    return kind(of, on, along, size=is_size, basis=read_basis(names, found["basis"], path))
 
 
 @asked(
@@ -234,6 +242,12 @@ def _reaction(names: Names, found: Found, path: Path) -> Quantity | None:
     rf"(?: about (?P<about>{POINT}))?(?: along (?P<along>.+?))?{IN_BASIS}",
 )
 def _moment(names: Names, found: Found, path: Path) -> Quantity | None:
+    return read_moment(names, found, path)
+
+
+def read_moment(names: Names, found: Found, path: Path, kind: type[Wrench] = Wrench) -> Wrench | None:
+    """The moment of a connection, or a component of it: `of`, `size`, `on`, `about`, `along` and `basis` of what was
+    found."""
     of = str(found["of"])
     if not has_connection(names, of, path):
         return None
@@ -243,7 +257,7 @@ def _moment(names: Names, found: Found, path: Path) -> Quantity | None:
     if not names.space and (along or found["size"]):
         names.problem(Message("in the plane a moment has no direction; leave it out"), *path)
     basis = read_basis(names, found["basis"], path)
-    return Wrench(of, on, along, found["size"] is not None, moment=True, about=about, basis=basis)
+    return kind(of, on, along, found["size"] is not None, moment=True, about=about, basis=basis)
 
 
 @asked(

@@ -289,18 +289,28 @@ def _meant(names: Names, phrase: str, condition: str | None, at_start: bool, pat
     # the event is read first: what is wrong with it is said first
     placed = _placed(names, When(), condition, at_start, path)
     quantity = None if placed is None else read_quantity(names, phrase, ("find",))
-    return None if quantity is None or placed is None else replace(placed, quantity=quantity)
+    return None if quantity is None or placed is None else _placed(names, quantity, condition, at_start, path)
 
 
 def _placed(names: Names, quantity: Quantity, condition: str | None, at_start: bool, path: Path) -> _Asked | None:
     """A quantity at the event that a condition states, or at the start."""
+    of_start = is_of_start(quantity)
     if condition is None:
-        return _Asked(quantity, at_start=at_start)
+        return _Asked(quantity, at_start=at_start or of_start)
+    if of_start:
+        told = Message("impulses act at the start only; leave out 'when' and 'until'")
+        names.problem(told, *path)
+        return None
     transition = read_transition(names, condition, path)
     event = None if transition is not None else _event(names, condition, path)
     if event is None and transition is None:
         return None
     return _Asked(quantity, event, at_start, transition)
+
+
+def is_of_start(quantity: Quantity) -> bool:
+    """Whether a quantity, or one that it is made of, belongs to the blow at the start."""
+    return quantity.is_of_start or any(map(is_of_start, quantity.inner))
 
 
 def _option_text(value: Any) -> str:

@@ -26,11 +26,12 @@ from freebody.language.expression import Expr, Symbol, number
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS
 from freebody.model.elements import ConstraintRow, NonholonomicForm
+from freebody.numeric.instant import UNIQUE
 from freebody.numeric.jets import TIME, Array, Jet
 from freebody.numeric.placing import ACCEPTED, Fit, PoseEquation
 from freebody.numeric.reference import Reference
 from freebody.numeric.rest import CountedPose
-from freebody.numeric.snapshot import UNIQUE, Snapshot
+from freebody.numeric.snapshot import Snapshot
 from freebody.numeric.split import Split, stack
 from freebody.present.lines import number_text
 from freebody.present.report.blocks import Block, Report, Section

@@ -11,6 +11,7 @@ import numpy as np
 
 from freebody.errors import CannotAnswer, ModelError, Problem
 from freebody.language.sentences import Message
+from freebody.model.elements import ConstraintRow
 from freebody.numeric.reference import Snapshot
 from freebody.numeric.split import Split, stack
 from freebody.study.answering.draws import SEED, Draw, draws
@@ -128,7 +129,7 @@ class Setup:
 
     @cached_property
     def start_instant(self) -> SymbolicState:
-        return SymbolicState(self.model, self.start.values)
+        return SymbolicState(self.model, self.start.values, self.start.blow)
 
     @cached_property
     def motion(self) -> SmoothMotion:
@@ -167,6 +168,8 @@ class Setup:
         for x in self.model.samples.assumed:
             found += _open(state.here(self.model.express(x)), ">", Message("as at the start"))
         for row in sorted(self.system.constraint_rows, key=lambda row: row.name):
+            if row.unilateral and state.is_struck:
+                found += _open(row.sign * state.impulse(row), ">=", held_in_blow(row))
             if row.unilateral and with_contacts:
                 with suppress(CannotAnswer):
                     found += _open(row.sign * state.multiplier(row), ">=", closed(row.connection, row.reaction))
@@ -209,6 +212,11 @@ def _is_on_branch(model: SymbolicModel, draw: Draw, snapshot: Snapshot) -> bool:
         return True
     numbers = model.samples.numbers(draw.sample(snapshot))
     return all(model.field.evaluate(x, numbers) > 0 for x in model.samples.assumed)
+
+
+def held_in_blow(row: ConstraintRow) -> Message:
+    """What is needed of the impulse of a connection that cannot pull, or push."""
+    return Message("{connection} holds in the blow", connection=row.connection)
 
 
 def _open(x: Ratio, relation: str, purpose: str) -> list[Condition]:

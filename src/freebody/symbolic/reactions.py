@@ -1,7 +1,10 @@
-"""The reactions of held rows: Newton-Euler of every body, J^T lambda = M A - loads, solved for the multipliers."""
+"""The reactions of held rows: Newton-Euler of every body, J^T lambda = M A - loads, solved for the multipliers.
+
+Impulses of a blow follow in the same way, from what changes the momentum of every body."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import cached_property
 
 from freebody.errors import CannotAnswer
@@ -39,26 +42,45 @@ class Reactions:
 
     @cached_property
     def _solved(self) -> Solved:
-        by_slot = self._slopes()
+        def rest(body: str) -> Parts:
+            changing, wrench = self._changing(body), self._loads.wrenches[body]
+            return tuple(p - w for p, w in zip(changing, wrench, strict=True))
+
+        return self._balanced(rest, lambda slope: slope)
+
+    def impulses(self, rest: Callable[[str], Parts], here: Callable[[Ratio], Ratio]) -> dict[str, Ratio | CannotAnswer]:
+        """By row the impulse of a blow, or why it is not unique. rest: what the held rows must give to a body, along
+        its slots; here: an element in the pose of the blow."""
+        solved = self._balanced(rest, here)
+        found: dict[str, Ratio | CannotAnswer] = {}
+        for row in self._system.constraint_rows:
+            try:
+                found[row.name] = self._unique(solved, row)
+            except CannotAnswer as error:
+                found[row.name] = error
+        return found
+
+    def _balanced(self, rest: Callable[[str], Parts], here: Callable[[Ratio], Ratio]) -> Solved:
+        """J^T lambda = rest, body by body."""
+        by_slot = self._slopes(here)
         rows: list[Row] = []
         for body in self._system.moving:
-            changing, wrench = self._changing(body.name), self._loads.wrenches[body.name]
+            needed = rest(body.name)
             for k, slot in enumerate(self._bodies.slots if body.turns else self._bodies.slots[: self._bodies.n_places]):
                 row = dict(by_slot.get((body.name, slot), {}))
                 if not row:
                     continue
-                rest = changing[k] - wrench[k]
-                if not rest.is_zero():
-                    row[RHS] = rest
+                if not needed[k].is_zero():
+                    row[RHS] = needed[k]
                 rows.append(row)
         return solve(self.field, rows, list(self._columns.values()), self._samples.vanishes)
 
-    def _slopes(self) -> dict[tuple[str, str], Row]:
+    def _slopes(self, here: Callable[[Ratio], Ratio]) -> dict[tuple[str, str], Row]:
         """J^T: what each multiplier contributes to each slot of a body."""
         found: dict[tuple[str, str], Row] = {}
         for row in self._system.constraint_rows:
             for slot, slope in self._configuration.gradient(row.measure).items():
-                found.setdefault(slot, {})[self._columns[row.name]] = slope
+                found.setdefault(slot, {})[self._columns[row.name]] = here(slope)
         return found
 
     def _changing(self, body: str) -> Parts:
@@ -69,7 +91,10 @@ class Reactions:
 
     def multiplier(self, row: ConstraintRow) -> Ratio:
         """The multiplier of a row. Raises CannotAnswer naming the connections where it is not unique."""
-        solved, column = self._solved, self._columns[row.name]
+        return self._unique(self._solved, row)
+
+    def _unique(self, solved: Solved, row: ConstraintRow) -> Ratio:
+        column = self._columns[row.name]
         names = {k: name for name, k in self._columns.items()}
         free = [column] if column in solved.free else [c for c in solved.pivots[column] if c != RHS]
         if free:

@@ -14,6 +14,7 @@ from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, free_symbols
 from freebody.language.sentences import Message
 from freebody.measures.geometry import Pose
+from freebody.symbolic.blow import Blow
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import cos_sin
 from freebody.symbolic.geometry import AnyPose, FieldGeometry, straight_tangent
@@ -29,6 +30,7 @@ class StartState:
 
     values: dict[int, Ratio]
     assumed: tuple[str, ...] = ()  # what was not given and is not zero, in words
+    blow: Blow | None = None  # by which the velocities come about
 
     def of(self, index: int) -> Ratio:
         return self.values[index]
@@ -36,26 +38,31 @@ class StartState:
 
 def start_state(model: SymbolicModel, known: dict[str, Expr], known_rates: dict[str, Expr]) -> StartState:
     """Start values from the named measures and the bodies' start poses; places that nobody gave are at zero, rates that
-    nobody gave are those of the least kinetic energy.
+    nobody gave are those of the least kinetic energy. Where the start is a blow, the speeds are those after it.
     Raises CannotAnswer where the coordinates follow from the pose only by solving loops, and where nothing decides a
     rate."""
+    f, scalar = model.field, model.geometry.scalar
     values: dict[int, Ratio] = {}
-    f = model.field
-    scalar = model.geometry.scalar
     for c in model.coordinates:
         q = scalar(known[c.name]) if c.name in known else _start_of(model, c, known)
         values[c.index] = q
-    values |= model.start_speeds.together(known_rates, values)
-    for c in sorted(model.coordinates, key=lambda c: c.name not in known_rates):
-        if c.speed not in values:
-            u = scalar(known_rates[c.name]) if c.name in known_rates else None
-            values[c.speed] = u if u is not None else _start_speed(model, c, known_rates, values)
     for c in model.dependent:
-        given = scalar(known[c.name]) if c.name in known else model.start.of_coordinate(c)
-        if given is None:
-            given = model.start.recognised(c)
-        if given is not None:
-            values[c.index] = given
+        given_place = scalar(known[c.name]) if c.name in known else model.start.of_coordinate(c)
+        if given_place is None:
+            given_place = model.start.recognised(c)
+        if given_place is not None:
+            values[c.index] = given_place
+    if model.system.is_struck:
+        values[f.index(f.time)] = f.zero
+        blow = Blow(model, known_rates, values)
+        return StartState(values | blow.speeds, (), blow)
+    places = {c.index: values[c.index] for c in model.coordinates}
+    speeds = model.start_speeds.together(known_rates, places)
+    for c in sorted(model.coordinates, key=lambda c: c.name not in known_rates):
+        if c.speed not in speeds:
+            u = scalar(known_rates[c.name]) if c.name in known_rates else None
+            speeds[c.speed] = u if u is not None else _start_speed(model, c, known_rates, places | speeds)
+    values |= speeds
     values[f.index(f.time)] = f.zero
     given = rates_by_velocities(model, known_rates, values)
     values |= given.speeds

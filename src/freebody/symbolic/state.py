@@ -24,6 +24,7 @@ from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.measures.geometry import SpatialPose, Vector
 from freebody.model.elements import AppliedLoad, ConstraintRow, NonholonomicForm
+from freebody.symbolic.blow import Blow
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.signs import Sign, sign_of
@@ -34,9 +35,13 @@ _POLYNOMIAL_LIMIT = 12
 class SymbolicState:
     """A general instant, or with `values` one at which some generators have given elements (the start)."""
 
-    def __init__(self, model: SymbolicModel, values: Mapping[int, Ratio] | None = None) -> None:
+    def __init__(
+        self, model: SymbolicModel, values: Mapping[int, Ratio] | None = None, blow: Blow | None = None
+    ) -> None:
+        """blow: by which the velocities of the start come about."""
         self.model = model
         self.values = dict(values or {})
+        self._blow = blow
 
     def here(self, x: Ratio) -> Ratio:
         """An element at this instant."""
@@ -84,6 +89,25 @@ class SymbolicState:
 
     def multiplier(self, row: ConstraintRow) -> Ratio:
         return self.here(self.model.reactions.multiplier(row))
+
+    def impulse(self, row: ConstraintRow) -> Ratio:
+        return self.blow.impulse(row)
+
+    @property
+    def energy_before(self) -> Ratio:
+        return self.blow.energy_before
+
+    @property
+    def is_struck(self) -> bool:
+        """Whether a blow brought it about."""
+        return self._blow is not None
+
+    @property
+    def blow(self) -> Blow:
+        """The blow of the start. Raises CannotAnswer where there is none."""
+        if self._blow is None:
+            raise CannotAnswer(Message("nothing is struck here: impulses act and connections close at the start only"))
+        return self._blow
 
     def law(self, push: AppliedLoad) -> Ratio:
         return self.here(self.model.loads.law(push))

@@ -61,11 +61,17 @@ class SystemDescription:
     attitudes: tuple[Attitude, ...] = ()  # how joints of space let bodies turn
     frames: Mapping[str, tuple[str, Columns]] = field(default_factory=dict[str, tuple[str, Columns]])  # axes on bodies
     names: Names = field(default_factory=Names, repr=False)  # what the words of the model mean
+    impulses: tuple[AppliedLoad, ...] = ()  # of the blows at the start: measures pushed by an impulse, their law
 
     @property
     def moving(self) -> tuple[RigidBody, ...]:
         """The bodies that are not fixed."""
         return tuple(b for b in self.bodies.values() if not b.fixed)
+
+    @property
+    def is_struck(self) -> bool:
+        """Whether the velocities change at once at the start: by impulses, or because connections close."""
+        return bool(self.impulses) or any(row.closes for row in self.constraint_rows)
 
     @cached_property
     def bounds(self) -> tuple[UnilateralConstraint, ...]:
@@ -124,7 +130,7 @@ class SystemDescription:
             yield set(rub.row.measure.bodies()).union(*(m.bodies() for _n, m in rub.measures))
             loaded = [connection_of[name] for name in (*rub.load, rub.of) if name in connection_of]
             yield set[str]().union(of_connection[rub.row.connection], *(of_connection[c] for c in loaded))
-        for push in self.applied_loads:
+        for push in (*self.applied_loads, *self.impulses):
             yield set(push.measure.bodies()).union(*(m.bodies() for _n, m in push.measures))
         for attitude in self.attitudes:
             yield {attitude.first, attitude.second}
@@ -140,7 +146,7 @@ class SystemDescription:
     @cached_property
     def touched(self) -> frozenset[Point]:
         """The points at which something is held, bounded, pushed or measured."""
-        measures = [row.measure for row in self.rows] + [push.measure for push in self.applied_loads]
+        measures = [row.measure for row in self.rows] + [push.measure for push in (*self.applied_loads, *self.impulses)]
         return frozenset(point for measure in (*measures, *self.measures.values()) for point in points_in(measure))
 
     @property
@@ -168,7 +174,7 @@ class SystemDescription:
     def _meaning(self) -> tuple[object, ...]:
         described = (self.title, self.parameters, self.bodies, self.constraint_rows, self.applied_loads, self.measures)
         bounded = (self.contacts, self.limits, self.brakes)
-        return (*described, self.start, self.start_rates, self.questions, self.mode, bounded)
+        return (*described, self.impulses, self.start, self.start_rates, self.questions, self.mode, bounded)
 
 
 def merged(groups: Iterable[frozenset[str]], ties: Iterable[set[str]]) -> tuple[frozenset[str], ...]:

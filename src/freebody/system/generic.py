@@ -35,7 +35,7 @@ from freebody.model.names import Names
 from freebody.model.rotations import dot
 from freebody.system.modes import sticking_row
 from freebody.system.reading.bodies import BodySections
-from freebody.system.reading.connections import read_bounds
+from freebody.system.reading.connections import CLOSES, read_bounds
 from freebody.system.reading.head import read_space
 from freebody.system.reading.measures import read_measures
 from freebody.system.reading.parameters import read_parameters
@@ -215,7 +215,7 @@ class _GenericReader:
         read_space(self.source)
         read_parameters(self.source)
         _GenericBodies(self.source, names).read()
-        names.connections = connections = self.source.specs("connections", Connection.kinds)
+        names.connections = connections = self.source.specs("connections", Connection.kinds, beside=(CLOSES,))
         measures = self._measures()
         rows = [*self._rows(connections), *self._bounded_rows(connections)]
         self.source.refuse_problems()
@@ -232,6 +232,7 @@ class _GenericReader:
             bodies=names.bodies,
             constraint_rows=held,
             applied_loads=(),
+            impulses=(),
             measures=measures,
             offered=(),
             start={},

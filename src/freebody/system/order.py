@@ -64,6 +64,7 @@ def in_one_order(system: System) -> System:
         applied_loads=tuple(
             sorted(system.applied_loads, key=lambda push: (natural(push.load), natural(push.component)))
         ),
+        impulses=tuple(sorted(system.impulses, key=lambda push: natural(push.load))),
     )
 
 

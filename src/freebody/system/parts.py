@@ -23,13 +23,15 @@ def cut_out(system: System, group: frozenset[str]) -> System:
     measures = {name: m for name, m in system.measures.items() if stays(m.bodies())}
     held = tuple(row for row in system.constraint_rows if stays(system.ends_of(row)))
     applied_loads = tuple(push for push in system.applied_loads if stays(push.measure.bodies()))
+    impulses = tuple(push for push in system.impulses if stays(push.measure.bodies()))
     gone = {row.connection for row in system.rows if not stays(system.ends_of(row))}
-    loads = {push.load for push in applied_loads}
+    loads = {push.load for push in (*applied_loads, *impulses)}
     return replace(
         system,
         bodies={name: body for name, body in system.bodies.items() if name in kept},
         constraint_rows=held,
         applied_loads=applied_loads,
+        impulses=impulses,
         measures=measures,
         offered=tuple((name, m) for name, m in system.offered if stays(m.bodies())),
         start={name: e for name, e in system.start.items() if name in measures},

@@ -11,10 +11,17 @@ from freebody.loads.base import Load
 from freebody.questions.reading import read_questions
 from freebody.system.description import SystemDescription
 from freebody.system.reading.bodies import BodySections
-from freebody.system.reading.connections import read_attitudes, read_bounds, read_rows, rows_to_ask_for
+from freebody.system.reading.connections import (
+    CLOSES,
+    closing_at_start,
+    read_attitudes,
+    read_bounds,
+    read_rows,
+    rows_to_ask_for,
+)
 from freebody.system.reading.ground import place_ground_points
 from freebody.system.reading.head import check_sections, read_space, title
-from freebody.system.reading.loads import read_loads
+from freebody.system.reading.loads import read_impulses, read_loads
 from freebody.system.reading.measures import read_measures
 from freebody.system.reading.parameters import read_parameters
 from freebody.system.reading.source import Source
@@ -29,13 +36,14 @@ def read_system(document: Document, file: str | None) -> SystemDescription:
     read_space(source)
     read_parameters(source)
     BodySections(source).read()
-    connections = source.specs("connections", Connection.kinds)
+    connections = source.specs("connections", Connection.kinds, beside=(CLOSES,))
     # by name: which of several leads, guides or carries something hangs on no order of the file
     names.connections = {name: connections[name] for name in sorted(connections, key=natural)}
     loads = source.specs("loads", Load.kinds)
     measures = read_measures(source)
     applied_loads = names.applied_loads = read_loads(names, loads)
-    held, offered = read_rows(names, connections)
+    impulses = read_impulses(names, loads)
+    held, offered = read_rows(names, connections, closing_at_start(source))
     contacts, limits, brakes = read_bounds(names, connections)
     start, rates = read_start(source, measures)
     mode = read_mode(source)
@@ -70,5 +78,6 @@ def read_system(document: Document, file: str | None) -> SystemDescription:
         up=names.up,
         frames=names.frames,
         names=names,
+        impulses=impulses,
         attitudes=read_attitudes(names, connections),
     )

@@ -27,13 +27,15 @@ def _fields(kind: type[Spec]) -> dict[str, Any]:
     return {**described, "anyOf": [schema, {"type": "array"}, {"type": ["string", "number", "null"]}]}
 
 
-def _one_of(kinds: Mapping[str, type[Spec]]) -> dict[str, Any]:
+def _one_of(kinds: Mapping[str, type[Spec]], beside: Mapping[str, Any] | None = None) -> dict[str, Any]:
+    """One of some kinds; beside: what may stand beside it."""
+    more = dict(beside or {})
     return {
         "type": "object",
         "minProperties": 1,
-        "maxProperties": 1,
+        "maxProperties": 1 + len(more),
         "additionalProperties": False,
-        "properties": {name: _fields(kind) for name, kind in sorted(kinds.items())},
+        "properties": {name: _fields(kind) for name, kind in sorted(kinds.items())} | more,
     }
 
 
@@ -151,7 +153,7 @@ def json_schema() -> dict[str, Any]:
             },
             "frames": _named({"anyOf": [frame, _CHAIN]}),
             "bodies": _named({"anyOf": [body, {"type": "string"}]}),
-            "connections": _named(_one_of(Connection.kinds)),
+            "connections": _named(_one_of(Connection.kinds, {"closes": {"enum": ["at start"]}})),
             "loads": _named(_one_of(Load.kinds)),
             "measures": _named(phrase),
             "start": _named(_FORMULA),

@@ -267,7 +267,8 @@ def load_example_is_a_valid_model(kind: str) -> None:
     """It pushes something, agrees with the schema, and is the same when written back."""
     system = loaded(kind)
     assert isinstance(system.loads["it"], Load.kinds[kind])
-    assert [push for push in system.applied_loads if push.load == "it"], f"{kind} pushes nothing in its example"
+    pushes = (*system.applied_loads, *system.impulses)
+    assert [push for push in pushes if push.load == "it"], f"{kind} pushes nothing in its example"
     assert System.from_text(system.to_yaml()) == system
     _validate(system)
 

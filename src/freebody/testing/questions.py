@@ -23,7 +23,7 @@ from freebody.narrative.sheets.asking import asking, headline
 from freebody.narrative.telling.catalogue import Catalogue
 from freebody.narrative.words import languages
 from freebody.questions.base import FORMS, Quantity
-from freebody.questions.reading import Question
+from freebody.questions.reading import Question, is_of_start
 from freebody.study.answering.answer import Answer
 from freebody.study.answering.crosscheck import element_at
 from freebody.study.setup import Setup
@@ -122,10 +122,12 @@ def value_over_a_state_is_the_same_by_both_routes(kind: str) -> None:
     if q.scope != "instant" or q.is_of_coordinates or q.wanted is not None:
         return
     setup = Setup(example_of(kind))
-    form: Any = q.value(setup.system, setup.state)
+    starts = is_of_start(q)
+    form: Any = q.value(setup.system, setup.start_instant if starts else setup.state)
     parts = cast("tuple[Any, ...]", form) if isinstance(form, tuple) else (form,)
     elements = tuple(setup.model.field.element(x) for x in parts)
-    for draw, snapshot in zip(setup.draws, setup.anywhere, strict=True):
+    seen = [draw.start() for draw in setup.draws] if starts else setup.anywhere
+    for draw, snapshot in zip(setup.draws, seen, strict=True):
         numbers: Any = q.value(setup.system, snapshot)
         listed = cast("tuple[Any, ...]", numbers) if isinstance(numbers, tuple) else (numbers,)
         for exact, number in zip(element_at(setup, elements, draw, snapshot), listed, strict=True):

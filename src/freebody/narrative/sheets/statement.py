@@ -87,7 +87,8 @@ class ExerciseStatement:
             if c.n:
                 rows.append(self._acting(c.connection, c.kind, c.between))
         for name, load in self.system.loads.items():
-            on = dict.fromkeys(b for p in self.system.applied_loads if p.load == name for b in p.measure.bodies())
+            pushed = (*self.system.applied_loads, *self.system.impulses)
+            on = dict.fromkeys(b for p in pushed if p.load == name for b in p.measure.bodies())
             bodies = tuple(b for b in on if not self.system.bodies[b].fixed)
             everywhere = len(bodies) == len(self.system.moving) > 1
             rows.append(self._acting(name, load.kind, () if everywhere else bodies))
@@ -119,8 +120,12 @@ class ExerciseStatement:
                 unit = ("rad", "rad/s")[order] if dimension == DIMENSIONLESS else str(dimension / TIME**order)
                 shown_unit = "" if free_symbols(value) or value == ZERO else unit
                 formulas.append(Formula((rates_of(name, order), value), ("=",), shown_unit))
+        closing = tuple(dict.fromkeys(row.connection for row in self.system.constraint_rows if row.closes))
+        if closing:
+            yield Paragraph(self._say("sheet.closes", names=closing))
         if formulas:
-            yield Paragraph((*self._say("sheet.start"), " ", *_listed(formulas), "."))
+            when = "sheet.start_struck" if self.system.is_struck else "sheet.start"
+            yield Paragraph((*self._say(when), " ", *_listed(formulas), "."))
 
     def _given(self) -> Iterator[Block]:
         """Parameters with values as the file writes them."""

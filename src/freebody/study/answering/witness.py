@@ -19,6 +19,7 @@ from freebody.model.elements import ConstraintRow
 from freebody.numeric.engine.course import Status, Trajectory
 from freebody.numeric.engine.engine import Engine
 from freebody.numeric.engine.evaluator import EngineWatch
+from freebody.numeric.instant import place_of
 from freebody.numeric.jets import Array
 from freebody.numeric.kernels import dynamics
 from freebody.numeric.options import SimulationOptions
@@ -62,7 +63,7 @@ class NumericSnapshot(Snapshot):
 
     def multiplier(self, row: ConstraintRow) -> float:
         _accelerations, multipliers, is_plain = self._solved
-        value = float(multipliers[self.place_of(row)])
+        value = float(multipliers[place_of(self.reference, row)])
         if is_plain:
             return value
         dense = super().multiplier(row)  # refuses one that is not unique

@@ -199,7 +199,7 @@ class _AssemblySearch:
         bodies = {k: b for k, b in system.bodies.items() if b.fixed or k in used or k in words}
         if len(bodies) == len(system.bodies):
             return self, miss
-        smaller = replace(system, bodies=bodies, constraint_rows=tuple(rows), applied_loads=(), offered=())
+        smaller = replace(system, bodies=bodies, constraint_rows=tuple(rows), applied_loads=(), impulses=(), offered=())
         search = _AssemblySearch(smaller, self.work)
         search.equations = {name: search.equations[name] for name in names}
         search.is_complete = self.is_complete

@@ -16,13 +16,15 @@ from freebody.language.sentences import Message
 from freebody.measures.distance import Distance
 from freebody.measures.geometry import Pose
 from freebody.model.elements import ConstraintRow, Start, UnilateralConstraint
+from freebody.numeric.blow import blow_loads_friction
 from freebody.numeric.contact.start import assembled_touching, far_sides, gap_of, is_within
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference
 from freebody.study.answering.draws import SEED, draw_parameters
+from freebody.study.phases.decide import Inequality
 from freebody.study.phases.numbers import Chosen, Sets
 from freebody.study.phases.phase import Phase, Placed
-from freebody.study.setup import Setup
+from freebody.study.setup import Setup, held_in_blow
 from freebody.symbolic.conditions import Condition, require
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.relations import parted
@@ -58,12 +60,15 @@ class Home:
         """Sets for which the start is one: on the branch of the model's own numbers, and nothing inside another."""
         found = np.ones(self.sets.n, dtype=bool)
         state, express = self.home.start_instant, self.home.model.express
-        needed = [(state.here(express(x)), ">", Message("as at the start")) for x in self.home.model.samples.assumed]
+        needed: list[Inequality] = [
+            (state.here(express(x)), ">", Message("as at the start")) for x in self.home.model.samples.assumed
+        ]
         for bound in self.system.bounds:
             if bound.name not in touching and not bound.within:
                 needed.append(
                     (self._gap(bound), ">=", Message("{contact} is open at the start", contact=bound.row.connection))
                 )
+        needed += self._held_in_blow(state)
         for row in [r for r in self.system.constraint_rows if r.unilateral] + [b.row for b in self.system.bounds]:
             if row.name in touching and isinstance(row.measure, Distance) and row.target is not None:
                 target = self.home.model.geometry.scalar(row.target)  # a circle in a ring is the smaller one
@@ -74,6 +79,19 @@ class Home:
             if condition is not None:
                 self.assumed.append(condition)
         return found
+
+    def _held_in_blow(self, state: SymbolicState) -> Iterator[Inequality]:
+        """What cannot pull must be pressed, or not be needed, where the start is a blow. Raises CannotAnswer where the
+        blow loads dry friction, which acts in it."""
+        if not state.is_struck:
+            return
+        loads = {name for rub in self.system.dry_friction for name in rub.load}
+        for row in self.home.system.constraint_rows:
+            if row.name in loads and row.name not in {b.name for b in self.system.bounds}:
+                if not state.impulse(row).is_zero():
+                    raise CannotAnswer(blow_loads_friction(row))
+            elif row.unilateral:
+                yield row.sign * state.impulse(row), ">=", held_in_blow(row)
 
     def _gap(self, bound: UnilateralConstraint) -> Ratio:
         measure: Any = bound.row.measure
@@ -254,21 +272,27 @@ def _far_sides(system: System, closed: Set[str]) -> set[str]:
 
 def parted_at_start(system: System, touching: frozenset[str]) -> frozenset[str]:
     """Of the bounds that touch when the motion begins those whose gap grows or shrinks by the rates that are given,
-    where these contradict that all of them keep touching."""
+    where these contradict that all of them keep touching; or after a blow, in which contacts answer to what it leaves
+    them to do."""
     own = {b.name: b for b in system.bounds if b.name in touching}
-    if not own or not (system.start_rates or any(b.start.velocity or b.start.angular_velocity for b in system.moving)):
+    runs = system.start_rates or any(b.start.velocity or b.start.angular_velocity for b in system.moving)
+    if not own or not (runs or system.is_struck):
         return frozenset()
     found: set[str] = set()
     for k in range(_N_STARTS):
         values = draw_parameters(system, random.Random(SEED + k), 1.0)
         held = Reference(in_mode(system, ContactMode.of(touching, {}))[0], values)
         q = held.assemble()
-        with suppress(CannotAnswer):
-            held.velocities(q)
-            continue
+        if not system.is_struck:
+            with suppress(CannotAnswer):
+                held.velocities(q)
+                continue
         free = Reference(in_mode(system, ContactMode.of(touching - own.keys(), {}))[0], values)
         g = free.geometry(free.assemble(), free.velocities(q), 0.0)
         rates = {name: free.jet(g, bound.row.measure, name).rate for name, bound in own.items()}
         largest = max(map(abs, rates.values()))
+        if system.is_struck:  # beside what moves, gaps may all be still
+            fastest = float(np.abs(g.v / free.sizes.unit_moves).max(initial=0.0))
+            largest = max(largest, fastest * max(1.0, free.sizes.length))
         found |= {name for name, rate in rates.items() if abs(rate) > ROUND_OFF * largest}
     return frozenset(found)

@@ -51,7 +51,17 @@ class Placed:
             system = counted_from(system, self.since)
             for name in sorted(free_symbols(self.since) - parameters.keys()):
                 parameters[name] = Parameter(name, TIME, None, "nonnegative")
-        return replace(system, bodies=bodies, parameters=parameters, start={}, start_rates={}, mode=None)
+        rows = tuple(replace(row, closes=False) if row.closes else row for row in system.constraint_rows)
+        return replace(
+            system,
+            bodies=bodies,
+            parameters=parameters,
+            start={},
+            start_rates={},
+            mode=None,
+            constraint_rows=rows,
+            impulses=(),
+        )
 
 
 @dataclass(frozen=True)
@@ -194,7 +204,7 @@ class Phase:
 
     @cached_property
     def start_instant(self) -> SymbolicState:
-        return SymbolicState(self.model, self.start.values)
+        return SymbolicState(self.model, self.start.values, self.start.blow)
 
     # -- forces -------------------------------------------------------------------------------
     def normal(self, bound: UnilateralConstraint | ConstraintRow) -> Ratio:

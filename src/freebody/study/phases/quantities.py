@@ -17,6 +17,7 @@ from freebody.model.elements import AppliedLoad
 from freebody.model.state import State
 from freebody.questions.arithmetic import Joined
 from freebody.questions.base import Quantity
+from freebody.questions.blow import ImpulsiveWrench
 from freebody.questions.loads import Power
 from freebody.questions.reactions import ReactionComponent, Wrench
 from freebody.system.system import System
@@ -46,6 +47,18 @@ def _component(quantity: ReactionComponent, base: System, system: System, state:
 def _wrench(quantity: Wrench, base: System, system: System, state: State[Any]) -> Any:
     if _is_contact(quantity.connection, base):
         return _force(quantity, base, system, state)
+    return quantity.value(plain(system), state)
+
+
+@_value.register(ImpulsiveWrench)
+def _impulse(quantity: ImpulsiveWrench, base: System, system: System, state: State[Any]) -> Any:
+    if _is_contact(quantity.connection, base):
+        raise CannotAnswer(
+            Message(
+                "the impulse of a contact stands with the phases, as that of an impact; here one can ask for the "
+                "impulses of connections that hold"
+            )
+        )
     return quantity.value(plain(system), state)
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from fractions import Fraction
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
@@ -25,11 +26,25 @@ def answer(tree: PhaseTree, question: Question, quantity: Wanted) -> Answer:
 
     def attempt(system: System) -> Answer:
         there = tree if system is tree.system else PhaseTree(system)
-        formulas = [_formula(there, asked, piece) for piece in pieces(there, asked)]
+        formulas = _at_the_start(there, asked, [(p, _formula(there, asked, p)) for p in pieces(there, asked)])
         found = find(there.home, question, formulas)
         return QuestionSolver(there.home, question).finish(found)
 
     return first_found(tree.system, quantity.parameter, attempt)
+
+
+def _at_the_start(tree: PhaseTree, asked: Question, found: list[tuple[AnswerBranch, Formula]]) -> list[Formula]:
+    """What the state of the start has by one formula in all cases it has between them too, where nothing slips yet: it
+    is none of their boundaries that it depends on."""
+    formulas = [formula for _piece, formula in found]
+    (_first, one), *others = found
+    is_of_state = asked.at_start and not asked.quantity.may_jump and all(piece.is_home for piece, _formula in found)
+    if not others or tree.lost or not is_of_state or isinstance(one.element, (tuple, Fraction)):
+        return formulas
+    if any(not isinstance(f.element, Ratio) or not (f.element - one.element).is_zero() for f in formulas):
+        return formulas
+    assumed = {c.element.key() for c in tree.assumed}
+    return [replace(one, needed=[c for c in one.needed if c.element.key() in assumed])]
 
 
 def _formula(tree: PhaseTree, asked: Question, piece: AnswerBranch) -> Formula:

@@ -98,6 +98,10 @@ class FreeBody:
         """The loads, those between the bodies too."""
         return tuple(self._loads(only_outside=False))
 
+    def impulses(self) -> tuple[Force, ...]:
+        """Those of the blow at the start."""
+        return tuple(force for push in self.system.impulses for force in self._load(push))
+
     def load_value(self, called: str) -> float | None:
         """[N] or [N m] of the symbol of a load, by its name."""
         for applied_loads in self._pushes():

@@ -47,7 +47,10 @@ def picture(
     found = instant_of(system, at, in_motion=bool(set(show) & {"acceleration", "force"}), at_rest=not show)
     title = system.title if not at else f"{system.title}, t = {at:g} s"
     moving = [body.name for body in system.moving]
-    acting = FreeBody(found.snapshot, moving).loads() if moving else ()
+    acting: Sequence[Force] = ()
+    if moving:
+        free = FreeBody(found.snapshot, moving)
+        acting = free.loads() if at else (*free.loads(), *free.impulses())
     whole: Whole
     if system.space:
         from freebody.study.pictures.picture_in_space import whole_in_space
@@ -167,6 +170,7 @@ def _in_the_plane(found: Instant, acting: Sequence[Force]) -> WholeInPlane:
     # dry friction that slides is a load of its own
     arrow = (ForceArrow, MomentArrow, Coil)
     shown = {s.owner for s in system.glyphs if s.is_load and isinstance(s.sign, arrow)}
-    arrows = {push.name for push in system.applied_loads if push.load in shown or push.load not in system.loads}
+    pushes = (*system.applied_loads, *system.impulses)
+    arrows = {push.name for push in pushes if push.load in shown or push.load not in system.loads}
     loads = [force for force in acting if force.kind == "load" and force.name in arrows]
     return WholeInPlane(system, Places(system, reference.number), poses_of(found.snapshot), loads)

@@ -13,6 +13,7 @@ from freebody.errors import CannotAnswer, InputError, ModelError
 from freebody.language.sentences import Message, further
 from freebody.measures.base import Measure
 from freebody.model.names import did_you_mean
+from freebody.numeric.blow import check_blow
 from freebody.numeric.contact.bounded import Bounded
 from freebody.numeric.contact.hybrid import Hybrid
 from freebody.numeric.contact.start import assembled_touching, start_velocities
@@ -57,6 +58,7 @@ class Simulator:
                 )
         self.reference = Reference(system, values)
         q = assembled_touching(self.reference)
+        check_blow(self.reference, q)
         v = start_velocities(self.reference, q)
         self.assumptions = system.assumptions
         if not has_phases(system):

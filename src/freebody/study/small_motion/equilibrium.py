@@ -23,11 +23,11 @@ from freebody.measures.distance import Bearing
 from freebody.model.elements import NonholonomicForm
 from freebody.numeric.equilibrium import RestSearch
 from freebody.numeric.families import goes_on, nearest_of_family
+from freebody.numeric.instant import UNIQUE
 from freebody.numeric.jets import TIME, Array
 from freebody.numeric.reference import Reference
 from freebody.numeric.rest import LoadBalance
 from freebody.numeric.small_motion import SmallMotion
-from freebody.numeric.snapshot import UNIQUE
 from freebody.numeric.vibration import Stability, stability
 from freebody.study.given import formula, named_measure
 from freebody.study.settled import without_friction

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Container, Mapping
 from dataclasses import replace
+from typing import Any, cast
 
 from freebody.connections.base import Connection
 from freebody.connections.contact import Contact, OutlinePair
@@ -15,12 +16,28 @@ from freebody.model.carriers import is_distance_kept
 from freebody.model.elements import Attitude, ConstraintRow, DryFriction, UnilateralConstraint
 from freebody.model.names import Names
 from freebody.system.reading.parameters import forms
+from freebody.system.reading.source import Source
 
 MOST_ASKED = 40
+CLOSES = "closes"  # the key beside the kind of a connection
+
+
+def closing_at_start(source: Source) -> frozenset[str]:
+    """The connections that close when the motion begins: `{weld: [bullet, block], closes: at start}`."""
+    found: set[str] = set()
+    for name, entry in source.mapping("connections").items():
+        if not isinstance(entry, dict) or CLOSES not in entry:
+            continue
+        value = cast("dict[str, Any]", entry)[CLOSES]
+        if value not in ("at start", "start"):
+            told = Message("a connection that closes does so at the start; write {closes}: at start", closes=CLOSES)
+            source.names.problem(told, "connections", name, CLOSES)
+        found.add(name)
+    return frozenset(found)
 
 
 def read_rows(
-    names: Names, connections: Mapping[str, Connection]
+    names: Names, connections: Mapping[str, Connection], closing: Container[str] = ()
 ) -> tuple[list[ConstraintRow], list[tuple[str, Measure]]]:
     rows: list[ConstraintRow] = []
     offered: list[tuple[str, Measure]] = []
@@ -29,7 +46,11 @@ def read_rows(
             n_before = len(names.problems)
             if names.space and connection.is_in_plane(names):
                 _check_plane(names, connection, connections)
-            rows += [_in_numbers(names, replace(row, connection=name)) for row in connection.rows(names)]
+            held = connection.rows(names)
+            if name in closing and not held and len(names.problems) == n_before:
+                told = Message("a {kind} holds nothing by itself that could close at the start", kind=connection.kind)
+                names.problem(told)
+            rows += [_in_numbers(names, replace(row, connection=name, closes=name in closing)) for row in held]
             if len(names.problems) == n_before:
                 offered += [(f"{name}_{key}", m) for key, m in connection.offers(names)]
     if names.problems:

@@ -1,4 +1,4 @@
-"""The section `loads`: what pushes, by laws of its own measure."""
+"""The section `loads`: what pushes, by laws of its own measure, and what strikes at the start."""
 
 from __future__ import annotations
 
@@ -22,6 +22,15 @@ def read_loads(names: Names, loads: Mapping[str, Load]) -> list[AppliedLoad]:
                     push = replace(push, law=substitute(push.law, by_form), general=push.law)
                 found.append(replace(push, load=name))
     return found
+
+
+def read_impulses(names: Names, loads: Mapping[str, Load]) -> tuple[AppliedLoad, ...]:
+    """What is struck at the start, and by which impulse."""
+    found: list[AppliedLoad] = []
+    for name, load in loads.items():
+        with names.reading("loads", name, load.kind):
+            found += [replace(push, load=name) for push in load.impulses(names)]
+    return tuple(found)
 
 
 def _in_own_measure(push: AppliedLoad) -> AppliedLoad:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from typing import Any, TypeVar, cast
 
 from pydantic import ValidationError
@@ -123,12 +123,23 @@ class Source:
                 self.names.problem(message, *path, *where)
             return None
 
-    def specs(self, section: str, kinds: Mapping[str, type[SpecT]]) -> dict[str, SpecT]:
+    def specs(self, section: str, kinds: Mapping[str, type[SpecT]], beside: Collection[str] = ()) -> dict[str, SpecT]:
+        """The descriptions of a section by name. beside: keys that an entry may have beside its kind."""
         found: dict[str, SpecT] = {}
         for name, value in self.named(section).items():
             with self.names.reading(section, name):
                 if isinstance(value, str) and value in kinds:
                     value = {value: None}
+                if isinstance(value, dict):
+                    entry = cast("dict[str, Any]", value)
+                    value = {key: fields for key, fields in entry.items() if key not in beside}
+                    if len(more := [key for key in value if key not in kinds]) == len(value) - 1 > 0 and beside:
+                        for key in more:
+                            hint = did_you_mean(key, beside)
+                            self.names.problem(
+                                Message("{what} has no {key}.{hint}", what=name, key=key, hint=hint), key
+                            )
+                        continue
                 if not isinstance(value, dict) or len(cast("dict[str, Any]", value)) != 1:
                     hint = next(iter(kinds))
                     self.names.problem(

@@ -1,0 +1,58 @@
+"""The blow at the start: impulse and momentum, and what is asked of the blow itself."""
+
+from __future__ import annotations
+
+from freebody.errors import CannotAnswer
+from freebody.language.expression import Symbol
+from freebody.language.sentences import Message
+from freebody.narrative.context import Context, Method, refuse
+from freebody.narrative.lines.naming import asked_entry, asked_symbol, side_of, written
+from freebody.narrative.lines.script import DerivationStage, Script
+from freebody.narrative.principles.formal import elements
+from freebody.questions.reading import Question
+from freebody.study.answering.answer import Answer
+from freebody.symbolic.tidy import tidy
+
+
+def tell_blow(context: Context, script: Script) -> None:
+    """The momenta before and after the blow, coordinate by coordinate, and the speeds that follow. Raises CannotAnswer
+    where there are none in formulas."""
+    system, setup = context.setup.system, context.setup
+    blow = setup.start_instant.blow
+    f = setup.model.field
+    closing = tuple(dict.fromkeys(row.connection for row in system.constraint_rows if row.closes))
+    striking = tuple(dict.fromkeys(push.load for push in system.impulses))
+    with script.stage("stage.blow", "hint.blow"):
+        if striking:
+            script.say("blow.strikes", names=striking)
+        if closing:
+            script.say("blow.closes", names=closing)
+        script.say("blow.before")
+        lines: list[int] = []
+        for c, (after, brought) in zip(setup.model.coordinates, blow.balances, strict=True):
+            if after.is_zero() and brought.is_zero():
+                continue
+            script.say("blow.balance", name=Symbol(c.name))
+            lines.append(script.line(tidy(after), tidy(brought), when="start"))
+        for c in setup.model.coordinates if lines else ():
+            speed = tidy(f.variable(c.speed))
+            uses = tuple(lines)
+            script.line(
+                speed, tidy(blow.speeds[c.speed]), why="blow.solved", args={"lines": uses}, uses=uses, when="start"
+            )
+
+
+def derive(context: Context, question: Question, answer: Answer, method: Method) -> list[DerivationStage]:
+    """The derivation of what belongs to the blow. Raises CannotAnswer where the solver has no formula."""
+    if answer.expression is None:
+        raise CannotAnswer(answer.reason or Message("there is no closed form"))
+    refuse(method, (), Message("what belongs to the blow"))
+    setup = context.setup
+    parts = elements(setup.model.field, question.quantity.value(setup.system, setup.start_instant))
+    script = context.script()
+    name = asked_symbol(context, question, len(parts))
+    with script.stage("stage.value", "hint.value"):
+        script.say("blow.whole" if question.quantity.is_of_whole else "blow.body_by_body")
+        script.add(asked_entry(name, question, n=len(parts)))
+        script.line(side_of(name, len(parts)), written(parts), why="blow.follows", when="start")
+    return script.stages

@@ -1,0 +1,93 @@
+"""A blow at the start in numbers: impulses, and connections that close, change the velocities at once.
+
+The start of the model says how everything moves just before. With P the generalized impulses, J the gradients of what
+is held afterwards and Lambda its impulses,
+
+    M (v - v_before) = P + J^T Lambda,        J v = target',
+
+solved as the accelerations of an instant are. Forces of finite size do nothing in no time, and no place changes.
+Source: Pfeiffer & Glocker, Multibody Dynamics with Unilateral Contacts, 1996, ch. 8.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
+from freebody.model.elements import ConstraintRow
+from freebody.numeric.instant import free_motion, held, law
+from freebody.numeric.jets import Array, JetGeometry
+from freebody.numeric.split import Split, stack
+from freebody.numeric.start import Wanted, start_velocities
+from freebody.numeric.system import NumericSystem
+from freebody.tolerances import ROUND_OFF
+
+
+@dataclass(frozen=True)
+class Blow:
+    """The velocities (n,) just before and after, and the impulses of the held rows."""
+
+    before: Array
+    after: Array
+    multipliers: Array
+    split: Split
+
+
+def blow(reference: NumericSystem, g: JetGeometry, extra: Wanted = ()) -> Blow:
+    """The blow at the start in the pose of g, whose velocities are zero. extra: rates that are wanted before."""
+    n, M = len(g.q), reference.masses
+    before = start_velocities(reference, g, extra, with_start=True)
+    rows = reference.system.constraint_rows
+    gaps = [reference.gap(row, g) for row in rows]
+    split = Split(stack([gap.row(n) for gap in gaps], n), reference.sizes.small_moves)
+    v = split.least(np.array([-gap.rate for gap in gaps]))
+    struck = M * before + _impulses(reference, g)
+    if split.null.shape[1]:
+        v = v + free_motion(reference, split.null, struck - M * v)
+    return Blow(before, v, split.multipliers(M * v - struck), split)
+
+
+def _impulses(reference: NumericSystem, g: JetGeometry) -> Array:
+    total = np.zeros(len(g.q))
+    for push in reference.system.impulses:
+        measure = reference.jet(g, push.measure, push.name)
+        if measure.gradient is not None:
+            total = total + law(reference, g, push, measure) * measure.gradient
+    return total
+
+
+def check_blow(reference: NumericSystem, q: Array) -> None:
+    """Raises CannotAnswer where the blow at the start is not that of what is held: where a connection that cannot pull
+    would have to, and where dry friction is loaded by it."""
+    if not reference.system.is_struck:
+        return
+    struck = blow(reference, reference.geometry(q, np.zeros_like(q), 0.0))
+    loads = {name for rub in reference.system.dry_friction for name in rub.load}
+    given = float(np.abs(struck.multipliers).max(initial=0.0))
+    for row, size in zip(reference.system.constraint_rows, struck.multipliers, strict=True):
+        if row.unilateral and row.sign * size < -ROUND_OFF * given:
+            raise CannotAnswer(
+                Message(
+                    "{connection} cannot hold in the blow at the start, where it would have to pull instead of push, "
+                    "or to push instead of pull: leave it out, or strike the other way",
+                    connection=row.connection,
+                )
+            )
+        if row.name in loads and abs(size) > ROUND_OFF * given:
+            raise CannotAnswer(blow_loads_friction(row))
+
+
+def blow_loads_friction(row: ConstraintRow) -> Message:
+    """Why a blow is not answered."""
+    return Message(
+        "the blow at the start loads {connection}, whose dry friction acts in it as well: such a blow is not solved",
+        connection=row.connection,
+    )
+
+
+def impulse(reference: NumericSystem, struck: Blow, row: ConstraintRow) -> float:
+    """The impulse of a row in a blow. Raises CannotAnswer if it is not unique."""
+    return held(reference, struck.split, struck.multipliers, row)

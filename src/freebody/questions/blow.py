@@ -1,0 +1,126 @@
+"""Questions about the blow at the start: the impulses of connections, and the energy that is lost in it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from freebody.language.sentences import NOTHING, Argument, Message, Sentence
+from freebody.language.units import ANGULAR_MOMENTUM, ENERGY, IMPULSE, Dimension
+from freebody.model.elements import ConstraintRow
+from freebody.model.state import State
+from freebody.questions.base import NAME, POINT, Described, Found, Path, Quantity, asked
+from freebody.questions.energy import Energy
+from freebody.questions.reactions import Wrench, read_moment, read_wrench
+from freebody.questions.vectors import IN_BASIS, has_name, said_along
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+_RANK = 60
+
+
+@dataclass(frozen=True)
+class ImpulsiveWrench(Wrench, kind="impulse"):
+    """Impulse or angular impulse of a connection on a body in the blow at the start: a vector, a component, the size,
+    or the angular impulse about the mass centre or a point."""
+
+    example = """
+bodies: {rod: {rod: {mass: 3 kg, length: 2 m}, angle: -90 deg}}
+connections: {pivot: {pin: [ground.A, rod.start]}}
+loads: {blow: {impulse: {at: rod.end, along: right, magnitude: 5 N s}}}
+questions: {it: impulse of pivot along right}
+"""
+    is_of_start = True
+    is_reaction = False
+
+    @property
+    def dimension(self) -> Dimension:
+        return ANGULAR_MOMENTUM if self.moment else IMPULSE
+
+    @property
+    def may_jump(self) -> bool:
+        return False
+
+    def transmitted(self, state: State[Any], row: ConstraintRow) -> Any:
+        return state.impulse(row)
+
+    def remark(self, system: Described) -> str:
+        connection, body = self.connection, self.body(system)
+        if self.moment:
+            return Message("the angular impulse of {connection} on {body}", connection=connection, body=body)
+        return Message("the impulse of {connection} on {body}", connection=connection, body=body)
+
+    def sentence(self, system: Described) -> Sentence | None:
+        if not has_name(self.along, self.basis):
+            return None
+        what, size = "angular_impulse" if self.moment else "impulse", "size_" if self.size else ""
+        on = NOTHING if self.on is None else Sentence("what.on", {"body": self.on})
+        about = NOTHING if self.about is None else Sentence("what.about", {"point": str(self.about)})
+        args: dict[str, Argument] = {
+            "connection": self.connection,
+            "on": on,
+            "along": said_along(self.along),
+            "about": about,
+        }
+        return Sentence(f"what.{size}{what}", args)
+
+
+@dataclass(frozen=True)
+class EnergyLostInBlow(Quantity, kind="energy lost in the blow"):
+    """The kinetic energy just before the blow at the start less that just after."""
+
+    example = """
+bodies:
+  bullet: {particle: {mass: 1 kg}, velocity: [4 m/s, 0]}
+  block: {particle: {mass: 3 kg}}
+connections: {hit: {weld: [bullet, block], closes: at start}}
+questions: {it: energy lost in the blow}
+"""
+    measured_in = ENERGY
+    is_of_start = True
+
+    @property
+    def unit(self) -> str:
+        return "J"
+
+    @property
+    def is_of_whole(self) -> bool:
+        return True
+
+    def value(self, system: Described, state: State[Any]) -> Any:
+        return state.energy_before - Energy("kinetic").value(system, state)
+
+    def sentence(self, system: Described) -> Sentence:
+        return Sentence("what.lost_in_blow")
+
+
+# -- words ------------------------------------------------------------------------------------
+@asked(
+    "impulse of CONNECTION [on BODY] [along DIRECTION]; x, y component of, size of",
+    rf"(?:(?P<part>horizontal|vertical|size of|magnitude of|x component of|y component of) )?(?:the )?"
+    rf"(?:impulse|impulsive reaction) of (?P<of>{NAME})"
+    rf"(?: on (?P<on>{NAME}))?(?: along (?P<along>.+?))?{IN_BASIS}",
+    rank=_RANK,
+)
+def _impulse(names: Names, found: Found, path: Path) -> Quantity | None:
+    return read_wrench(names, found, path, ImpulsiveWrench)
+
+
+@asked(
+    "angular impulse of CONNECTION [on BODY] [about POINT] [along DIRECTION] [in BASIS]",
+    rf"(?P<size>size of |magnitude of )?(?:the )?angular impulse of (?P<of>{NAME})(?: on (?P<on>{NAME}))?"
+    rf"(?: about (?P<about>{POINT}))?(?: along (?P<along>.+?))?{IN_BASIS}",
+    rank=_RANK,
+)
+def _angular_impulse(names: Names, found: Found, path: Path) -> Quantity | None:
+    return read_moment(names, found, path, ImpulsiveWrench)
+
+
+@asked(
+    "energy lost in the blow",
+    r"(?:kinetic )?(?:energy lost|loss of (?:kinetic )?energy) in (?:the )?(?:blow|impact|collision|jerk)",
+    rank=_RANK,
+)
+def _lost(names: Names, found: Found, path: Path) -> Quantity | None:
+    return EnergyLostInBlow()
