@@ -227,3 +227,13 @@ questions: [{find: velocity of q along y at start}]
             value = solution.answers[0].value
             told.add((solution.coordinates, solution.dependent, f"{value:.9g}"))
         assert len(told) == 1
+
+
+# -- a second name for the same length ------------------------------------------------------------
+def test_a_distance_beside_a_travel_keeps_the_sense_of_the_travel() -> None:
+    """r'' = omega^2 r for a bead on a rod that turns, whichever side it is on; a distance cannot be negative."""
+    text = (EXAMPLES / "bead_on_turning_rod.yaml").read_text()
+    text = text.replace("measures:\n", "measures:\n  zz: distance from ground.origin to bead\n")
+    found = fb.System.from_text(text).solve("acceleration of r").answers[0]
+    assert found.evidence is not None, found.reason
+    assert found.value == pytest.approx(9.0 * 0.2)

@@ -231,6 +231,11 @@ def test_the_simulation_starts_after_the_blow() -> None:
     motion = fb.simulate(system, until=2.0)
     speed = 0.01 * 400 / (2.01 * 1.5)
     assert motion.series["theta"][1][0] == pytest.approx(speed, rel=1e-12)
+    blow = motion.to_plain()["blow"]
+    assert blow["energy_lost"] == pytest.approx(0.01 * 2 * 400**2 / (2 * 2.01), rel=1e-12)
+    assert blow["impulses"]["wire.length"] == pytest.approx(0.0, abs=1e-9)
+    assert "kinetic energy lost 796" in motion.to_text()
+    assert motion.simulator.assumptions == ()
     assert max(abs(motion.series["theta"][0])) <= math.acos(1 - (1.5 * speed) ** 2 / (2 * 9.81 * 1.5)) * (1 + 1e-9)
 
 

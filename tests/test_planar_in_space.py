@@ -44,7 +44,7 @@ TOLERANCES = {"wedge_under_load": 1e-9}
 TOLERANCE, CLOSE, SEED = 1e-12, 1e-9, 5
 # what cannot be said in space, and why
 REFUSED = {"moreau": "time stepping.*is for models of the plane"}
-LOADS_ABOUT = ("torque", "torsional_spring", "torsional_damper")
+LOADS_ABOUT = ("torque", "torsional_spring", "torsional_damper", "angular_impulse")
 
 example = pytest.mark.parametrize("name", EXAMPLES)
 

@@ -59,11 +59,11 @@ def _impulses(reference: NumericSystem, g: JetGeometry) -> Array:
     return total
 
 
-def check_blow(reference: NumericSystem, q: Array) -> None:
-    """Raises CannotAnswer where the blow at the start is not that of what is held: where a connection that cannot pull
-    would have to, and where dry friction is loaded by it."""
+def checked_blow(reference: NumericSystem, q: Array) -> Blow | None:
+    """The blow at the start, if there is one. Raises CannotAnswer where it is not that of what is held: where a
+    connection that cannot pull would have to, and where dry friction is loaded by it."""
     if not reference.system.is_struck:
-        return
+        return None
     struck = blow(reference, reference.geometry(q, np.zeros_like(q), 0.0))
     loads = {name for rub in reference.system.dry_friction for name in rub.load}
     given = float(np.abs(struck.multipliers).max(initial=0.0))
@@ -78,6 +78,7 @@ def check_blow(reference: NumericSystem, q: Array) -> None:
             )
         if row.name in loads and abs(size) > ROUND_OFF * given:
             raise CannotAnswer(blow_loads_friction(row))
+    return struck
 
 
 def blow_loads_friction(row: ConstraintRow) -> Message:

@@ -6,11 +6,14 @@ from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 
 from freebody.errors import CannotAnswer, ModelError, Problem
 from freebody.language.sentences import Message
+from freebody.language.units import LENGTH
+from freebody.measures.base import Measure
 from freebody.model.elements import ConstraintRow
 from freebody.numeric.reference import Snapshot
 from freebody.numeric.split import Split, stack
@@ -28,6 +31,7 @@ from freebody.tolerances import ROUND_OFF
 
 N_DRAWS = 6
 _TIME = 0.37  # an instant at which drivers are looked at
+_SAME = 1e-6  # of a length: less is no other sign
 _STILL = 1e-8  # of the slope of a measure: less along all free motions is no change
 
 _N_WAYS = 6  # directions in which a general pose is looked for
@@ -211,7 +215,21 @@ def _is_on_branch(model: SymbolicModel, draw: Draw, snapshot: Snapshot) -> bool:
     if not model.samples.assumed:
         return True
     numbers = model.samples.numbers(draw.sample(snapshot))
-    return all(model.field.evaluate(x, numbers) > 0 for x in model.samples.assumed)
+    if not all(model.field.evaluate(x, numbers) > 0 for x in model.samples.assumed):
+        return False
+    lengths = [m for m in model.system.measures.values() if m.dimension == LENGTH]
+    return all(_is_as_in_formulas(model, numbers, snapshot, m) for m in lengths)
+
+
+def _is_as_in_formulas(model: SymbolicModel, numbers: dict[int, Any], snapshot: Snapshot, length: Measure) -> bool:
+    """Whether a named length has the value that the formulas give it: where they write it by another one, its sign may
+    be that of the start (a travel by a distance)."""
+    try:
+        value = snapshot.value(length)
+        gap = abs(float(model.field.evaluate(model.value_of(length), numbers)) - value)
+    except (CannotAnswer, ArithmeticError):
+        return True  # it has no value there
+    return gap <= _SAME * max(snapshot.reference.sizes.length, abs(value))
 
 
 def held_in_blow(row: ConstraintRow) -> Message:

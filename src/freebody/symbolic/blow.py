@@ -177,19 +177,26 @@ class Blow:
         """For each coordinate the momentum that belongs to it after the blow, in the speeds, and what the motion before
         and the impulses bring."""
         model, f = self.model, self.field
+        names = list(model.kinematics.velocities)
+        momenta = {name: self._momentum(name, lambda body, slot: self._velocity(body)[slot]) for name in names}
         found: list[tuple[Ratio, Ratio]] = []
         for k in range(len(model.coordinates)):
             after, brought = f.zero, f.zero
-            for name, velocity in model.kinematics.velocities.items():
-                momenta = model.dynamics.momentum(name, velocity)
-                slopes = model.kinematics.partial_velocities[name][k]
-                for p, given, slope in zip(momenta, self._brought(name), slopes, strict=True):
+            for name in names:
+                slopes = map(self._here, model.kinematics.partial_velocities[name][k])
+                for p, given, slope in zip(momenta[name], self._brought(name), slopes, strict=True):
                     if not slope.is_zero():
                         after, brought = after + p * slope, brought + given * slope
-            here = (f.follow(model.in_independent_speeds(x), self._places) for x in (after, brought))
-            left, right = map(f.lowest_terms, here)
-            found.append((left, right))
+            found.append((f.lowest_terms(after), f.lowest_terms(brought)))
         return found
+
+    def _velocity(self, body: str) -> dict[str, Ratio]:
+        """Of a body along its slots, in the pose of the blow, in the speeds."""
+        model = self.model
+        parts = model.kinematics.velocities[body]
+        return {
+            slot: self._here(model.in_independent_speeds(v)) for slot, v in zip(model.bodies.slots, parts, strict=True)
+        }
 
     def _speeds_after(self) -> dict[int, Ratio]:
         model, f = self.model, self.field
@@ -225,9 +232,8 @@ class Blow:
             return f.lowest_terms(f.follow(model.in_independent_speeds(x), after))
 
         def rest(body: str) -> Parts:
-            velocity = tuple(map(now, model.kinematics.velocities[body]))
-            inertia = model.dynamics.momentum(body, velocity)
-            return tuple(f.lowest_terms(self._here(p) - q) for p, q in zip(inertia, self._brought(body), strict=True))
+            momentum = self._momentum(body, lambda name, slot: now(self._velocity(name)[slot]))
+            return tuple(f.lowest_terms(p - q) for p, q in zip(momentum, self._brought(body), strict=True))
 
         return model.reactions.impulses(rest, now)
 

@@ -46,24 +46,22 @@ def start_state(model: SymbolicModel, known: dict[str, Expr], known_rates: dict[
     for c in model.coordinates:
         q = scalar(known[c.name]) if c.name in known else _start_of(model, c, known)
         values[c.index] = q
+    if not model.system.is_struck:
+        values |= model.start_speeds.together(known_rates, values)
+        for c in sorted(model.coordinates, key=lambda c: c.name not in known_rates):
+            if c.speed not in values:
+                u = scalar(known_rates[c.name]) if c.name in known_rates else None
+                values[c.speed] = u if u is not None else _start_speed(model, c, known_rates, values)
     for c in model.dependent:
-        given_place = scalar(known[c.name]) if c.name in known else model.start.of_coordinate(c)
-        if given_place is None:
-            given_place = model.start.recognised(c)
-        if given_place is not None:
-            values[c.index] = given_place
+        place = scalar(known[c.name]) if c.name in known else model.start.of_coordinate(c)
+        if place is None:
+            place = model.start.recognised(c)
+        if place is not None:
+            values[c.index] = place
+    values[f.index(f.time)] = f.zero
     if model.system.is_struck:
-        values[f.index(f.time)] = f.zero
         blow = Blow(model, known_rates, values)
         return StartState(values | blow.speeds, (), blow)
-    places = {c.index: values[c.index] for c in model.coordinates}
-    speeds = model.start_speeds.together(known_rates, places)
-    for c in sorted(model.coordinates, key=lambda c: c.name not in known_rates):
-        if c.speed not in speeds:
-            u = scalar(known_rates[c.name]) if c.name in known_rates else None
-            speeds[c.speed] = u if u is not None else _start_speed(model, c, known_rates, places | speeds)
-    values |= speeds
-    values[f.index(f.time)] = f.zero
     given = rates_by_velocities(model, known_rates, values)
     values |= given.speeds
     if not given.is_open:

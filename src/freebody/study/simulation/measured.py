@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from dataclasses import asdict
 from functools import cached_property
 from typing import Any
 
 import numpy as np
 
-from freebody.errors import InputError
+from freebody.errors import CannotAnswer, InputError
 from freebody.language.sentences import Message
+from freebody.numeric.blow import impulse
 from freebody.numeric.contact.admissible import admissible_reactions
 from freebody.numeric.jets import Array
 from freebody.study.simulation.contact_series import final_states
@@ -71,7 +73,22 @@ class MeasuredMotion(SimulatedMotion):
             "events": [{"time": e.time, "name": e.name, "kind": e.kind} for e in self.events],
             "final": final,
             **self._contact_summary(),
+            **self._blow_summary(),
         }
+
+    def _blow_summary(self) -> dict[str, Any]:
+        """The blow at the start: the kinetic energy that is lost in it [J], and the impulses [N s, N m s] that are
+        unique, by row, with the sign of its reaction."""
+        reference, struck = self.simulator.reference, self.simulator.blow
+        if struck is None:
+            return {}
+        impulses: dict[str, float] = {}
+        for row in reference.system.constraint_rows:
+            with suppress(CannotAnswer):
+                impulses[row.name] = row.sign * impulse(reference, struck, row)
+        M = reference.masses
+        lost = 0.5 * float(struck.before @ (M * struck.before) - struck.after @ (M * struck.after))
+        return {"blow": {"energy_lost": lost, "impulses": impulses}}
 
     def _contact_summary(self) -> dict[str, Any]:
         """Contact states at the end, and all collisions."""

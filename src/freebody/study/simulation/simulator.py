@@ -13,7 +13,7 @@ from freebody.errors import CannotAnswer, InputError, ModelError
 from freebody.language.sentences import Message, further
 from freebody.measures.base import Measure
 from freebody.model.names import did_you_mean
-from freebody.numeric.blow import check_blow
+from freebody.numeric.blow import checked_blow
 from freebody.numeric.contact.bounded import Bounded
 from freebody.numeric.contact.hybrid import Hybrid
 from freebody.numeric.contact.start import assembled_touching, start_velocities
@@ -58,11 +58,14 @@ class Simulator:
                 )
         self.reference = Reference(system, values)
         q = assembled_touching(self.reference)
-        check_blow(self.reference, q)
+        self.blow = checked_blow(self.reference, q)
         v = start_velocities(self.reference, q)
         self.assumptions = system.assumptions
         if not has_phases(system):
-            self.assumptions = (*self.assumptions, *rates_not_given(self.reference, q, v))
+            self.assumptions = (
+                *self.assumptions,
+                *rates_not_given(self.reference, q, v if self.blow is None else self.blow.before),
+            )
         self.numbers = self.reference.numbers()
         watches, tracked = _watches(self, events), list(system.measures.values())
         self.bounded = None if by_steps or not has_phases(system) else Bounded(self.numbers, watches, tracked)

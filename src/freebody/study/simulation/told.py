@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import Any
 
-from freebody.language.units import unit_of
+from freebody.language.units import ENERGY, TIME, unit_of
 from freebody.present.report.blocks import Block, Entry, Section
 from freebody.present.report.results import entries, entry, notes, table
 from freebody.study.simulation.measured import MeasuredMotion
@@ -39,6 +39,8 @@ def _said(result: MeasuredMotion, summary: dict[str, Any]) -> Iterator[Entry]:
     )
     violated = (f"{summary['max_position_violation']:.1e} m", f"{summary['max_velocity_violation']:.1e} m/s")
     yield entry("constraints", f"at most {' and '.join(violated)} violated")
+    if "blow" in summary:
+        yield entry("blow", *_blow(result, summary["blow"]))
     error, relative = summary["energy_error"], summary["energy_error_relative"]
     yield entry("energy", f"energy balance error: {error:.1e} J (relative {relative:.1e})")
     open_ = [r.name for k, r in enumerate(result.rows) if not course.unique[:, k].all()]
@@ -49,6 +51,16 @@ def _said(result: MeasuredMotion, summary: dict[str, Any]) -> Iterator[Entry]:
     if result.trusted_until is not None:
         is_all = result.trusted_until >= result.t_end
         yield entry("trust", "to the end" if is_all else f"two tolerances diverge at {result.trusted_until:.4g} s")
+
+
+def _blow(result: MeasuredMotion, blow: dict[str, Any]) -> Iterator[str]:
+    """What the blow at the start takes, and the impulses of what is held."""
+    yield f"at the start; kinetic energy lost {blow['energy_lost']:.6g} J"
+    rows = {row.name: row for row in result.system.constraint_rows}
+    for name, value in list(blow["impulses"].items())[:N_LISTED]:
+        yield f"impulse of {name} {value:.6g} {unit_of(ENERGY * TIME / rows[name].measure.dimension)}"
+    if len(blow["impulses"]) > N_LISTED:
+        yield f"{len(blow['impulses']) - N_LISTED} more"
 
 
 def _contacts(result: MeasuredMotion, summary: dict[str, Any], open_: Sequence[str]) -> Iterator[str]:
