@@ -315,3 +315,13 @@ def test_the_derivation_balances_momenta() -> None:
     assert "m⋅b⋅v" in said
     german = fb.explain(System.from_text(BULLET + "questions: [impulse of A on rod]\n"), language="de").to_text()
     assert "Der Stoß" in german
+
+
+def test_cases_that_differ_in_a_sign_exclude_each_other() -> None:
+    """Squares of |sqrt(3) (7 R - 5 h)| > 7 mu R do not tell in which sense it slips: the sign stands beside them."""
+    text = CUE.replace("along: right, magnitude", "along: -30 deg, magnitude")
+    found = fb.solve(System.from_text(text + "questions: [time when rolling begins]\n")).answers[0]
+    sets = [frozenset(case.conditions) for case in found.cases]
+    assert len(sets) == 2
+    assert len(set(sets)) == 2
+    assert {"7·R > 5·h", "5·h > 7·R"} <= frozenset().union(*sets)

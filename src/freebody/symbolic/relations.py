@@ -145,22 +145,30 @@ def needed(conditions: Sequence[Condition]) -> list[Condition]:
 
 def _without_compared_roots(condition: Condition, premises: Sequence[Condition]) -> list[Condition]:
     """A sqrt(a) > B sqrt(b) with positive A and B as A^2 a > B^2 b, where both roots are real; the condition itself if
-    it is no such."""
+    it is no such. A sign that follows from the condition alone is lost in the squares, so it stands beside them."""
     x, field = condition.element.numerator(), condition.element.field
     below = sign_given(condition.element.denominator(), premises)
     roots = [g for g in sorted(x.generators()) if field.generators[g].kind == "root"]
     if condition.relation not in _FLIPPED or not 0 < len(roots) < 3 or not below.is_strict:
         return [condition]
     rest, squares, reals = x, list[tuple[Ratio, Sign]](), list[Condition]()
+    others = [c for c in premises if c.element != condition.element]
+
+    def sign_beside(part: Ratio) -> Sign:
+        sign = sign_given(part, premises)
+        if sign.is_strict and not sign_given(part, others).is_strict:
+            reals.append(Condition(part if sign is Sign.POSITIVE else -part, ">"))
+        return sign
+
     for root in roots:
         parts = rest.coefficients(root)
         if len(parts) != 2 or root in field.ingredients(parts[0]) | field.ingredients(parts[1]):
             return [condition]
         rest, factor = parts
-        squares.append((factor * factor * field.radicand(root), sign_given(factor, premises)))
+        squares.append((factor * factor * field.radicand(root), sign_beside(factor)))
         reals.append(Condition(field.radicand(root), ">="))
     if len(roots) == 1:
-        squares.append((rest * rest, sign_given(rest, premises)))
+        squares.append((rest * rest, sign_beside(rest)))
     elif not rest.is_zero():
         return [condition]
     (a, sign_a), (b, sign_b) = squares
