@@ -227,6 +227,15 @@ _LANDAU = "sqrt((m1 + m2)*((m1 + m2)*(L1 + L2)**2 - 4*m1*L1*L2))"
 
 _LIFTED = "(W/((1 - mu**2)*cos(alpha) - 2*mu*sin(alpha)))"  # what the inclined face of a wedge carries
 TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
+    # m v' = -m g - k v |v|, separated: upwards a tangent of the time, back by the energy that the resistance leaves
+    "ball_against_the_air": {
+        "highest": "m/(2*k)*log(1 + k*v0**2/(m*g))",
+        "rise": "sqrt(m/(k*g))*atan(v0*sqrt(k/(m*g)))",
+        "velocity": "sqrt(m*g/k)*tan(atan(v0*sqrt(k/(m*g))) - T*sqrt(k*g/m))",
+        "back": "-v0/sqrt(1 + k*v0**2/(m*g))",
+        "terminal": "-sqrt(m*g/k)",
+        "stronger": "m*g/v0**2",
+    },
     # phi = (left + right)/2, the planet turns by (left - right)/2; Lagrange's equations in left and right
     "bevel_differential": {
         "freedom": "2",

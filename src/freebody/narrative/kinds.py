@@ -9,6 +9,7 @@ from freebody.narrative.contact.settings import has_phases
 from freebody.narrative.context import Derive
 from freebody.narrative.questions.numeric import or_in_numbers
 from freebody.questions.base import Scope
+from freebody.questions.clock import Clock
 from freebody.questions.reading import Question, is_of_start
 from freebody.system.system import System
 
@@ -40,4 +41,6 @@ def _place(system: System, question: Question) -> str:
         return "contact.phases"
     if scope in _PLACES:
         return _PLACES[scope]
+    if isinstance(question.event, Clock):
+        return "questions.clock"
     return "questions.instant" if question.event is None else "questions.course"

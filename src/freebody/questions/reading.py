@@ -1,6 +1,6 @@
 """Reading questions: what is asked, when it is meant, and the options to choose from.
 
-    QUANTITY [at start | when MEASURE = VALUE]        time when MEASURE = VALUE
+    QUANTITY [at start | when MEASURE = VALUE | at t = TIME | as t grows]        time when MEASURE = VALUE
 
 The grammar of quantities is the table `FORMS`; error messages and the documentation list it.
 """
@@ -23,6 +23,7 @@ from freebody.model.phrases import PHRASES, measure_of, phrase_text, read_measur
 from freebody.questions import turned_round
 from freebody.questions.arithmetic import AtStart, read_calculated
 from freebody.questions.base import FORMS, Path, Quantity
+from freebody.questions.clock import ENDLESS, Clock, by_the_clock, time_asked
 from freebody.questions.course import Counted, Transition, When, as_condition, read_transition
 from freebody.questions.motion import OfMeasure
 from freebody.questions.operands import (
@@ -46,6 +47,9 @@ class QuestionEvent:
     text: str
 
 
+AskedEvent = QuestionEvent | Clock
+
+
 @dataclass(frozen=True)
 class Question:
     """A quantity that is asked for, when it is meant, and the options to choose from."""
@@ -53,7 +57,7 @@ class Question:
     id: str
     text: str
     quantity: Quantity
-    event: QuestionEvent | None = None
+    event: AskedEvent | None = None
     at_start: bool = False
     options: Mapping[str, str] = field(default_factory=dict[str, str])
     key: str | None = None
@@ -94,7 +98,12 @@ def read_quantity(names: Names, text: str, path: Path) -> Quantity | None:
     return None
 
 
-def _event(names: Names, text: str, path: Path) -> QuestionEvent | None:
+def _event(names: Names, text: str, path: Path) -> AskedEvent | None:
+    time = None if "t" in names.measures else time_asked(text)
+    if time == "":
+        return Clock(None, ENDLESS)
+    if time is not None:
+        return Clock(names.formula(time, TIME, *path), text)
     found = re.match(r"^(?P<what>.+?)\s*(?:=| reaches | is | equals )\s*(?P<value>.+)$", text)
     if found is None:
         names.problem(Message("cannot read the condition '{text}'; write for example x = h", text=text), *path)
@@ -189,7 +198,7 @@ class _Asked:
     """A quantity, and when it is meant."""
 
     quantity: Quantity
-    event: QuestionEvent | None = None
+    event: AskedEvent | None = None
     at_start: bool = False
     transition: Transition | None = None
 
@@ -201,12 +210,13 @@ def _asked(names: Names, phrase: str, when: object) -> _Asked | None:
         return _turned_round(names, turned["parameter"], turned["relation"], when)
     if when is not None:
         path: Path = ("when",)
-        condition, phrase, at_start = str(when), without_start(phrase), False
+        phrase, condition = by_the_clock(phrase), by_the_clock(f" {when}").removeprefix(" when ").strip()
+        phrase, at_start = without_start(phrase), False
         if condition in ("start", "at start"):
             condition, at_start = None, True
     else:
         path = ("find",)
-        phrase, condition = event_at_end(names, ratio_as_quotient(names, phrase))
+        phrase, condition = event_at_end(names, ratio_as_quotient(names, by_the_clock(phrase)))
         at_start = condition is None and without_start(phrase) != phrase
         phrase = without_start(phrase)
     operands = operands_of(names, phrase)
@@ -222,6 +232,7 @@ def _turned_round(names: Names, name: str, relation: str, when: object) -> _Aske
         told = Message("{name} is no parameter.{hint}", name=name, hint=did_you_mean(name, names.parameters))
         names.unknown(name, told, "find")
         return None
+    relation = by_the_clock(relation)
     head, condition = (relation, None) if when is not None else event_at_end(names, relation)
     starts = condition is None and without_start(head) != head  # else these words belong to what is last
     found = relation_of(without_start(head) if starts else head, condition)
@@ -284,6 +295,9 @@ def _meant(names: Names, phrase: str, condition: str | None, at_start: bool, pat
     if phrase in ("time", "the time"):
         if condition is None:
             names.problem(Message("say of what: time when x = h"), "find")
+            return None
+        if time_asked(condition) is not None and "t" not in names.measures:
+            names.problem(Message("the time of an instant by the clock is given; ask for another quantity then"), *path)
             return None
         return _placed(names, When(), condition, at_start, path)
     # the event is read first: what is wrong with it is said first

@@ -1,6 +1,8 @@
-"""Integrals over a coordinate: of polynomials in it, or in the cosine and sine of one angle that turns with it.
+"""Integrals over a coordinate: of polynomials in it, in the cosine and sine of one angle that turns with it, or in
+exponentials of it, and of sums of these.
 
-int c^m s = -c^(m+1)/(m+1),      int c^m = c^(m-1) s/m + (m-1)/m int c^(m-2),      s^2 = 1 - c^2.
+int c^m s = -c^(m+1)/(m+1),      int c^m = c^(m-1) s/m + (m-1)/m int c^(m-2),      s^2 = 1 - c^2;
+int x^n e = (x^n e - n int x^(n-1) e)/k,     int x^n c = (x^n s - n int x^(n-1) s)/k,   and likewise for s.
 """
 
 from __future__ import annotations
@@ -11,24 +13,61 @@ from freebody.symbolic.field import Field, Ratio
 def antiderivative(x: Ratio, index: int) -> Ratio | None:
     """An element whose derivative with respect to a coordinate is x; None where it is not of these kinds."""
     field = x.field
-    if index in field.ingredients(x.denominator()):
-        return None
     moving = [g for g in x.generators() if index in field.ingredients(field.variable(g))]
-    pairs = field.pairs(g for g in moving if g != index)
-    if len(pairs) > 1 or (pairs and (index in moving or not set(moving) <= set(pairs[0]))):
-        return None
+    below = dict[int, int]()  # exp(-k x) stands there as exp(k x)
+    if index in field.ingredients(x.denominator()):
+        terms = list(field.terms(x.denominator().num))
+        below = {g: e for g, e in terms[0] if g in moving}
+        if len(terms) != 1 or any(field.arguments.get(g, ("", field.one))[0] != "exp" for g in below):
+            return None
+    divisor = x.denominator()
+    for g, e in below.items():
+        divisor = divisor / field.variable(g) ** e
     total = field.zero
     for monomial, coefficient in field.terms(x.num).items():
-        powers = dict(monomial)
+        powers = {g: e for g, e in monomial if g in moving}
+        powers |= {g: powers.get(g, 0) - e for g, e in below.items()}
+        powers = {g: e for g, e in powers.items() if e}
         rest = field.polynomial({tuple((g, e) for g, e in monomial if g not in moving): coefficient})
-        if pairs:
-            part = _wave(field, *pairs[0], powers.get(pairs[0][0], 0), powers.get(pairs[0][1], 0), index)
-        else:
-            n = powers.get(index, 0) + 1
-            part = field.variable(index) ** n / n
+        part = _of_term(field, powers, index)
+        if part is None:
+            return None
         total = total + rest * part
-    total = field.lowest_terms(total / x.denominator())
+    total = field.lowest_terms(total / divisor)
     return total if field.derivative(total, index) == x else None
+
+
+def _of_term(field: Field, powers: dict[int, int], index: int) -> Ratio | None:
+    """The integral of a product of powers of what changes with the coordinate."""
+    n = powers.get(index, 0)
+    others = {g: e for g, e in powers.items() if g != index}
+    if not others:
+        return field.variable(index) ** (n + 1) / (n + 1)
+    pairs = field.pairs(others)
+    if len(pairs) == 1 and set(others) <= set(pairs[0]):
+        (cosine, sine), sized = pairs[0], field.derivative(field.variable(pairs[0][0]), index)
+        if n and sum(others.values()) > 1:
+            return None
+        if not n:
+            return _wave(field, cosine, sine, others.get(cosine, 0), others.get(sine, 0), index)
+        x, c, s = (field.variable(g) for g in (index, cosine, sine))
+        per_angle = -s / sized  # 1/k
+        if not per_angle.is_constant():
+            return None
+        below = _of_term(field, {index: n - 1, (sine if cosine in others else cosine): 1}, index)
+        if below is None:
+            return None
+        return per_angle * (x**n * s - n * below) if cosine in others else per_angle * (n * below - x**n * c)
+    if len(others) == 1:
+        ((g, e),) = others.items()
+        name, argument = field.arguments.get(g, ("", field.one))
+        slope = field.lowest_terms(field.derivative(argument, index))
+        if name != "exp" or slope.is_zero() or index in field.ingredients(slope):
+            return None
+        grown, x = field.variable(g) ** e, field.variable(index)
+        below = _of_term(field, {index: n - 1, g: e}, index) if n else field.zero
+        return None if below is None else (x**n * grown - n * below) / (e * slope)
+    return None
 
 
 def _wave(field: Field, cosine: int, sine: int, m: int, n: int, index: int) -> Ratio:

@@ -52,8 +52,15 @@ def angle_with(field: Field, cos: Ratio, sin: Ratio) -> Ratio:
     return atom
 
 
-def function_atom(field: Field, name: str, argument: Ratio, rate_factor: Callable[[Ratio, Ratio], Ratio]) -> Ratio:
-    """A function atom f(argument) with f' = rate_factor(f, argument) * argument'."""
+def function_atom(
+    field: Field,
+    name: str,
+    argument: Ratio,
+    rate_factor: Callable[[Ratio, Ratio], Ratio],
+    again: Callable[[Ratio], Ratio] | None = None,
+) -> Ratio:
+    """A function atom f(argument) with f' = rate_factor(f, argument) * argument'. again: the function of another
+    argument, where that may be no atom."""
     key = (name, argument.key())
     known = field.known(key)
     if known is not None:
@@ -69,7 +76,9 @@ def function_atom(field: Field, name: str, argument: Ratio, rate_factor: Callabl
                 else getattr(f, name)(field.evaluate(argument, v, f))
             ),
             made_of=field.ingredients(argument),
-            remake=lambda follow: function_atom(field, name, follow(argument), rate_factor),
+            remake=lambda follow: (
+                function_atom(field, name, follow(argument), rate_factor) if again is None else again(follow(argument))
+            ),
         ),
         key=key,
     )

@@ -359,19 +359,24 @@ class Field(PolynomialRing):
         return result
 
     def derivative(self, x: Ratio, coordinate: int) -> Ratio:
-        """Derivative along one coordinate, its sines, cosines and roots following it."""
+        """Derivative along one coordinate (or the time), its sines, cosines and roots following it."""
         direction: dict[int, Ratio] = {coordinate: self.one}
         speeds = self._rates.get(coordinate)
         if speeds is None:
             return self.partial(x, coordinate)
-        speed = self.index(speeds)
+        speed = None if speeds.is_one() else self.index(speeds)  # that of the time is one
         for index in x.generators() - {coordinate}:
             rate = self._rates.get(index)
             if rate is not None and self.generators[index].kind in ("cos", "sin", "root", "function"):
-                slope = self.partial(rate, speed)
+                slope = self._without_speeds(rate) if speed is None else self.partial(rate, speed)
                 if not slope.is_zero():
                     direction[index] = slope
         return self._derivative(x, direction)
+
+    def _without_speeds(self, rate: Ratio) -> Ratio:
+        """A rate where nothing moves but the time."""
+        still = {g: self.zero for g in rate.generators() if self.generators[g].kind in ("speed", "acceleration")}
+        return self.substitute(rate, still)
 
     def ingredients(self, x: Ratio) -> frozenset[int]:
         """The generators of x and all that they are made of."""

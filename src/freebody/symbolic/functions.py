@@ -247,6 +247,23 @@ def _arc_or_known(field: Field, name: str, x: Ratio, slope: Callable[[Ratio], Ra
     return _arc(field, name, x, slope) if known is None else known
 
 
+def _without_logs(field: Field, x: Ratio, root: Callable[[Ratio], Ratio]) -> tuple[Ratio, Ratio]:
+    """(y, factor) with exp(x) = factor exp(y): whole multiples of logarithms, and halves of them, are taken out."""
+    factor = field.one
+    for g in x.generators():
+        name, argument = field.arguments.get(g, ("", field.one))
+        if name != "log" or g in x.denominator().generators():
+            continue
+        parts = x.numerator().coefficients(g)
+        twice = (2 * parts[1] / x.denominator()).fraction() if len(parts) == 2 else None
+        if twice is None or twice.denominator != 1 or abs(twice) > 2 * MAX_POWER:
+            continue
+        n = int(twice)
+        factor = factor * (argument ** (n // 2) if n % 2 == 0 else root(argument) ** n)
+        x = field.lowest_terms(x - field.variable(g) * n / 2)
+    return x, factor
+
+
 def functions(field: Field, is_negative: IsNegative | None = None) -> Mapping[str, Any]:
     """The elementary functions, for `evaluate`."""
 
@@ -254,13 +271,14 @@ def functions(field: Field, is_negative: IsNegative | None = None) -> Mapping[st
         return field.sqrt(x, is_negative)
 
     def exp(x: Ratio) -> Ratio:
+        x, factor = _without_logs(field, x, root)
         if x.is_zero():
-            return field.one
+            return factor
         base, multiple = _standard(field, x)
         if abs(multiple) > MAX_POWER:  # no power of an atom, but an atom of its own
             base, multiple = x, 1
-        atom = function_atom(field, "exp", base, lambda f, _u: f)
-        return atom**multiple
+        atom = function_atom(field, "exp", base, lambda f, _u: f, exp)
+        return factor * atom**multiple
 
     def tan(x: Ratio) -> Ratio:
         c, s = cos_sin(field, x)
@@ -282,7 +300,7 @@ def functions(field: Field, is_negative: IsNegative | None = None) -> Mapping[st
         return cos_sin(field, x)[1]
 
     def log(x: Ratio) -> Ratio:
-        return field.zero if x == 1 else function_atom(field, "log", x, lambda _f, u: 1 / u)
+        return field.zero if x == 1 else function_atom(field, "log", x, lambda _f, u: 1 / u, log)
 
     def sinh(x: Ratio) -> Ratio:
         return (exp(x) - 1 / exp(x)) / 2

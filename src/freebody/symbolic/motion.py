@@ -1,10 +1,9 @@
 """Motion in closed form, for one degree of freedom or coordinates that move independently.
 
-Three laws of motion are integrated:
+What moves by itself has a law in the time (`laws/`): constant acceleration, harmonic, damped, resisted, given in time.
+Otherwise there is the first integral of energy,
 
-    q'' = a                          q = q0 + u0 t + a t^2/2,           u^2 = u0^2 + 2 a (q - q0)
-    q'' = a - w^2 (q - ...), linear  harmonic, exponential              (constant coefficients)
-    d(M u^2/2 + V)/dt = 0            u^2 = (M0 u0^2 + 2 V0 - 2 V)/M     (first integral of energy)
+    d(M u^2/2 + V)/dt = 0            u^2 = (M0 u0^2 + 2 V0 - 2 V)/M
 
 Every root that solves an equation but not the problem is reported with the reason.
 """
@@ -16,13 +15,14 @@ from dataclasses import dataclass, field
 from functools import cached_property
 
 from freebody.errors import CannotAnswer, NeverHappens, NotReached
-from freebody.language.notation import Stated, to_python, to_text
+from freebody.language.notation import Stated, compared, reworded, to_python, to_text
 from freebody.language.sentences import Message
 from freebody.questions.reading import QuestionEvent
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.first_integrals import FirstIntegrals, is_driven
 from freebody.symbolic.functions import functions
-from freebody.symbolic.laws import Decay, Growth, LawInstant, MotionLaw, Oscillation, UniformLaw, first
+from freebody.symbolic.laws import Freely, LawInstant, MotionLaw, first, law_of
+from freebody.symbolic.laws.uniform import UniformLaw
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.start import StartState
@@ -47,6 +47,8 @@ class Reached:
     conditions: list[tuple[Ratio, str]] = field(default_factory=list[tuple[Ratio, str]])  # must be ">" or ">=" zero
     why_no_time: str = ""
     says: list[str] = field(default_factory=list[str])  # conditions that have no formula
+    limits: dict[int, Ratio] | None = None  # as the time grows without end: what tends to a value
+    settled: Ratio | None = None  # by when it is there, but for round-off
 
     @property
     def values(self) -> dict[int, Ratio]:
@@ -87,14 +89,33 @@ class SmoothMotion:
             )
         reached = self._reach_rate(value, target) if event.order == 1 else self._reach_place(value, target, event)
         if begins:
-            reached.notes.insert(
-                0, Message("'{event}' holds at the start as well (t = 0); this is the next time", event=event.text)
-            )
+            words = Message("'{event}' holds at the start as well (t = 0); this is the next time", event=event.text)
+            reached.notes.insert(0, reworded(words, compared(tidy(value), "=", tidy(target))))
         return reached
+
+    def at_clock(self, time: Ratio | None) -> Reached:
+        """An instant by the clock; None: as the time grows without end. Then what does not tend to anything has no
+        value there."""
+        f = self.field
+        if time is not None:
+            return Reached(time, None, time, f.one, conditions=[(time, ">=")])
+        found, latest = dict[int, Ratio](), f.zero
+        for c in self.model.coordinates:
+            law = None if self.stands_still else self.law_of(c, takes_side=True)
+            limit = None if law is None else law.limit
+            if self.stands_still:
+                found |= {c.index: self.start.of(c.index), c.speed: f.zero}
+            elif limit is not None:
+                latest = latest + limit.time
+                found |= {} if limit.place is None else {c.index: f.lowest_terms(limit.place)}
+                found |= {} if limit.rate is None else {c.speed: f.lowest_terms(limit.rate)}
+        return Reached(None, None, f.zero, f.one, limits=found, settled=f.lowest_terms(latest + 1))
 
     def known_at(self, reached: Reached) -> dict[int, Ratio]:
         """The coordinates and speeds at an event, as far as they have closed forms, and the time: a coordinate that
         moves by itself is where its own law has brought it by then, one that nothing depends on keeps its momentum."""
+        if reached.limits is not None:
+            return reached.limits
         values = dict(reached.values)
         if (c := reached.coordinate) is not None and reached.speed is not None and len(self.model.coordinates) > 1:
             values = self.integrals.speeds_at(c, reached.at, reached.speed) | values
@@ -102,8 +123,11 @@ class SmoothMotion:
         if reached.time is None:
             return values
         values[self.field.index(self.field.time)] = reached.time
+        takes_side = reached.coordinate is None or self._takes_side
         for c in self.model.coordinates:
-            law = None if c.index in values else self.law_of(c)
+            if self.stands_still:
+                values |= {c.index: self.start.of(c.index), c.speed: self.field.zero}
+            law = None if c.index in values else self.law_of(c, takes_side=takes_side)
             if law is not None:
                 values[c.index], values[c.speed] = map(self.field.lowest_terms, law.at(reached.time))
         return values
@@ -135,46 +159,25 @@ class SmoothMotion:
         return {g for g, generator in self.field.generators.items() if generator.kind == "time"}
 
     # -- laws of motion -----------------------------------------------------------------------
-    def _acceleration(self, c: Coordinate) -> Ratio:
+    def acceleration(self, c: Coordinate) -> Ratio:
+        """Of a coordinate, as a function of coordinates, speeds and time."""
         k = self.model.coordinates.index(c)
         return self.field.lowest_terms(self.model.dynamics.solved_accelerations[self.model.accelerations[k]])
 
     def law_of(self, c: Coordinate, *, takes_side: bool = False) -> MotionLaw | None:
         """How a coordinate moves by itself, where that is one of the laws that have closed forms. takes_side: whether
-        it swings or runs away may be as it is at the first sample, where parameters decide; that is then assumed."""
+        what parameters decide may be as it is at the first sample; that is then assumed."""
         q0, u0 = self.start.of(c.index), self.start.of(c.speed)
-        a = self._acceleration(c)
-        if a.is_constant():
-            return UniformLaw(self.model, q0, u0, a)
-        linear = self._linear_law(a, c)
-        if linear is None:
-            return None
-        alpha, beta, gamma = linear
-        if beta.is_zero():
-            return Decay(self.model, q0, u0, self.field.lowest_terms(-alpha / gamma), gamma)
-        sign = sign_of(beta)
-        if takes_side and not sign.is_strict and not beta.is_zero():
-            sign = Sign.NEGATIVE if self.model.samples.is_negative(beta) else Sign.POSITIVE
-        if not gamma.is_zero() or not sign.is_strict:
-            return None
-        center = self.field.lowest_terms(-alpha / beta)
-        if sign is Sign.NEGATIVE:
-            return Oscillation(self.model, q0, u0, center, -beta)
-        return Growth(self.model, q0, u0, center, beta)
+        return law_of(Freely(self.model, c, self.acceleration(c), q0, u0, takes_side))
 
-    def _linear_law(self, a: Ratio, c: Coordinate) -> tuple[Ratio, Ratio, Ratio] | None:
-        """(alpha, beta, gamma) with a = alpha + beta q + gamma u, constant coefficients."""
-        present = self.field.ingredients(a)
-        others = {k.index for k in self.model.coordinates} | {k.speed for k in self.model.coordinates}
-        others |= self._in_time
-        if present & (others - {c.index, c.speed}) or a.denominator().generators() & {c.index, c.speed}:
-            return None
-        zero = self.field.zero
-        beta, gamma = self.field.partial(a, c.index), self.field.partial(a, c.speed)
-        alpha = a - beta * self.field.variable(c.index) - gamma * self.field.variable(c.speed)
-        if all(x.is_constant() for x in (alpha, beta, gamma)):
-            return alpha + zero, beta, gamma
-        return None
+    @cached_property
+    def _takes_side(self) -> bool:
+        """Whether laws may take a side: where no integral of energy serves for all of them."""
+        try:
+            self.integrals.potential({})
+        except CannotAnswer:
+            return True
+        return False
 
     # -- a place ------------------------------------------------------------------------------
     def _reach_place(self, value: Ratio, target: Ratio, event: QuestionEvent) -> Reached:
@@ -207,7 +210,7 @@ class SmoothMotion:
                 )
             )
         at = self.field.lowest_terms(at)
-        law = self.law_of(c, takes_side=is_driven(self.model))  # what is driven has no energy integral
+        law = self.law_of(c, takes_side=self._takes_side)
         if law is not None and law.is_still:
             holds = (at - law.q0).is_zero()
             raise NeverHappens(
@@ -301,6 +304,8 @@ class SmoothMotion:
         if found is None:
             if any(sign_of(x) is Sign.NEGATIVE for x, _relation in needs):
                 raise NeverHappens(Message("{x} does not get that far", x=c.name))
+            if instants and all(i.period is None and _is_past(i) for i in instants):
+                raise NeverHappens(Message("{x} does not get there after the start", x=c.name))
             if all(i.time.is_zero() and i.period is None for i in instants):
                 raise NeverHappens(_HOLDS_ONCE if instants else Message("{x} only tends to that", x=c.name))
             raise NotReached(Message("{x} does not get there at any of the parameter values that were tried", x=c.name))
@@ -318,7 +323,7 @@ class SmoothMotion:
         wanted = solve_linear(rate - target, c.speed)
         if wanted is None:
             raise CannotAnswer(Message("the rate is not linear in the rate of {x}", x=c.name))
-        law = self.law_of(c, takes_side=is_driven(self.model))
+        law = self.law_of(c, takes_side=self._takes_side)
         if law is not None and law.is_still:
             raise NeverHappens(
                 _HOLDS_ALWAYS if wanted.is_zero() else Message("{x} stays at rest: nothing accelerates it", x=c.name)
@@ -359,7 +364,7 @@ class SmoothMotion:
 
     def _way(self, c: Coordinate) -> EnergyPath:
         square = self.speed_squared(c, self.field.variable(c.index))
-        a0 = self.field.follow(self._acceleration(c), self.start.values)
+        a0 = self.field.follow(self.acceleration(c), self.start.values)
         return EnergyPath(self.model, c, square, self.start.of(c.index), self.start.of(c.speed), a0)
 
     def speed_squared(self, c: Coordinate, at: Ratio) -> Ratio:
@@ -378,6 +383,11 @@ class _Passage:
 
     def of(self, c: Coordinate | None, at: Ratio) -> Reached:
         return Reached(self.time, c, at, self.rate, self.notes, self.needs)
+
+
+def _is_past(instant: LawInstant) -> bool:
+    """Whether an instant is proved to be before the start."""
+    return instant.key is not None and not instant.key.is_zero() and sign_of(instant.key) is Sign.NEGATIVE
 
 
 def _first_positive(plus: float, minus: float) -> int | None:

@@ -134,8 +134,62 @@ def _sum(field: Field, terms: Terms) -> Sign:
         found = _terms(field, variant)
         if found is not Sign.UNKNOWN:
             return found
-    found = _number(field, terms)
-    return _amplitudes(field, terms) if found is Sign.UNKNOWN else found
+    for way in (_number, _amplitudes, _function):
+        found = way(field, terms)
+        if found is not Sign.UNKNOWN:
+            return found
+    return Sign.UNKNOWN
+
+
+# functions that only rise: where they are what, if that decides a sign
+_RISING = {"log": 1, "atan": 0, "asin": 0, "acos": None}  # the argument at which they vanish; acos only falls
+_FALLING = {"acos"}
+
+
+def _function(field: Field, terms: Terms) -> Sign:
+    """a exp(u) + b exp(u)^2 + ... + r by the sign of u, since exp(u) > 1 where u > 0; a f(u) and a (f(u) - f(v)) for a
+    function f that only rises by where the argument is, or by that of u - v."""
+    used = sorted({g for m in terms for g, _e in m if g in field.arguments}, reverse=True)
+    x = field.polynomial(terms)
+    for g in used:
+        if field.arguments[g][0] == "exp" and (found := _exponential(field, x, g)) is not Sign.UNKNOWN:
+            return found
+    names = {field.arguments[g][0] for g in used}
+    if len(names) != 1 or not names <= _RISING.keys() or len(used) > 2:
+        return Sign.UNKNOWN
+    (name,) = names
+    parts = x.coefficients(used[0])
+    if len(parts) != 2:
+        return Sign.UNKNOWN
+    rest, slope = parts
+    if len(used) == 1:
+        zero = _RISING[name]
+        if not rest.is_zero() or zero is None:
+            return Sign.UNKNOWN
+        return times(sign_of(slope), sign_of(field.arguments[used[0]][1] - zero))
+    below = rest.coefficients(used[1])
+    if len(below) != 2 or not below[0].is_zero() or not (below[1] + slope).is_zero():
+        return Sign.UNKNOWN
+    first, second = (field.arguments[g][1] for g in used)
+    found = times(sign_of(slope), sign_of(first - second))
+    return -found if name in _FALLING else found
+
+
+def _exponential(field: Field, x: Ratio, g: int) -> Sign:
+    """Of a polynomial in exp(u), by its coefficients in exp(u) - 1, or in exp(-u) - 1 where u is negative."""
+    argument = sign_of(field.arguments[g][1])
+    if argument in (Sign.UNKNOWN, Sign.ZERO):
+        return Sign.UNKNOWN
+    parts = x.coefficients(g)
+    if argument in (Sign.NEGATIVE, Sign.NONPOSITIVE):
+        parts = parts[::-1]
+    shifted = [sum((math.comb(j, k) * parts[j] for j in range(k, len(parts))), field.zero) for k in range(len(parts))]
+    signs = [sign_of(c) for c in shifted if not c.is_zero()]
+    for sign, wide in ((Sign.POSITIVE, Sign.NONNEGATIVE), (Sign.NEGATIVE, Sign.NONPOSITIVE)):
+        if all(s in (sign, wide) for s in signs):
+            at_zero = not shifted[0].is_zero() and signs[0] is sign
+            return sign if at_zero or (argument.is_strict and sign in signs) else wide
+    return Sign.UNKNOWN
 
 
 def _number(field: Field, terms: Terms) -> Sign:

@@ -11,6 +11,8 @@ from freebody.narrative.contact.phase_way import PhaseSegment, PhaseSequence, on
 from freebody.narrative.lines.glossary import Glossary, Meaning
 from freebody.narrative.lines.script import Legend, Script, Sentence
 from freebody.narrative.principles.sides import ZERO, balanced
+from freebody.questions.clock import Clock
+from freebody.questions.reading import QuestionEvent
 from freebody.study.phases.phase import PhaseWatch
 from freebody.study.phases.words import label
 from freebody.symbolic.field import Ratio
@@ -69,6 +71,8 @@ def _watched(script: Script, way: PhaseSequence, leg: PhaseSegment, watch: Phase
             return _gap(script, leg, watch), watch.element
         case _:
             event = way.question.event
+            if isinstance(event, Clock):
+                return Symbol("t"), f.time
             assert event is not None
             name = next((n for n, m in phase.base.measures.items() if m == event.measure), "")
             if not name:
@@ -113,7 +117,10 @@ def _target(way: PhaseSequence, leg: PhaseSegment) -> Ratio:
     """The value that is to be reached."""
     assert leg.first is not None
     f, event = leg.phase.model.field, way.question.event
-    if leg.first.watch.kind == "is reached" and event is not None:
+    if leg.first.watch.kind == "is reached" and isinstance(event, Clock):
+        assert event.time is not None
+        return leg.phase.model.geometry.scalar(event.time)
+    if leg.first.watch.kind == "is reached" and isinstance(event, QuestionEvent):
         return leg.phase.model.geometry.scalar(event.value)
     return f.zero
 

@@ -18,7 +18,7 @@ from freebody.narrative.lines.glossary import Glossary, TrueWhen, World
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference
 from freebody.numeric.snapshot import Snapshot
-from freebody.questions.reading import QuestionEvent
+from freebody.questions.reading import AskedEvent
 from freebody.study.answering.draws import Draw
 from freebody.study.phases.evidence import run as followed
 from freebody.study.phases.evidence import stage
@@ -62,7 +62,7 @@ class CourseWorld(World):
 class WorldRuns:
     """The runs of a piece of an answer."""
 
-    def __init__(self, tree: PhaseTree, piece: AnswerBranch, event: QuestionEvent | None) -> None:
+    def __init__(self, tree: PhaseTree, piece: AnswerBranch, event: AskedEvent | None) -> None:
         self.tree = tree
         self.piece = piece
         self.event = event

@@ -22,9 +22,10 @@ from freebody.narrative.lines.differences import SymbolValues, value_of
 from freebody.numeric.snapshot import Snapshot
 from freebody.present.report.blocks import Derivative, Difference, Side
 from freebody.questions.base import Quantity
-from freebody.questions.reading import QuestionEvent
+from freebody.questions.reading import AskedEvent
 from freebody.study.answering.draws import Draw
 from freebody.study.setup import Setup
+from freebody.symbolic.conditions import Condition
 from freebody.symbolic.field import Ratio
 from freebody.tolerances import ROUNDED
 
@@ -156,7 +157,9 @@ class Glossary:
         self.setup = setup
         self.meanings: dict[str, Meaning] = {}
         self.formulas: dict[str, Expr] = {}  # checked formulas of symbols that are differentiated
-        self.event: QuestionEvent | None = None
+        self.event: AskedEvent | None = None
+        self._settled: Ratio | None = None  # where the event is none, but the time grows: by when all is settled
+        self._sides: tuple[Condition, ...] = ()  # on which the motion to it is as formulas have it
         self.is_one: Callable[[World], bool] = lambda _world: True
 
     def where(self, is_one: Callable[[World], bool]) -> Self:
@@ -273,6 +276,7 @@ class Glossary:
 
     @cached_property
     def _at_event(self) -> list[World]:
+        from freebody.study.answering.crosscheck import element_at, holds
         from freebody.study.answering.witness import motion_to
 
         assert self.event is not None
@@ -281,15 +285,19 @@ class Glossary:
             if len(found) >= N_WORLDS - 1:
                 break
             with suppress(CannotAnswer, ArithmeticError, ValueError):
-                reached = motion_to(draw.reference, draw.start(), 60.0, self.event)
+                if not all(holds(self.setup, side, draw, draw.start()) for side in self._sides):
+                    continue
+                late = 60.0 if self._settled is None else element_at(self.setup, self._settled, draw, draw.start())[0]
+                reached = motion_to(draw.reference, draw.start(), late, self.event)
                 world = World(self, draw, draw.seen(reached.event))
                 world.is_integrated = True
                 if self.is_one(world):
                     found.append(world)
         return found
 
-    def at_event(self, event: QuestionEvent | None) -> None:
-        """From now on "event" means this one."""
+    def at_event(self, event: AskedEvent | None, settled: Ratio | None = None, sides: Sequence[Condition] = ()) -> None:
+        """From now on "event" means this one. settled: of a time that grows, by when all has come to its limit; sides:
+        without which the motion to it is another one."""
         if event != self.event:
-            self.event = event
+            self.event, self._settled, self._sides = event, settled, tuple(sides)
             self.__dict__.pop("_at_event", None)

@@ -17,6 +17,7 @@ from freebody.language.sentences import Message
 from freebody.measures.geometry import ZERO
 from freebody.model.elements import AppliedLoad, RigidBody
 from freebody.questions.base import Quantity
+from freebody.questions.clock import Clock
 from freebody.questions.reading import Question
 from freebody.questions.small_motion import Equilibrium, SmallOscillations
 from freebody.study.setup import Setup
@@ -119,8 +120,11 @@ class Marked:
         start = StartState(self._started())
         is_uniform = False
         if question.event is not None:
-            value = multiply(MarkedFactor("event").symbol, question.event.value)
             motion = SmoothMotion(model, start)
+            if isinstance(question.event, Clock):
+                time = None if question.event.time is None else model.geometry.scalar(question.event.time)
+                return self._value(question, SymbolicState(model, motion.known_at(motion.at_clock(time)))), False
+            value = multiply(MarkedFactor("event").symbol, question.event.value)
             reached = motion.reach(replace(question.event, value=value))
             if reached.coordinate is None:
                 raise CannotAnswer(Message("the event involves several coordinates"))

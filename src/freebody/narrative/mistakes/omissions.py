@@ -13,8 +13,9 @@ from freebody.narrative.lines.script import Argument, Sentence
 from freebody.narrative.mistakes.marked import Marked, MarkedFactor
 from freebody.narrative.mistakes.slips import Mistake
 from freebody.questions.base import Quantity
+from freebody.questions.clock import Clock
 from freebody.questions.energy import Energy
-from freebody.questions.reading import Question
+from freebody.questions.reading import Question, QuestionEvent
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
 
@@ -157,6 +158,9 @@ class Omissions:
         if event is not None:
             yield from self._mistake("start", 0, MarkedFactor("start"))
             yield from self._mistake("start_turned", -1, MarkedFactor("start"))
+            if isinstance(event, Clock):
+                yield from self._of_kind(q)
+                return
             if event.order == 0 and self.is_uniform and q.is_of_event:
                 yield from self._mistake("half_of_time", 2, *loads)
             elif event.order == 0 and q.kinematic_order == 1:
@@ -180,7 +184,7 @@ class Omissions:
 
     def _event(self) -> Iterator[Mistake]:
         """A drop taken for a way along an incline, or the other way round."""
-        assert self.question.event is not None
+        assert isinstance(self.question.event, QuestionEvent)
         f = self.field
         with_angles = self.marked.setup.model.geometry.scalar(self.question.event.value)
         for cos, sin in f.pairs(with_angles.generators()):

@@ -7,8 +7,9 @@ linear in the coordinate (harmonic or exponential), else the energy integral fro
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from functools import singledispatch
+from typing import Any, cast
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Call, Expr, Symbol, add, multiply, number, power
@@ -23,9 +24,14 @@ from freebody.narrative.principles.sides import positive_first
 from freebody.questions.base import Quantity
 from freebody.questions.loads import Work
 from freebody.questions.motion import rates_of
-from freebody.questions.reading import Question
+from freebody.questions.reading import Question, QuestionEvent
 from freebody.study.answering.answer import Answer
 from freebody.symbolic.field import Ratio
+from freebody.symbolic.laws.base import MotionLaw
+from freebody.symbolic.laws.decay import Decay
+from freebody.symbolic.laws.growth import Growth
+from freebody.symbolic.laws.oscillation import Oscillation
+from freebody.symbolic.laws.uniform import UniformLaw
 from freebody.symbolic.motion import Reached
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy
@@ -35,7 +41,7 @@ TIME = Symbol("t")
 
 
 @dataclass
-class _EventWay:
+class EventWay:
     """What the way to the event is made of."""
 
     context: Context
@@ -45,12 +51,17 @@ class _EventWay:
     coordinate: Coordinate
     acceleration: Ratio
     line: int  # of the acceleration
+    beside: list[EventWay] = field(default_factory=list["EventWay"])  # of other coordinates that are asked for
+
+    @property
+    def law(self) -> MotionLaw | None:
+        return self.context.setup.motion.law_of(self.coordinate, takes_side=True)
 
 
 def derive(context: Context, question: Question, answer: Answer, method: Method) -> list[DerivationStage]:
     """The derivation of a quantity at an event. Raises CannotAnswer where the solver has no formula either."""
     event = question.event
-    assert event is not None
+    assert isinstance(event, QuestionEvent)
     setup = context.setup
     reached = setup.motion.reach(event)
     context.glossary.at_event(event)
@@ -59,32 +70,59 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
         raise CannotAnswer(
             Message("a measure of several coordinates that move independently is told without a derivation")
         )
-    k = setup.model.coordinates.index(c)
-    acceleration = setup.model.field.lowest_terms(
-        setup.model.dynamics.solved_accelerations[setup.model.accelerations[k]]
-    )
     script = context.script()
     by_energy = reached.time is None or method == "energy"
     if by_energy and reached.time is not None and question.quantity.is_of_event:
         raise CannotAnswer(Message("energy tells the speed, not the time; there is: auto, newton, lagrange"))
-    line = 0
+    way = EventWay(context, script, question, reached, c, setup.motion.acceleration(c), 0)
     if not by_energy:
-        unknown = setup.model.accelerations[k]
-        line = by_method(context, script, [unknown], method)[unknown][1]
-    way = _EventWay(context, script, question, reached, c, acceleration, line)
+        others = [] if question.quantity.scope == "course" else coordinates_asked(context, question)
+        named = [c, *(o for o in others if o is not c and setup.motion.law_of(o, takes_side=True) is not None)]
+        unknowns = [setup.model.accelerations[setup.model.coordinates.index(o)] for o in named]
+        found = by_method(context, script, unknowns, method)
+        way, *beside = (
+            replace(way, coordinate=o, acceleration=setup.motion.acceleration(o), line=found[unknown][1])
+            for o, unknown in zip(named, unknowns, strict=True)
+        )
+        way.beside = beside
     lines = _energy(way) if by_energy else _motion(way)
-    _asked(way, lines)
+    tell_asked(way, lines)
     return script.stages
 
 
-def _start(way: _EventWay) -> tuple[Ratio, Ratio]:
+def coordinates_asked(context: Context, question: Question) -> list[Coordinate]:
+    """Those on which depends what is asked; all of them, where it is counted on the way."""
+    model, f = context.setup.model, context.setup.model.field
+    if question.quantity.scope == "course":
+        return list(model.coordinates)
+    value: Any = question.quantity.value(context.system, context.setup.state)
+    parts: Sequence[Any] = cast("tuple[Any, ...]", value) if isinstance(value, tuple) else (value,)
+    inside = set[int]().union(*(f.ingredients(f.element(part)) for part in parts))
+    return [c for c in model.coordinates if inside & {c.index, c.speed}]
+
+
+def law_lines(way: EventWay) -> list[int]:
+    """Rate and place as functions of the time."""
+    law, script, c = way.law, way.script, way.coordinate
+    if not isinstance(law, UniformLaw):
+        return by_law(way)
+    script.say("course.constant", line=way.line, coordinate=c.name)
+    right: Expr = sum_of(law.u0, (law.a, TIME))
+    u = script.line(
+        rates_of(c.name, 1), right, why="course.velocity", args={"line": way.line}, uses=(way.line,), when="event"
+    )
+    right = sum_of(law.q0, (law.u0, TIME), (law.a / 2, TIME ** number(2)))
+    return [u, script.line(Symbol(c.name), right, why="course.place", args={"line": u}, uses=(u,), when="event")]
+
+
+def _start(way: EventWay) -> tuple[Ratio, Ratio]:
     """Coordinate and speed at the start."""
     c, start = way.coordinate, way.context.setup.start
     return start.of(c.index), start.of(c.speed)
 
 
 # -- integration ------------------------------------------------------------------------------
-def _motion(way: _EventWay) -> list[int]:
+def _motion(way: EventWay) -> list[int]:
     """Velocity and place as functions of time, and the time of the event; the lines that give the state there."""
     a = way.acceleration
     if a.is_constant():
@@ -92,7 +130,7 @@ def _motion(way: _EventWay) -> list[int]:
     return _linear(way)
 
 
-def _uniform(way: _EventWay) -> list[int]:
+def _uniform(way: EventWay) -> list[int]:
     script, c, a = way.script, way.coordinate, way.acceleration
     q0, u0 = _start(way)
     f = a.field
@@ -101,9 +139,9 @@ def _uniform(way: _EventWay) -> list[int]:
         script.say("course.constant", line=way.line, coordinate=c.name)
         t = f.time
         u_line = script.line(
-            u, _sum(u0, (a, TIME)), why="course.velocity", args={"line": way.line}, uses=(way.line,), when="event"
+            u, sum_of(u0, (a, TIME)), why="course.velocity", args={"line": way.line}, uses=(way.line,), when="event"
         )
-        place = _sum(q0, (u0, TIME), (a / 2, power(TIME, number(2))))
+        place = sum_of(q0, (u0, TIME), (a / 2, power(TIME, number(2))))
         x_line = script.line(x, place, why="course.place", args={"line": u_line}, uses=(u_line,), when="event")
         square = None
         if not a.is_zero():
@@ -116,39 +154,40 @@ def _uniform(way: _EventWay) -> list[int]:
                 uses=(u_line, x_line),
                 when="event",
             )
+        more = [line for other in way.beside for line in law_lines(other)]
     with script.stage("stage.event", "hint.event"):
         at = _place_line(way)
         _time_lines(way, x_line, u_line, square, at, t)
-    return [u_line, x_line, *([square] if square else [])]
+    return [u_line, x_line, *([square] if square else []), *more]
 
 
-def _sum(first: Ratio, *terms: tuple[Ratio, Expr]) -> Expr:
+def sum_of(first: Ratio, *terms: tuple[Ratio, Expr]) -> Expr:
     """first + coefficient * symbol + ..., without what vanishes."""
     shown = [] if first.is_zero() else [tidy(first)]
     shown += [multiply(tidy(c), e) for c, e in terms if not c.is_zero()]
     return positive_first(shown) if shown else number(0)
 
 
-def _place_line(way: _EventWay) -> int:
+def _place_line(way: EventWay) -> int:
     """What the event means for the coordinate (or its rate)."""
     event, c = way.question.event, way.coordinate
-    assert event is not None
+    assert isinstance(event, QuestionEvent)
     symbol = rates_of(c.name, 1) if event.order == 1 else Symbol(c.name)
     value = way.reached.speed if event.order == 1 else way.reached.at
     assert value is not None
     return way.script.line(symbol, tidy(value), why="course.event", args={"event": f"@{event.text}"}, when="event")
 
 
-def _time_lines(way: _EventWay, x_line: int, u_line: int, square: int | None, at: int, t: Ratio) -> None:
+def _time_lines(way: EventWay, x_line: int, u_line: int, square: int | None, at: int, t: Ratio) -> None:
     """The equation for the time, its roots, and which one is meant."""
     script, reached = way.script, way.reached
     event = way.question.event
-    assert event is not None
+    assert isinstance(event, QuestionEvent)
     assert reached.time is not None
     source = u_line if event.order == 1 else x_line
     a, (q0, u0) = way.acceleration, _start(way)
     if event.order == 0 and not a.is_zero():
-        left = _sum(a.field.zero, (a / 2, power(TIME, number(2))), (u0, TIME))
+        left = sum_of(a.field.zero, (a / 2, power(TIME, number(2))), (u0, TIME))
         script.line(
             left,
             tidy(reached.at - q0),
@@ -163,7 +202,7 @@ def _time_lines(way: _EventWay, x_line: int, u_line: int, square: int | None, at
         script.say("course.note", text=ready(note))
 
 
-def _linear(way: _EventWay) -> list[int]:
+def _linear(way: EventWay) -> list[int]:
     """An acceleration linear in the coordinate (or speed): the motion, and the time of the event."""
     script, c, reached = way.script, way.coordinate, way.reached
     assert reached.time is not None
@@ -172,10 +211,12 @@ def _linear(way: _EventWay) -> list[int]:
     beta, gamma = f.partial(way.acceleration, c.index), f.partial(way.acceleration, c.speed)
     x, u = Symbol(c.name), rates_of(c.name, 1)
     event = way.question.event
-    assert event is not None
+    assert isinstance(event, QuestionEvent)
     lines: list[int] = []
     with script.stage("stage.integration", "hint.integration"):
-        if gamma.is_zero():
+        if not isinstance(way.law, Oscillation | Growth | Decay):
+            lines += by_law(way)
+        elif gamma.is_zero():
             alpha = way.acceleration - beta * f.variable(c.index)
             center = f.lowest_terms(-alpha / beta)
             lines += _oscillation(way, beta, center, q0 - center, u0, x, u)
@@ -187,16 +228,34 @@ def _linear(way: _EventWay) -> list[int]:
             lines.append(
                 script.line(u, right, why="course.decay", args={"line": way.line}, uses=(way.line,), when="event")
             )
+        more = [line for other in way.beside for line in law_lines(other)]
     with script.stage("stage.event", "hint.event"):
         at = _place_line(way)
         uses = (*lines, at)
         script.line(TIME, tidy(reached.time), why="course.first_time", args={"lines": uses}, uses=uses, when="event")
         for note in reached.notes:
             script.say("course.note", text=ready(note))
-    return lines
+    return [*lines, *more]
 
 
-def _oscillation(way: _EventWay, beta: Ratio, center: Ratio, x0: Ratio, u0: Ratio, x: Expr, u: Expr) -> list[int]:
+def by_law(way: EventWay) -> list[int]:
+    """Place and rate as functions of the time, from the law of the coordinate; the lines in which they stand."""
+    script, c, law = way.script, way.coordinate, way.law
+    if law is None:
+        raise CannotAnswer(Message("the motion to the event has no closed form"))
+    f, reached = way.context.setup.model.field, way.reached
+    near = reached.settled if reached.time is None else reached.time
+    place, rate = (f.lowest_terms(x) for x in (law.at(f.time) if near is None else law.at_near(f.time, near)))
+    x = script.line(
+        Symbol(c.name), tidy(place), why=f"course.{law.key}", args={"line": way.line}, uses=(way.line,), when="event"
+    )
+    u = script.line(
+        rates_of(c.name, 1), tidy(rate), why="course.differentiated", args={"line": x}, uses=(x,), when="event"
+    )
+    return [x, u]
+
+
+def _oscillation(way: EventWay, beta: Ratio, center: Ratio, x0: Ratio, u0: Ratio, x: Expr, u: Expr) -> list[int]:
     """x = center + x0 cos w t + u0/w sin w t, or with cosh and sinh."""
     from freebody.symbolic.signs import Sign, sign_of
 
@@ -230,7 +289,7 @@ def _oscillation(way: _EventWay, beta: Ratio, center: Ratio, x0: Ratio, u0: Rati
 
 
 # -- energy -----------------------------------------------------------------------------------
-def _energy(way: _EventWay) -> list[int]:
+def _energy(way: EventWay) -> list[int]:
     """Kinetic and potential energy at the start and at the event are the same."""
     script, c, reached, context = way.script, way.coordinate, way.reached, way.context
     model, f = context.setup.model, context.setup.model.field
@@ -241,7 +300,7 @@ def _energy(way: _EventWay) -> list[int]:
     lines = energy_terms(context, script)
     u = rates_of(c.name, 1)
     event = way.question.event
-    assert event is not None
+    assert isinstance(event, QuestionEvent)
     with script.stage("stage.event", "hint.event"):
         given = _place_line(way)
         # where the place is given its values are put in; where the speed is given the place is found
@@ -272,13 +331,13 @@ def _energy(way: _EventWay) -> list[int]:
 
 
 # -- what is asked ----------------------------------------------------------------------------
-def _asked(way: _EventWay, lines: Sequence[int]) -> None:
+def tell_asked(way: EventWay, lines: Sequence[int]) -> None:
     """The quantity in the state at the event."""
     _tell_asked(way.question.quantity, way, lines)
 
 
 @singledispatch
-def _tell_asked(q: Quantity, way: _EventWay, lines: Sequence[int]) -> None:
+def _tell_asked(q: Quantity, way: EventWay, lines: Sequence[int]) -> None:
     context, question, reached, script = way.context, way.question, way.reached, way.script
     if q.is_of_event:
         return
@@ -290,14 +349,17 @@ def _tell_asked(q: Quantity, way: _EventWay, lines: Sequence[int]) -> None:
     general = [f.follow(p, {u: v for u, (v, _line) in found.items()}) for p in parts]
     state = SymbolicState(model, context.setup.motion.known_at(reached))
     there = [f.lowest_terms(state.here(g)) for g in general]
+    if not unknowns and len(there) == 1:  # as it is found there: a root of a square then has a sign
+        there = [f.lowest_terms(f.element(q.value(context.system, state)))]
     if len(there) != 1:
         raise CannotAnswer(Message("a vector at an event is told by its components"))
-    c = way.coordinate
     shown, last = tidy(there[0]), script.next_number - 1
     uses = tuple(dict.fromkeys((*lines, *(line for _v, line in found.values()))))
     with script.stage("stage.value", "hint.value"):
-        if general[0] == f.variable(c.speed) or general[0] == f.variable(c.index):
-            symbol: Expr = rates_of(c.name, 1) if general[0] == f.variable(c.speed) else Symbol(c.name)
+        own = {f.variable(k.index): Symbol(k.name) for k in model.coordinates}
+        own_rates = {f.variable(k.speed): rates_of(k.name, 1) for k in model.coordinates}
+        if (known := (own | own_rates).get(general[0])) is not None:
+            symbol: Expr = known
         else:
             symbol = asked_symbol(context, question)
             script.add(asked_entry(symbol, question))
@@ -310,7 +372,7 @@ def _tell_asked(q: Quantity, way: _EventWay, lines: Sequence[int]) -> None:
 
 
 @_tell_asked.register(Work)
-def _work(quantity: Work, way: _EventWay, lines: Sequence[int]) -> None:
+def _work(quantity: Work, way: EventWay, lines: Sequence[int]) -> None:
     """The work of a load that has a potential: what the potential is less than at the start."""
     context, script, f = way.context, way.script, way.context.setup.model.field
     setup, uses = context.setup, tuple(lines)
@@ -328,7 +390,7 @@ def _work(quantity: Work, way: _EventWay, lines: Sequence[int]) -> None:
             script.line(symbol, total, why="course.there", args={"lines": (last,)}, uses=(last,), when="event")
 
 
-def _ends_in_answer(way: _EventWay, found: Ratio) -> None:
+def _ends_in_answer(way: EventWay, found: Ratio) -> None:
 
     f, reached, setup = found.field, way.reached, way.context.setup
     values = setup.motion.known_at(reached)

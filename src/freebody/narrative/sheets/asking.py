@@ -8,6 +8,7 @@ from freebody.errors import ExpressionError
 from freebody.language.parser import parse
 from freebody.language.sentences import NOTHING, Argument, Sentence
 from freebody.questions.base import Quantity
+from freebody.questions.clock import Clock
 from freebody.questions.conservation import Conserved
 from freebody.questions.reading import Question
 from freebody.system.system import System
@@ -49,6 +50,9 @@ def _when(question: Question) -> Argument:
         return Sentence(f"ask.{word}_transition", {"text": question.transition.text})
     if question.event is None:
         return NOTHING
+    if isinstance(question.event, Clock):
+        time = question.event.time
+        return Sentence("ask.endless") if time is None else Sentence("ask.clock", {"time": time})
     left, equals, _right = question.event.text.partition("=")
     try:
         if equals:

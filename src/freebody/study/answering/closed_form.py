@@ -3,10 +3,12 @@ compared, options are judged."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import replace
 from fractions import Fraction
 from functools import singledispatchmethod
+from typing import NoReturn
 
 from freebody.assess.verdict import Judgement
 from freebody.errors import CannotAnswer, NeverHappens
@@ -14,8 +16,9 @@ from freebody.language.expression import Expr, number
 from freebody.language.notation import joined, reworded
 from freebody.language.sentences import Message, further
 from freebody.questions.base import Quantity, Wanted
+from freebody.questions.clock import Clock
 from freebody.questions.freedom import DegreesOfFreedom
-from freebody.questions.reading import Question
+from freebody.questions.reading import AskedEvent, Question, QuestionEvent
 from freebody.questions.small_motion import Equilibrium, SmallOscillations
 from freebody.study.answering import evidence as proof
 from freebody.study.answering.answer import Answer, Evidence, Value, made
@@ -30,6 +33,8 @@ from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition, require
 from freebody.symbolic.equilibrium import ClosedFormRest, find_equilibrium, lies_in_family, small_oscillations
 from freebody.symbolic.field import Ratio
+from freebody.symbolic.motion import Reached
+from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.unknowns import Coordinate
@@ -161,7 +166,7 @@ class QuestionSolver:
     def _at_event(self, q: Quantity) -> Finding:
         event = self.question.event
         assert event is not None
-        reached = self.setup.motion.reach(event)
+        reached = self._reached(event)
         conditions: list[Condition] = []
         for x, relation in reached.conditions:
             condition, possible = require(x, relation, Message("{event} is reached", event=event.text))
@@ -181,21 +186,38 @@ class QuestionSolver:
             q,
             event,
             x,
-            reached.time,
+            reached.time if reached.settled is None else reached.settled,
             [*conditions, *real(x)],
             [*begins, *ends],
         )
         return Finding(x, evidence, conditions + ends, reached.notes, says=reached.says)
 
+    def _reached(self, event: AskedEvent) -> Reached:
+        if isinstance(event, QuestionEvent):
+            return self.setup.motion.reach(event)
+        time = None if event.time is None else self.model.geometry.scalar(event.time)
+        if time is not None and sign_of(time) is Sign.NEGATIVE:
+            raise NeverHappens(Message("that instant is before the start"))
+        return self.setup.motion.at_clock(time)
+
     def _check_is_told(self, x: Elements) -> None:
         """Raises CannotAnswer where coordinates are left whose values at the event are not known."""
         if left := self._moving_in(x):
+            if self.question.event is not None and isinstance(self.question.event, Clock):
+                self._refuse_at_clock(self.question.event, left)
             raise CannotAnswer(
                 Message(
                     "the quantity depends on {names} as well, for whose values at the event no closed form was found",
                     names=", ".join(c.name for c in left),
                 )
             )
+
+    def _refuse_at_clock(self, event: Clock, left: Sequence[Coordinate]) -> NoReturn:
+        names = ", ".join(c.name for c in left)
+        if event.time is None:
+            told = Message("for {names} no value was found that is tended to as the time grows", names=names)
+            raise CannotAnswer(told)
+        raise CannotAnswer(Message("for {names} no closed form in the time was found", names=names))
 
     def _moving_in(self, x: Elements) -> list[Coordinate]:
         everything = (*self.model.coordinates, *self.model.dependent)

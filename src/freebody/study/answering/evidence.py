@@ -10,7 +10,8 @@ from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.numeric.reference import Snapshot
 from freebody.questions.base import Quantity
-from freebody.questions.reading import QuestionEvent
+from freebody.questions.clock import Clock
+from freebody.questions.reading import AskedEvent
 from freebody.study.answering.answer import Evidence
 from freebody.study.answering.crosscheck import (
     INSTANT_TOLERANCE,
@@ -66,7 +67,7 @@ def along_motion(
     setup: Setup,
     question: str,
     quantity: Quantity,
-    event: QuestionEvent,
+    event: AskedEvent,
     x: Ratio | tuple[Ratio, ...],
     time: Ratio | None,
     conditions: Sequence[Condition],
@@ -81,7 +82,8 @@ def along_motion(
         exact = element_at(setup, x, draw, start)
         if not all(holds(setup, c, draw, start) for c in (*conditions, *signs)):
             return
-        until = LONGEST if time is None else 1.5 * element_at(setup, (time,), draw, start)[0]
+        late = 1.0 if isinstance(event, Clock) else 1.5
+        until = LONGEST if time is None else late * element_at(setup, (time,), draw, start)[0]
         if until > 0:
             numeric = at_event(setup, quantity, draw, start, until, event)
             check.compare(draw, exact, numeric, partial(magnitude, quantity.dimension, draw.seen(start)))

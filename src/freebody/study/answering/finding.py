@@ -13,7 +13,7 @@ from typing import Any
 
 from freebody.assess.options import judge
 from freebody.assess.verdict import Judgement
-from freebody.errors import BudgetExhausted, CannotAnswer, ExpressionError, NeverHappens, RoutesDisagree
+from freebody.errors import BudgetExhausted, CannotAnswer, ExpressionError, NeverHappens, NotReached, RoutesDisagree
 from freebody.language.sentences import Message, further
 from freebody.progress import busy_with
 from freebody.questions.reading import Question
@@ -67,6 +67,9 @@ def answered(
         return refused(question, str(error), never=True)
     except (HasNoValue, RoutesDisagree) as error:
         return refused(question, str(error))
+    except NotReached as error:  # at the model's own values either: a number would be one of round-off
+        found = None if otherwise is None else otherwise()
+        return refused(question, str(error)) if found is None else found
     except NO_FORM as error:
         if otherwise is not None and not isinstance(error, NotHere) and (found := otherwise()) is not None:
             return found

@@ -10,8 +10,9 @@ from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.numeric.reference import Snapshot
 from freebody.questions.base import Quantity
+from freebody.questions.clock import Clock
 from freebody.questions.loads import Power
-from freebody.questions.reading import QuestionEvent
+from freebody.questions.reading import AskedEvent
 from freebody.questions.small_motion import SmallOscillations
 from freebody.study.answering.crosscheck import as_parts
 from freebody.study.answering.draws import Draw
@@ -24,15 +25,13 @@ N_PANELS = 16
 LONGEST = 60.0  # [s] that an event is waited for
 
 
-def at_event(
-    setup: Setup, quantity: Quantity, draw: Draw, start: Snapshot, until: float, event: QuestionEvent
-) -> object:
+def at_event(setup: Setup, quantity: Quantity, draw: Draw, start: Snapshot, until: float, event: AskedEvent) -> object:
     found = motion_to(draw.reference, start, until, event)
     work = partial(work_until, setup, draw=draw, event=event, end=found.time)
     return quantity.counted(smooth_numbers(setup, start, found.event, work, found.links))
 
 
-def work_until(setup: Setup, load: str, draw: Draw, event: QuestionEvent, end: float) -> float:
+def work_until(setup: Setup, load: str, draw: Draw, event: AskedEvent, end: float) -> float:
     """The integral of the power over time from the start to an event, by Gauss-Legendre points in panels."""
     start = draw.start()
     nodes, weights = np.polynomial.legendre.leggauss(8)
@@ -44,22 +43,24 @@ def work_until(setup: Setup, load: str, draw: Draw, event: QuestionEvent, end: f
     return half * float(np.tile(weights, N_PANELS) @ np.array(power))
 
 
-def number_of(setup: Setup, quantity: Quantity, event: QuestionEvent | None) -> float | tuple[float, ...]:
+def number_of(setup: Setup, quantity: Quantity, event: AskedEvent | None) -> float | tuple[float, ...]:
     """The quantity from the numeric route alone, at the start or at the event; a plain number without a formula.
     Raises CannotAnswer if the event does not happen within a minute."""
     return number_at(setup, quantity, event, setup.draws[0])
 
 
-def number_at(setup: Setup, quantity: Quantity, event: QuestionEvent | None, draw: Draw) -> float | tuple[float, ...]:
+def number_at(setup: Setup, quantity: Quantity, event: AskedEvent | None, draw: Draw) -> float | tuple[float, ...]:
     """The same at other numbers of the parameters."""
     return _number(quantity, setup, event, draw)
 
 
 @singledispatch
-def _number(quantity: Quantity, setup: Setup, event: QuestionEvent | None, draw: Draw) -> float | tuple[float, ...]:
+def _number(quantity: Quantity, setup: Setup, event: AskedEvent | None, draw: Draw) -> float | tuple[float, ...]:
     start = draw.start()
     if event is None:
         values = as_parts(quantity.value(setup.system, draw.seen(moving_for(quantity, start))))
+    elif isinstance(event, Clock) and event.time is None:
+        raise CannotAnswer(Message("numbers of a motion tell nothing of what it tends to"))
     elif _rests(setup):
         raise CannotAnswer(Message("it starts at rest, and only round-off accelerates it: numbers would follow that"))
     else:
@@ -69,7 +70,7 @@ def _number(quantity: Quantity, setup: Setup, event: QuestionEvent | None, draw:
 
 @_number.register(SmallOscillations)
 def _small_number(
-    quantity: SmallOscillations, setup: Setup, event: QuestionEvent | None, draw: Draw
+    quantity: SmallOscillations, setup: Setup, event: AskedEvent | None, draw: Draw
 ) -> float | tuple[float, ...]:
     from freebody.study.answering.at_equilibrium import small_number
 

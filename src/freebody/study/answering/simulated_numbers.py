@@ -9,6 +9,7 @@ from freebody.errors import BudgetExhausted, CannotAnswer
 from freebody.language.sentences import Message
 from freebody.numeric.engine.course import Status
 from freebody.numeric.options import SimulationOptions
+from freebody.questions.clock import Clock
 from freebody.questions.energy import Energy
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Value
@@ -34,13 +35,17 @@ def number_with_changes(system: System, question: Question) -> Value:
     quantity, event = question.quantity, question.event
     if not system.has_values or question.transition is not None or not quantity.is_of_state:
         return None
-    simulator = Simulator(system, events=() if event is None else (f"stop when {event.text}",))
+    clock = event.time if isinstance(event, Clock) else None
+    if isinstance(event, Clock) and clock is None:
+        return None  # numbers of a motion tell nothing of what it tends to
+    is_watched = event is not None and clock is None
+    simulator = Simulator(system, events=(f"stop when {event.text}",) if event is not None and is_watched else ())
     options = SimulationOptions(method="dop853", tolerance=TOLERANCE, max_steps=allowed(_STEPS))
-    until = LONGEST if event is not None else _SOON
+    until = LONGEST if is_watched else _SOON if clock is None else simulator.reference.number(clock)
     course = simulator.run(until, options, outputs=np.array([0.0] if event is None else [until]))
     if course.status is Status.TOO_LONG:
         raise BudgetExhausted(course.message)
-    if event is not None and course.status is not Status.EVENT:
+    if event is not None and course.status is not (Status.EVENT if is_watched else Status.FINISHED):
         return None
     motion, k = SimulatedMotion(system, simulator, course, options), 0 if event is None else -1
     if quantity.watched is not None:  # angles are counted along the motion

@@ -24,12 +24,14 @@ from freebody.numeric.jets import Array
 from freebody.numeric.kernels import dynamics
 from freebody.numeric.options import SimulationOptions
 from freebody.numeric.reference import Reference, Snapshot
-from freebody.questions.reading import QuestionEvent
+from freebody.questions.clock import Clock
+from freebody.questions.reading import AskedEvent, QuestionEvent
 
 MOST_STEPS = 100_000  # of a motion to an event
 N_LINKS = 33  # snapshots along a motion, by which angles are counted on
 TOLERANCE = 1e-11
 _TURN = "turn"
+_SOON = 1e-9  # [s] of a motion that is looked at where it begins
 TOUCH = 1e-8  # what a measure may miss a value by where it turns, by the size of the event
 
 
@@ -80,12 +82,14 @@ class Found:
 
 
 def motion_to(
-    reference: Reference, start: Snapshot, until: float, event: QuestionEvent, times: Array | None = None
+    reference: Reference, start: Snapshot, until: float, event: AskedEvent, times: Array | None = None
 ) -> Found:
     """The motion from a start to the first time after it at which a measure, or its rate, has the value of the event;
     a value that is only touched is reached where the measure turns. times: where states are wanted before. Raises
     CannotAnswer if the event does not happen until `until`, BudgetExhausted if it was not reached within the budget of
-    steps."""
+    steps. As the time grows without end it is followed to `until`."""
+    if isinstance(event, Clock):
+        return _at_time(reference, start, until if event.time is None else reference.number(event.time), times)
     target = reference.number(event.value)
     size = max(abs(target), reference.sizes.length if event.order == 0 else 1e-3)
     crossing = EngineWatch("event", event.measure, event.order, target, is_terminal=True, size=size)
@@ -95,15 +99,7 @@ def motion_to(
     if turn is not None:
         return turn
     if course.status is Status.TOO_LONG:
-        raise BudgetExhausted(
-            Message(
-                "the event was not found within {n} steps; raise the effort (--effort) to look further (t = {t:.6g} "
-                "s is "
-                "reached)",
-                n=allowed(MOST_STEPS),
-                t=course.t_end,
-            )
-        )
+        raise BudgetExhausted(_too_long(course))
     if course.status is not Status.EVENT:
         told = Message("the event does not happen until t = {until:.6g} s", until=until)
         if course.status is not Status.FINISHED and course.message:
@@ -115,6 +111,32 @@ def motion_to(
         course, links = _followed(reference, start, found.time + soon, watches[1:], times)
         return _turn_at(course, links, event, target, size) or found
     return found
+
+
+def _at_time(reference: Reference, start: Snapshot, time: float, times: Array | None) -> Found:
+    """The motion to an instant by the clock."""
+    if time < start.t:
+        raise CannotAnswer(Message("t = {time:.6g} s is before the start", time=time))
+    if time == start.t:
+        course, links = _followed(reference, start, time + _SOON, [], np.array([time]))
+        return Found(time, links[0], links[:1])
+    wanted = np.linspace(start.t, time, N_LINKS) if times is None else np.append(times[times < time], time)
+    course, links = _followed(reference, start, time, [], wanted)
+    if course.status is Status.TOO_LONG:
+        raise BudgetExhausted(_too_long(course))
+    if course.status is not Status.FINISHED:
+        told = Message("the motion does not go on until t = {time:.6g} s", time=time)
+        raise CannotAnswer(Message("{what}: {why}", what=told, why=course.message) if course.message else told)
+    return Found(time, links[-1], links)
+
+
+def _too_long(course: Trajectory) -> Message:
+    return Message(
+        "the event was not found within {n} steps; raise the effort (--effort) to look further (t = {t:.6g} s is "
+        "reached)",
+        n=allowed(MOST_STEPS),
+        t=course.t_end,
+    )
 
 
 def _followed(

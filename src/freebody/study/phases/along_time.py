@@ -24,7 +24,7 @@ from freebody.study.phases.numbers import Chosen, Mask, Sets
 from freebody.study.phases.phase import PhaseWatch
 from freebody.study.phases.words import occurs
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.laws import Decay, Growth, MotionLaw, Oscillation
+from freebody.symbolic.laws.base import MotionLaw
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.phases.course import ClosedFormMotion, LawMotion, MotionInTime, UniformMotion
 from freebody.symbolic.signs import sign_of
@@ -176,10 +176,5 @@ def _units_of_time(course: MotionInTime, watches: Sequence[PhaseWatch], sets: Se
 
 def _unit_of_time(model: SymbolicModel, law: MotionLaw, sets: Sets) -> Array:
     """[s] In which a law does what it does; 0 for constant acceleration."""
-    match law:
-        case Oscillation() | Growth():
-            return 1.0 / np.sqrt(sets.evaluate(model, law.square))
-        case Decay():
-            return 1.0 / np.abs(sets.evaluate(model, law.gamma))
-        case _:
-            return np.zeros(sets.n)
+    unit = law.unit_of_time
+    return np.zeros(sets.n) if unit is None else np.abs(sets.evaluate(model, unit))

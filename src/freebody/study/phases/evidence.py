@@ -16,7 +16,7 @@ from freebody.language.sentences import Message
 from freebody.numeric.reference import Snapshot
 from freebody.questions.base import Quantity
 from freebody.questions.energy import Energy
-from freebody.questions.reading import Question, QuestionEvent
+from freebody.questions.reading import AskedEvent, Question
 from freebody.study.answering.answer import Evidence
 from freebody.study.answering.crosscheck import (
     INSTANT_TOLERANCE,
@@ -188,7 +188,7 @@ def _along_motion(tree: PhaseTree, question: Question, piece: AnswerBranch) -> E
 
 
 def run(
-    tree: PhaseTree, event: QuestionEvent | None, piece: AnswerBranch, k: int, end: float | None
+    tree: PhaseTree, event: AskedEvent | None, piece: AnswerBranch, k: int, end: float | None
 ) -> list[PhaseSnapshot]:
     """The motion of one parameter set up to the event of the piece; kept for other questions."""
     key = (

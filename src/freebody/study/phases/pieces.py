@@ -11,8 +11,9 @@ import numpy as np
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
+from freebody.questions.clock import Clock
 from freebody.questions.course import Transition
-from freebody.questions.reading import Question, QuestionEvent
+from freebody.questions.reading import AskedEvent, Question
 from freebody.study.answering.conditions import as_written, at_instant, real
 from freebody.study.answering.finding import NO_FORM, Elements, why
 from freebody.study.phases.ends import FirstEvent
@@ -26,6 +27,7 @@ from freebody.study.phases.words import label
 from freebody.symbolic.conditions import Condition
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.phases.course import EnergyMotion
+from freebody.symbolic.tidy import tidy
 from freebody.tolerances import ROUNDED
 
 
@@ -228,18 +230,23 @@ def _is_meant(asked: Transition, watch: PhaseWatch) -> bool:
 
 # -- a measure reaches a value ----------------------------------------------------------------
 def _at_event(
-    tree: PhaseTree, question: Question, event: QuestionEvent, ways: list[WayToPhase], met: list[str]
+    tree: PhaseTree, question: Question, event: AskedEvent, ways: list[WayToPhase], met: list[str]
 ) -> Iterator[AnswerBranch]:
     """In every phase up to the event; `met` collects why there is no closed form on some ways."""
     for way in ways:
-        for watch, sets, given in _watches(tree, way.last, event):
+        try:
+            watches = list(_watches(tree, way, event))
+        except CannotAnswer as error:
+            met.append(str(error))
+            continue
+        for watch, sets, given in watches:
             yield from _in_phase(tree, question, event, way, watch, sets, given, met)
 
 
 def _in_phase(
     tree: PhaseTree,
     question: Question,
-    event: QuestionEvent,
+    event: AskedEvent,
     way: WayToPhase,
     watch: PhaseWatch,
     sets: Chosen,
@@ -266,13 +273,17 @@ def _in_phase(
 
 
 def _watches(
-    tree: PhaseTree, node: PhaseNode, event: QuestionEvent
+    tree: PhaseTree, way: WayToPhase, event: AskedEvent
 ) -> Iterator[tuple[PhaseWatch, Chosen, list[Condition]]]:
     """The distance from the value, positive when the phase begins (where it is zero, right after that), with the sets
     for which it has this sign."""
+    node = way.last
     phase = node.phase
-    value = phase.state.rate(event.measure) if event.order == 1 else phase.state.value(event.measure)
-    difference = value - phase.model.geometry.scalar(event.value)
+    if isinstance(event, Clock):
+        difference = _time_left(tree, way, event)
+    else:
+        value = phase.state.rate(event.measure) if event.order == 1 else phase.state.value(event.measure)
+        difference = value - phase.model.geometry.scalar(event.value)
     left, place = node.sets, Message("'{event}' is reached from this side", event=event.text)
     x = difference
     for _derivative in range(3):
@@ -288,6 +299,18 @@ def _watches(
         if not len(left):
             return
         x = phase.model.field.substitute(phase.model.rate(x), phase.model.dynamics.solved_accelerations)
+
+
+def _time_left(tree: PhaseTree, way: WayToPhase, event: Clock) -> Ratio:
+    """Until an instant by the clock, in the last phase of a way; a phase counts its own time."""
+    if event.time is None:
+        raise CannotAnswer(Message("what is tended to as the time grows is found only where one law of motion holds"))
+    geometry, total = way.last.phase.model.geometry, tree.home.model.field.zero
+    for edge in way.edges:
+        if edge.time is None:
+            raise CannotAnswer(Message("how long a phase before that lasts has no closed form"))
+        total = total + edge.time
+    return geometry.scalar(event.time) - geometry.scalar(tidy(total)) - geometry.field.time
 
 
 # -- the value there --------------------------------------------------------------------------

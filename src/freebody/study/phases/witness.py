@@ -9,6 +9,7 @@ It knows the order of the modes, and finds by itself when each ends and by which
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -25,7 +26,8 @@ from freebody.model.elements import DryFriction
 from freebody.numeric.brent import least_between, zero_between
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference, Snapshot
-from freebody.questions.reading import QuestionEvent
+from freebody.questions.clock import Clock
+from freebody.questions.reading import AskedEvent
 from freebody.study.phases.phase import Phase, without_rows
 from freebody.symbolic.phases.friction import named_rows
 from freebody.system.modes import ContactMode, in_mode
@@ -220,8 +222,11 @@ class NumericMode:
             values[name], values[f"rate({name})"] = now.value(measure), now.rate(measure)
         return float(evaluate(rub.coefficient(way, at_rest=True), values))
 
-    def _distance(self, asked: QuestionEvent, begin: Snapshot) -> Watcher:
-        """How far a measure is from its value, positive at the beginning."""
+    def _distance(self, asked: AskedEvent, begin: Snapshot) -> Watcher:
+        """How far a measure is from its value, or the clock from an instant, positive at the beginning."""
+        if isinstance(asked, Clock):
+            end = math.inf if asked.time is None else self.references[0].number(asked.time)
+            return lambda _q, _v, t: end - t
 
         def gap(s: Snapshot) -> float:
             found = s.rate(asked.measure) if asked.order else s.value(asked.measure)
@@ -232,7 +237,7 @@ class NumericMode:
         return lambda q, v, t: sign * gap(self.references[0].snapshot(q, v, t, begin))
 
     # -- motion -----------------------------------------------------------------------------------
-    def run(self, q: Array, v: Array, start: float, until: float, asked: QuestionEvent | None = None) -> PhaseSnapshot:
+    def run(self, q: Array, v: Array, start: float, until: float, asked: AskedEvent | None = None) -> PhaseSnapshot:
         """To the first event, or until a time. asked: a measure that reaches a value, as a further event."""
         n = len(q)
         begin = self.references[0].snapshot(q, v, start)
@@ -362,7 +367,7 @@ def follow(
     stages: Sequence[FollowedPhase],
     values: Mapping[str, float],
     until: Sequence[float],
-    asked: QuestionEvent | None = None,
+    asked: AskedEvent | None = None,
 ) -> list[PhaseSnapshot]:
     """The phases one after the other, each to its event or its time in `until`."""
     found: list[PhaseSnapshot] = []

@@ -25,6 +25,7 @@ from freebody.numeric.jets import Array
 from freebody.numeric.kernels import dynamics
 from freebody.numeric.options import SimulationOptions
 from freebody.numeric.reference import Reference
+from freebody.questions.clock import Clock
 from freebody.study.answering.assumed import rates_not_given
 from freebody.study.worded import without_value
 from freebody.system.system import System
@@ -168,6 +169,9 @@ def _watches(simulator: Simulator, events: Sequence[str]) -> list[EngineWatch]:
         event = question.event
         if event is None:
             raise InputError(Message("'{text}' is no event; write, for example, theta = 90 deg", text=text))
+        if isinstance(event, Clock):
+            told = Message("'{text}' is an instant, and no event; say until when the motion is followed", text=text)
+            raise InputError(told)
         value = simulator.reference.number(event.value)
         size = max(abs(value), 1.0 if event.order else _size(simulator, event.measure))
         found.append(EngineWatch(words, event.measure, event.order, value, direction, is_terminal=stops, size=size))

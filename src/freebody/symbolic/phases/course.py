@@ -20,7 +20,7 @@ from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.first_integrals import FirstIntegrals, is_driven
-from freebody.symbolic.laws import MotionLaw
+from freebody.symbolic.laws.base import MotionLaw
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.motion import SmoothMotion
 from freebody.symbolic.start import StartState

@@ -1,0 +1,85 @@
+"""Questions about an instant by the clock, or about what a motion tends to: every coordinate by its law of motion."""
+
+from __future__ import annotations
+
+from contextlib import suppress
+
+from freebody.errors import CannotAnswer
+from freebody.language.expression import Symbol
+from freebody.language.sentences import Message
+from freebody.narrative.context import Context, Method
+from freebody.narrative.lines.script import DerivationStage, Script
+from freebody.narrative.principles.momentum import by_method
+from freebody.narrative.questions.course import TIME, EventWay, coordinates_asked, law_lines, tell_asked
+from freebody.questions.clock import Clock
+from freebody.questions.motion import rates_of
+from freebody.questions.reading import Question
+from freebody.study.answering.answer import Answer
+from freebody.symbolic.conditions import Condition
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.motion import Reached
+from freebody.symbolic.state import SymbolicState
+from freebody.symbolic.tidy import tidy
+from freebody.symbolic.unknowns import Coordinate
+
+
+def derive(context: Context, question: Question, answer: Answer, method: Method) -> list[DerivationStage]:
+    """The derivation. Raises CannotAnswer where the solver has no formula either."""
+    event, setup = question.event, context.setup
+    assert isinstance(event, Clock)
+    if method == "energy":
+        raise CannotAnswer(Message("energy does not tell of the time; there is: auto, newton, lagrange"))
+    model = setup.model
+    reached = setup.motion.at_clock(None if event.time is None else model.geometry.scalar(event.time))
+    context.glossary.at_event(event, reached.settled, _sides(context, question, reached))
+    script = context.script()
+    asked = coordinates_asked(context, question)
+    lines: list[int] = []
+    if asked and not setup.motion.stands_still:
+        unknowns = [model.accelerations[model.coordinates.index(c)] for c in asked]
+        found = by_method(context, script, unknowns, method)
+        with script.stage("stage.integration", "hint.integration"):
+            for c, unknown in zip(asked, unknowns, strict=True):
+                lines += law_lines(_way(context, script, question, reached, c, found[unknown][1]))
+    with script.stage("stage.event", "hint.event"):
+        if setup.motion.stands_still:
+            script.say("course.still")
+            lines += [_value(context, script, reached, c) for c in asked]
+        elif reached.time is not None:
+            lines.append(script.line(TIME, tidy(reached.time), why="course.clock", when="event"))
+        else:
+            lines = _limits(context, script, reached, asked, lines)
+    first = asked[0] if asked else next(iter(model.coordinates), None)
+    if first is None:
+        raise CannotAnswer(Message("what the file gives as a function of the time is derived from no line here"))
+    tell_asked(_way(context, script, question, reached, first, 0), lines)
+    return script.stages
+
+
+def _way(context: Context, script: Script, question: Question, reached: Reached, c: Coordinate, line: int) -> EventWay:
+    return EventWay(context, script, question, reached, c, context.setup.motion.acceleration(c), line)
+
+
+def _sides(context: Context, question: Question, reached: Reached) -> list[Condition]:
+    """What parameters decide, and formulas have as it is at the model's own numbers."""
+    model = context.setup.model
+    with suppress(CannotAnswer):  # of what is counted on the way no instant has a value
+        question.quantity.value(context.system, SymbolicState(model, context.setup.motion.known_at(reached)))
+    return [Condition(x, ">", "") for x in model.samples.assumed]
+
+
+def _value(context: Context, script: Script, reached: Reached, c: Coordinate) -> int:
+    value: Ratio = context.setup.motion.known_at(reached)[c.index]
+    return script.line(Symbol(c.name), tidy(value), when="event")
+
+
+def _limits(context: Context, script: Script, reached: Reached, asked: list[Coordinate], lines: list[int]) -> list[int]:
+    """What the coordinates and their rates tend to."""
+    f, values, uses = context.setup.model.field, SymbolicState(context.setup.model, reached.limits).values, tuple(lines)
+    found: list[int] = []
+    for c in asked:
+        for symbol, generator in ((Symbol(c.name), c.index), (rates_of(c.name, 1), c.speed)):
+            if (value := values.get(generator)) is not None:
+                right, args = tidy(f.lowest_terms(value)), {"lines": uses}
+                found.append(script.line(symbol, right, why="course.endless", args=args, uses=uses, when="event"))
+    return found

@@ -1,0 +1,44 @@
+"""q'' = a:   q = q0 + u0 t + a t^2/2."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Self
+
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.laws.base import Freely, Instants, LawInstant, Limit, MotionLaw
+
+
+@dataclass(frozen=True)
+class UniformLaw(MotionLaw):
+    """Constant acceleration."""
+
+    key = "constant"
+
+    a: Ratio
+
+    @classmethod
+    def of(cls, moving: Freely) -> Self | None:
+        a = moving.acceleration
+        return cls(moving.model, moving.q0, moving.u0, a) if a.is_constant() else None
+
+    @property
+    def first_acceleration(self) -> Ratio:
+        return self.a
+
+    def at(self, t: Ratio) -> tuple[Ratio, Ratio]:
+        return self.q0 + self.u0 * t + self.a * t * t / 2, self.u0 + self.a * t
+
+    # the instants of its places are told apart where they are asked for (`motion.py`)
+
+    def rates(self, value: Ratio) -> Instants:
+        if self.a.is_zero():
+            return [], []
+        t = (value - self.u0) / self.a
+        return [LawInstant(t, self.at(t)[0], value, t)], []
+
+    @property
+    def limit(self) -> Limit | None:
+        if not self.a.is_zero():
+            return None
+        return Limit(self.q0 if self.u0.is_zero() else None, self.u0, self.u0.field.one)

@@ -1,0 +1,34 @@
+"""Textbook problems: a model, a question, and the formula that the book has, compared at several numbers."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import isclose
+
+import freebody as fb
+from freebody.api import System
+from freebody.language.expression import FLOAT_FUNCTIONS, Expr, evaluate
+from freebody.language.parser import parse
+from freebody.study.answering.answer import Answer
+
+Problem = tuple[str, str, str]  # model, question, formula
+
+
+def posed(text: str, question: str) -> Answer:
+    """The answer to a question about a model."""
+    return fb.solve(System.from_text(f"{text}questions: [{question!r}]\n")).answers[0]
+
+
+def is_formula(text: str, question: str, formula: str, factors: Sequence[float] = (1.0, 1.1, 0.93)) -> Answer:
+    """Asserts that the answer is a formula, at the model's numbers and near them, and has evidence."""
+    found = posed(text, question)
+    assert isinstance(found.expression, Expr), found.reason
+    assert found.evidence is not None
+    own = {p.name: p.value for p in System.from_text(text).parameters.values() if p.value is not None}
+    wanted = parse(formula)
+    for n, factor in enumerate(factors):
+        # every parameter by a factor of its own, or formulas that differ by a power of units would agree
+        values = {name: v * factor ** (1 + 0.3 * (k + n)) for k, (name, v) in enumerate(sorted(own.items()))}
+        a, b = (evaluate(e, values, FLOAT_FUNCTIONS) for e in (found.expression, wanted))
+        assert isclose(a, b, rel_tol=1e-9, abs_tol=1e-12), (str(found.expression), a, b)
+    return found
