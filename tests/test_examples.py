@@ -244,6 +244,18 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
     },
     # four bars with a/sin(alpha) = b/sin(beta), opposite ones alike (Bennett 1903)
     "bennett_linkage": {"freedom": "1"},
+    # x = r cos(theta) + sqrt(l^2 - r^2 sin(theta)^2), differentiated; gas and inertia on the piston through the rod
+    "driven_slider_crank": {
+        "place": "r*cos(w*t) + sqrt(l**2 - r**2*sin(w*t)**2)",
+        "rod": "asin(sqrt(3)*r/(2*l))",
+        "velocity": "-sqrt(3)/2*r*w*(1 + r/(2*sqrt(l**2 - 3*r**2/4)))",
+        "acceleration": "-r*w**2*(1 + r/l)",
+        "side_force": (
+            "sqrt(3)*r/(2*sqrt(l**2 - 3*r**2/4))*(F + mp*w**2*(-r/2 + r**2/(2*sqrt(l**2 - 3*r**2/4))"
+            " - 3*r**4/(16*(l**2 - 3*r**2/4)**(3/2))))"
+        ),
+        "torque": "-r*(F + mp*r**2*w**2/sqrt(l**2 - r**2))",
+    },
     # tan(psi_2) = cos(alpha) tan(psi), differentiated (exercise sheet 7.8)
     "cardan_joint": {
         "omega_2": "rate(psi)*cos(alpha)/(cos(alpha)**2 + sin(alpha)**2*cos(psi)**2)",
@@ -518,8 +530,8 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
     },
     # x = r cos(theta) + l cos(phi), r sin(theta) = l sin(phi), differentiated (BJ sample problem 15.6)
     "slider_crank": {
-        "piston": "-r*rate(theta)*(sin(theta) + cos(theta)*sin(phi)/cos(phi))",
-        "rod": "-r*cos(theta)/(l*cos(phi))",
+        "piston": "-r*rate(theta)*sin(theta)*(1 + r*cos(theta)/sqrt(l**2 - r**2*sin(theta)**2))",
+        "rod": "-r*cos(theta)/sqrt(l**2 - r**2*sin(theta)**2)",
     },
     # (1/2)(m L^2/3) phi'^2 = m g L/2 (cos phi0 - cos phi); N = m x'' = 0 at cos phi = 2/3 cos phi0
     "sliding_ladder": {

@@ -254,8 +254,7 @@ start: {}
 """,
         {"acceleration of piston along right at start": "-r*w**2*(1 + r/l)", "speed of piston at start": "0"},
     ),
-    # Norton ch. 3 (crank shaper): along and across the lever, rho = r cos(theta - psi) + d sin(psi),
-    # rho psi' = r theta' cos(theta - psi)
+    # Norton ch. 3 (crank shaper): tan(psi) = (d + r sin(theta))/(r cos(theta)), differentiated
     "crank shaper": (
         """
 parameters: {r: 0.1 m, d: 0.25 m, J: 0.3 kg m^2, T: 2 N m}
@@ -271,8 +270,8 @@ start: {theta: 30 deg}
 """,
         {
             "degrees of freedom": "1",
-            "ratio of angular velocity of lever to angular velocity of crank": "r*cos(theta - psi)"
-            "/(r*cos(theta - psi) + d*sin(psi))",
+            "ratio of angular velocity of lever to angular velocity of crank": "r*(r + d*sin(theta))"
+            "/(r**2 + d**2 + 2*r*d*sin(theta))",
         },
     ),
     # BJ sec. 19.3: m L^2/3 theta'' + (m g L/2 + k a^2) theta = 0

@@ -130,7 +130,7 @@ def _attempt(
     context: Context, question: Question, answer: Answer, method: Method, derive: Derive
 ) -> tuple[list[DerivationStage], str]:
     try:
-        with context.setup.model.samples.apart():  # what one derivation takes to be positive is nothing to the next
+        with context.setup.apart():  # what one derivation takes to be positive is nothing to the next
             stages = derive(context, question, answer, method)
     except (CannotAnswer, RoutesDisagree, ExpressionError, ZeroDivisionError) as error:
         return [], str(error)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from contextlib import suppress
+from contextlib import AbstractContextManager, nullcontext, suppress
 from dataclasses import replace
 from functools import cached_property
 from typing import Any
@@ -75,6 +75,10 @@ class Setup:
         except CannotAnswer as error:
             return error
         return model
+
+    def apart(self) -> AbstractContextManager[None]:
+        """What formulas take to be positive inside is so for what is found there only."""
+        return nullcontext() if isinstance(self._made, CannotAnswer) else self._made.samples.apart()
 
     def _formulas(self) -> SymbolicModel:
         """The model for the draws there are: signs that formulas leave open are those at the first of them."""

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
+from typing import Any, Literal
 
-from freebody.language.expression import Call, multiply, number
+from freebody.language.expression import Call, Expr, multiply, number
 from freebody.symbolic.field import Field, Generator, Ratio
 
 
@@ -27,8 +27,12 @@ def unit_pair(field: Field, angle: Ratio, cos: Generator, sin: Generator, key: A
     return c, s
 
 
-def angle_with(field: Field, cos: Ratio, sin: Ratio) -> Ratio:
-    """The angle whose cosine and sine are given elements, pi where 2 atan(sin/(1 + cos)) has no value."""
+Arc = tuple[Literal["asin", "acos", "half"], Ratio]
+
+
+def angle_with(field: Field, cos: Ratio, sin: Ratio, arc: Arc | None = None) -> Ratio:
+    """The angle whose cosine and sine are given elements, pi where 2 atan(sin/(1 + cos)) has no value. arc: how it is
+    written: by its sine or cosine alone, where that tells it, or by another form of the tangent of its half."""
     if cos == -1:
         return field.pi
     key = ("angle with", cos.key(), sin.key())
@@ -37,19 +41,29 @@ def angle_with(field: Field, cos: Ratio, sin: Ratio) -> Ratio:
         return known
     atom = field.generator(
         Generator(
-            multiply(number(2), Call("atan", field.expression(sin / (1 + cos)))),
+            _written(field, ("half", sin / (1 + cos)) if arc is None else arc),
             "function",
             compute=lambda v, f: f.atan2(field.evaluate(sin, v, f), field.evaluate(cos, v, f)),
             made_of=field.ingredients(cos) | field.ingredients(sin),
-            remake=lambda follow: angle_with(field, follow(cos), follow(sin)),
+            remake=lambda follow: angle_with(
+                field, follow(cos), follow(sin), None if arc is None else (arc[0], follow(arc[1]))
+            ),
         ),
         key=key,
     )
     field.known_pairs[field.index(atom)] = cos, sin
+    if arc is not None:
+        field.arcs[field.index(atom)] = arc
     rate = field.lowest_terms(cos * field.rate(sin) - sin * field.rate(cos))
     if not rate.is_zero():
         field.set_rate(atom, rate)
     return atom
+
+
+def _written(field: Field, arc: Arc) -> Expr:
+    name, x = arc
+    shown = field.expression(field.lowest_terms(x))
+    return multiply(number(2), Call("atan", shown)) if name == "half" else Call(name, shown)
 
 
 def function_atom(

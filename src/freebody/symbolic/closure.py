@@ -11,16 +11,17 @@ coefficients that the other does not enter: these follow, and their squares add 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 from itertools import combinations
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
-from freebody.symbolic.atoms import angle_with
+from freebody.symbolic.atoms import Arc, angle_with
 from freebody.symbolic.conditions import Condition, require
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
+from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.unknowns import Coordinate
 from freebody.tolerances import ROUND_OFF
 
@@ -32,6 +33,7 @@ class Closure:
 
     def __init__(self, model: SymbolicModel) -> None:
         self.model, self.field = model, model.field
+        self.sides: list[Ratio] = []  # positive on the branch on which the loops are assembled
 
     @cached_property
     def _solved(self) -> tuple[dict[int, Ratio], list[Ratio], list[Coordinate]]:
@@ -81,7 +83,7 @@ class Closure:
                 parts = None if equation is None else self.linear_in(equation, d.index)
                 if parts is not None:
                     found, room = self._angle(d, *parts)
-                    yield [d, gone], found | self._other(both, gone, found), room
+                    yield [d, gone], found | self._other(both, gone, d, found), room
 
     def linear_in(self, x: Ratio, index: int) -> tuple[Ratio, Ratio, Ratio] | None:
         """a, b, d of a cos q + b sin q + d."""
@@ -98,9 +100,15 @@ class Closure:
             return None
         return a, b, in_sin[0]
 
-    def _other(self, both: tuple[Ratio, Ratio], q: Coordinate, found: dict[int, Ratio]) -> dict[int, Ratio]:
-        """The second angle of a pair by both equations, once the first is known."""
+    def _other(
+        self, both: tuple[Ratio, Ratio], q: Coordinate, known: Coordinate, found: dict[int, Ratio]
+    ) -> dict[int, Ratio]:
+        """The second angle of a pair: as the first, where it can be solved for so, else by both equations."""
         f = self.field
+        equation = self._without(both, known.index, q.index)
+        parts = None if equation is None else self.linear_in(equation, q.index)
+        if parts is not None:
+            return self._angle(q, *parts)[0]
         first, second = (self.linear_in(f.follow(x, found), q.index) for x in both)
         assert first is not None
         assert second is not None
@@ -129,21 +137,27 @@ class Closure:
         room = f.lowest_terms(square - d * d)
         w = f.sqrt(room) * self._side(b * f.variable(c) - a * f.variable(s))
         cos, sin = (b * w - a * d) / square, -(a * w + b * d) / square
-        return self._values(q, f.lowest_terms(cos), f.lowest_terms(sin)), room
+        # F(q) (1 + T^2) = (d - a) T^2 + 2 b T + (d + a) with T = tan(q/2), of which the slope is 2 w
+        half = None if (d - a).is_zero() else f.lowest_terms((w - b) / (d - a))
+        return self._values(q, f.lowest_terms(cos), f.lowest_terms(sin), half), room
 
-    def _values(self, q: Coordinate, cos: Ratio, sin: Ratio) -> dict[int, Ratio]:
+    def _values(self, q: Coordinate, cos: Ratio, sin: Ratio, half: Ratio | None = None) -> dict[int, Ratio]:
+        """half: the tangent of half the angle, where that is shorter than by these."""
         f = self.field
         if any(len(part.num) > _MOST_TERMS for part in (cos, sin)):
             raise CannotAnswer(Message("the formula of {x} would be too long", x=q.name))
         c, s = f.pair_of(q.index) or (-1, -1)
-        return {c: cos, s: sin, q.index: angle_with(f, cos, sin)}
+        return {c: cos, s: sin, q.index: angle_with(f, cos, sin, _arc(cos, sin, half))}
 
     def _side(self, x: Ratio) -> int:
         """The sign of an element that is the branch on which the loop is assembled."""
         signs = {v > 0 for v in self.model.samples.at_starts(x) if not math.isnan(v) and abs(v) > ROUND_OFF}
         if len(signs) != 1:
             raise CannotAnswer(Message("which way the loop is assembled depends on the parameter values"))
-        return 1 if signs.pop() else -1
+        sign = 1 if signs.pop() else -1
+        if all(sign * x != known for known in self.sides):
+            self.sides.append(self.field.lowest_terms(sign * x))
+        return sign
 
     # -- what it is for -----------------------------------------------------------------------
     def explicit(self, x: Ratio) -> Ratio:
@@ -153,15 +167,24 @@ class Closure:
             return x
         values, _needs, _left = self._solved
         x = self.field.lowest_terms(self.field.follow(x, values))
-        names = [d.name for d in self.model.dependent if d.index in self._inside(x)]
-        if names:
+        self._must_be_solved([d for d in self.model.dependent if d.index in self._inside(x)])
+        return x
+
+    def _must_be_solved(self, left: Sequence[Coordinate]) -> None:
+        if left:
             raise CannotAnswer(
                 Message(
                     "it depends on {names}, which follow only through closed loops that have no short solution",
-                    names=", ".join(names),
+                    names=", ".join(d.name for d in left),
                 )
             )
-        return x
+
+    def at(self, values: Mapping[int, Ratio]) -> dict[int, Ratio]:
+        """The angles that loops bind, with their cosines and sines, where the independent coordinates have values.
+        Raises CannotAnswer where a loop has no short solution."""
+        found, _needs, left = self._solved
+        self._must_be_solved(left)
+        return {g: self.field.lowest_terms(self.field.follow(x, values)) for g, x in found.items()}
 
     def closes(self) -> list[Condition]:
         """Where the loops close, as far as that is known. Raises CannotAnswer where they have no short solution."""
@@ -171,6 +194,15 @@ class Closure:
             if condition is not None:
                 found.append(condition)
         return found
+
+
+def _arc(cos: Ratio, sin: Ratio, half: Ratio | None) -> Arc | None:
+    """How an angle is written: by its sine or cosine alone, where the sign of the other is known."""
+    if sign_of(cos) in (Sign.POSITIVE, Sign.NONNEGATIVE):
+        return "asin", sin
+    if sign_of(sin) in (Sign.POSITIVE, Sign.NONNEGATIVE):
+        return "acos", cos
+    return None if half is None else ("half", half)
 
 
 def explicit(model: SymbolicModel, x: Ratio) -> Ratio:

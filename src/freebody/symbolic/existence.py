@@ -51,7 +51,8 @@ def _needs(x: Ratio, seen: set[int]) -> Iterator[tuple[Ratio, str, str]]:
             if angle is not None:
                 yield from _needs(angle, seen)
         elif g in f.known_pairs:
-            for part in f.known_pairs[g]:
+            shown = (f.arcs[g][1],) if g in f.arcs else ()
+            for part in (*f.known_pairs[g], *shown):
                 yield from _needs(part, seen)
         elif g in f.arguments:
             name, u = f.arguments[g]

@@ -229,6 +229,7 @@ class Field(PolynomialRing):
         self.arguments: dict[int, tuple[str, Ratio]] = {}  # name and argument of every function atom
         self.waves: dict[Any, Any] = {}  # products of sines and cosines as sums, kept by `tidy`
         self.angles: dict[int, Ratio] = {}  # the angle of every cosine generator
+        self.arcs: dict[int, tuple[str, Ratio]] = {}  # how such an angle is written: an arc, or "half", of an element
         self.known_pairs: dict[int, tuple[Ratio, Ratio]] = {}  # cosine and sine of angles that are made of them
         self.positive_roots: dict[int, bool] = {}  # what `signs` found out about roots
         self.decided: dict[Any, Any] = {}  # what `decide` found out about signs under premises

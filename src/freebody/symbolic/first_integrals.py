@@ -22,12 +22,15 @@ from freebody.language.expression import Expr, free_symbols
 from freebody.language.sentences import Message
 from freebody.model.elements import NonholonomicForm
 from freebody.symbolic.antiderivative import antiderivative
+from freebody.symbolic.closure import Closure
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.linear import RHS, Row, solve
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.start import StartState
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.unknowns import Coordinate
+
+_MOST_TERMS = 150  # of the square of a speed through a closed loop
 
 
 class FirstIntegrals:
@@ -46,7 +49,7 @@ class FirstIntegrals:
         kinetic = f.zero
         for j, row in zip(self.model.coordinates, self.model.dynamics.mass_matrix, strict=True):
             for k, entry in zip(self.model.coordinates, row, strict=True):
-                kinetic = kinetic + entry * speeds[j.speed] * speeds[k.speed] / 2
+                kinetic = kinetic + self._explicit(entry) * speeds[j.speed] * speeds[k.speed] / 2
         kinetic = f.lowest_terms(f.follow(kinetic, {c.index: at}))
         parts = kinetic.numerator().coefficients(c.speed)
         rest, mass = (2 * p / kinetic.denominator() for p in (parts[0], (*parts, f.zero, f.zero)[2]))
@@ -54,9 +57,20 @@ class FirstIntegrals:
         total = f.zero
         for j, row in enumerate(M):
             for k, entry in enumerate(row):
-                total = total + f.follow(entry, self.start.values) * u0[j] * u0[k]
+                total = total + f.follow(self._explicit(entry), self.start.values) * u0[j] * u0[k]
         before, now = (self.potential(values) for values in (self.start.values, {c.index: at}))
-        return (total - rest + 2 * (before - now)) / mass
+        square = (total - rest + 2 * (before - now)) / mass
+        if self.model.dependent and len(square.num) > _MOST_TERMS:
+            raise CannotAnswer(Message("through the closed loop the speed would be a formula that is too long"))
+        return square
+
+    def _explicit(self, x: Ratio) -> Ratio:
+        """Without the angles that closed loops bind."""
+        return self._closure.explicit(x) if self.model.dependent else x
+
+    @cached_property
+    def _closure(self) -> Closure:
+        return Closure(self.model)
 
     def speeds_at(self, c: Coordinate, at: Ratio, speed: Ratio) -> dict[int, Ratio]:
         """The speeds of the other coordinates, by generator, where one of them has a value and a speed; nothing where
@@ -100,9 +114,17 @@ class FirstIntegrals:
                     n=self.model.degrees_of_freedom,
                 )
             )
-        if self.model.dependent:
+        if self.model.dependent and (others or not self._has_solved_loops):
             names = ", ".join(d.name for d in self.model.dependent)
             raise CannotAnswer(Message("{names} follow from {x} only through the closed loop", names=names, x=c.name))
+
+    @cached_property
+    def _has_solved_loops(self) -> bool:
+        try:
+            self._closure.at({})
+        except (CannotAnswer, ZeroDivisionError):
+            return False
+        return True
 
     @cached_property
     def _needed(self) -> set[int]:
@@ -135,6 +157,9 @@ class FirstIntegrals:
 
     def potential(self, values: dict[int, Ratio]) -> Ratio:
         """Minus the work function of all loads; each must be a function of its own measure."""
+        if self.model.dependent and self._has_solved_loops:
+            places = {c.index: values[c.index] for c in self.model.coordinates if c.index in values}
+            values = self._closure.at(places) | values
         state = SymbolicState(self.model, values)
         if is_driven(self.model) or any(
             isinstance(row.measure, NonholonomicForm) for row in self.model.system.constraint_rows

@@ -18,6 +18,7 @@ from freebody.errors import CannotAnswer, NeverHappens, NotReached
 from freebody.language.notation import Stated, compared, reworded, to_python, to_text
 from freebody.language.sentences import Message
 from freebody.questions.reading import QuestionEvent
+from freebody.symbolic.closure import Closure
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.first_integrals import FirstIntegrals, is_driven
 from freebody.symbolic.functions import functions
@@ -116,6 +117,26 @@ class SmoothMotion:
         moves by itself is where its own law has brought it by then, one that nothing depends on keeps its momentum."""
         if reached.limits is not None:
             return reached.limits
+        values = self._independent_at(reached)
+        places = {c.index for c in self.model.coordinates}
+        if self.model.dependent and places <= values.keys() and self._has_solved_loops:
+            at = {k: x for k, x in values.items() if k in places or k == self.field.index(self.field.time)}
+            values = self.closure.at(at) | values
+        return values
+
+    @cached_property
+    def closure(self) -> Closure:
+        return Closure(self.model)
+
+    @cached_property
+    def _has_solved_loops(self) -> bool:
+        try:
+            self.closure.at({})
+        except (CannotAnswer, ZeroDivisionError):
+            return False
+        return True
+
+    def _independent_at(self, reached: Reached) -> dict[int, Ratio]:
         values = dict(reached.values)
         if (c := reached.coordinate) is not None and reached.speed is not None and len(self.model.coordinates) > 1:
             values = self.integrals.speeds_at(c, reached.at, reached.speed) | values
@@ -188,6 +209,8 @@ class SmoothMotion:
             together = self._together(value, target, found, event.text)
             if together is not None:
                 return together
+        if not found and not bound and (driven := self._driven(value, target)) is not None:
+            return driven
         if len(found) != 1 or bound:
             raise CannotAnswer(
                 Message(
@@ -222,6 +245,20 @@ class SmoothMotion:
         if instants is not None:
             return self._first(c, *instants)
         return self._place_by_energy(c, at, event)
+
+    def _driven(self, value: Ratio, target: Ratio) -> Reached | None:
+        """A measure that is given as a function of the time, linear in it."""
+        f = self.field
+        index = f.index(f.time)
+        if present := f.ingredients(value) & self._in_time - {index}:
+            return None
+        time = None if present else solve_linear(value - target, index)
+        if time is None:
+            return None
+        time = f.lowest_terms(time)
+        if time.is_zero():
+            raise NeverHappens(_HOLDS_ONCE)
+        return Reached(time, None, target, f.derivative(value, index), conditions=[(time, ">")])
 
     def _together(self, value: Ratio, target: Ratio, found: list[Coordinate], text: str) -> Reached | None:
         """A measure that is linear in several coordinates, all of which move with constant accelerations: it moves

@@ -52,9 +52,9 @@ def tidy(x: Ratio) -> Expr:
     x = _root_on_top(_without_numeric_roots(x.field.lowest_terms(x)))
     if x.den is not None and sign_is_negative(x.denominator()):
         x = Ratio(x.field, -x.num, -x.den)
-    absorbed = _root_of_a_quotient(x)
-    if absorbed is not None:
-        return absorbed
+    shorter = _root_of_a_quotient(x) or _over_a_root(x)
+    if shorter is not None:
+        return shorter
     top = _poly(x.field, x.num)
     if x.den is None:
         return top
@@ -91,6 +91,22 @@ def _root_of_a_quotient(x: Ratio) -> Expr | None:
         return divide(front, _root_of(tidy(upside_down)))
     root = _root_of(tidy(inside))
     return root if front == number(1) else multiply(*_factors(front), root)
+
+
+def _over_a_root(x: Ratio) -> Expr | None:
+    """(a r + b sqrt(r))/r as (a sqrt(r) + b)/sqrt(r), where that is shorter."""
+    field = x.field
+    if x.den is None:
+        return None
+    for g in sorted(x.numerator().generators()):
+        if field.generators[g].kind != "root" or not field.generators[g].made_of:
+            continue
+        if (x.denominator() / field.radicand(g)).den is not None:
+            continue
+        above = field.lowest_terms(x * field.variable(g))
+        if sum(map(len, above.terms())) + 1 < sum(map(len, x.terms())):
+            return divide(tidy(above), _root_of(tidy(field.radicand(g))))
+    return None
 
 
 def _strict_sign(x: Ratio) -> int:
@@ -283,10 +299,13 @@ def _monomial(field: Field, monomial: Monomial, coefficient: int) -> Expr:
 
 
 def shown(field: Field, index: int) -> Expr:
-    """A generator as it is displayed; roots with a tidy radicand."""
+    """A generator as it is displayed; roots and arcs with a tidy argument."""
     generator = field.generators[index]
     if generator.kind == "root" and generator.made_of:
         return _root_of(tidy(field.radicand(index)))
+    if index in field.arcs:
+        name, x = field.arcs[index]
+        return multiply(number(2), Call("atan", tidy(x))) if name == "half" else Call(name, tidy(x))
     return generator.display
 
 

@@ -10,7 +10,7 @@ from freebody.language.sentences import Message
 from freebody.narrative.context import Context, Method
 from freebody.narrative.lines.script import DerivationStage, Script
 from freebody.narrative.principles.momentum import by_method
-from freebody.narrative.questions.course import TIME, EventWay, coordinates_asked, law_lines, tell_asked
+from freebody.narrative.questions.course import TIME, AtEvent, EventWay, coordinates_asked, law_lines, tell_asked
 from freebody.questions.clock import Clock
 from freebody.questions.motion import rates_of
 from freebody.questions.reading import Question
@@ -49,10 +49,7 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
             lines.append(script.line(TIME, tidy(reached.time), why="course.clock", when="event"))
         else:
             lines = _limits(context, script, reached, asked, lines)
-    first = asked[0] if asked else next(iter(model.coordinates), None)
-    if first is None:
-        raise CannotAnswer(Message("what the file gives as a function of the time is derived from no line here"))
-    tell_asked(_way(context, script, question, reached, first, 0), lines)
+    tell_asked(AtEvent(context, script, question, reached), lines)
     return script.stages
 
 

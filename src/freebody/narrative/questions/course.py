@@ -41,13 +41,19 @@ TIME = Symbol("t")
 
 
 @dataclass
-class EventWay:
-    """What the way to the event is made of."""
+class AtEvent:
+    """What is asked at an event, and the script that tells it."""
 
     context: Context
     script: Script
     question: Question
     reached: Reached
+
+
+@dataclass
+class EventWay(AtEvent):
+    """What the way to the event is made of."""
+
     coordinate: Coordinate
     acceleration: Ratio
     line: int  # of the acceleration
@@ -66,6 +72,8 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
     reached = setup.motion.reach(event)
     context.glossary.at_event(event)
     c = reached.coordinate
+    if c is None and not setup.model.coordinates:
+        return _driven(AtEvent(context, context.script(), question, reached), method)
     if c is None:
         raise CannotAnswer(
             Message("a measure of several coordinates that move independently is told without a derivation")
@@ -87,6 +95,24 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
         way.beside = beside
     lines = _energy(way) if by_energy else _motion(way)
     tell_asked(way, lines)
+    return script.stages
+
+
+def _driven(asked: AtEvent, method: Method) -> list[DerivationStage]:
+    """Of a motion that is given as a function of the time."""
+    event, script, model = asked.question.event, asked.script, asked.context.setup.model
+    assert isinstance(event, QuestionEvent)
+    assert asked.reached.time is not None
+    name = next((n for n, m in asked.context.system.measures.items() if m == event.measure), "")
+    with script.stage("stage.event", "hint.event"):
+        lines: list[int] = []
+        if name:
+            given = tidy(model.field.lowest_terms(model.value_of(event.measure)))
+            lines.append(script.line(Symbol(name), given, why="course.given", when="event"))
+        args: dict[str, Argument] = {"event": f"@{event.text}"}
+        time = tidy(asked.reached.time)
+        lines.append(script.line(TIME, time, why="course.event", args=args, uses=tuple(lines), when="event"))
+    tell_asked(asked, lines)
     return script.stages
 
 
@@ -331,13 +357,13 @@ def _energy(way: EventWay) -> list[int]:
 
 
 # -- what is asked ----------------------------------------------------------------------------
-def tell_asked(way: EventWay, lines: Sequence[int]) -> None:
+def tell_asked(way: AtEvent, lines: Sequence[int]) -> None:
     """The quantity in the state at the event."""
     _tell_asked(way.question.quantity, way, lines)
 
 
 @singledispatch
-def _tell_asked(q: Quantity, way: EventWay, lines: Sequence[int]) -> None:
+def _tell_asked(q: Quantity, way: AtEvent, lines: Sequence[int]) -> None:
     context, question, reached, script = way.context, way.question, way.reached, way.script
     if q.is_of_event:
         return
@@ -372,7 +398,7 @@ def _tell_asked(q: Quantity, way: EventWay, lines: Sequence[int]) -> None:
 
 
 @_tell_asked.register(Work)
-def _work(quantity: Work, way: EventWay, lines: Sequence[int]) -> None:
+def _work(quantity: Work, way: AtEvent, lines: Sequence[int]) -> None:
     """The work of a load that has a potential: what the potential is less than at the start."""
     context, script, f = way.context, way.script, way.context.setup.model.field
     setup, uses = context.setup, tuple(lines)
@@ -390,7 +416,7 @@ def _work(quantity: Work, way: EventWay, lines: Sequence[int]) -> None:
             script.line(symbol, total, why="course.there", args={"lines": (last,)}, uses=(last,), when="event")
 
 
-def _ends_in_answer(way: EventWay, found: Ratio) -> None:
+def _ends_in_answer(way: AtEvent, found: Ratio) -> None:
 
     f, reached, setup = found.field, way.reached, way.context.setup
     values = setup.motion.known_at(reached)

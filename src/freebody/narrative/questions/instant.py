@@ -8,6 +8,7 @@ from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr
 from freebody.language.sentences import Message
 from freebody.narrative.context import Context, Method, refuse
+from freebody.narrative.lines.glossary import TrueWhen
 from freebody.narrative.lines.naming import asked_entry, asked_symbol, side_of, written
 from freebody.narrative.lines.script import Argument, DerivationStage, Script
 from freebody.narrative.principles.formal import elements
@@ -16,7 +17,9 @@ from freebody.narrative.principles.newton import Solved, same_answer
 from freebody.narrative.questions.state import AnswerParts, PlanarTelling, StateTelling
 from freebody.narrative.space.spatial import SpatialTelling
 from freebody.questions.reading import Question
+from freebody.study.answering import loops
 from freebody.study.answering.answer import Answer
+from freebody.symbolic.closure import Closure
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
 
@@ -105,8 +108,33 @@ def finish(
             wanted = tuple(f.lowest_terms(here.here(part)) for part in general)
             shown = written(wanted)
             left = side_of(name, len(wanted)) if not is_there else tidy(parts[0])
-            script.line(left, shown, why="value.start", args={"lines": (last,)}, uses=(last,), when="start")
+            last = script.line(left, shown, why="value.start", args={"lines": (last,)}, uses=(last,), when="start")
+    left = side_of(name, len(wanted)) if not is_there else tidy(parts[0])
+    tell_loops(context, script, wanted, left, last, "start" if question.at_start else "always")
     _ends_in_answer(context, question, wanted)
+
+
+def tell_loops(
+    context: Context,
+    script: Script,
+    found: Sequence[Ratio],
+    left: Expr | tuple[Expr, ...],
+    last: int,
+    when: TrueWhen,
+) -> None:
+    """The angles that closed loops bind, and what is asked with them, where the answer has them put in."""
+    setup, element = context.setup, found[0] if len(found) == 1 else tuple(found)
+    state = setup.start_instant if when == "start" else setup.state
+    solved = loops.solved(setup, element, state)
+    if solved is None:
+        return
+    values, f, told = loops.angles(setup, element, state, Closure(setup.model)), setup.model.field, [last]
+    with script.stage("stage.solved_loops", "hint.solved_loops"):
+        for index, value in (values or {}).items():
+            told.append(script.line(tidy(f.variable(index)), tidy(value), why="loops.solved", when=when))
+        parts = solved[0] if isinstance(solved[0], tuple) else (solved[0],)
+        uses = tuple(told)
+        script.line(left, written(parts), why="value.follows", args={"lines": uses}, uses=uses, when=when)
 
 
 def _ends_in_answer(context: Context, question: Question, found: Sequence[Ratio]) -> None:

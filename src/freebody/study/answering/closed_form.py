@@ -21,8 +21,9 @@ from freebody.questions.freedom import DegreesOfFreedom
 from freebody.questions.reading import AskedEvent, Question, QuestionEvent
 from freebody.questions.small_motion import Equilibrium, SmallOscillations
 from freebody.study.answering import evidence as proof
+from freebody.study.answering import loops
 from freebody.study.answering.answer import Answer, Evidence, Value, made
-from freebody.study.answering.conditions import as_written, at_instant, is_kinematic, loops_in, real
+from freebody.study.answering.conditions import as_written, at_instant, is_kinematic, real
 from freebody.study.answering.crosscheck import element_at, holds
 from freebody.study.answering.finding import Elements, Finding, Otherwise, answered, judged
 from freebody.study.answering.magnitude import magnitude
@@ -53,6 +54,7 @@ class QuestionSolver:
         self.model = setup.model
         self.question = question
         self.otherwise = otherwise
+        self._state: SymbolicState | None = None  # in which it was found, where that is one instant
 
     def answer(self) -> Answer:
         with self.model.samples.apart():  # what one question takes to be positive is no condition of the next
@@ -136,10 +138,13 @@ class QuestionSolver:
     def _found(self, q: Quantity) -> Finding:
         """By the kind of question: what has no finder of its own is a property of an instant."""
         at_start = self.question.at_start
-        x = self._elements(q, self._start_of(q) if at_start else self.setup.state)
-        evidence = proof.at_instants(self.setup, self.question.text, q, x, at_start=at_start)
+        self._state = state = self._start_of(q) if at_start else self.setup.state
+        x = self._elements(q, state)
         remark = q.remark(self.system)
         notes = [remark] if remark else []
+        if (explicit := loops.solved(self.setup, x, state)) is not None:
+            x, notes = explicit[0], notes + explicit[1]
+        evidence = proof.at_instants(self.setup, self.question.text, q, x, at_start=at_start)
         return Finding(x, evidence, notes=notes)
 
     @_found.register(DegreesOfFreedom)
@@ -314,7 +319,7 @@ class QuestionSolver:
             value = self._value(element) if found.has_value else None
             needed = self._conditions(found, element)
             broken = self._violated(needed)
-            found.notes += broken + loops_in(self.setup, element)
+            found.notes += broken + loops.loops_in(self.setup, element, self._state)
             value = None if broken else value
             parts = element if isinstance(element, tuple) else (element,)
             conditions = found.says + texts(needed) or [for_all(self.system, parts)]

@@ -8,37 +8,21 @@ closing      closed loops close
 
 from __future__ import annotations
 
-from freebody.language.expression import ZERO
-from freebody.language.notation import compared, reworded
-from freebody.language.sentences import Message
 from freebody.measures.combination import Composed
 from freebody.questions.base import Quantity
 from freebody.questions.reading import Question
 from freebody.study.answering.finding import Elements
-from freebody.study.eom import primitive_part
 from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition
 from freebody.symbolic.equilibrium import find_equilibrium
 from freebody.symbolic.existence import exists
 from freebody.symbolic.state import SymbolicState
-from freebody.symbolic.tidy import tidy
 from freebody.symbolic.written import has_values
 
 
 def real(element: Elements) -> list[Condition]:
     """Every divisor, root and arc in the shown form."""
     return exists(element if isinstance(element, tuple) else (element,))
-
-
-def loops_in(setup: Setup, element: Elements) -> list[str]:
-    """The closed loops, where an answer contains coordinates that they bind."""
-    model = setup.model
-    bound = {g for c in model.dependent for g in (c.index, c.speed)}
-    parts = element if isinstance(element, tuple) else (element,)
-    if not any(model.field.ingredients(part) & bound for part in parts):
-        return []
-    zeros = [compared(ZERO, "=", tidy(primitive_part(loop.value))) for loop in model.loops]
-    return [reworded(Message("with {zero}", zero=zero), zero) for zero in zeros]
 
 
 def is_kinematic(setup: Setup, q: Quantity) -> bool:

@@ -13,9 +13,9 @@ from freebody.language.notation import joined, reworded
 from freebody.language.sentences import Message
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer, AnswerCase, Evidence, Value, made
-from freebody.study.answering.conditions import loops_in
 from freebody.study.answering.crosscheck import TooLittleCompared
 from freebody.study.answering.finding import answered, judged
+from freebody.study.answering.loops import loops_in
 from freebody.study.answering.scope import for_all
 from freebody.study.answering.simulated_numbers import number_with_changes
 from freebody.study.phases.decide import NOTHING, as_test, cells
@@ -96,7 +96,7 @@ def _answer(tree: PhaseTree, question: Question, parts: list[list[AnswerBranch]]
             Message("just before {event}, {phase}", event=happening(main.first.watch, None), phase=in_phase(main.phase))
         )
     if not main.is_home:
-        notes += loops_in(main.phase.setup, main.value)
+        notes += loops_in(main.phase.setup, main.value, main.phase.state)
     broken = _broken(tree, own) if tree.system.has_values else ""
     if broken:
         notes.append(reworded(Message("Not valid for the given numbers: {text}", text=broken), broken))

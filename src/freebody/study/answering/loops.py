@@ -1,0 +1,112 @@
+"""Angles that closed loops bind, put into a formula where the pose is known and the formula stays readable.
+
+Otherwise the answer keeps them, beside the equations of the loop.
+"""
+
+from __future__ import annotations
+
+from freebody.errors import CannotAnswer
+from freebody.language.expression import ZERO, Expr, children
+from freebody.language.notation import compared, joined, reworded
+from freebody.language.sentences import Message
+from freebody.study.answering.finding import Elements
+from freebody.study.eom import primitive_part
+from freebody.study.setup import Setup
+from freebody.symbolic.closure import Closure
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.signs import Sign, sign_of
+from freebody.symbolic.state import SymbolicState
+from freebody.symbolic.tidy import tidy
+
+READABLE = 60  # operations and symbols of a formula that is read at a glance
+_LONGEST = 120  # of an angle that a loop binds, as a formula of its own
+_LONGER = 1.25  # times as long as with the bound angles a formula may become in any case
+
+
+def length(element: Elements) -> int:
+    """How long a formula is as it is shown: its operations and symbols."""
+    return sum(_size(tidy(part)) for part in (element if isinstance(element, tuple) else (element,)))
+
+
+def _size(e: Expr) -> int:
+    return 1 + sum(map(_size, children(e)))
+
+
+def bound_in(setup: Setup, element: Elements) -> bool:
+    """Whether a formula contains coordinates that loops bind."""
+    bound = {d.index for d in setup.model.dependent}
+    parts = element if isinstance(element, tuple) else (element,)
+    return any(setup.model.field.ingredients(part) & bound for part in parts)
+
+
+def solved(setup: Setup, element: Elements, state: SymbolicState) -> tuple[Elements, list[str]] | None:
+    """A formula with the angles that loops bind in the pose of a state, and on which branch that is; None where the
+    loops have no short solution, or the formula becomes too long."""
+    if not setup.model.loops or not bound_in(setup, element):
+        return None
+    closure = Closure(setup.model)
+    try:
+        values = closure.at(state.values)
+        found = _followed(element, values)
+    except (CannotAnswer, ZeroDivisionError):
+        return None
+    is_angle = isinstance(element, Ratio) and any(
+        element == element.field.variable(d.index) for d in setup.model.dependent
+    )
+    longest = _LONGEST if is_angle else max(READABLE, _LONGER * length(element))
+    if bound_in(setup, found) or length(found) > longest:
+        return None
+    return found, branch(closure)
+
+
+def _followed(element: Elements, values: dict[int, Ratio]) -> Elements:
+    if isinstance(element, tuple):
+        return tuple(part.field.lowest_terms(part.field.follow(part, values)) for part in element)
+    return element.field.lowest_terms(element.field.follow(element, values))
+
+
+def branch(closure: Closure) -> list[str]:
+    """How the loops are assembled, as a note."""
+    sides = [_positive(x) for x in closure.sides]
+    if not sides:
+        return []
+    told = joined(sides)
+    return [reworded(Message("as it is assembled: {condition}", condition=told), told)]
+
+
+def _positive(x: Ratio) -> str:
+    """That an element is positive, without factors whose signs are known."""
+    short = primitive_part(x)
+    front = sign_of(x / short)
+    if not front.is_strict:
+        return compared(tidy(x), ">", ZERO)
+    return compared(tidy(short), ">" if front is Sign.POSITIVE else "<", ZERO)
+
+
+def loops_in(setup: Setup, element: Elements, state: SymbolicState | None) -> list[str]:
+    """Where an answer contains coordinates that closed loops bind: what they are in the pose of a state; or the
+    equations of the loops, where they have no short solution."""
+    if not bound_in(setup, element):
+        return []
+    model, closure = setup.model, Closure(setup.model)
+    found = None if state is None else angles(setup, element, state, closure)
+    if found is None:
+        zeros = [compared(ZERO, "=", tidy(primitive_part(loop.value))) for loop in model.loops]
+        return [reworded(Message("with {zero}", zero=zero), zero) for zero in zeros]
+    formulas = [compared(tidy(model.field.variable(d)), "=", tidy(value)) for d, value in found.items()]
+    return [*(reworded(Message("with {zero}", zero=x), x) for x in formulas), *branch(closure)]
+
+
+def angles(setup: Setup, element: Elements, state: SymbolicState, closure: Closure) -> dict[int, Ratio] | None:
+    """The bound angles of an element as formulas, by generator; None where one of them has no short one."""
+    try:
+        values = closure.at(state.values)
+    except (CannotAnswer, ZeroDivisionError):
+        return None
+    parts = element if isinstance(element, tuple) else (element,)
+    inside = set[int]().union(*map(setup.model.field.ingredients, parts))
+    bound = [d.index for d in setup.model.dependent if d.index in inside]
+    for index in bound:
+        if index not in values or bound_in(setup, values[index]) or length(values[index]) > _LONGEST:
+            return None
+    return {index: values[index] for index in bound}

@@ -1,0 +1,152 @@
+"""Closed loops solved for the angles that they bind: slider-crank, four-bar, slotted lever, driven or free.
+
+Formulas by hand from the triangle of the linkage and its derivatives. Problem families: Meriam & Kraige, Engineering
+Mechanics: Dynamics, sec. 5/4 to 5/6; Hibbeler, Dynamics, ch. 16; Norton, Design of Machinery, ch. 4, 6 and 13;
+Wittenburg, Kinematics, ch. 17 (Freudenstein's equation).
+"""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+import freebody as fb
+from freebody.api import System
+from posed import is_formula, posed
+
+SLIDER_CRANK = """
+parameters: {{r: 0.05 m, l: 0.2 m, m: 0.8 kg, F: 200 N, w: 30 1/s, alpha: 40 deg}}
+ground: {{lines: {{rail: {{along: right}}}}}}
+bodies:
+  crank: {{rod: {{mass: 0, length: r}}}}
+  rod: {{rod: {{mass: 0, length: l}}}}
+  piston: {{particle: {{mass: m}}}}
+connections:
+  O: {{pin: [ground.O, crank.start]}}
+  A: {{pin: [crank.end, rod.start]}}
+  B: {{pin: [rod.end, piston]}}
+  guide: {{slider: [piston, ground.rail]}}
+  {more}
+loads: {{gas: {{force: {{at: piston, along: left, magnitude: F}}}}}}
+measures: {{psi: angle of crank, phi: angle of rod clockwise, x: x of piston}}
+start: {{psi: {psi}{rate}}}
+"""
+FREE = SLIDER_CRANK.format(more="", psi="alpha", rate=", rate(psi): w")
+DRIVEN = SLIDER_CRANK.format(more="motor: {driver: {measure: psi, follows: w*t}}", psi="0", rate="")
+FOUR_BAR = """
+parameters: {a: 0.1 m, b: 0.3 m, c: 0.25 m, d: 0.3 m, w: 5 1/s, alpha: 60 deg}
+ground: {points: {O: [0, 0], D: [d, 0]}}
+bodies:
+  crank: {rod: {mass: 1 kg, length: a}}
+  coupler: {rod: {mass: 1 kg, length: b}}
+  rocker: {rod: {mass: 1 kg, length: c}, near: {angle: 60 deg}}
+connections:
+  O: {pin: [ground.O, crank.start]}
+  A: {pin: [crank.end, coupler.start]}
+  B: {pin: [coupler.end, rocker.end]}
+  C: {pin: [ground.D, rocker.start]}
+measures: {psi: angle of crank, phi: angle of rocker, beta: angle of coupler}
+start: {psi: alpha, rate(psi): w}
+"""
+LADDER = """
+parameters: {m: 5 kg, L: 4 m, v: 1 m/s, alpha: 50 deg, g: 9.81 m/s^2}
+ground: {lines: {floor: {along: right}, wall: {along: up}}}
+bodies: {ladder: {rod: {mass: m, length: L}, near: {angle: 130 deg}}}
+connections:
+  foot: {slot: [ladder.start, ground.floor]}
+  top: {slot: [ladder.end, ground.wall]}
+  pull: {driver: {measure: x, follows: L*cos(alpha) + v*t}}
+measures: {x: x of ladder.start, y: y of ladder.end}
+"""
+S, C = "sqrt(l^2 - r^2*sin(alpha)^2)", "r*cos(alpha)"
+
+FORMULAS = {
+    # x = r cos psi + sqrt(l^2 - r^2 sin^2 psi)
+    "piston": (FREE, "x at start", f"{C} + {S}"),
+    "rod": (FREE, "phi at start", "asin(r*sin(alpha)/l)"),
+    "piston, velocity": (FREE, "velocity of x at start", f"-r*w*sin(alpha)*(1 + {C}/{S})"),
+    "rod, turning": (FREE, "angular velocity of rod at start", f"-w*{C}/{S}"),
+    "piston, driven": (DRIVEN, "x when psi = 90 deg", "sqrt(l^2 - r^2)"),
+    "velocity, driven": (DRIVEN, "velocity of x when psi = 90 deg", "-r*w"),
+    "velocity at 60 deg": (
+        DRIVEN,
+        "velocity of x when psi = 60 deg",
+        "-r*w*sqrt(3)/2*(1 + r/2/sqrt(l^2 - 3*r^2/4))",
+    ),
+    "outer dead point": (DRIVEN, "acceleration of x at start", "-r*w^2*(1 + r/l)"),
+    "inner dead point": (DRIVEN, "acceleration of x when psi = 180 deg", "r*w^2*(1 - r/l)"),
+    "acceleration at 90 deg": (DRIVEN, "acceleration of x when psi = 90 deg", "r^2*w^2/sqrt(l^2 - r^2)"),
+    # gas force and inertia through the rod; on the crank r/cos(phi) sin(psi + phi)
+    "side force": (
+        DRIVEN,
+        "vertical reaction of guide when psi = 90 deg",
+        "r/sqrt(l^2 - r^2)*(F + m*r^2*w^2/sqrt(l^2 - r^2))",
+    ),
+    "torque": (DRIVEN, "driving torque of motor when psi = 90 deg", "-r*(F + m*r^2*w^2/sqrt(l^2 - r^2))"),
+    "time": (DRIVEN, "time when psi = 60 deg", "pi/(3*w)"),
+    "by the clock": (DRIVEN, "velocity of x at t = pi/(2*w)", "-r*w"),
+    # energy: m v^2/2 changes by the work of F
+    "free motion": (
+        FREE,
+        "velocity of x when psi = 90 deg",
+        f"-sqrt((r*w*sin(alpha)*(1 + {C}/{S}))^2 + 2*F/m*({C} + {S} - sqrt(l^2 - r^2)))",
+    ),
+    # x^2 + y^2 = L^2
+    "ladder": (LADDER, "velocity of y at start", "-v*cos(alpha)/sin(alpha)"),
+    "ladder, later": (LADDER, "y when x = 3 m", "sqrt(L^2 - 9)"),
+}
+
+
+@pytest.mark.parametrize("name", FORMULAS)
+def test_a_loop_is_solved(name: str) -> None:
+    is_formula(*FORMULAS[name], factors=(1.0, 1.02, 0.99))
+
+
+def test_the_rocker_of_a_four_bar() -> None:
+    """By the triangles O D A and D A B: the angle at D, seen from the diagonal e."""
+    a, b, c, d, alpha = 0.1, 0.3, 0.25, 0.3, math.radians(60)
+    e = math.hypot(a * math.cos(alpha) - d, a * math.sin(alpha))
+    at_d = math.acos((c * c + e * e - b * b) / (2 * c * e))
+    phi = math.atan2(a * math.sin(alpha), a * math.cos(alpha) - d) - at_d
+    for words in ("phi at start", "phi"):
+        found = posed(FOUR_BAR, words)
+        assert found.value == pytest.approx(phi, rel=1e-12)
+        assert "beta" not in str(found.expression)
+        assert any("as it is assembled" in note for note in found.notes)
+
+
+def test_a_formula_that_stays_long_has_its_angles_beside_it() -> None:
+    found = posed(FOUR_BAR, "angular velocity of rocker")
+    told = [note for note in found.notes if note.startswith("with ")]
+    assert len(told) == 2
+    assert all("atan" in note for note in told)
+    assert found.evidence is not None
+
+
+def test_a_loop_has_the_branch_on_which_it_is_assembled() -> None:
+    """The same slider-crank with the piston on the other side."""
+    text = FREE.replace("piston: {particle: {mass: m}}", "piston: {particle: {mass: m}, near: {at: [-0.1 m, 0]}}")
+    text = text.replace("rod: {rod: {mass: 0, length: l}}", "rod: {rod: {mass: 0, length: l}, near: {angle: 170 deg}}")
+    found = posed(text, "x at start")
+    assert found.value == pytest.approx(
+        0.05 * math.cos(math.radians(40)) - math.sqrt(0.2**2 - (0.05 * math.sin(math.radians(40))) ** 2)
+    )
+    assert any("cos(φ) < 0" in note for note in found.notes)
+
+
+TOLD = {
+    "place": (FREE, "x at start"),
+    "any pose": (FREE, "angular velocity of rod"),
+    "driven": (DRIVEN, "driving torque of motor when psi = 60 deg"),
+    "clock": (DRIVEN, "velocity of x at t = 0.02 s"),
+    "rocker": (FOUR_BAR, "phi at start"),
+}
+
+
+@pytest.mark.parametrize("language", ["en", "de"])
+@pytest.mark.parametrize("name", TOLD)
+def test_the_solution_of_the_loop_is_told(name: str, language: str) -> None:
+    text, question = TOLD[name]
+    told = fb.explain(System.from_text(f"{text}questions: {{it: {question!r}}}\n"), language=language).to_text()
+    assert ("There is no derivation" if language == "en" else "keine Herleitung") not in told, told
