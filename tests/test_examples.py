@@ -256,6 +256,13 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
         ),
         "torque": "-r*(F + mp*r**2*w**2/sqrt(l**2 - r**2))",
     },
+    # v^2 = 2 g (h - 2 R) at the top, m v^2/R = m g + N; N = 2 m g (h - R)/R at the side
+    "loop_the_loop": {
+        "round": "5*R/2",
+        "quarter": "2*R",
+        "strength": "R*(S - m*g)/(2*m*g)",
+        "top": "m*g*(2*h - 5*R)/R",
+    },
     # tan(psi_2) = cos(alpha) tan(psi), differentiated (exercise sheet 7.8)
     "cardan_joint": {
         "omega_2": "rate(psi)*cos(alpha)/(cos(alpha)**2 + sin(alpha)**2*cos(psi)**2)",

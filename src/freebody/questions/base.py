@@ -114,6 +114,16 @@ class Wanted(Protocol):
     @property
     def target(self) -> Expr: ...
     @property
+    def relation(self) -> str:
+        """= or that of an inequality between the two; or that the event comes."""
+        ...
+
+    @property
+    def end(self) -> str:
+        """Of the values for which an inequality holds the one that is asked for: least, largest, or none of them."""
+        ...
+
+    @property
     def text(self) -> str:
         """The quantity in words, with its event."""
         ...

@@ -18,6 +18,7 @@ from freebody.language.plain_text import plain
 from freebody.language.sentences import Message
 from freebody.language.units import TIME
 from freebody.measures.base import Measure
+from freebody.model.elements import Parameter
 from freebody.model.names import Names, did_you_mean
 from freebody.model.phrases import PHRASES, measure_of, phrase_text, read_measure
 from freebody.questions import turned_round
@@ -34,7 +35,18 @@ from freebody.questions.operands import (
     ratio_as_quotient,
     without_start,
 )
-from freebody.questions.turned_round import VALUE_FOR, ValueFor, ValueForOnTheWay, relation_of
+from freebody.questions.turned_round import (
+    EXTREME_FOR,
+    REACHED,
+    VALUE_FOR,
+    RangeFor,
+    RangeForOnTheWay,
+    ValueFor,
+    ValueForOnTheWay,
+    inequality_of,
+    reached_in,
+    relation_of,
+)
 
 
 @dataclass(frozen=True)
@@ -193,6 +205,9 @@ def _question(names: Names, name: str, value: Any) -> Question | None:
     )
 
 
+_SIGN = re.compile(r"[<>=≤≥]|\b(?:is|exceeds|exceed|stays below)\b")
+
+
 @dataclass(frozen=True)
 class _Asked:
     """A quantity, and when it is meant."""
@@ -205,9 +220,14 @@ class _Asked:
 
 def _asked(names: Names, phrase: str, when: object) -> _Asked | None:
     """What a phrase asks for. when: what the file says of it beside the phrase."""
-    turned = VALUE_FOR.match(phrase)
+    extreme = EXTREME_FOR.match(phrase)
+    if extreme is not None and not _SIGN.search(extreme["relation"]) and reached_in(extreme["relation"]) is None:
+        extreme = None  # of a state, such as that it stays at rest
+    turned = extreme or VALUE_FOR.match(phrase)
     if turned is not None:
-        return _turned_round(names, turned["parameter"], turned["relation"], when)
+        least = extreme is not None and extreme["least"] is not None
+        end = "" if extreme is None else "least" if least else "largest"
+        return _turned_round(names, turned["parameter"], turned["relation"], when, end)
     if when is not None:
         path: Path = ("when",)
         phrase, condition = by_the_clock(phrase), by_the_clock(f" {when}").removeprefix(" when ").strip()
@@ -225,14 +245,26 @@ def _asked(names: Names, phrase: str, when: object) -> _Asked | None:
     return _meant(names, phrase, condition, at_start, path)
 
 
-def _turned_round(names: Names, name: str, relation: str, when: object) -> _Asked | None:
-    """For which value of a parameter an equation holds."""
+def _turned_round(
+    names: Names, name: str, relation: str, when: object, end: Literal["", "least", "largest"]
+) -> _Asked | None:
+    """For which value of a parameter an equation holds, or for which values an inequality does. end: of these values
+    the one that is asked for."""
     parameter = names.parameters.get(name)
     if parameter is None or parameter.form is not None:
         told = Message("{name} is no parameter.{hint}", name=name, hint=did_you_mean(name, names.parameters))
         names.unknown(name, told, "find")
         return None
     relation = by_the_clock(relation)
+    inequality = inequality_of(relation)
+    if inequality is not None:
+        return _range(names, parameter, inequality, when, end)
+    if (event := reached_in(relation)) is not None and when is None:
+        return _reaching(names, parameter, event, end)
+    if end:
+        told = Message("write an inequality: {end} {name} so that acceleration of x >= 0", end=end, name=name)
+        names.problem(told, "find")
+        return None
     head, condition = (relation, None) if when is not None else event_at_end(names, relation)
     starts = condition is None and without_start(head) != head  # else these words belong to what is last
     found = relation_of(without_start(head) if starts else head, condition)
@@ -256,6 +288,46 @@ def _turned_round(names: Names, name: str, relation: str, when: object) -> _Aske
     kind = ValueForOnTheWay if asked.quantity.scope == "course" else ValueFor
     unit = "rad" if parameter.is_angle else str(parameter.dimension)
     return replace(asked, quantity=kind(name, asked.quantity, target, parameter.dimension, unit, left + timed))
+
+
+def _range(
+    names: Names,
+    parameter: Parameter,
+    inequality: tuple[str, str, str],
+    when: object,
+    end: Literal["", "least", "largest"],
+) -> _Asked | None:
+    """The values of a parameter for which an inequality holds."""
+    left, sign, right = inequality
+    right, condition = (right, None) if when is not None else event_at_end(names, right)
+    starts = condition is None and without_start(right) != right
+    timed = f" when {condition}" if condition is not None else " at start" if starts else ""
+    right = without_start(right) if starts else right
+    if has_quantities(names, right):
+        left, right = f"({left}) - ({right})", "0"
+    asked = _asked(names, left + timed, when)
+    if asked is None:
+        return None
+    target = names.formula(right, asked.quantity.dimension, "find") if right not in ("0", "zero") else ZERO
+    kind = RangeForOnTheWay if asked.quantity.scope == "course" else RangeFor
+    unit = "rad" if parameter.is_angle else str(parameter.dimension)
+    quantity = kind(
+        parameter.name, asked.quantity, target, parameter.dimension, unit, left + timed, relation=sign, end=end
+    )
+    return replace(asked, quantity=quantity)
+
+
+def _reaching(names: Names, parameter: Parameter, event: str, end: Literal["", "least", "largest"]) -> _Asked | None:
+    """The values of a parameter for which a measure reaches a value."""
+    placed = _placed(names, When(), event, False, ("find",))
+    if placed is None or not isinstance(placed.event, QuestionEvent):
+        return None
+    unit = "rad" if parameter.is_angle else str(parameter.dimension)
+    of = OfMeasure(placed.event.measure, placed.event.order, placed.event.text)
+    quantity = RangeFor(
+        parameter.name, of, placed.event.value, parameter.dimension, unit, event, relation=REACHED, end=end
+    )
+    return replace(placed, quantity=quantity)
 
 
 def _calculated(

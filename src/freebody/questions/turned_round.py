@@ -1,22 +1,50 @@
-"""Questions turned round: for which value of a parameter something is so.
+"""Questions turned round: for which value, or for which values, of a parameter something is so.
 
 value of v0 for which velocity of x = 0 when x = d        value of d for which horizontal reaction of hinge is zero
+range of v0 for which tension of rope >= 0 when theta = 180 deg        least v0 so that x reaches d
 """
 
 from __future__ import annotations
 
 import re
 from dataclasses import dataclass
+from typing import Literal
 
 from freebody.language.expression import Expr, Symbol
-from freebody.language.sentences import Sentence
+from freebody.language.sentences import Argument, Sentence
 from freebody.language.units import Dimension
 from freebody.questions.base import NAME, Described, Quantity, Wanted
 
-FORM = "value of PARAMETER for which QUANTITY = EXPRESSION [at start | when EVENT]"
-VALUE_FOR = re.compile(
-    rf"^(?:the )?values? of (?P<parameter>{NAME}) (?:for which|so that|such that|with which|at which) (?P<relation>.+)$"
+FORM = """value of PARAMETER for which QUANTITY = EXPRESSION [at start | when EVENT]
+    range of PARAMETER for which QUANTITY > | < | >= | <= EXPRESSION [at start | when EVENT]
+    least | largest PARAMETER so that QUANTITY > | < | >= | <= EXPRESSION [at start | when EVENT]
+    range of PARAMETER for which MEASURE reaches VALUE"""
+_SO_THAT = "(?:for which|so that|such that|with which|at which)"
+VALUE_FOR = re.compile(rf"^(?:the )?(?:values?|range) of (?P<parameter>{NAME}) {_SO_THAT} (?P<relation>.+)$")
+_LEAST = r"(?P<least>least|smallest|minimum|minimal|lowest|shortest)"
+_LARGEST = r"(?P<largest>largest|greatest|maximum|maximal|highest|longest)"
+EXTREME_FOR = re.compile(
+    rf"^(?:the )?(?:{_LEAST}|{_LARGEST}) (?:value of )?(?P<parameter>{NAME}) {_SO_THAT} (?P<relation>.+)$"
 )
+_WORDS = {
+    "is positive": "> 0",
+    "is negative": "< 0",
+    "is not negative": ">= 0",
+    "is not positive": "<= 0",
+    "is at least": ">=",
+    "is at most": "<=",
+    "is not less than": ">=",
+    "is not more than": "<=",
+    "is (?:greater|more|larger) than": ">",
+    "is (?:less|smaller) than": "<",
+    "exceeds": ">",
+    "does not exceed": "<=",
+    "stays below": "<",
+    "≥": ">=",
+    "≤": "<=",
+}
+_INEQUALITY = re.compile(r"^(?P<left>.+?)\s*(?P<sign>>=|<=|>|<)\s*(?P<right>.+)$")
+_REACHES = re.compile(r"^(?P<what>.+?) (?:reaches|gets to|comes to|gets as far as) (?P<value>.+)$")
 # an equation, or what is zero; the sign stands before an event, which has one of its own
 RELATION = re.compile(
     r"^(?P<left>.+?)(?:\s*=\s*|\s+(?:is equal to|equals|is)\s+)(?P<right>.+)$|^(?P<zero>.+?)\s+(?:vanishes|is zero)$"
@@ -36,6 +64,8 @@ class ValueFor(Quantity, kind="value for"):
     measured: Dimension
     shown_unit: str
     text: str = ""  # the quantity in words, with its event
+    relation: str = "="
+    end: Literal["", "least", "largest"] = ""
 
     example = """
 parameters: {m: 2 kg, F: 5 N, a: 3 m/s^2}
@@ -89,8 +119,53 @@ def relation_of(head: str, event: str | None) -> tuple[str, str, str | None] | N
     return None if behind is None else (head, behind["right"].strip(), behind["event"])
 
 
+def inequality_of(relation: str) -> tuple[str, str, str] | None:
+    """The left side, the sign and the right side of an inequality; None where there is none."""
+    for words, sign in _WORDS.items():
+        relation = re.sub(rf"(?:\b|(?<=\s)){words}(?=\s|$)", sign, relation)
+    found = _INEQUALITY.match(relation)
+    return None if found is None else (found["left"].strip(), found["sign"], found["right"].strip())
+
+
+def reached_in(relation: str) -> str | None:
+    """That a measure reaches a value, as an event; None where nothing of the kind is said."""
+    found = _REACHES.match(relation)
+    return None if found is None or " when " in relation else f"{found['what']} = {found['value']}"
+
+
 @dataclass(frozen=True)
 class ValueForOnTheWay(ValueFor):
+    """The same of what is counted from the start to an event."""
+
+    scope = "course"
+
+
+@dataclass(frozen=True)
+class RangeFor(ValueFor, kind="range for"):
+    """All values of a parameter for which an inequality holds, or an event comes; or the least or largest of them."""
+
+    example = """
+parameters: {m: 2 kg, F: 5 N, a: 3 m/s^2}
+bodies: {ball: {particle: {mass: m}}}
+loads: {push: {force: {at: ball, along: right, magnitude: F}}}
+measures: {x: x of ball}
+questions: {it: range of F for which acceleration of x > a}
+"""
+
+    def sentence(self, system: Described) -> Sentence | None:
+        what = self.of.sentence(system)
+        if what is None or self.relation == REACHED:
+            return None
+        args: dict[str, Argument] = {"parameter": Symbol(self.parameter), "what": what, "target": self.target}
+        return Sentence(f"what.range_{self.end or 'all'}_{_KEYS[self.relation]}", args)
+
+
+REACHED = "is reached"  # instead of a relation: the event of the question comes
+_KEYS = {">": "above", ">=": "from", "<": "below", "<=": "up_to"}
+
+
+@dataclass(frozen=True)
+class RangeForOnTheWay(RangeFor):
     """The same of what is counted from the start to an event."""
 
     scope = "course"

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import Expr, substitute
+from freebody.language.expression import FLOAT_FUNCTIONS, Expr, evaluate, substitute
 from freebody.language.sentences import Message
 from freebody.narrative.contact.settings import has_phases
 from freebody.narrative.context import Context, Method
@@ -25,6 +26,7 @@ from freebody.study.answering.solve import solve
 from freebody.study.answering.turned_round import with_others
 from freebody.system.system import System
 
+_ROOT = 1e-6  # of what the quantity changes by nearby: it has the wanted value
 _STEP = 1e-4  # of the value: by so much it is changed to see how the quantity changes
 
 
@@ -41,11 +43,28 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
     stages = derivation_of(there.system, asked)(there, asked, given, method)
     numbers = [item.number for stage in stages for item in stage.items if isinstance(item, NumberedFormula)]
     values = answer.expression if isinstance(answer.expression, tuple) else (answer.expression,)
+    if quantity.relation != "=" and not _are_roots(there, quantity, formula, values):
+        raise CannotAnswer(Message("the ends of the range are where the formula of the quantity stops to be true"))
     glossary = there.glossary.where(lambda world: _has(world, values))
     script = Script(glossary, max([context.next_number - 1, *numbers]) + 1)
     with script.stage("stage.turned", "hint.turned", name=quantity.parameter):
         _solved(there, script, question, formula, values)
     return [*stages, *script.stages]
+
+
+def _are_roots(context: Context, quantity: Wanted, formula: Expr, values: Sequence[Expr]) -> bool:
+    """Whether the formula is what is wanted at all values, at the model's own numbers."""
+    own = context.setup.draws[0].values
+    with suppress(ArithmeticError, ValueError, KeyError):
+        target = float(evaluate(quantity.target, own, FLOAT_FUNCTIONS))
+        for value in values:
+            x = float(evaluate(value, own, FLOAT_FUNCTIONS))
+            found = float(evaluate(formula, {**own, quantity.parameter: x}, FLOAT_FUNCTIONS))
+            near = float(evaluate(formula, {**own, quantity.parameter: 1.1 * x}, FLOAT_FUNCTIONS))
+            if near == found or abs(found - target) > _ROOT * max(abs(near - found), abs(target)):
+                return False
+        return True
+    return False
 
 
 def _reached(context: Context, asked: Question, name: str) -> tuple[Context, Answer, Expr]:

@@ -118,7 +118,8 @@ class QuestionSolver:
 
     def _turned_round(self, q: Wanted) -> Finding:
         """The formula of what is to have a value, solved for a parameter."""
-        from freebody.study.answering.turned_round import Formula, find, first_found
+        from freebody.study.answering.ranges import solved_for
+        from freebody.study.answering.turned_round import Formula, first_found
 
         asked = replace(self.question, quantity=q.of, options={}, key=None)
 
@@ -127,7 +128,7 @@ class QuestionSolver:
             formula = QuestionSolver(setup, asked)
             found = formula._find()
             needed = [] if isinstance(found.element, Fraction) else formula._conditions(found, found.element)
-            answer = find(setup, self.question, [Formula(found.element, needed, lambda: found.evidence)])
+            answer = solved_for(setup, self.question, [Formula(found.element, needed, lambda: found.evidence)])
             self.setup, self.model, self.system = setup, setup.model, system
             return answer
 

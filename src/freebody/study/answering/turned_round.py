@@ -14,7 +14,7 @@ from contextlib import suppress
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from itertools import islice
-from typing import TypeVar
+from typing import Any, TypeVar
 
 from freebody.errors import CannotAnswer, FreebodyError, NeverHappens, NotReached
 from freebody.language.expression import ZERO, Symbol
@@ -22,7 +22,7 @@ from freebody.language.notation import compared, joined, reworded, to_text
 from freebody.language.sentences import Message
 from freebody.model.elements import Parameter
 from freebody.numeric.reference import Reference
-from freebody.questions.base import Wanted
+from freebody.questions.base import Quantity, Wanted
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Evidence, Value
 from freebody.study.answering.conditions import real
@@ -68,7 +68,7 @@ T = TypeVar("T")
 
 
 @dataclass(frozen=True)
-class _PutBack:
+class PutBack:
     """A draw with the value in place of its own. number: of the draw from which it was made; size: [SI] of the parts of
     the quantity there, where they need not cancel."""
 
@@ -97,7 +97,7 @@ class _Candidate:
     of: _Turned
     value: Ratio
     conditions: list[Condition]
-    at: list[_PutBack]
+    at: list[PutBack]
 
 
 def first_found(system: System, name: str, attempt: Callable[[System], T]) -> T:
@@ -179,7 +179,7 @@ class _Turned:
     def candidates(self) -> list[_Candidate]:
         """All values that solve the equation, with what they need."""
         field, known = self.setup.model.field, list[Ratio]()
-        equation, one_side = _without_roots(self.element, self.index)
+        equation, one_side = without_roots(self.element, self.index)
         zeros = zeros_of(self.setup.model, equation, self, quadratic=True)
         for value in zeros or [values[self.index] for values in solutions(field, equation, self.index)]:
             value = field.lowest_terms(value)
@@ -193,7 +193,7 @@ class _Turned:
 
     def _candidate(self, value: Ratio, needed: Sequence[Condition]) -> _Candidate:
         """needed: in which the value is put in for the parameter, as it is where the formula is one."""
-        conditions = [*_domain(self.parameter, value), *real(value)]
+        conditions = [*domain_of(self.parameter, value), *real(value)]
         conditions += [replace(c, element=self._put_in(c.element, value)) for c in (*needed, *self.formula.needed)]
         kept: list[Condition] = []
         for c in conditions:
@@ -209,18 +209,18 @@ class _Turned:
         return x.field.lowest_terms(x.field.follow(x, {self.index: value}))
 
     # -- in numbers ---------------------------------------------------------------------------
-    def _put_back(self, value: Ratio) -> Iterator[_PutBack]:
+    def _put_back(self, value: Ratio) -> Iterator[PutBack]:
         """The draws with the value in place of their own, where it is within the range of the parameter and the system
         can be assembled with it."""
         system = self.setup.system
         for k, draw in enumerate(self._draws()):
             with suppress(CannotAnswer, ArithmeticError, ValueError):
                 (number,) = element_at(self.setup, value, draw, draw.start())
-                if math.isfinite(number) and _is_within(self.parameter, number):
+                if math.isfinite(number) and is_within(self.parameter, number):
                     values = draw.values | {self.parameter.name: number}
                     reference = Reference(system, values)
                     made = Draw(values, reference, reference.assemble(guess=draw.q, n_starts=2))
-                    yield _PutBack(k, made, max(self._size(draw), self._size(made)) or 1.0)
+                    yield PutBack(k, made, max(self._size(draw), self._size(made)) or 1.0)
 
     def _draws(self) -> Iterator[Draw]:
         """Those that all answers are compared at; then others further away, for values that are there only."""
@@ -232,7 +232,7 @@ class _Turned:
         target = abs(draw.reference.number(self.quantity.target))
         return max(target, magnitude(self.quantity.of.dimension, draw.seen(draw.start())))
 
-    def _is_so(self, made: _PutBack) -> bool:
+    def _is_so(self, made: PutBack) -> bool:
         """Whether the formula has the value there, and is true."""
         try:
             start, room = made.draw.start(), _NEAR * made.size
@@ -254,18 +254,23 @@ class _Turned:
         )
         check = CrossCheck(self.question.text, route, INSTANT_TOLERANCE if event is None else MOTION_TOLERANCE)
 
-        def compare(made: _PutBack) -> None:
-            draw, start = made.draw, made.draw.start()
-            if self.formula.in_numbers is not None:
-                numeric = self.formula.in_numbers(draw.values)
-            elif event is not None:
-                numeric = at_event(self.setup, of, draw, start, LONGEST, event)
-            else:
-                here = start if self.question.at_start else draw.anywhere(SEED + made.number, _TIME, 0.1)
-                numeric = of.value(self.setup.system, draw.seen(here))
+        def compare(made: PutBack) -> None:
+            draw = made.draw
+            numeric = quantity_with(self.setup, self.question, of, self.formula, made)
             check.compare(draw, draw.reference.number(self.quantity.target), numeric, lambda: made.size)
 
         return check.gather(candidate.at, compare).evidence()
+
+
+def quantity_with(setup: Setup, question: Question, of: Quantity, formula: Formula, made: PutBack) -> Any:
+    """The quantity by the numeric route, with a value put in for the parameter."""
+    draw = made.draw
+    if formula.in_numbers is not None:
+        return formula.in_numbers(draw.values)
+    if question.event is not None:
+        return at_event(setup, of, draw, draw.start(), LONGEST, question.event)
+    here = draw.start() if question.at_start else draw.anywhere(SEED + made.number, _TIME, 0.1)
+    return of.value(setup.system, draw.seen(here))
 
 
 def _chosen(possible: Sequence[_Candidate]) -> Finding:
@@ -291,7 +296,7 @@ def _chosen(possible: Sequence[_Candidate]) -> Finding:
     )
 
 
-def _without_roots(x: Ratio, index: int) -> tuple[Ratio, list[Ratio]]:
+def without_roots(x: Ratio, index: int) -> tuple[Ratio, list[Ratio]]:
     """An element that vanishes where x does, without roots of the parameter; and what must not be negative for its
     zeros to be zeros of x: a + b sqrt(c) = 0 needs a b <= 0."""
     field, needed = x.field, list[Ratio]()
@@ -307,20 +312,20 @@ def _without_roots(x: Ratio, index: int) -> tuple[Ratio, list[Ratio]]:
         x = field.lowest_terms(a * a - b * b * field.radicand(root)).numerator()
 
 
-def _domain(parameter: Parameter, value: Ratio) -> list[Condition]:
+def domain_of(parameter: Parameter, value: Ratio) -> list[Condition]:
     """What the parameter is said to be."""
     found, name = list[Condition](), parameter.name
     if parameter.sign == "positive":
-        found.append(Condition(_above(value), ">", Message("{name} is positive", name=name)))
+        found.append(Condition(above(value), ">", Message("{name} is positive", name=name)))
     elif parameter.sign == "nonnegative":
         found.append(Condition(value, ">=", Message("{name} is not negative", name=name)))
     if parameter.acute:
-        below = _above(value.field.pi / 2 - value)
+        below = above(value.field.pi / 2 - value)
         found.append(Condition(below, ">", Message("{name} is less than a right angle", name=name)))
     return found
 
 
-def _above(x: Ratio) -> Ratio:
+def above(x: Ratio) -> Ratio:
     """What has the sign of x: of a root's multiple without the root, of an arc function and a share of pi something of
     its argument alone."""
     field = x.field
@@ -344,7 +349,7 @@ def _above(x: Ratio) -> Ratio:
     return beyond if (factor > 0) == (name != "acos") else -beyond
 
 
-def _is_within(parameter: Parameter, number: float) -> bool:
+def is_within(parameter: Parameter, number: float) -> bool:
     if parameter.acute and not 0.0 < number < math.pi / 2:
         return False
     return number > 0.0 or (number == 0.0 and parameter.sign == "nonnegative") or parameter.sign == "any"

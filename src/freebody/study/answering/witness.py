@@ -7,6 +7,7 @@ Where rows depend on each other, the dense solution of the reference route says 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -30,6 +31,7 @@ from freebody.questions.reading import AskedEvent, QuestionEvent
 MOST_STEPS = 100_000  # of a motion to an event
 N_LINKS = 33  # snapshots along a motion, by which angles are counted on
 TOLERANCE = 1e-11
+_FEW = 9  # links up to an event
 _TURN = "turn"
 _SOON = 1e-9  # [s] of a motion that is looked at where it begins
 TOUCH = 1e-8  # what a measure may miss a value by where it turns, by the size of the event
@@ -105,6 +107,9 @@ def motion_to(
         if course.status is not Status.FINISHED and course.message:
             told = Message("{what}: {why}", what=told, why=course.message)
         raise CannotAnswer(told)
+    if times is None and len(links) < _FEW:  # angles are counted on from link to link: none may be half a turn away
+        closer = np.linspace(start.t, course.events[-1].time, N_LINKS)
+        links = _followed(reference, start, float(closer[-1]), [], closer)[1]
     found = Found(course.events[-1].time, links[-1], links)
     soon = _until_turn(found.event, event, size)
     if soon is not None:  # crossed just before it turns, by no more than round-off: the turn itself is meant
@@ -154,6 +159,9 @@ def _followed(
     for k, t in enumerate(course.times):
         q, v = map(reference.by_column, engine.coordinates(engine.state_at(course, k)))
         near = NumericSnapshot(reference.snapshot(q, v, float(t), near), engine)
+        for measure in reference.system.measures.values():
+            with suppress(CannotAnswer, ArithmeticError, ValueError):
+                near.value(measure)  # angles of lines are counted on where they are looked at
         links.append(near)
     return course, tuple(links)
 

@@ -11,8 +11,9 @@ from freebody.questions.base import Wanted
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer, Value
 from freebody.study.answering.closed_form import QuestionSolver
+from freebody.study.answering.ranges import solved_for
 from freebody.study.answering.simulated_numbers import number_with_changes
-from freebody.study.answering.turned_round import Formula, find, first_found
+from freebody.study.answering.turned_round import Formula, first_found
 from freebody.study.phases.evidence import compare
 from freebody.study.phases.pieces import AnswerBranch, pieces
 from freebody.study.phases.tree import PhaseTree
@@ -27,7 +28,7 @@ def answer(tree: PhaseTree, question: Question, quantity: Wanted) -> Answer:
     def attempt(system: System) -> Answer:
         there = tree if system is tree.system else PhaseTree(system)
         formulas = _at_the_start(there, asked, [(p, _formula(there, asked, p)) for p in pieces(there, asked)])
-        found = find(there.home, question, formulas)
+        found = solved_for(there.home, question, formulas)
         return QuestionSolver(there.home, question).finish(found)
 
     return first_found(tree.system, quantity.parameter, attempt)
