@@ -13,6 +13,8 @@ import pytest
 
 import freebody as fb
 from freebody.api import System
+from freebody.language.expression import FLOAT_FUNCTIONS, evaluate
+from freebody.language.parser import parse
 from posed import is_formula, posed
 
 SLIDER_CRANK = """
@@ -150,3 +152,17 @@ def test_the_solution_of_the_loop_is_told(name: str, language: str) -> None:
     text, question = TOLD[name]
     told = fb.explain(System.from_text(f"{text}questions: {{it: {question!r}}}\n"), language=language).to_text()
     assert ("There is no derivation" if language == "en" else "keine Herleitung") not in told, told
+
+
+def test_a_crank_rocker_turns_between_its_dead_points() -> None:
+    """Crank and coupler in one line: the triangle of (b -+ a), c and d by the law of cosines. The crank goes all round
+    where it is the shortest bar, and it with any other is shorter than the two that are left (Grashof)."""
+    found = posed(FOUR_BAR, "extremes of phi over a turn of psi")
+    assert isinstance(found.expression, tuple)
+    values = {"a": 0.11, "b": 0.32, "c": 0.27, "d": 0.3}
+    formulas = [f"acos((({way})^2 - c^2 - d^2)/(2*c*d))" for way in ("b + a", "b - a")]
+    for end, formula in zip(found.expression, formulas, strict=True):
+        wanted = evaluate(parse(formula), values, FLOAT_FUNCTIONS)
+        assert evaluate(end, values, FLOAT_FUNCTIONS) == pytest.approx(wanted, rel=1e-12)
+    told = {condition.partition(" (")[0] for condition in found.conditions}
+    assert told == {"b + d > a + c", "b + c > a + d", "c + d > a + b"}

@@ -461,7 +461,7 @@ class Field(PolynomialRing):
         if inside == 1:
             return outside
         if (inside.fraction() or 1) < 0:
-            raise CannotAnswer(Message("square root of the negative number {x}", x=x))
+            raise CannotAnswer(Message("square root of the negative number {x}", x=to_text(self.expression(x))))
         return outside * self._root(inside, is_negative if is_kept else None)
 
     def _with_sines(self, unit: int, factors: Sequence[tuple[Ratio, int]]) -> tuple[int, list[tuple[Ratio, int]]]:

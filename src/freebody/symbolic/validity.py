@@ -38,11 +38,27 @@ def validity(conditions: Sequence[Condition]) -> list[Condition]:
         return never  # all else is idle beside it
     if len(parts) > _MOST:
         return parts
+    while True:  # what one loses may make another one idle, or shorter; conditions only become fewer and shorter
+        before = [(c.element, c.relation) for c in parts]
+        parts = _shortened(_without_idle(parts))
+        if [(c.element, c.relation) for c in parts] == before:
+            return parts
+
+
+def _without_idle(parts: list[Condition]) -> list[Condition]:
+    """Without what follows from the others, the longest first."""
     for c in sorted(parts, key=lambda c: -len(c.element.num)):
         others = [k for k in parts if k is not c]
         if decide(c.element, c.relation, others) is True:
             parts = others
-    return [_shorter(c, [k for k in parts if k is not c]) for c in parts]
+    return parts
+
+
+def _shortened(parts: list[Condition]) -> list[Condition]:
+    """One after the other, each beside what has become of the others."""
+    for k, c in enumerate(parts):
+        parts = [*parts[:k], _shorter(c, [*parts[:k], *parts[k + 1 :]]), *parts[k + 1 :]]
+    return _merged(parts)
 
 
 def _is_never(c: Condition) -> bool:

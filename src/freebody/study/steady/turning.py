@@ -33,6 +33,7 @@ from freebody.symbolic.unknowns import Coordinate
 from freebody.symbolic.waves import sine_form
 from freebody.tolerances import ROUND_OFF
 
+_NEVER = (Sign.NEGATIVE, Sign.NONPOSITIVE)  # of what is under a root: at most in single cases of the parameters
 _DEEPEST = 14  # halvings of a sixteenth of a turn
 _flint: Any = flint
 _QUARTERS = {(1, 0): ("0", "0"), (0, 1): ("90°", "pi/2"), (-1, 0): ("180°", "pi"), (0, -1): ("-90°", "-pi/2")}
@@ -111,14 +112,24 @@ class TurningAngle:
         return self._with_arcs(without_square_roots(self.model, self.field.lowest_terms(value)))
 
     def _with_arcs(self, x: Ratio) -> Ratio:
-        """Acute angles of known cosine and sine by the arcs of their sines."""
+        """Angles of known cosine and sine by the arc of a cosine without roots, or acute ones by that of their sine."""
         arcs: dict[int, Ratio] = {}
+        fn = functions(self.field, self.model.samples.is_negative)
         for index in x.generators() & self.field.known_pairs.keys():
-            cos, sin = self.field.known_pairs[index]
-            if all(v > 0 for v in self.model.samples.at_starts(cos)):
+            cos, sin = (self._plain(part) for part in self.field.known_pairs[index])
+            signs = {v > 0 for v in self.model.samples.at_starts(sin) if not math.isnan(v)}
+            if not self._has_roots(cos) and self._has_roots(sin) and len(signs) == 1:
+                arcs[index] = fn["acos"](cos) if signs == {True} else -fn["acos"](cos)
+            elif all(v > 0 for v in self.model.samples.at_starts(cos)):
                 sign = -1 if sign_of(sin) is Sign.NEGATIVE else 1
-                arcs[index] = sign * functions(self.field, self.model.samples.is_negative)["asin"](sign * sin)
+                arcs[index] = sign * fn["asin"](sign * sin)
         return self.field.substitute(x, arcs)
+
+    def _plain(self, x: Ratio) -> Ratio:
+        return self.field.lowest_terms(without_square_roots(self.model, self.field.lowest_terms(x)))
+
+    def _has_roots(self, x: Ratio) -> bool:
+        return any(self.field.generators[g].kind == "root" for g in x.generators())
 
     # -- zeros --------------------------------------------------------------------------------
     def zeros(self, x: Ratio) -> list[TurnPose]:
@@ -195,7 +206,7 @@ class TurningAngle:
             values, real = [-c[0] / c[1]], ()
         else:
             inside = c[1] * c[1] - 4 * c[0] * c[2]
-            if sign_of(inside) is Sign.NEGATIVE:
+            if sign_of(inside) in _NEVER:
                 return []
             root = f.sqrt(inside)
             values, real = [(-c[1] - root) / (2 * c[2]), (-c[1] + root) / (2 * c[2])], (inside,)
@@ -204,7 +215,7 @@ class TurningAngle:
             room = 1 - u * u
             if room.is_zero():
                 found.append(TurnPose(*both(u, f.zero)[0], real))
-            elif sign_of(room) is not Sign.NEGATIVE:
+            elif sign_of(room) not in _NEVER:
                 found += [TurnPose(cos, sin, (*real, room)) for cos, sin in both(u, f.sqrt(room))]
         return found
 
@@ -220,7 +231,7 @@ class TurningAngle:
         d, b = in_sin[0], in_sin[1]
         square = a * a + b * b
         room = square - d * d
-        if sign_of(room) is Sign.NEGATIVE:
+        if sign_of(room) in _NEVER and not room.is_zero():
             return []
         w = f.sqrt(room)
         must = () if d.is_zero() else (room,)
