@@ -61,6 +61,29 @@ connections:
   pull: {driver: {measure: x, follows: L*cos(alpha) + v*t}}
 measures: {x: x of ladder.start, y: y of ladder.end}
 """
+OFFSET = """
+parameters: {r: 0.05 m, l: 0.2 m, e: 0.03 m}
+ground: {points: {O: [0, 0], P: [0, e]}, lines: {rail: {along: right, through: ground.P}}}
+bodies: {crank: {rod: {mass: 1 kg, length: r}}, rod: {rod: {mass: 1 kg, length: l}}, piston: {particle: {mass: 1 kg}}}
+connections:
+  O: {pin: [ground.O, crank.start]}
+  A: {pin: [crank.end, rod.start]}
+  B: {pin: [rod.end, piston]}
+  guide: {slider: [piston, ground.rail]}
+measures: {psi: angle of crank, x: x of piston}
+start: {psi: 30 deg}
+"""
+SHAPER = """
+parameters: {r: 0.1 m, d: 0.25 m}
+ground: {points: {O: [0, 0], A: [0, -d]}}
+bodies: {crank: {rod: {mass: 1 kg, length: r}}, lever: {rod: {mass: 1 kg, length: 0.5 m}, near: {angle: 70 deg}}}
+connections:
+  main: {pin: [ground.O, crank.start]}
+  pivot: {pin: [ground.A, lever.start]}
+  block: {slot: {pin: crank.end, along: right, on: lever}}
+measures: {psi: angle of crank, phi: angle of lever}
+start: {psi: 30 deg}
+"""
 S, C = "sqrt(l^2 - r^2*sin(alpha)^2)", "r*cos(alpha)"
 
 FORMULAS = {
@@ -93,6 +116,25 @@ FORMULAS = {
         FREE,
         "velocity of x when psi = 90 deg",
         f"-sqrt((r*w*sin(alpha)*(1 + {C}/{S}))^2 + 2*F/m*({C} + {S} - sqrt(l^2 - r^2)))",
+    ),
+    # dead points where crank and rod are in line: sqrt((l +- r)^2 - e^2), and the angles of these lines
+    "stroke": (FREE, "stroke of x over a turn of psi", "2*r"),
+    "stroke, offset": (
+        OFFSET,
+        "stroke of x over a turn of psi",
+        "sqrt((l + r)^2 - e^2) - sqrt((l - r)^2 - e^2)",
+    ),
+    "time ratio, offset": (
+        OFFSET,
+        "time ratio of x over a turn of psi",
+        "(pi + asin(e/(l - r)) - asin(e/(l + r)))/(pi - asin(e/(l - r)) + asin(e/(l + r)))",
+    ),
+    # the lever is a tangent of the crank circle
+    "swing of a shaper": (SHAPER, "stroke of phi over a turn of psi", "2*asin(r/d)"),
+    "time ratio of a shaper": (
+        SHAPER,
+        "time ratio of phi over a turn of psi",
+        "(pi + 2*asin(r/d))/(pi - 2*asin(r/d))",
     ),
     # x^2 + y^2 = L^2
     "ladder": (LADDER, "velocity of y at start", "-v*cos(alpha)/sin(alpha)"),
@@ -143,6 +185,8 @@ TOLD = {
     "driven": (DRIVEN, "driving torque of motor when psi = 60 deg"),
     "clock": (DRIVEN, "velocity of x at t = 0.02 s"),
     "rocker": (FOUR_BAR, "phi at start"),
+    "stroke": (FOUR_BAR, "stroke of phi over a turn of psi"),
+    "time ratio": (FOUR_BAR, "time ratio of phi over a turn of psi"),
 }
 
 

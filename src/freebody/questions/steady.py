@@ -1,6 +1,6 @@
 """Questions about motion that goes on evenly: steady motion, what a turn brings, and whether a disturbance grows.
 
-rate of psi in steady motion                       extremes of QUANTITY [over a turn of ANGLE]
+rate of psi in steady motion                       extremes | stroke | time ratio of QUANTITY [over a turn of ANGLE]
 stability of the spin of BODY about x | y | z      stability of steady motion
 """
 
@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from freebody.model.names import Names
 
 Axis = Literal["x", "y", "z"]
+OverTurn = Literal["extremes", "stroke", "time ratio"]
 PER_TIME_SQUARED = DIMENSIONLESS / TIME**2
 RANK = 85
 
@@ -67,10 +68,12 @@ questions: {it: rate of psi in steady motion}
 
 @dataclass(frozen=True)
 class Extremes(Steady, kind="extremes"):
-    """The least and the largest value of a quantity over a turn of an angle; None: of the one angle it depends on."""
+    """The least and the largest value of a quantity over a turn of an angle; None: of the one angle it depends on.
+    what: both; how far they are apart; or how much longer the angle, turned evenly, takes one way than back."""
 
     of: Quantity
     over: str | None
+    what: OverTurn = "extremes"
 
     example = """
 bodies: {crank: {rod: {mass: 1 kg, length: 1 m}}}
@@ -81,11 +84,11 @@ questions: {it: extremes of y over a turn of theta}
 
     @property
     def dimension(self) -> Dimension:
-        return self.of.dimension
+        return DIMENSIONLESS if self.what == "time ratio" else self.of.dimension
 
     @property
     def unit(self) -> str:
-        return self.of.unit
+        return "1" if self.what == "time ratio" else self.of.unit
 
     @property
     def inner(self) -> tuple[Quantity, ...]:
@@ -188,8 +191,9 @@ def _steady(names: Names, found: Found, path: Path) -> Quantity | None:
 
 
 @asked(
-    "extremes of QUANTITY [over a turn of ANGLE]",
-    rf"(?:extremes|extreme values|least and largest value) of (?:the )?(?P<of>.+?)"
+    "extremes | stroke | time ratio of QUANTITY [over a turn of ANGLE]",
+    r"(?:extremes|extreme values|least and largest value|(?P<stroke>stroke|swing)|(?P<ratio>time ratio))"
+    rf" of (?:the )?(?P<of>.+?)"
     rf"(?: over (?:a|one|a full) (?:turn|revolution) of (?:the )?(?P<over>{NAME}))?",
     rank=RANK,
 )
@@ -209,4 +213,5 @@ def _extremes(names: Names, found: Found, path: Path) -> Quantity | None:
             names.unknown(over, told, *path)
             return None
     of = _of_instant(names, found["of"], path)
-    return None if of is None else Extremes(of, over)
+    what: OverTurn = "stroke" if found["stroke"] else "time ratio" if found["ratio"] else "extremes"
+    return None if of is None else Extremes(of, over, what)

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from typing import Any, cast
+
+from scipy import optimize
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, Symbol
@@ -19,7 +22,8 @@ from freebody.questions.reading import Question
 from freebody.questions.steady import Extremes
 from freebody.study.answering.answer import Answer
 from freebody.study.answering.crosscheck import holds
-from freebody.study.steady.extremes import ExtremaSearch, angle_of, at_start_but_for
+from freebody.study.answering.finding import Elements
+from freebody.study.steady.extremes import ExtremaSearch, angle_of, at_start_but_for, told
 from freebody.study.steady.round_turn import FullTurn
 from freebody.study.steady.turning import Extremum, TurningAngle
 from freebody.symbolic.closure import explicit
@@ -28,7 +32,8 @@ from freebody.symbolic.tidy import tidy
 from freebody.symbolic.unknowns import Coordinate
 
 N_POSES = 24  # round the turn, from which the numeric route looks for the extremes
-STEPS = (math.tau / 24, 0.03, 0.003)  # of parabolas through three poses, ever closer to the extreme
+STEP = math.tau / N_POSES  # to either side of the best of them
+_PLACE = 1e-9  # [rad] the place of an extreme; its value is far better
 
 
 def tell_extremes(context: Context, question: Question, answer: Answer, q: Extremes) -> list[DerivationStage]:
@@ -65,8 +70,28 @@ def tell_extremes(context: Context, question: Question, answer: Answer, q: Extre
         named(context, script, *meanings)
         given: dict[str, Argument] = {"line": first}
         values = (tidy(least.value), tidy(largest.value))
-        script.line(names, values, why="steady.ordered", args=given, uses=(first,), when="never")
+        last = script.line(names, values, why="steady.ordered", args=given, uses=(first,), when="never")
+        if q.what != "extremes":
+            _between(context, script, question, sweep, told(search, q, least, largest), last)
     return script.stages
+
+
+def _between(context: Context, script: Script, question: Question, sweep: _Sweep, found: Elements, last: int) -> None:
+    """How far the extremes are apart, or the ratio of the angles between their places."""
+    q = sweep.q
+    assert isinstance(found, Ratio)
+
+    def read(world: World) -> float:
+        if q.what == "stroke":
+            return sweep.extreme(-1)(world) - sweep.extreme(1)(world)
+        angle = abs(math.remainder(sweep.place(-1, world) - sweep.place(1, world), math.tau))
+        return (math.tau - angle) / angle
+
+    name = context.symbol("S" if q.what == "stroke" else "Q", f"asked_{question.id}")
+    meaning = Sentence("symbol.asked", {"question": question.text})
+    named(context, script, Meaning(name, meaning, read, q.unit))
+    why = f"steady.{q.what.replace(' ', '_')}"
+    script.line(name, tidy(found), why=why, args={"line": last}, uses=(last,), when="never")
 
 
 def _leading_up(context: Context, script: Script, q: Extremes) -> tuple[int, ...]:
@@ -105,23 +130,27 @@ class _Sweep:
         self._known: dict[int, tuple[World, FullTurn, list[tuple[float, float, Array]]]] = {}
 
     def extreme(self, way: int) -> Callable[[World], float]:
-        """Reads the least (way 1) or the largest value, by the vertices of parabolas from the best pose."""
+        """Reads the least (way 1) or the largest value, by Brent's method about the best pose."""
 
-        def read(world: World) -> float:
-            turn, poses = self._round(world)
-            _best, middle, near = min(poses, key=lambda p: way * p[0])
+        return lambda world: self._found(way, world)[1]
 
-            def at(away: float) -> float:
-                return way * turn.value(turn.pose(near, away))
+    def place(self, way: int, world: World) -> float:
+        """How far from the start the angle is there."""
+        return self._found(way, world)[0]
 
-            for step in STEPS:
-                before, here, after = at(middle - step), at(middle), at(middle + step)
-                curvature = before - 2 * here + after
-                if curvature > 0:
-                    middle += max(-step, min(step, step * (before - after) / (2 * curvature)))
-            return way * at(middle)
+    def _found(self, way: int, world: World) -> tuple[float, float]:
+        """(angle, value)"""
+        turn, poses = self._round(world)
+        _best, middle, near = min(poses, key=lambda p: way * p[0])
 
-        return read
+        def at(away: float) -> float:
+            return way * turn.value(turn.pose(near, away))
+
+        around = (middle - STEP, middle + STEP)
+        found: Any = cast("Any", optimize).minimize_scalar(
+            at, bounds=around, method="bounded", options={"xatol": _PLACE}
+        )
+        return float(found.x), way * float(found.fun)
 
     def _round(self, world: World) -> tuple[FullTurn, list[tuple[float, float, Array]]]:
         """(value, angle from the start, pose) all round the turn."""
@@ -129,12 +158,11 @@ class _Sweep:
             turn = FullTurn(self.context.setup, world.draw, self.c, self.q.of)
             if not all(holds(self.context.setup, k, world.draw, turn.start) for k in self.search.conditions):
                 raise CannotAnswer(Message("these numbers do not meet the conditions of the answer"))
-            step = math.tau / N_POSES
             poses: list[tuple[float, float, Array]] = []
             for sense in (1.0, -1.0):
                 pose = world.draw.q
                 for k in range(N_POSES // 2):
-                    away = sense * (k + 0.5) * step
+                    away = sense * (k + 0.5) * STEP
                     pose = turn.pose(pose, away)
                     poses.append((turn.value(pose), away, pose))
             self._known[id(world)] = world, turn, poses

@@ -14,7 +14,7 @@ from freebody.language.notation import joined, reworded, to_text
 from freebody.language.sentences import Message, in_turn
 from freebody.questions.reading import Question
 from freebody.questions.steady import Extremes
-from freebody.study.answering.finding import Finding
+from freebody.study.answering.finding import Elements, Finding
 from freebody.study.setup import Setup
 from freebody.study.steady.reduced import odd_part
 from freebody.study.steady.round_turn import over_a_turn
@@ -23,6 +23,7 @@ from freebody.symbolic.closure import explicit
 from freebody.symbolic.conditions import Condition, require
 from freebody.symbolic.decide import decide
 from freebody.symbolic.field import Ratio
+from freebody.symbolic.functions import functions
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.signs import Sign, sign_of, times
 from freebody.symbolic.tidy import tidy
@@ -46,7 +47,22 @@ def extremes(setup: Setup, question: Question, q: Extremes) -> Finding:
     least, largest = search.ordered(search.stationary(x))
     evidence = over_a_turn(setup, question.text, q.of, c, least, largest, search.conditions)
     notes = [_where(Message("least"), least, c), _where(Message("largest"), largest, c), *turning.notes]
-    return Finding((least.value, largest.value), evidence, search.conditions + _kept(setup, turning), notes)
+    element = told(search, q, least, largest)
+    return Finding(element, evidence, search.conditions + _kept(setup, turning), notes)
+
+
+def told(search: ExtremaSearch, q: Extremes, least: Extremum, largest: Extremum) -> Elements:
+    """What is asked of the two: both, how far they are apart, or the ratio of the angles between their places. What
+    that takes to be as at the first sample becomes a condition."""
+    if q.what == "extremes":
+        return least.value, largest.value
+    f = search.field
+    if q.what == "stroke":
+        return f.lowest_terms(largest.value - least.value)
+    if len(least.places) != 1 or len(largest.places) != 1:
+        raise CannotAnswer(Message("an extreme is reached more than once a turn: there is no one way between the two"))
+    between = search.between(least.places[0], largest.places[0])
+    return f.lowest_terms((2 * f.pi - between) / between)
 
 
 def _kept(setup: Setup, turning: TurningAngle) -> list[Condition]:
@@ -195,6 +211,19 @@ class ExtremaSearch:
             raise CannotAnswer(Message("the quantity is the same all round the turn"))
         return slope
 
+    def between(self, a: TurnPose, b: TurnPose) -> Ratio:
+        """The angle between two places, less than half a turn."""
+        f, fn = self.field, functions(self.field, self.turning.model.samples.is_negative)
+        product = f.lowest_terms(a.cos * b.cos + a.sin * b.sin)
+        if not any(_has_roots(p.cos) for p in (a, b)) and _has_roots(product):
+            sides = [self._at_first(p.sin) > 0 for p in (a, b)]
+            if sides[0] != sides[1]:  # both from the same axis, to either side; together less than half a turn, or more
+                whole, room = fn["acos"](a.cos) + fn["acos"](b.cos), f.lowest_terms(a.cos + b.cos)
+                is_less = self._at_first(room) > 0
+                self._add(room if is_less else -room, Message("which way takes longer"))
+                return whole if is_less else 2 * f.pi - whole
+        return fn["acos"](product)
+
     def _add(self, x: Ratio, purpose: str) -> None:
         condition, possible = require(odd_part(x), ">", purpose)
         if not possible:
@@ -216,6 +245,10 @@ class ExtremaSearch:
             if e is not chosen and _sign(gap) not in (Sign.POSITIVE, Sign.NONNEGATIVE):
                 self._add(gap, Message("which extreme is which"))
         return chosen
+
+
+def _has_roots(x: Ratio) -> bool:
+    return any(x.field.generators[g].kind == "root" for g in x.generators())
 
 
 def _sign(x: Ratio) -> Sign:

@@ -22,6 +22,7 @@ from freebody.symbolic.unknowns import Coordinate
 
 N_POSES = 24
 _NEARLY_HALF = math.pi - 1e-6  # angles count from the start, by less than half a turn to either side
+_STEP = 0.07  # [rad] from pose to pose
 _RATE = 0.83  # of the angle, where the quantity depends on it
 
 
@@ -81,12 +82,8 @@ class FullTurn:
         return max(-_NEARLY_HALF, min(_NEARLY_HALF, away))
 
     def at(self, away: float) -> float:
-        """The quantity at an angle from the start, reached in small steps."""
-        n = max(1, math.ceil(abs(away) / 0.2))
-        q = self.draw.q
-        for k in range(1, n + 1):
-            q = self.pose(q, away * k / n)
-        return self.value(q)
+        """The quantity at an angle from the start."""
+        return self.value(self.pose(self.draw.q, away))
 
     def values(self) -> list[float]:
         """At poses all round the turn."""
@@ -100,7 +97,14 @@ class FullTurn:
         return found
 
     def pose(self, q: Array, away: float) -> Array:
-        return self.draw.reference.pose_near(q, [*self.kept, (self.measure, self.here + away)])
+        """At an angle from the start, from another pose in small steps: where a lever turns fast, its other assembly is
+        near."""
+        still = self.draw.reference.snapshot(q, np.zeros_like(q))
+        way = math.remainder(self.here + away - still.value(self.measure), math.tau)
+        n = max(1, math.ceil(abs(way) / _STEP))
+        for k in range(n - 1, -1, -1):
+            q = self.draw.reference.pose_near(q, [*self.kept, (self.measure, self.here + away - way * k / n)])
+        return q
 
     def value(self, q: Array) -> float:
         return float(self.quantity.value(self.setup.system, self.draw.seen(self._snapshot(q))))
