@@ -25,6 +25,7 @@ from freebody.numeric.engine.engine import Engine
 from freebody.numeric.engine.evaluator import EngineWatch
 from freebody.numeric.engine.integrators import integrators
 from freebody.numeric.options import SimulationOptions
+from freebody.numeric.reference import Reference
 from freebody.study.simulation.simulator import Simulator
 
 WHEEL = """
@@ -257,6 +258,31 @@ def test_a_rod_that_stands_upright_at_rest_stays_and_that_is_said() -> None:
     assert (result.status, result.t_end, result.events) == (Status.FINISHED, 30.0, ())
     assert "unstable equilibrium" in result.message
     assert np.ptp(result.series["theta"][0]) == 0.0
+
+
+@pytest.mark.parametrize("stiffness", [5.0, 500.0, 7e6])
+@pytest.mark.parametrize("turned", [0.0, 0.3, 0.7, 1.1])
+def test_a_spring_along_a_bar_that_never_stretches_makes_no_equilibrium_unstable(
+    stiffness: float, turned: float
+) -> None:
+    # both its ends are on one bar: its force is of round-off, and so is every slope of it
+    start = f"{{through: [0.3 m, 0.1 m], along: {turned} rad}}"
+    system = model(f"""
+ground: {{points: {{O: [0.3 m, 0.1 m]}}, lines: {{way: {start}}}}}
+bodies: {{crank: {{rod: {{mass: 1 kg, length: 1.3 m}}}}, link: {{rod: {{mass: 2 kg, length: 2.1 m}}}}}}
+connections:
+  O: {{pin: [ground.O, crank.start]}}
+  A: {{pin: [crank.end, link.start]}}
+  B: {{slot: {{pin: link.end, along: way}}}}
+loads: {{spring: {{spring: {{first: crank.end, second: link.end, stiffness: {stiffness} N/m}}}}}}
+measures: {{theta: angle of crank from right}}
+start: {{theta: {turned + 0.9} rad}}
+""")
+    reference = Reference(system)
+    _mass, K = reference.linearised(reference.assemble())
+    assert K.shape == (1, 1)
+    assert not K.any()
+    assert system.simulate(1.0).message == ""
 
 
 @pytest.mark.parametrize("start", [1e-9, 1e-3])

@@ -22,6 +22,7 @@ from freebody.errors import CannotAnswer
 from freebody.language.expression import FLOAT_FUNCTIONS, Sum, Symbol, domain, evaluate, free_symbols, substitute
 from freebody.language.notation import to_text
 from freebody.language.sentences import Message
+from freebody.language.units import DIMENSIONLESS
 from freebody.model.elements import RATE, VALUE, AppliedLoad, ConstraintRow, NonholonomicForm
 from freebody.numeric import spatial
 from freebody.numeric.checks import finite, named
@@ -31,6 +32,7 @@ from freebody.numeric.system import NumericSystem
 from freebody.tolerances import ROUND_OFF, ROUNDED
 
 UNIQUE = 1e-9  # a multiplier is unique if no null vector has a larger component on it
+ROUNDINGS = 16.0 * float(np.finfo(float).eps)  # of a measure, by its size: the operations that its value takes
 _CANCELS = ROUNDED  # terms that come to less than this part of their sizes come to zero
 
 
@@ -126,6 +128,26 @@ def each_force(reference: NumericSystem, g: JetGeometry) -> Iterator[Array]:
         measure = reference.jet(g, push.measure, push.name)
         if measure.gradient is not None:
             yield law(reference, g, push, measure) * measure.gradient
+
+
+def roundings(reference: NumericSystem, g: JetGeometry) -> Array:
+    """What round-off leaves open of the generalized forces of all loads (n,): each law beside what it is at a measure
+    some roundings away. Nothing else tells the force of a spring that is never stretched from a small one."""
+    found = np.zeros(len(reference.masses))
+    for push in reference.system.applied_loads:
+        measure = reference.jet(g, push.measure, push.name)
+        of_value = VALUE.name in free_symbols(push.law) and not isinstance(push.measure, NonholonomicForm)
+        if measure.gradient is None or not of_value:
+            continue
+        names = _law_names(reference, g, push, measure)
+        size = max(abs(measure.value), 1.0 if push.measure.dimension == DIMENSIONLESS else reference.sizes.length)
+        beside = names | {VALUE.name: names[VALUE.name] + ROUNDINGS * size}
+        try:
+            here, there = (float(evaluate(push.law, values, FLOAT_FUNCTIONS)) for values in (names, beside))
+        except (ArithmeticError, ValueError):
+            continue  # the law ends here
+        found += abs(there - here) * np.abs(measure.gradient)
+    return found
 
 
 def law(reference: NumericSystem, g: JetGeometry, push: AppliedLoad, measure: Jet | None = None) -> float:

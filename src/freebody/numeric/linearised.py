@@ -17,7 +17,7 @@ import numpy as np
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
-from freebody.numeric.instant import check_inertia, each_force, forces
+from freebody.numeric.instant import check_inertia, each_force, forces, roundings
 from freebody.numeric.jets import Array, Branch
 from freebody.numeric.placing import PoseEquation
 from freebody.numeric.start import start_velocities
@@ -26,6 +26,7 @@ from freebody.tolerances import ROUND_OFF
 
 _PULL, _OF_MOVED = 1e-7, 1e-5  # of the loads, and of what they come to a thousandth of the size away: what is left of
 # their balance at an equilibrium that was found by iteration
+_OF_DIFFERENCES = 18.0 / 12.0  # errors of four forces, by their weights in a difference of order 4
 _BY_DIFFERENCES = 1e-7  # of the largest stiffness: what finite differences leave of a zero
 
 
@@ -50,6 +51,7 @@ def linearised(reference: NumericSystem, q: Array, branches: Mapping[Branch, flo
     # loads may cancel each other at rest, so the scale is that of each of them
     scale = sum(float(np.linalg.norm(D * load)) for load in each_force(reference, g))
     K = np.zeros((k, k))
+    unsure = np.abs(N).T @ roundings(reference, g)  # of the forces along z
     moved = 0.0  # what the loads come to a thousandth of the size away
     for i in range(k):
         h = 1e-3 / reference.sizes.relative(N[:, i]).max()
@@ -57,6 +59,7 @@ def linearised(reference: NumericSystem, q: Array, branches: Mapping[Branch, flo
         z[i] = h
         moved = max(moved, float(np.linalg.norm(force(z))))
         K[:, i] = -(8.0 * (force(z) - force(-z)) - (force(2.0 * z) - force(-2.0 * z))) / (12.0 * h)
+        K[np.abs(K[:, i]) <= unsure * _OF_DIFFERENCES / h, i] = 0.0
     if np.linalg.norm(pull) > _PULL * scale + _OF_MOVED * moved:
         if start_velocities(reference, g, (), with_start=False).any():
             raise CannotAnswer(
