@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 
 from freebody.errors import ExpressionError
 from freebody.language.expression import (
+    ELLIPTIC,
     FLOAT_FUNCTIONS,
     FUNCTIONS,
     Call,
@@ -236,7 +237,7 @@ def test_a_real_power_of_a_negative_number_is_never_complex():
         evaluate(parse("x^(1/3)"), {"x": -8.0})
 
 
-@pytest.mark.parametrize("function", sorted(FUNCTIONS - {"rate"}))
+@pytest.mark.parametrize("function", sorted(FUNCTIONS - {"rate", *ELLIPTIC}))
 def test_derivatives_agree_with_central_differences(function):
     expr = parse(f"{function}(x^2 - 0.3 x)*(1 + x)^a/x + b^x")
     values = {"a": 1.5, "b": 0.7}
@@ -247,6 +248,15 @@ def test_derivatives_agree_with_central_differences(function):
     step = 1e-6
     slope = (at(0.8 + step) - at(0.8 - step)) / (2 * step)
     assert evaluate(differentiate(expr, "x"), {**values, "x": 0.8}) == pytest.approx(slope, rel=1e-7)
+
+
+def test_elliptic_integrals_are_constants_or_refused_where_a_derivative_is_wanted():
+    e = parse("a*elliptic_F(p, k) + elliptic_K(k)")
+    assert evaluate(differentiate(e, "a"), {"p": 0.3, "k": 0.5}) == pytest.approx(
+        evaluate(parse("elliptic_F(0.3, 0.5)"), {})
+    )
+    with pytest.raises(ExpressionError, match="not differentiated"):
+        differentiate(e, "k")
 
 
 def test_a_rate_is_independent_of_its_measure():

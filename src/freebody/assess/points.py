@@ -16,7 +16,7 @@ from typing import Any
 
 import flint
 
-from freebody.language.expression import FUNCTIONS
+from freebody.language.expression import ELLIPTIC, FUNCTIONS
 from freebody.symbolic.field import Field, Ratio
 
 _flint: Any = flint
@@ -33,13 +33,25 @@ def working_precision() -> Any:
     return _flint.ctx.workprec(BITS)
 
 
+def _elliptic_k(k: Any) -> Any:
+    """K(k); FLINT takes m = k^2."""
+    k = real(k)
+    return _flint.acb(k * k).elliptic_k().real if abs(k) < 1 else _flint.arb.nan()
+
+
+def _elliptic_f(phi: Any, k: Any) -> Any:
+    k = real(k)
+    return _flint.acb.elliptic_f(_flint.acb(real(phi)), _flint.acb(k * k)).real if abs(k) < 1 else _flint.arb.nan()
+
+
 def _functions() -> dict[str, Any]:
     """The elementary functions in ball arithmetic; the result is nan where they are not real."""
 
     def method(name: str) -> Callable[[Any], Any]:
         return lambda x: getattr(real(x), name)()
 
-    made: dict[str, Any] = {name: method(name) for name in FUNCTIONS - {"rate", "abs", "sign"}}
+    made: dict[str, Any] = {name: method(name) for name in FUNCTIONS - {"rate", "abs", "sign", *ELLIPTIC}}
+    made |= {"elliptic_K": _elliptic_k, "elliptic_F": _elliptic_f}
     with working_precision():
         pi = _flint.arb.pi()
     return made | {"abs": abs, "sign": method("sgn"), "number": real, "pi": pi}

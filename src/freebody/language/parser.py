@@ -4,7 +4,7 @@
     product  = signed {("*" | "/") signed | power}        a power side by side is a product: 2 m g
     signed   = {"+" | "-"} power                           so -x^2 is -(x^2)
     power    = primary {superscript} ["^" signed]          so a^b^c is a^(b^c)
-    primary  = number | name {"'"} | function "(" sum ")" | "(" sum ")"
+    primary  = number | name {"'"} | function "(" sum ["," sum] ")" | "(" sum ")"
 
 Nothing is ever executed. Every limit is checked before the work it bounds.
 """
@@ -66,7 +66,7 @@ _TOKEN = re.compile(
     r"(?P<space>\s+)"
     r"|(?P<number>(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)"
     rf"|(?P<name>[A-Za-z{''.join(_LETTERS)}][{_REST}]*|√)"
-    r"|(?P<operator>\*\*|[-+*/^()·⋅×−])"
+    r"|(?P<operator>\*\*|[-+*/^(),·⋅×−])"
     r"|(?P<superscript>⁻?[⁰¹²³⁴⁵⁶⁷⁸⁹]+)"
     r"|(?P<prime>['′]+)"
 )
@@ -75,7 +75,7 @@ _SAME = {"**": "^", "·": "*", "⋅": "*", "×": "*", "−": "-"}
 _HINTS = {
     "'\"`": Message("text in quotes is not mathematics"),
     "[]{}": Message("only round brackets ( ) group"),
-    ",": Message("functions take one argument, and decimals are written with a point"),
+    ",": Message("functions take one argument, elliptic_F two, and decimals are written with a point"),
     ".": Message("a point stands only in a decimal number, as in 0.5"),
     "=<>≤≥≠": Message("an expression has no comparison or assignment"),
     "_": Message("names begin with a letter"),
@@ -179,6 +179,7 @@ class _Parser:
         result = self._sum()
         if self._now.kind == ")":
             raise ExpressionError(Message("')' closes no bracket"), self._now.column)
+        self._refuse_comma()
         if depth(result) > MAX_NESTING:
             raise ExpressionError(Message("the expression nests more than {most} deep", most=MAX_NESTING))
         return result
@@ -274,6 +275,8 @@ class _Parser:
                 return self._symbol(token)
             case "(":
                 return self._inside(token)
+            case ",":
+                raise ExpressionError(_hint_for(","), column)
             case "end":
                 raise ExpressionError(Message("the expression ends where a number, name or bracket is needed"), column)
             case _:
@@ -283,16 +286,31 @@ class _Parser:
 
     def _inside(self, opening: _Token) -> Expr:
         inner = self._sum()
+        self._refuse_comma()
         if self._now.kind != ")":
             raise ExpressionError(Message("this bracket is never closed"), opening.column)
         self._take()
         return inner
 
     def _call(self, token: _Token) -> Expr:
+        if token.text == "elliptic_F":
+            return self._of_two(token)
         argument = self._inside(self._take())
         if token.text == "rate":
             return _rate(argument, token.column)
         return Call(token.text, argument)
+
+    def _of_two(self, token: _Token) -> Expr:
+        opening = self._take()
+        first = self._sum()
+        if self._now.kind != ",":
+            raise ExpressionError(Message("write elliptic_F(phi, k), with the modulus k"), token.column)
+        self._take()
+        return Call(token.text, first, self._inside(opening))
+
+    def _refuse_comma(self) -> None:
+        if self._now.kind == ",":
+            raise ExpressionError(_hint_for(","), self._now.column)
 
     def _symbol(self, token: _Token) -> Expr:
         following = self._now

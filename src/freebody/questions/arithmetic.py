@@ -296,8 +296,8 @@ def _with_constants(
             return ProductOf(tuple(_with_constants(x, quantities, inside, dimensions) for x in factors))
         case PowerOf(base, exponent):
             return PowerOf(_with_constants(base, quantities, inside, dimensions), exponent)
-        case Call(function, argument):
-            return Call(function, _with_constants(argument, quantities, inside, dimensions))
+        case Call():
+            return e.of(lambda x: _with_constants(x, quantities, inside, dimensions))
         case _:
             return e
 

@@ -1,4 +1,4 @@
-"""Integrals over a coordinate: of polynomials in it, in the cosine and sine of one angle that turns with it, or in
+"""Integrals over a coordinate: of whole powers of it, in the cosine and sine of one angle that turns with it, or in
 exponentials of it, and of sums of these.
 
 int c^m s = -c^(m+1)/(m+1),      int c^m = c^(m-1) s/m + (m-1)/m int c^(m-2),      s^2 = 1 - c^2;
@@ -8,17 +8,18 @@ int x^n e = (x^n e - n int x^(n-1) e)/k,     int x^n c = (x^n s - n int x^(n-1) 
 from __future__ import annotations
 
 from freebody.symbolic.field import Field, Ratio
+from freebody.symbolic.functions import functions
 
 
 def antiderivative(x: Ratio, index: int) -> Ratio | None:
     """An element whose derivative with respect to a coordinate is x; None where it is not of these kinds."""
     field = x.field
     moving = [g for g in x.generators() if index in field.ingredients(field.variable(g))]
-    below = dict[int, int]()  # exp(-k x) stands there as exp(k x)
+    below = dict[int, int]()  # exp(-k x) stands there as exp(k x), and x^-n as x^n
     if index in field.ingredients(x.denominator()):
         terms = list(field.terms(x.denominator().num))
         below = {g: e for g, e in terms[0] if g in moving}
-        if len(terms) != 1 or any(field.arguments.get(g, ("", field.one))[0] != "exp" for g in below):
+        if len(terms) != 1 or any(g != index and field.arguments.get(g, ("", field.one))[0] != "exp" for g in below):
             return None
     divisor = x.denominator()
     for g, e in below.items():
@@ -42,7 +43,11 @@ def _of_term(field: Field, powers: dict[int, int], index: int) -> Ratio | None:
     n = powers.get(index, 0)
     others = {g: e for g, e in powers.items() if g != index}
     if not others:
+        if n == -1:
+            return functions(field)["log"](field.variable(index))
         return field.variable(index) ** (n + 1) / (n + 1)
+    if n < 0:
+        return None
     pairs = field.pairs(others)
     if len(pairs) == 1 and set(others) <= set(pairs[0]):
         (cosine, sine), sized = pairs[0], field.derivative(field.variable(pairs[0][0]), index)

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import Any, Literal
 
-from freebody.language.expression import Call, Expr, multiply, number
+from freebody.errors import CannotAnswer
+from freebody.language.expression import FLOAT_FUNCTIONS, Call, Expr, multiply, number
+from freebody.language.sentences import Message
 from freebody.symbolic.field import Field, Generator, Ratio
 
 
@@ -100,6 +102,64 @@ def function_atom(
     inner = field.rate(argument)
     if not inner.is_zero():
         field.set_rate(atom, rate_factor(atom, argument) * inner)
+    return atom
+
+
+def elliptic_atom(
+    field: Field, phi: Ratio, k: Ratio, again: Callable[[Ratio, Ratio], Ratio], sine: Callable[[Ratio], Ratio]
+) -> Ratio:
+    """Legendre's F(phi, k), with the modulus k: odd in phi, even in k, F(phi + n pi, k) = F(phi, k) + 2 n K(k), and
+    K(k) = F(pi/2, k) an atom of its own. again: the function of other arguments. Raises CannotAnswer where the modulus
+    moves."""
+    if phi.is_zero():
+        return field.zero
+    if k.is_zero():
+        return phi
+    if not field.rate(k).is_zero():
+        raise CannotAnswer(Message("the modulus of an elliptic integral has to be constant"))
+    k = -k if next(iter(field.terms(k.num).values())) < 0 else k
+    halves = field.lowest_terms(2 * phi / field.pi).fraction()
+    if halves is not None and halves.denominator == 1:
+        return int(halves) * _legendre(field, None, k, again, sine)
+    if next(iter(field.terms(phi.num).values())) < 0:
+        return -_legendre(field, -phi, k, again, sine)
+    return _legendre(field, phi, k, again, sine)
+
+
+def _legendre(
+    field: Field,
+    phi: Ratio | None,
+    k: Ratio,
+    again: Callable[[Ratio, Ratio], Ratio],
+    sine: Callable[[Ratio], Ratio],
+) -> Ratio:
+    """The atom F(phi, k), or K(k)."""
+    name = "elliptic_K" if phi is None else "elliptic_F"
+    key = (name, None if phi is None else phi.key(), k.key())
+    known = field.known(key)
+    if known is not None:
+        return known
+    modulus = field.expression(k)
+
+    def value(v: Mapping[int, Any], f: Any) -> Any:
+        function = getattr(f, name, FLOAT_FUNCTIONS[name])
+        return function(*(field.evaluate(x, v, f) for x in (phi, k) if x is not None))
+
+    atom = field.generator(
+        Generator(
+            Call(name, modulus) if phi is None else Call(name, field.expression(phi), modulus),
+            "function",
+            positive=phi is None,
+            compute=value,
+            made_of=field.ingredients(k) if phi is None else field.ingredients(k) | field.ingredients(phi),
+            remake=lambda follow: again(field.pi / 2 if phi is None else follow(phi), follow(k)),
+        ),
+        key=key,
+    )
+    field.moduli[field.index(atom)] = (phi, k)
+    rate = field.zero if phi is None else field.rate(phi)
+    if phi is not None and not rate.is_zero():
+        field.set_rate(atom, rate / field.sqrt(1 - k * k * sine(phi) ** 2))
     return atom
 
 

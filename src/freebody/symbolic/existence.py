@@ -16,11 +16,12 @@ from freebody.symbolic.conditions import Condition, require
 from freebody.symbolic.field import Ratio
 
 DIVISOR, ROOT, LOG = Message("divisor"), Message("under the root"), Message("logarithm of a positive number")
+MODULUS = Message("the modulus of the elliptic integral is below one")
 _ARCS = {
     "asin": (Message("asin of at most 1"), Message("asin of at least -1")),
     "acos": (Message("acos of at most 1"), Message("acos of at least -1")),
 }
-FORMAL = (DIVISOR, ROOT, LOG, *_ARCS["asin"], *_ARCS["acos"])
+FORMAL = (DIVISOR, ROOT, LOG, MODULUS, *_ARCS["asin"], *_ARCS["acos"])
 
 
 def exists(elements: Iterable[Ratio]) -> list[Condition]:
@@ -54,6 +55,10 @@ def _needs(x: Ratio, seen: set[int]) -> Iterator[tuple[Ratio, str, str]]:
             shown = (f.arcs[g][1],) if g in f.arcs else ()
             for part in (*f.known_pairs[g], *shown):
                 yield from _needs(part, seen)
+        elif g in f.moduli:
+            _phi, k = f.moduli[g]  # an amplitude is real wherever the motion gets
+            yield from _needs(k, seen)
+            yield 1 - k * k, ">", MODULUS
         elif g in f.arguments:
             name, u = f.arguments[g]
             yield from _needs(u, seen)

@@ -226,6 +226,7 @@ class Field(PolynomialRing):
         self.nonnegative: set[int] = set()  # parameters that may be zero, and not less
         self.no_angles: set[int] = set()  # what moves and is a length or a time
         self.angle_units: dict[Any, list[Fraction]] = {}  # terms that are no multiples of angles, by what they share
+        self.moduli: dict[int, tuple[Ratio | None, Ratio]] = {}  # amplitude and modulus of elliptic integrals
         self.arguments: dict[int, tuple[str, Ratio]] = {}  # name and argument of every function atom
         self.waves: dict[Any, Any] = {}  # products of sines and cosines as sums, kept by `tidy`
         self.angles: dict[int, Ratio] = {}  # the angle of every cosine generator

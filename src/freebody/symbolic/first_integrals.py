@@ -1,4 +1,5 @@
-"""The speed of one coordinate as a function of it: energy, and the momenta of the coordinates that nothing depends on.
+"""The speed of one coordinate as a function of it: energy, and the momenta of the coordinates that nothing depends on;
+beside drivers Jacobi's integral.
 
 Where neither the masses nor the potential know of a coordinate x_c (cyclic), its generalized momentum stays,
 
@@ -9,18 +10,26 @@ put into the energy this leaves one equation in the speed u of the one coordinat
     sum_jk M_jk u_j u_k/2 + V = E:      A(q) + B(q) u^2/2 + V(q) = E,
 
 whose linear term vanishes. Where a_c does not change, the integral of u_c over the way gives the other places as well.
-Source: Goldstein, Poole & Safko, Classical Mechanics, 3rd ed. 2002, sec. 8.2 and 8.3 (cyclic coordinates,
-Routh's procedure).
+
+Beside drivers T = T2 + T1 + T0 by the degree in the speed. Where the time is in none of these, nor in V (but for what
+depends on it alone), Jacobi's integral T2 - T0 + V stays what it is at the start.
+
+A load without a potential of its own (one that turns with a body, or whose law names other measures) has one along the
+motion where its generalized force depends on one coordinate only: V = -int Q dq.
+Source: Goldstein, Poole & Safko, Classical Mechanics, 3rd ed. 2002, sec. 2.7 (energy function), 8.2 and 8.3 (cyclic
+coordinates, Routh's procedure).
 """
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from functools import cached_property
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, free_symbols
 from freebody.language.sentences import Message
-from freebody.model.elements import NonholonomicForm
+from freebody.model.elements import AppliedLoad, NonholonomicForm
+from freebody.questions.energy import Energy
 from freebody.symbolic.antiderivative import antiderivative
 from freebody.symbolic.closure import Closure
 from freebody.symbolic.field import Ratio
@@ -30,6 +39,7 @@ from freebody.symbolic.start import StartState
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.unknowns import Coordinate
 
+_DRIVEN = Message("a driver or a velocity constraint is at work, so energy is no first integral")
 _MOST_TERMS = 150  # of the square of a speed through a closed loop
 
 
@@ -45,6 +55,8 @@ class FirstIntegrals:
     def speed_squared(self, c: Coordinate, at: Ratio) -> Ratio:
         """u^2 at q = at."""
         f = self.field
+        if is_driven(self.model):
+            return self._beside_drivers(c, at)
         speeds = self.speeds(c)
         kinetic = f.zero
         for j, row in zip(self.model.coordinates, self.model.dynamics.mass_matrix, strict=True):
@@ -63,6 +75,49 @@ class FirstIntegrals:
         if self.model.dependent and len(square.num) > _MOST_TERMS:
             raise CannotAnswer(Message("through the closed loop the speed would be a formula that is too long"))
         return square
+
+    def _beside_drivers(self, c: Coordinate, at: Ratio) -> Ratio:
+        """By Jacobi's integral, of one freedom."""
+        parts = self.by_degree(c)
+        f, start = self.field, {c.index: self.start.of(c.index)}
+        u0 = self.start.of(c.speed)
+        total = [f.follow(x, start) for x in (parts.second * u0 * u0, -parts.free, parts.potential)]
+        here = {c.index: at}
+        rest = f.follow(parts.free - parts.potential, here)
+        square = (sum(total[1:], total[0]) + rest) / f.follow(parts.second, here)
+        return self._without_time(f.lowest_terms(square))
+
+    def terms(self, c: Coordinate) -> tuple[Ratio, Ratio]:
+        """The conserved sum of one freedom as a factor of u^2, and what is free of u."""
+        if is_driven(self.model):
+            parts = self.by_degree(c)
+            return parts.second, self.field.lowest_terms(parts.potential - parts.free)
+        return self.model.dynamics.mass_matrix[0][0] / 2, self.potential({})
+
+    def by_degree(self, c: Coordinate) -> JacobiParts:
+        """T2, T0 and V of one freedom beside drivers. Raises CannotAnswer where the time is in them."""
+        if len(self.model.coordinates) != 1 or self.model.dependent:
+            raise CannotAnswer(
+                Message("a driver is at work beside several degrees of freedom, so energy is no first integral")
+            )
+        f, q = self.field, c.index
+        state = SymbolicState(self.model)
+        kinetic = f.element(Energy("kinetic").value(self.model.system, state))
+        degrees = [*f.lowest_terms(kinetic).coefficients(c.speed), f.zero, f.zero][:3]
+        potential = self._potential(state)
+        slopes = [f.derivative(degrees[0], q), f.derivative(potential, q), degrees[1], degrees[2]]
+        if any(self._in_time & f.ingredients(f.lowest_terms(x)) for x in slopes):
+            raise CannotAnswer(_DRIVEN)
+        return JacobiParts(degrees[2], degrees[0], potential)
+
+    @property
+    def _in_time(self) -> set[int]:
+        return {g for g, generator in self.field.generators.items() if generator.kind == "time"}
+
+    def _without_time(self, x: Ratio) -> Ratio:
+        if self._in_time & self.field.ingredients(x):
+            raise CannotAnswer(_DRIVEN)
+        return x
 
     def _explicit(self, x: Ratio) -> Ratio:
         """Without the angles that closed loops bind."""
@@ -161,14 +216,60 @@ class FirstIntegrals:
             places = {c.index: values[c.index] for c in self.model.coordinates if c.index in values}
             values = self._closure.at(places) | values
         state = SymbolicState(self.model, values)
-        if is_driven(self.model) or any(
-            isinstance(row.measure, NonholonomicForm) for row in self.model.system.constraint_rows
-        ):
-            raise CannotAnswer(Message("a driver or a velocity constraint is at work, so energy is no first integral"))
+        if is_driven(self.model):
+            raise CannotAnswer(_DRIVEN)
+        return self._potential(state)
+
+    def _potential(self, state: SymbolicState) -> Ratio:
+        if any(isinstance(row.measure, NonholonomicForm) for row in self.model.system.constraint_rows):
+            raise CannotAnswer(_DRIVEN)
         total = self.field.zero
         for push in self.model.system.applied_loads:
-            total = total + state.potential(push)
+            total = total + self.potential_of(push, state)
         return total
+
+    def potential_of(self, push: AppliedLoad, state: SymbolicState) -> Ratio:
+        """Of one load; along the motion, where it has none of its own."""
+        try:
+            return state.potential(push)
+        except CannotAnswer:
+            way = self.work_function(push)
+            if way is None:
+                raise
+            return -state.here(way)
+
+    def work_function(self, push: AppliedLoad) -> Ratio | None:
+        """The integral of the generalized force of a load over the one coordinate that it moves and depends on."""
+        f, model = self.field, self.model
+        if model.dependent:
+            return None
+        law, forces = model.loads.law(push), list[tuple[Coordinate, Ratio]]()
+        for k, c in enumerate(model.coordinates):
+            force = f.zero
+            for (body, slot), slope in model.gradient(push.measure).items():
+                if body in model.kinematics.partial_velocities:
+                    part = model.kinematics.partial_velocities[body][k][model.bodies.slots.index(slot)]
+                    force = force + law * slope * part
+            if not (force := f.lowest_terms(force)).is_zero():
+                forces.append((c, force))
+        if not forces:
+            return f.zero
+        if len(forces) > 1:
+            return None
+        ((c, force),) = forces
+        moving = {g for k in model.coordinates for g in (k.index, k.speed)} - {c.index}
+        if f.ingredients(force) & (moving | self._in_time):
+            return None
+        return antiderivative(force, c.index)
+
+
+@dataclass(frozen=True)
+class JacobiParts:
+    """The factor of u^2 in the kinetic energy, what of it is free of u, and the potential energy."""
+
+    second: Ratio
+    free: Ratio
+    potential: Ratio
 
 
 def is_driven(model: SymbolicModel) -> bool:

@@ -16,7 +16,7 @@ from fractions import Fraction
 from typing import Any, Literal
 
 from freebody.language.expression import Call, Expr, evaluate
-from freebody.symbolic.atoms import function_atom, unit_pair
+from freebody.symbolic.atoms import elliptic_atom, function_atom, unit_pair
 from freebody.symbolic.field import MAX_POWER, Field, Generator, Ratio
 
 Complex = tuple[Ratio, Ratio]
@@ -221,7 +221,7 @@ def sum_of_angles(field: Field, y: Ratio, x: Ratio, length: Ratio) -> Ratio | No
 
 
 def _arc(field: Field, name: str, argument: Ratio, slope: Callable[[Ratio], Ratio]) -> Ratio:
-    return function_atom(field, name, argument, lambda _f, u: slope(u))
+    return function_atom(field, name, argument, lambda _f, u: slope(u), lambda u: _arc_or_known(field, name, u, slope))
 
 
 # values in parts of pi
@@ -320,8 +320,15 @@ def functions(field: Field, is_negative: IsNegative | None = None) -> Mapping[st
     def atan(x: Ratio) -> Ratio:
         return _arc_or_known(field, "atan", x, lambda u: 1 / (1 + u * u))
 
+    def elliptic_k(k: Ratio) -> Ratio:
+        return elliptic_f(field.pi / 2, k)
+
+    def elliptic_f(phi: Ratio, k: Ratio) -> Ratio:
+        return elliptic_atom(field, phi, k, elliptic_f, sin)
+
     named = (cos, sin, tan, exp, log, sinh, cosh, tanh, asin, acos, atan, sign)
     table: dict[str, Any] = {function.__name__: function for function in named}
+    table |= {"elliptic_K": elliptic_k, "elliptic_F": elliptic_f}
     return table | {"number": field.element, "pi": field.pi, "sqrt": root, "abs": absolute}
 
 

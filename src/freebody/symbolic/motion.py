@@ -11,6 +11,8 @@ Every root that solves an equation but not the problem is reported with the reas
 from __future__ import annotations
 
 import math
+from collections.abc import Generator
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from functools import cached_property
 
@@ -19,6 +21,7 @@ from freebody.language.notation import Stated, compared, reworded, to_python, to
 from freebody.language.sentences import Message
 from freebody.questions.reading import QuestionEvent
 from freebody.symbolic.closure import Closure
+from freebody.symbolic.elliptic import EllipticTime
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.first_integrals import FirstIntegrals, is_driven
 from freebody.symbolic.functions import functions
@@ -49,6 +52,8 @@ class Reached:
     why_no_time: str = ""
     says: list[str] = field(default_factory=list[str])  # conditions that have no formula
     limits: dict[int, Ratio] | None = None  # as the time grows without end: what tends to a value
+    integral: EllipticTime | None = None  # of the time, where energy gives it
+    timed: list[tuple[Ratio, str]] = field(default_factory=list[tuple[Ratio, str]])  # what the time needs besides
     settled: Ratio | None = None  # by when it is there, but for round-off
 
     @property
@@ -68,6 +73,7 @@ class SmoothMotion:
         self.start = start
         self.field = model.field
         self.integrals = FirstIntegrals(model, start)
+        self._on_one_side = False
         self._sqrt = functions(model.field, model.samples.is_negative)["sqrt"]
 
     # -- the event ----------------------------------------------------------------------------
@@ -379,10 +385,39 @@ class SmoothMotion:
             return self._first(c, *instants)
         return self._rate_by_energy(c, wanted)
 
+    # -- a motion that repeats itself ---------------------------------------------------------
+    def period(self, c: Coordinate) -> Reached:
+        """After which time a coordinate is where it was at the start, and as fast. Raises NeverHappens where it does
+        not come back, CannotAnswer where no closed form is found."""
+        q0, u0 = self.start.of(c.index), self.start.of(c.speed)
+        if self.stands_still:
+            raise NeverHappens(Message("it starts at rest in an equilibrium, and stays there"))
+        law = self.law_of(c, takes_side=self._takes_side)
+        if law is not None:
+            if law.is_still or law.period is None:
+                raise NeverHappens(Message("the motion of {x} does not repeat itself", x=c.name))
+            notes: list[str] = (
+                []
+                if law.is_undamped
+                else [Message("of a damped motion it is the time from a turn to the next but one")]
+            )
+            return Reached(self.field.lowest_terms(law.period), c, q0, u0, notes)
+        way = self._way(c)
+        found = way.period()
+        if found is None:
+            raise CannotAnswer(
+                Message("no closed form was found for the period: the time is no elliptic integral of the first kind")
+            )
+        time, needs, says = found
+        return Reached(time, c, q0, u0, [], needs, says=says, integral=way.integral)
+
     # -- first integral -----------------------------------------------------------------------
     def _place_by_energy(self, c: Coordinate, at: Ratio, event: QuestionEvent) -> Reached:
         """The speed at a place, from M u^2/2 + V = const, with the sign of the way there."""
-        speed, needs, says = self._way(c).to(at)
+        way = self._way(c)
+        speed, needs, says = way.to(at)
+        if (timed := way.time_to(at)) is not None:
+            return Reached(timed[0], c, at, speed, [], needs, says=says, integral=way.integral, timed=timed[1])
         why = Message(
             "no closed form was found for the time to '{event}': it is the integral of the coordinate's differential "
             "over the speed; simulate the motion for a number",
@@ -392,7 +427,10 @@ class SmoothMotion:
 
     def _rate_by_energy(self, c: Coordinate, wanted: Ratio) -> Reached:
         """The place at which the speed has a value: a zero of u(q)^2 - u^2 = 0, the first on the way."""
-        at, needs, says = self._way(c).where(wanted)
+        way = self._way(c)
+        at, needs, says = way.where(wanted)
+        if (timed := way.time_until(at, wanted)) is not None:
+            return Reached(timed[0], c, at, wanted, [], needs, says=says, integral=way.integral, timed=timed[1])
         why = Message(
             "no closed form was found for the time: it is the integral of the coordinate's differential over the "
             "speed; simulate the motion for a number"
@@ -402,7 +440,17 @@ class SmoothMotion:
     def _way(self, c: Coordinate) -> EnergyPath:
         square = self.speed_squared(c, self.field.variable(c.index))
         a0 = self.field.follow(self.acceleration(c), self.start.values)
-        return EnergyPath(self.model, c, square, self.start.of(c.index), self.start.of(c.speed), a0)
+        start = self.start.of(c.index), self.start.of(c.speed), a0
+        return EnergyPath(self.model, c, square, start, takes_side=self._on_one_side)
+
+    @contextmanager
+    def on_one_side(self) -> Generator[None]:
+        """Ways by energy are told as they are at the first sample, where parameters decide."""
+        self._on_one_side = True
+        try:
+            yield
+        finally:
+            self._on_one_side = False
 
     def speed_squared(self, c: Coordinate, at: Ratio) -> Ratio:
         """u^2 at q = at."""

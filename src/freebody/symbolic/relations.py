@@ -56,8 +56,8 @@ def with_tangents(e: Expr) -> Expr:
             return add(*map(with_tangents, terms))
         case PowerOf(base, exponent):
             return power(with_tangents(base), exponent)
-        case Call(function, argument):
-            return Call(function, with_tangents(argument))
+        case Call():
+            return e.of(with_tangents)
         case ProductOf(factors):
             return _tangent_product(factors)
         case _:

@@ -303,6 +303,11 @@ def shown(field: Field, index: int) -> Expr:
     generator = field.generators[index]
     if generator.kind == "root" and generator.made_of:
         return _root_of(tidy(field.radicand(index)))
+    if index in field.moduli:
+        phi, k = field.moduli[index]
+        modulus = tidy(k)
+        modulus = negate(modulus) if _is_negative(modulus) else modulus  # both integrals are even in it
+        return Call("elliptic_K", modulus) if phi is None else Call("elliptic_F", tidy(phi), modulus)
     if index in field.arcs:
         name, x = field.arcs[index]
         return multiply(number(2), Call("atan", tidy(x))) if name == "half" else Call(name, tidy(x))

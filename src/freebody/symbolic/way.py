@@ -12,6 +12,7 @@ from functools import cached_property
 
 from freebody.errors import CannotAnswer, NeverHappens, NotReached
 from freebody.language.sentences import Message
+from freebody.symbolic.elliptic import EllipticTime, elliptic_time
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.signs import Sign, sign_of
@@ -26,14 +27,24 @@ _N_STEPS = 64
 
 
 class EnergyPath:
-    """The motion of the one coordinate of a model with a first integral of energy."""
+    """The motion of the one coordinate of a model with a first integral of energy. takes_side: whether it is told as it
+    is at the first sample where parameters decide which way it goes; that is then needed."""
 
-    def __init__(self, model: SymbolicModel, c: Coordinate, square: Ratio, q0: Ratio, u0: Ratio, a0: Ratio) -> None:
+    def __init__(
+        self,
+        model: SymbolicModel,
+        c: Coordinate,
+        square: Ratio,
+        start: tuple[Ratio, Ratio, Ratio],
+        *,
+        takes_side: bool = False,
+    ) -> None:
         self.model, self.c = model, c
         self.field = model.field
         self.square = model.field.lowest_terms(square)
-        self.q0, self.u0 = q0, u0
-        self._drive = a0 if u0.is_zero() else u0
+        self.q0, self.u0, a0 = start
+        self._takes_side, self._others = takes_side, set[int]()  # samples on the other side
+        self._drive = a0 if self.u0.is_zero() else self.u0
         if self._drive.is_zero():
             raise CannotAnswer(Message("{x} starts at rest where nothing accelerates it", x=c.name))
 
@@ -87,6 +98,54 @@ class EnergyPath:
         needs, words = self._over(self.q0, at, [*needs, *more, *((x, ">") for x in reals(at))])
         return at, needs, [*says, *words]
 
+    # -- the time -----------------------------------------------------------------------------
+    @cached_property
+    def integral(self) -> EllipticTime | None:
+        """The time along the way up to a constant, where it has a closed form."""
+        return elliptic_time(self.model, self.c, self.square, self.q0, self.u0)
+
+    def time_to(self, at: Ratio) -> tuple[Ratio, list[Need]] | None:
+        """How long it takes to a place, as `to` goes there."""
+        distance = self.field.lowest_terms(at - self.q0)
+        return self._time(at, is_back=distance.is_zero() or self._side(distance) != self._way[0])
+
+    def time_until(self, at: Ratio, wanted: Ratio) -> tuple[Ratio, list[Need]] | None:
+        """How long it takes until the speed has a value, at the place that `where` finds."""
+        if not wanted.is_zero():
+            return self._time(at, is_back=self._side(wanted) != self._way[0])
+        law, way = self.integral, self._way[0]
+        turned = None if law is None else law.at_turn(way)
+        if law is None or turned is None:
+            return None
+        return self.field.lowest_terms(way * (turned - law.at(self.q0))), list(law.needs)
+
+    def _time(self, at: Ratio, *, is_back: bool) -> tuple[Ratio, list[Need]] | None:
+        """On the way out, or after it has turned."""
+        law = self.integral
+        if law is None:
+            return None
+        way, _needs = self._way
+        begin, end = law.at(self.q0), law.at(at)
+        if not is_back:
+            return self.field.lowest_terms(way * (end - begin)), list(law.needs)
+        turned = law.at_turn(way)
+        if turned is None:
+            return None
+        return self.field.lowest_terms(way * (2 * turned - begin - end)), list(law.needs)
+
+    def period(self) -> tuple[Ratio, list[Need], list[str]] | None:
+        """After which time it moves as at the start, and what that needs."""
+        law = self.integral
+        if law is None or (found := law.period) is None:
+            return None
+        _way, needs = self._way
+        needs, says = [*needs, *law.needs], list[str]()
+        if law.highest is not None:
+            _turn, more, says = self._turning
+            needs += more
+        found = self.field.lowest_terms(found)
+        return (found if self._side(found) > 0 else -found), needs, says
+
     # -- the direction and the end ------------------------------------------------------------
     @cached_property
     def _way(self) -> tuple[int, list[Need]]:
@@ -98,10 +157,13 @@ class EnergyPath:
         sign = sign_of(x)
         if sign.is_strict:
             return 1 if sign is Sign.POSITIVE else -1
-        ways = {(v > 0) - (v < 0) for v in self.model.samples.at_starts(x)}
-        if len(ways) != 1 or 0 in ways:
+        ways = [(v > 0) - (v < 0) for v in self.model.samples.at_starts(x)]
+        if self._takes_side and ways[0]:
+            self._others |= {s for s, way in enumerate(ways) if way != ways[0]}
+            return ways[0]
+        if len(set(ways)) != 1 or 0 in ways:
             raise CannotAnswer(Message("which way {x} goes depends on the parameter values", x=self.c.name))
-        return ways.pop()
+        return ways[0]
 
     @cached_property
     def _turning(self) -> tuple[Ratio, list[Need], list[str]]:
@@ -128,6 +190,8 @@ class EnergyPath:
         """The place that is next from the start, at every sample at which there is one."""
         picks: set[int] = set()
         for s, begin in enumerate(start):
+            if s in self._others:
+                continue
             ahead = [(way * (at[s] - begin), k) for k, (_x, at) in enumerate(places) if way * (at[s] - begin) > _NEAR]
             if ahead:
                 picks.add(min(ahead)[1])
@@ -165,7 +229,9 @@ class EnergyPath:
         valleys: list[list[float]] = []
         for place, numbers in self._places(slope):
             inside = [
-                _NEAR < (v - p) / (q - p) < 1 - _NEAR for v, p, q in zip(numbers, starts, ends, strict=True) if q != p
+                _NEAR < (v - p) / (q - p) < 1 - _NEAR
+                for s, (v, p, q) in enumerate(zip(numbers, starts, ends, strict=True))
+                if q != p and s not in self._others
             ]
             if not any(inside):
                 continue
@@ -177,7 +243,12 @@ class EnergyPath:
                 needs.append((least, ">"))
         is_told = True
         for s, (p, q) in enumerate(zip(starts, ends, strict=True)):
-            if math.isnan(p) or math.isnan(q) or not all(self._numbers(x)[s] > -_NEAR for x, _r in needs):
+            if (
+                s in self._others
+                or math.isnan(p)
+                or math.isnan(q)
+                or not all(self._numbers(x)[s] > -_NEAR for x, _r in needs)
+            ):
                 continue  # it does not get there with these numbers
             steps = [p + (q - p) * (k + 0.5) / _N_STEPS for k in range(_N_STEPS)]
             heights = [self.model.samples.at_start_with(self.square, s, {self.c.index: v}) for v in steps]

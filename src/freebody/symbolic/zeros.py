@@ -64,7 +64,13 @@ def zeros_of(model: SymbolicModel, F: Ratio, c: Indexed, *, quadratic: bool = Fa
 def _quadratic_zeros(model: SymbolicModel, base: Ratio, c: Indexed) -> list[Ratio]:
     f = model.field
     parts = base.coefficients(c.index)
-    if len(parts) != 3 or any(c.index in f.ingredients(part) for part in parts):
+    if any(c.index in f.ingredients(part) for part in parts):
+        return []
+    if len(parts) == 5 and parts[1].is_zero() and parts[3].is_zero():  # of the second degree in the square
+        root = f.sqrt(parts[2] * parts[2] - 4 * parts[0] * parts[4], model.samples.is_negative)
+        squares = ((-parts[2] - root) / (2 * parts[4]), (-parts[2] + root) / (2 * parts[4]))
+        return [sign * f.sqrt(f.lowest_terms(x), model.samples.is_negative) for x in squares for sign in (-1, 1)]
+    if len(parts) != 3:
         return []
     root = f.sqrt(parts[1] * parts[1] - 4 * parts[0] * parts[2], model.samples.is_negative)
     return [(-parts[1] - root) / (2 * parts[2]), (-parts[1] + root) / (2 * parts[2])]

@@ -13,6 +13,7 @@ from freebody.language.expression.evaluation import FLOAT_FUNCTIONS, evaluate, r
 from freebody.language.expression.inspection import depth, domain, free_symbols, has_jump, n_operations
 from freebody.language.expression.rates import replace_rates
 from freebody.language.expression.tree import (
+    ELLIPTIC,
     FUNCTIONS,
     MAX_EXPONENT,
     MINUS_ONE,
@@ -40,6 +41,7 @@ from freebody.language.expression.tree import (
 )
 
 __all__ = [
+    "ELLIPTIC",
     "FLOAT_FUNCTIONS",
     "FUNCTIONS",
     "MAX_EXPONENT",

@@ -13,6 +13,7 @@ from collections.abc import Callable, Mapping
 from freebody.errors import ExpressionError
 from freebody.language.expression.inspection import free_symbols
 from freebody.language.expression.tree import (
+    ELLIPTIC,
     MINUS_ONE,
     ONE,
     ZERO,
@@ -24,6 +25,7 @@ from freebody.language.expression.tree import (
     Sum,
     Symbol,
     add,
+    children,
     multiply,
     power,
 )
@@ -56,8 +58,8 @@ def substitute(expr: Expr, replacements: Mapping[str, Expr]) -> Expr:
             raise ExpressionError(
                 Message("{names} is in rate(...), where only a name or a number can replace it", names=names)
             )
-        case Call(function, argument):
-            return Call(function, substitute(argument, replacements))
+        case Call():
+            return expr.of(lambda x: substitute(x, replacements))
 
 
 def differentiate(expr: Expr, name: str) -> Expr:
@@ -80,6 +82,10 @@ def differentiate(expr: Expr, name: str) -> Expr:
             )
         case PowerOf(base, exponent):
             return _differentiate_power(base, exponent, name)
+        case Call(function) if function in ELLIPTIC:
+            if all(differentiate(x, name) == ZERO for x in children(expr)):
+                return ZERO
+            raise ExpressionError(Message("elliptic integrals are not differentiated here"))
         case Call(function, argument):
             change = ZERO if function == "rate" else differentiate(argument, name)
             return ZERO if change == ZERO else multiply(_DERIVATIVES[function](argument), change)

@@ -9,6 +9,7 @@ from fractions import Fraction
 from typing import Any, TypeVar
 
 from freebody.errors import ExpressionError
+from freebody.language.expression.elliptic import elliptic_F, elliptic_K
 from freebody.language.expression.tree import (
     ELEMENTARY,
     Call,
@@ -18,6 +19,7 @@ from freebody.language.expression.tree import (
     ProductOf,
     Sum,
     Symbol,
+    children,
     whole_exponent,
 )
 from freebody.messages import Message
@@ -31,6 +33,8 @@ def _sign(x: float) -> float:
 
 FLOAT_FUNCTIONS: Mapping[str, Any] = {
     **{name: getattr(math, name) for name in ELEMENTARY},
+    "elliptic_K": elliptic_K,
+    "elliptic_F": elliptic_F,
     "abs": abs,
     "sign": _sign,
     "pi": math.pi,
@@ -90,12 +94,12 @@ def _evaluate(expr: Expr, values: Mapping[str, Any], functions: Mapping[str, Any
                     Message("{key} has no value here; known are {values}", key=key, values=_listed(values))
                 )
             return functions["rate"](_evaluate(argument, values, functions))
-        case Call(function, argument):
+        case Call(function):
             if function not in functions:
                 raise ExpressionError(
                     Message("the function {function} is not known to this arithmetic", function=function)
                 )
-            return functions[function](_evaluate(argument, values, functions))
+            return functions[function](*(_evaluate(x, values, functions) for x in children(expr)))
 
 
 def _evaluate_power(

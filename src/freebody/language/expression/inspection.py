@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection
 
 from freebody.language.expression.tree import (
+    ELLIPTIC,
     MINUS_ONE,
     Call,
     Expr,
@@ -63,6 +64,9 @@ def domain(expr: Expr) -> list[tuple[Expr, str]]:
             found.append((Call("cos", argument), "!="))
         case Call("asin" | "acos", argument):
             found += [(add(one, negate(argument)), ">="), (add(one, argument), ">=")]
+        case Call(function) if function in ELLIPTIC:
+            k = children(expr)[-1]
+            found += [(add(one, negate(k)), ">"), (add(one, k), ">")]
         case _:
             pass
     return [(part, relation) for part, relation in dict.fromkeys(found) if free_symbols(part)]
@@ -95,8 +99,8 @@ def n_operations(expr: Expr) -> int:
             if inverse and exponent == MINUS_ONE:
                 return 1 + n_operations(base)
             return 1 + n_operations(base) + n_operations(exponent)
-        case Call(_, argument):
-            return 1 + n_operations(argument)
+        case Call():
+            return 1 + sum(map(n_operations, children(expr)))
 
 
 def _n_operations_of_product(factors: tuple[Expr, ...]) -> int:

@@ -18,7 +18,7 @@ def replace_rates(expr: Expr, replacements: Mapping[str, Expr]) -> Expr:
             return multiply(*(replace_rates(f, replacements) for f in factors))
         case PowerOf(base, exponent):
             return power(replace_rates(base, replacements), replace_rates(exponent, replacements))
-        case Call(function, argument):
-            return Call(function, replace_rates(argument, replacements))
+        case Call():
+            return expr.of(lambda x: replace_rates(x, replacements))
         case _:
             return expr

@@ -12,7 +12,7 @@ from __future__ import annotations
 import keyword
 import math
 import re
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import TypeAlias, cast
@@ -21,7 +21,8 @@ from freebody.errors import ExpressionError
 from freebody.messages import Message
 
 ELEMENTARY = ("sqrt", "sin", "cos", "tan", "asin", "acos", "atan", "exp", "log", "sinh", "cosh", "tanh")
-FUNCTIONS = frozenset({*ELEMENTARY, "abs", "sign", "rate"})
+ELLIPTIC = ("elliptic_K", "elliptic_F")  # of a modulus k; of an angle and a modulus
+FUNCTIONS = frozenset({*ELEMENTARY, *ELLIPTIC, "abs", "sign", "rate"})
 
 # A number raised to a larger constant exponent stays a Power: 9^(9^9) is never computed.
 MAX_EXPONENT = 64
@@ -109,10 +110,15 @@ class PowerOf(_Operators):
 
 @dataclass(frozen=True, slots=True)
 class Call(_Operators):
-    """function(argument), with a function of FUNCTIONS."""
+    """function(argument), with a function of FUNCTIONS; elliptic_F(argument, modulus)."""
 
     function: str
     argument: Expr
+    modulus: Expr | None = None
+
+    def of(self, change: Callable[[Expr], Expr]) -> Call:
+        """The same function of changed arguments."""
+        return Call(self.function, change(self.argument), None if self.modulus is None else change(self.modulus))
 
 
 Expr: TypeAlias = Number | Symbol | Sum | ProductOf | PowerOf | Call
@@ -245,8 +251,8 @@ def children(expr: Expr) -> tuple[Expr, ...]:
             return factors
         case PowerOf(base, exponent):
             return (base, exponent)
-        case Call(_, argument):
-            return (argument,)
+        case Call(_, argument, modulus):
+            return (argument,) if modulus is None else (argument, modulus)
 
 
 def _tree(operand: object) -> Expr:

@@ -5,10 +5,11 @@ As on one line, every text carries how strongly its top operation binds; what st
 
 from __future__ import annotations
 
-from freebody.language.expression import Call, Expr, Number, PowerOf, ProductOf, Sum, Symbol
+from freebody.language.expression import Call, Expr, Number, PowerOf, ProductOf, Sum, Symbol, children
 from freebody.language.notation.parts import (
     ATOM,
     LETTER_OF,
+    LETTER_OF_INTEGRAL,
     MINUS,
     POWER,
     PRODUCT,
@@ -64,6 +65,9 @@ def latex(expr: Expr, is_followed: bool = False) -> tuple[str, int]:
             return f"{_DOTS[n_dots]}{{{letter}}}{index}", ATOM
         case Call("exp", argument):
             return f"e^{{{latex(argument)[0]}}}", POWER
+        case Call(function) if function in LETTER_OF_INTEGRAL:
+            arguments = ", ".join(latex(x)[0] for x in children(expr))
+            return rf"{LETTER_OF_INTEGRAL[function]}\!\left({arguments}\right)", ATOM
         case Call(function, argument):
             return _OPERATORS[function] + _argument(argument, is_followed), PRODUCT
 

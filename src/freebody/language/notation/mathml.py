@@ -6,10 +6,11 @@ or raised needs no bracket. Source: W3C, MathML Core, 2025.
 
 from __future__ import annotations
 
-from freebody.language.expression import Call, Expr, Number, PowerOf, ProductOf, Sum, Symbol
+from freebody.language.expression import Call, Expr, Number, PowerOf, ProductOf, Sum, Symbol, children
 from freebody.language.notation.parts import (
     ATOM,
     LETTER_OF,
+    LETTER_OF_INTEGRAL,
     MINUS,
     POWER,
     PRODUCT,
@@ -62,6 +63,9 @@ def mathml(expr: Expr, is_followed: bool = False) -> tuple[str, int]:
             return _indexed(*_letter_and_index(expr)), ATOM
         case Call("exp", argument):
             return f"<msup><mi>e</mi>{row(mathml(argument)[0])}</msup>", POWER
+        case Call(function) if function in LETTER_OF_INTEGRAL:
+            arguments = "<mo>,</mo>".join(mathml(x)[0] for x in children(expr))
+            return f"<mi>{LETTER_OF_INTEGRAL[function]}</mi>{_APPLIED}{in_brackets(arguments)}", ATOM
         case Call(function, argument):
             return f"<mi>{_NAMES.get(function, function)}</mi>" + _argument(argument, is_followed), PRODUCT
 

@@ -10,10 +10,11 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
 
-from freebody.language.expression import MINUS_ONE, Call, Expr, Number, PowerOf, ProductOf, Sum, Symbol
+from freebody.language.expression import MINUS_ONE, Call, Expr, Number, PowerOf, ProductOf, Sum, Symbol, children
 from freebody.language.notation.parts import (
     ATOM,
     LETTER_OF,
+    LETTER_OF_INTEGRAL,
     MINUS,
     POWER,
     PRODUCT,
@@ -54,8 +55,8 @@ class _OneLineWriter:
                 return self._power(base, exponent)
             case ProductOf(factors):
                 return self._product(factors)
-            case Call(_, argument):
-                return self.call(expr, self.write(argument)[0]), ATOM
+            case Call():
+                return self.call(expr, ", ".join(self.write(x)[0] for x in children(expr))), ATOM
 
     def at_least(self, strength: int, expr: Expr) -> str:
         text, own = self.write(expr)
@@ -104,10 +105,13 @@ def _python_call(call: Call, argument: str) -> str:
     return f"{call.function}({argument})"
 
 
+_TEXT_CALLS = {"sqrt": "√", **LETTER_OF_INTEGRAL}
+
+
 def _text_call(call: Call, argument: str) -> str:
     if call.function == "rate":
         return argument + "'"
-    return f"{'√' if call.function == 'sqrt' else call.function}({argument})"
+    return f"{_TEXT_CALLS.get(call.function, call.function)}({argument})"
 
 
 def _text_name(name: str) -> str:

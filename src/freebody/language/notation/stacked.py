@@ -12,6 +12,7 @@ from freebody.language.expression import Call, Expr, Number, PowerOf, ProductOf,
 from freebody.language.notation.one_line import TEXT
 from freebody.language.notation.parts import (
     ATOM,
+    LETTER_OF_INTEGRAL,
     MINUS,
     POWER,
     PRODUCT,
@@ -60,6 +61,9 @@ def stacked(expr: Expr) -> tuple[TextBox, int]:
             inner = stacked(argument)[0]
             bar = TextBox(("│",) * len(inner.lines), inner.baseline)
             return _beside([bar, inner, bar]), ATOM
+        case Call(function, argument, modulus) if function in LETTER_OF_INTEGRAL:
+            arguments = [stacked(argument)[0]] + ([] if modulus is None else [_flat(", "), stacked(modulus)[0]])
+            return _beside([_flat(LETTER_OF_INTEGRAL[function]), _in_brackets(_beside(arguments))]), ATOM
         case Call(function, argument) if function != "rate":
             return _beside([_flat(function), _in_brackets(stacked(argument)[0])]), ATOM
         case _:

@@ -6,10 +6,11 @@ own names. As on one line, every text carries how strongly its top operation bin
 
 from __future__ import annotations
 
-from freebody.language.expression import Call, Expr, Number, PowerOf, ProductOf, Sum, Symbol
+from freebody.language.expression import Call, Expr, Number, PowerOf, ProductOf, Sum, Symbol, children
 from freebody.language.notation.parts import (
     ATOM,
     LETTER_OF,
+    LETTER_OF_INTEGRAL,
     MINUS,
     POWER,
     PRODUCT,
@@ -61,6 +62,8 @@ def typst(expr: Expr, is_followed: bool = False) -> tuple[str, int]:
             return _name(expr)
         case Call("exp", argument):
             return f"e^({typst(argument)[0]})", POWER
+        case Call(function) if function in LETTER_OF_INTEGRAL:
+            return f"{LETTER_OF_INTEGRAL[function]}({', '.join(typst(x)[0] for x in children(expr))})", ATOM
         case Call(function, argument):
             return _OPERATORS[function] + _argument(argument, is_followed), PRODUCT
 

@@ -49,7 +49,9 @@ def _dimension_of(expr: Expr, dimensions: Mapping[str, Dimension]) -> Dimension 
             return None if None in parts else result
         case PowerOf(base, exponent):
             return _dimension_of_power(base, exponent, dimensions)
-        case Call(function, argument):
+        case Call(function, argument, modulus):
+            if modulus is not None:
+                _dimension_of_call(function, modulus, dimensions)
             return _dimension_of_call(function, argument, dimensions)
 
 

@@ -94,8 +94,8 @@ def _power_symbol(context: Context, script: Script) -> Symbol:
     return symbol
 
 
-def energy_terms(context: Context, script: Script) -> list[int]:
-    """Kinetic and potential energy as lines: what the integral of energy is made of."""
+def energy_terms(context: Context, script: Script, *, is_kept: bool = True) -> list[int]:
+    """Kinetic and potential energy as lines: what the integral of energy is made of. is_kept: whether their sum is."""
     f = context.setup.model.field
     with script.stage("stage.energy", "hint.energy"):
         t_line = _kinetic_line(context, script, kinetic_energy(context))
@@ -105,7 +105,8 @@ def energy_terms(context: Context, script: Script) -> list[int]:
         symbol = context.symbol("V", "E_pot")
         script.introduce(Meaning(symbol, what, Energy("potential"), "J"))
         v_line = script.line(symbol, tidy(V), why="energy.potential")
-        script.say("energy.no_work")
+        if is_kept:
+            script.say("energy.no_work")
     return [t_line, v_line]
 
 

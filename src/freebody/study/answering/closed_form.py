@@ -18,6 +18,7 @@ from freebody.language.sentences import Message, further
 from freebody.questions.base import Quantity, Wanted
 from freebody.questions.clock import Clock
 from freebody.questions.freedom import DegreesOfFreedom
+from freebody.questions.period import Period
 from freebody.questions.reading import AskedEvent, Question, QuestionEvent
 from freebody.questions.small_motion import Equilibrium, SmallOscillations
 from freebody.study.answering import evidence as proof
@@ -26,6 +27,7 @@ from freebody.study.answering.answer import Answer, Evidence, Value, made
 from freebody.study.answering.conditions import as_written, at_instant, is_kinematic, real
 from freebody.study.answering.crosscheck import element_at, holds
 from freebody.study.answering.finding import Elements, Finding, Otherwise, answered, judged
+from freebody.study.answering.integrals import has_integrals, integrals_named
 from freebody.study.answering.magnitude import magnitude
 from freebody.study.answering.numbers import number_of
 from freebody.study.answering.passage import smooth_passage
@@ -181,6 +183,8 @@ class QuestionSolver:
             if condition is not None:
                 conditions.append(condition)
         x: Elements = q.counted(smooth_passage(self.setup, reached, self._elements))
+        if has_integrals(x):
+            conditions += [c for c, _possible in (require(*need) for need in reached.timed) if c is not None]
         self._check_is_told(x)
         # a formula with signs that were taken at the start is compared only where they are so, there and at the event
         there = SymbolicState(self.model, self.setup.motion.known_at(reached))
@@ -229,6 +233,13 @@ class QuestionSolver:
         everything = (*self.model.coordinates, *self.model.dependent)
         inside = set[int]().union(*map(self.model.field.ingredients, x if isinstance(x, tuple) else (x,)))
         return [c for c in everything if inside & {c.index, c.speed}]
+
+    # -- a motion that repeats itself ---------------------------------------------------------
+    @_found.register(Period)
+    def _period(self, q: Period) -> Finding:
+        from freebody.study.answering.repeated import find
+
+        return find(self.setup, self.question.text, q.measure)
 
     # -- small oscillations and equilibrium ---------------------------------------------------
     @_found.register(SmallOscillations)
@@ -323,6 +334,7 @@ class QuestionSolver:
             found.notes += broken + loops.loops_in(self.setup, element, self._state)
             value = None if broken else value
             parts = element if isinstance(element, tuple) else (element,)
+            found.notes += integrals_named(parts)
             conditions = found.says + texts(needed) or [for_all(self.system, parts)]
         judgement = self._judge(found.element) if q.options else None
         return made(

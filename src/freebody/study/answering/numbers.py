@@ -12,6 +12,7 @@ from freebody.numeric.reference import Snapshot
 from freebody.questions.base import Quantity
 from freebody.questions.clock import Clock
 from freebody.questions.loads import Power
+from freebody.questions.period import Period
 from freebody.questions.reading import AskedEvent
 from freebody.questions.small_motion import SmallOscillations
 from freebody.study.answering.crosscheck import as_parts
@@ -75,6 +76,13 @@ def _small_number(
     from freebody.study.answering.at_equilibrium import small_number
 
     return small_number(quantity, setup, draw)
+
+
+@_number.register(Period)
+def _period_number(quantity: Period, setup: Setup, event: AskedEvent | None, draw: Draw) -> float | tuple[float, ...]:
+    from freebody.study.answering.repeated import number
+
+    return number(quantity.measure, setup, draw)
 
 
 def _rests(setup: Setup) -> bool:

@@ -106,12 +106,23 @@ def _by_cases(setup: Setup, question: Question) -> Answer | None:
     from freebody.study.phases.ask import answer
     from freebody.study.phases.tree import tree_of
 
-    if question.event is None or setup.system.space or setup.model.dependent:
+    if question.event is not None and not (setup.system.space or setup.model.dependent):
+        try:
+            found = answer(tree_of(setup.system), question)
+        except NO_FORM:
+            return _on_one_side(setup, question)
+        if found.expression is not None:
+            return found
+    return _on_one_side(setup, question)
+
+
+def _on_one_side(setup: Setup, question: Question) -> Answer | None:
+    """What is so on the side on which the parameters are at the model's own values, where they decide which way a
+    motion by energy goes; None where that leads to no closed form either."""
+    if question.event is None and question.quantity.scope != "repeated motion":
         return None
-    try:
-        found = answer(tree_of(setup.system), question)
-    except NO_FORM:
-        return None
+    with setup.motion.on_one_side():
+        found = QuestionSolver(setup, question).answer()
     return None if found.expression is None else found
 
 

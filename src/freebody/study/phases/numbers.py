@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from freebody.language.expression import free_symbols
+from freebody.language.expression import FLOAT_FUNCTIONS, free_symbols
 from freebody.language.units import DIMENSIONLESS
 from freebody.model.elements import Parameter
 from freebody.numeric.jets import Array
@@ -48,6 +48,8 @@ _FUNCTIONS = SimpleNamespace(
     asin=_of_floats(np.arcsin),
     atan=_of_floats(np.arctan),
     atan2=_of_floats(np.arctan2),
+    elliptic_K=_of_floats(np.vectorize(FLOAT_FUNCTIONS["elliptic_K"], otypes=[float])),
+    elliptic_F=_of_floats(np.vectorize(FLOAT_FUNCTIONS["elliptic_F"], otypes=[float])),
 )
 
 

@@ -135,6 +135,16 @@ class MotionLaw:
         """In which the law does what it does, its sign aside; None where it has none."""
         return None
 
+    @property
+    def period(self) -> Ratio | None:
+        """After which time it turns the same way again; None where it does not."""
+        return None
+
+    @property
+    def is_undamped(self) -> bool:
+        """Whether it then is where it was, too."""
+        return True
+
     def at(self, t: Ratio) -> tuple[Ratio, Ratio]:
         """Value and rate at a time."""
         raise NotImplementedError

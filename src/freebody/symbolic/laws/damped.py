@@ -123,6 +123,14 @@ class Underdamped(Damped):
         c, s = self.function("cos", w * t), self.function("sin", w * t)
         return self.center + e * (self.x0 * c + self.drive / w * s), e * (self.u0 * c - self.pull / w * s)
 
+    @property
+    def period(self) -> Ratio:
+        return 2 * self.model.field.pi / self.w
+
+    @property
+    def is_undamped(self) -> bool:
+        return False
+
     def center_passed(self) -> tuple[Sequence[_Zero], list[Need]]:
         return [(tau / self.w, key) for tau, key in wave_zeros(self, self.x0, self.drive / self.w)], []
 

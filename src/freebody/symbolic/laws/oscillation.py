@@ -46,17 +46,17 @@ class Oscillation(MotionLaw):
     def places(self, value: Ratio) -> Instants:
         w = self.w
         waves, needs = wave_turns(self, self.q0 - self.center, self.u0 / w, value - self.center)
-        return [LawInstant(tau / w, value, w * slope, key, self._period) for tau, slope, key in waves], needs
+        return [LawInstant(tau / w, value, w * slope, key, self.period) for tau, slope, key in waves], needs
 
     def rates(self, value: Ratio) -> Instants:
         # u is a wave as well: u0 cos(tau) - w x0 sin(tau), and du/dtau = -w (q - c)
         w = self.w
         waves, needs = wave_turns(self, self.u0, -w * (self.q0 - self.center), value)
-        found = [LawInstant(tau / w, self.center - slope / w, value, key, self._period) for tau, slope, key in waves]
+        found = [LawInstant(tau / w, self.center - slope / w, value, key, self.period) for tau, slope, key in waves]
         return found, needs
 
     @property
-    def _period(self) -> Ratio:
+    def period(self) -> Ratio:
         return 2 * self.model.field.pi / self.w
 
     @property

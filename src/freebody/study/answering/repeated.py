@@ -1,0 +1,146 @@
+"""The period of a motion: in closed form from a law of motion or from energy, and from an integration in numbers."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from freebody.budgets import allowed
+from freebody.errors import CannotAnswer, NeverHappens
+from freebody.language.sentences import Message
+from freebody.language.units import DIMENSIONLESS
+from freebody.measures.base import Measure
+from freebody.numeric.engine.course import Status, Trajectory
+from freebody.numeric.engine.engine import Engine
+from freebody.numeric.engine.evaluator import EngineWatch
+from freebody.numeric.jets import Array
+from freebody.numeric.options import SimulationOptions
+from freebody.study.answering.crosscheck import (
+    MIN_DRAWS,
+    MOTION_TOLERANCE,
+    CrossCheck,
+    SaysNothing,
+    broken,
+    element_at,
+    holds,
+)
+from freebody.study.answering.draws import Draw
+from freebody.study.answering.finding import Finding, NotHere
+from freebody.study.answering.witness import MOST_STEPS, TOLERANCE
+from freebody.study.setup import Setup
+from freebody.symbolic.conditions import Condition, require
+from freebody.symbolic.motion import Reached
+from freebody.symbolic.unknowns import Coordinate
+
+LONGEST = 60.0  # [s] in which a motion without a closed form has to repeat itself
+_MARGIN = 1.6  # periods that are followed: three turns are among them
+_CROSSED = ("rising", "falling")
+_SAME = 1e-6  # relative: a state that is taken up again
+
+
+def find(setup: Setup, question: str, measure: Measure | None) -> Finding:
+    """The closed form. Raises NeverHappens where the motion is proved not to repeat itself, CannotAnswer where none was
+    found."""
+    c = coordinate_of(setup, measure)
+    found = setup.motion.period(c)
+    period = found.time
+    assert period is not None
+    conditions: list[Condition] = []
+    for x, relation in found.conditions:
+        condition, possible = require(x, relation, Message("the motion repeats itself"))
+        if not possible:
+            raise NeverHappens(Message("the motion does not repeat itself"))
+        if condition is not None:
+            conditions.append(condition)
+    check = CrossCheck(question, Message("numerical integration over more than one period"), MOTION_TOLERANCE)
+
+    def compare(draw: Draw) -> None:
+        (exact,) = element_at(setup, (period,), draw, draw.start())
+        if all(holds(setup, condition, draw, draw.start()) for condition in conditions):
+            check.compare(draw, exact, followed(setup, measure, c, draw, found))
+
+    check.gather(setup.draw_stream(), compare)
+    if len(check.pairs) < MIN_DRAWS and setup.has_values and (missed := broken(setup, conditions)):
+        needs = ", ".join(missed)
+        raise NotHere(
+            Message("the motion does not repeat itself so at the model's own values: that needs {x}", x=needs)
+        )
+    return Finding(period, check.evidence(), conditions, list(found.notes), list(found.says))
+
+
+def coordinate_of(setup: Setup, measure: Measure | None) -> Coordinate:
+    """The coordinate whose motion repeats itself: the measure, or what it is proportional to."""
+    model, f = setup.model, setup.model.field
+    if measure is None:
+        if len(model.coordinates) != 1:
+            raise CannotAnswer(Message("say of which measure: period of x"))
+        return model.coordinates[0]
+    value = model.value_of(measure)
+    inside = f.ingredients(value)
+    found = [c for c in (*model.coordinates, *model.dependent) if c.index in inside]
+    if len(found) != 1 or not f.partial(value, found[0].index).is_constant() or found[0] not in model.coordinates:
+        names = ", ".join(c.name for c in model.coordinates)
+        raise CannotAnswer(Message("ask for the period of one of the coordinates: {names}", names=names))
+    return found[0]
+
+
+def _watched(setup: Setup, measure: Measure | None, c: Coordinate) -> Measure:
+    measure = measure or setup.model.measure_of(c)
+    if measure is None:
+        raise CannotAnswer(Message("name a measure whose period is meant"))
+    return measure
+
+
+def followed(setup: Setup, measure: Measure | None, c: Coordinate, draw: Draw, found: Reached) -> float:
+    """The period in numbers, where a formula tells how long to follow the motion."""
+    assert found.time is not None
+    (exact,) = element_at(setup, (found.time,), draw, draw.start())
+    return period_in_numbers(draw, _watched(setup, measure, c), _MARGIN * exact, is_exact=False)
+
+
+def number(measure: Measure | None, setup: Setup, draw: Draw) -> float:
+    """From an integration alone. Raises CannotAnswer unless the whole state is taken up again."""
+    measure = measure or next(iter(setup.system.measures.values()), None)
+    if measure is None:
+        raise CannotAnswer(Message("name a measure whose period is meant"))
+    return period_in_numbers(draw, measure, LONGEST, is_exact=True)
+
+
+def period_in_numbers(draw: Draw, measure: Measure, until: float, *, is_exact: bool) -> float:
+    """From one turn to the next but one; of what turns over, the time of a whole turn. is_exact: whether the whole
+    state must be taken up again."""
+    start = draw.start()
+    begin, rate = start.value(measure), start.rate(measure)
+    whole = begin + math.copysign(2 * math.pi, rate)
+    watches = [EngineWatch("turn", measure, 1, size=1e-3), EngineWatch("over", measure, 0, whole, size=1.0)]
+    reference = draw.reference
+    engine = Engine(reference.numbers(), watches)
+    y = engine.state(*reference.by_body(start.q, start.v))
+    engine.align(y, start.t, start.value)
+    options = SimulationOptions(method="dop853", tolerance=TOLERANCE, max_steps=allowed(MOST_STEPS))
+    course = engine.run(y, until, options, start=start.t, outputs=np.array([start.t, until]))
+    if course.status not in (Status.FINISHED, Status.TOO_LONG):
+        raise SaysNothing(course.message or Message("the motion does not go on"))
+    turns = [h.time for h in course.events if h.name == "turn" and h.kind in _CROSSED and h.time > start.t]
+    over = [h.time for h in course.events if h.name == "over" and h.time > start.t]
+    if len(turns) >= 3:
+        first, last = turns[0], turns[2]
+    elif over and not turns and measure.dimension == DIMENSIONLESS:
+        first, last = start.t, over[0]
+    else:
+        raise SaysNothing(Message("the motion has not repeated itself until t = {t:.6g} s", t=until))
+    if is_exact:
+        states = [_state(engine, course, k) for k, t in enumerate(course.times) if t in (first, last)]
+        if len(states) != 2 or not _is_same(*states):
+            raise CannotAnswer(Message("the motion does not repeat itself"))
+    return last - first
+
+
+def _state(engine: Engine, course: Trajectory, k: int) -> Array:
+    q, v = engine.coordinates(engine.state_at(course, k))
+    return np.concatenate([np.ravel(q), np.ravel(v)])
+
+
+def _is_same(a: Array, b: Array) -> bool:
+    return bool(np.allclose(a, b, rtol=_SAME, atol=_SAME * float(np.abs(a).max(initial=1.0))))

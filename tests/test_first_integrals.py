@@ -1,0 +1,304 @@
+"""First integrals: energy, momenta and Jacobi's integral, and the time that they give as an elliptic integral.
+
+Every formula is worked out by hand: u^2 = W(q) from what is conserved, and dt = dq/u. Problem families: Landau &
+Lifshitz, Mechanics, sec. 11; Goldstein, Poole & Safko, Classical Mechanics, ch. 2, 3 and 8; Taylor, Classical
+Mechanics, ch. 4, 7 and 13; Meriam & Kraige, Dynamics, ch. 3 and 6; Beer & Johnston, Dynamics, ch. 13, 17 and 19;
+Kleppner & Kolenkow, An Introduction to Mechanics, ch. 4 to 6; Byrd & Friedman, Handbook of Elliptic Integrals.
+"""
+
+from __future__ import annotations
+
+import math
+import random
+
+import pytest
+from scipy.special import ellipk, ellipkinc
+
+import freebody as fb
+from freebody.api import System
+from freebody.errors import ExpressionError
+from freebody.language.expression import FLOAT_FUNCTIONS, evaluate
+from freebody.language.notation import to_latex, to_python, to_text
+from freebody.language.parser import parse
+from posed import is_formula, posed
+
+PENDULUM = """
+parameters: {{m: 1.2 kg, L: 0.8 m, g: 9.81 m/s^2, theta_0: 50 deg, theta_1: 20 deg, w: {w}}}
+bodies: {{bob: {{{body}}}}}
+connections: {{joint: {{{joint}}}}}
+loads: {{weight: {{gravity: g}}}}
+measures: {{theta: {{{angle}}}}}
+start: {{theta: {at}, rate(theta): {rate}}}
+"""
+SIMPLE = PENDULUM.format(
+    w="2 rad/s",
+    body="particle: {mass: m}",
+    joint="link: [ground.O, bob, L]",
+    angle="angle of line from ground.O to bob from down",
+    at="theta_0",
+    rate="0",
+)
+ROD = {"body": "rod: {mass: m, length: L}", "joint": "pin: [ground.O, bob.start]", "angle": "angle of bob from down"}
+HELD = PENDULUM.format(**ROD, w="2 rad/s", at="theta_0", rate="0")
+STRUCK = PENDULUM.format(**ROD, w="4 rad/s", at="0", rate="w")
+WHIRLED = PENDULUM.format(**ROD, w="14 rad/s", at="0", rate="w")
+SPRING = """
+parameters: {{m: 2 kg, k: 50 N/m, b: 300 N/m^3, c: {c} kg/s, a: 0.3 m, v0: 2 m/s}}
+ground: {{lines: {{rail: {{along: right}}}}}}
+bodies: {{slide: {{particle: {{mass: m}}}}}}
+connections: {{guide: {{slider: [slide, ground.rail]}}}}
+loads: {{spring: {{force: {{at: slide, along: right, magnitude: {law}}}}}}}
+measures: {{x: x of slide}}
+start: {{x: {at}, rate(x): {rate}}}
+"""
+HARD = SPRING.format(c=1, law="-k*x - b*x^3", at="a", rate="0")
+HARD_STRUCK = SPRING.format(c=1, law="-k*x - b*x^3", at="0", rate="v0")
+SOFT = SPRING.format(c=1, law="-k*x + b*x^3", at="a", rate="0")
+TWO_WELLS = SPRING.format(c=1, law="k*x - b*x^3", at="0.5 m", rate="0")
+LINEAR = SPRING.format(c=1, law="-k*x", at="a", rate="v0")
+DAMPED = SPRING.format(c=4, law="-k*x - c*rate(x)", at="a", rate="0")
+
+K_0 = "elliptic_K(sin(theta_0/2))"
+K_W = "elliptic_K(w/2*sqrt(2*L/(3*g)))"
+D = "sqrt(k^2 + 2*m*b*v0^2)"
+
+ELLIPTIC = {
+    # u^2 = 2 g/L (cos(theta) - cos(theta_0)); sin(theta/2) = sin(theta_0/2) sin(phi)
+    "period": (SIMPLE, "period of theta", f"4*sqrt(L/g)*{K_0}"),
+    "period of the motion": (SIMPLE, "exact period", f"4*sqrt(L/g)*{K_0}"),
+    "to the middle": (SIMPLE, "time when theta = 0", f"sqrt(L/g)*{K_0}"),
+    "to the turn": (SIMPLE, "time when rate(theta) = 0", f"2*sqrt(L/g)*{K_0}"),
+    "on the way": (
+        SIMPLE,
+        "time when theta = theta_1",
+        f"sqrt(L/g)*({K_0} - elliptic_F(asin(sin(theta_1/2)/sin(theta_0/2)), sin(theta_0/2)))",
+    ),
+    "beyond the middle": (
+        SIMPLE,
+        "time when theta = -theta_1",
+        f"sqrt(L/g)*({K_0} + elliptic_F(asin(sin(theta_1/2)/sin(theta_0/2)), sin(theta_0/2)))",
+    ),
+    # a rod about its end has the reduced length 2 L/3
+    "physical": (HELD, "period of theta", f"4*sqrt(2*L/(3*g))*{K_0}"),
+    # from below with w: k = w/2 sqrt(l/g) of the reduced length l
+    "struck": (STRUCK, "period of theta", f"4*sqrt(2*L/(3*g))*{K_W}"),
+    "struck, to the turn": (STRUCK, "time when rate(theta) = 0", f"sqrt(2*L/(3*g))*{K_W}"),
+    "struck, on the way": (
+        STRUCK,
+        "time when theta = theta_1",
+        "sqrt(2*L/(3*g))*elliptic_F(asin(2/w*sqrt(3*g/(2*L))*sin(theta_1/2)), w/2*sqrt(2*L/(3*g)))",
+    ),
+    "struck, after the turn": (
+        STRUCK,
+        "time when theta = -theta_1",
+        f"sqrt(2*L/(3*g))*(2*{K_W} + elliptic_F(asin(2/w*sqrt(3*g/(2*L))*sin(theta_1/2)), w/2*sqrt(2*L/(3*g))))",
+    ),
+    # it turns over: theta/2 is the amplitude, k = 2/w sqrt(g/l)
+    "whirled": (WHIRLED, "period of theta", "4/w*elliptic_K(2/w*sqrt(3*g/(2*L)))"),
+    "whirled, on the way": (
+        WHIRLED,
+        "time when theta = theta_1",
+        "2/w*elliptic_F(theta_1/2, 2/w*sqrt(3*g/(2*L)))",
+    ),
+    "whirled, at the top": (WHIRLED, "time when theta = pi", "2/w*elliptic_K(2/w*sqrt(3*g/(2*L)))"),
+    # m u^2 = (a^2 - x^2) (k + b (a^2 + x^2)/2): x = a cos(phi)
+    "hard": (HARD, "period of x", "4*sqrt(m/(k + b*a^2))*elliptic_K(a*sqrt(b/(2*k + 2*b*a^2)))"),
+    "hard, half way": (
+        HARD,
+        "time when x = a/2",
+        "sqrt(m/(k + b*a^2))*elliptic_F(pi/3, a*sqrt(b/(2*k + 2*b*a^2)))",
+    ),
+    "hard, struck": (HARD_STRUCK, "period of x", f"4*sqrt(m/{D})*elliptic_K(sqrt(({D} - k)/(2*{D})))"),
+    # m u^2 = (a^2 - x^2) (k - b (a^2 + x^2)/2): x = a sin(phi)
+    "soft": (SOFT, "period of x", "4*sqrt(2*m/(2*k - b*a^2))*elliptic_K(a*sqrt(b/(2*k - b*a^2)))"),
+    # harmonic and damped
+    "harmonic": (LINEAR, "period of x", "2*pi*sqrt(m/k)"),
+    "damped": (DAMPED, "period of the motion", "2*pi/sqrt(k/m - c^2/(4*m^2))"),
+}
+
+
+@pytest.mark.parametrize("name", ELLIPTIC)
+def test_the_time_of_a_way_by_energy(name: str) -> None:
+    is_formula(*ELLIPTIC[name])
+
+
+def test_elliptic_integrals_are_those_of_scipy_whose_parameter_is_the_square_of_the_modulus() -> None:
+    draw = random.Random(7)
+    complete, incomplete = FLOAT_FUNCTIONS["elliptic_K"], FLOAT_FUNCTIONS["elliptic_F"]
+    for _ in range(500):
+        k, phi = draw.uniform(0, 0.999), draw.uniform(-8, 8)
+        assert complete(k) == pytest.approx(ellipk(k * k), rel=1e-13)
+        assert incomplete(phi, k) == pytest.approx(ellipkinc(phi, k * k), rel=1e-13, abs=1e-14)
+    assert incomplete(0.7, 0.0) == pytest.approx(0.7)
+    for k in (1.0, -1.0, 1.5, math.nan):
+        with pytest.raises(ValueError, match="modulus"):
+            complete(k)
+
+
+def test_the_period_of_a_pendulum_is_the_tabulated_multiple_of_that_of_small_oscillations() -> None:
+    # 2 K(sin 45 deg)/pi = 1.18034 for an amplitude of 90 degrees: Nelson & Olsson, Am. J. Phys. 54, 1986, 112
+    half_turn = SIMPLE.replace("theta_0: 50 deg", "theta_0: 90 deg")
+    exact, small = (posed(half_turn, q).value for q in ("period of theta", "period of small oscillations"))
+    assert isinstance(exact, float)
+    assert isinstance(small, float)
+    assert exact / small == pytest.approx(1.1803406, rel=1e-7)
+
+
+def test_an_elliptic_integral_is_written_with_its_modulus_and_read_again() -> None:
+    e = parse("4*sqrt(L/g)*elliptic_F(phi/2, k) - elliptic_K(sin(a))^2")
+    assert parse(to_python(e)) == e
+    assert to_text(parse("elliptic_F(phi, k)")) == "F(φ, k)"
+    assert to_latex(parse("2*elliptic_K(k)")) == r"2 K\!\left(k\right)"
+    assert evaluate(parse("elliptic_F(pi/2, 0.5) - elliptic_K(0.5)"), {}) == pytest.approx(0)
+    for wrong in ("elliptic_F(phi)", "elliptic_K(a, b)", "sin(a, b)", "(a, b)", "a, b", "elliptic_F(a, b, c)"):
+        with pytest.raises(ExpressionError, match=r"take one argument|with the modulus k"):
+            parse(wrong)
+
+
+def test_an_answer_says_by_which_convention_its_elliptic_integrals_are_written() -> None:
+    assert any("modulus k" in note and "m = k^2" in note for note in posed(SIMPLE, "period of theta").notes)
+
+
+def test_options_with_elliptic_integrals_are_judged() -> None:
+    right, wrong = "4*sqrt(L/g)*elliptic_K(sin(theta_0/2))", "4*sqrt(L/g)*elliptic_K(sin(theta_0/2)^2)"
+    asked = f"questions: [{{find: period of theta, options: {{a: '{right}', b: '{wrong}'}}, key: a}}]\n"
+    found = fb.solve(System.from_text(SIMPLE + asked)).answers[0]
+    assert found.choice == "a"
+
+
+def test_a_motion_that_does_not_come_back_has_no_period() -> None:
+    falling = "bodies: {ball: {particle: {mass: 1 kg}}}\nloads: {w: {gravity: 9.81 m/s^2}}\nmeasures: {y: y of ball}\n"
+    found = posed(falling, "period of y")
+    assert found.expression is None
+    assert "does not repeat itself" in found.reason
+
+
+def test_two_wells_have_the_period_of_the_well_in_which_it_moves() -> None:
+    found = posed(TWO_WELLS, "period of x")
+    assert found.evidence is not None
+    # u^2 = b/(2 m) (o^2 - x^2)(x^2 - i^2) with o = 0.5 m and i^2 = 2 k/b - o^2
+    m, k, b, o = 2, 50, 300, 0.5
+    inner = 2 * k / b - o * o
+    assert found.value == pytest.approx(2 / o * math.sqrt(2 * m / b) * ellipk(1 - inner / o**2), rel=1e-9)
+
+
+@pytest.mark.parametrize("text", [SIMPLE, STRUCK, WHIRLED, LINEAR, DAMPED, HARD], ids=range(6))
+def test_periods_are_derived(text: str) -> None:
+    system = System.from_text(text + "questions: [period of the motion]\n")
+    told = fb.explain(system).to_text()
+    assert "period" in told.lower()
+
+
+# -- Jacobi's integral ------------------------------------------------------------------------
+TUBE = """
+parameters: {{m: 0.2 kg, w: 3 rad/s, a: 0.2 m, b: 0.7 m, k: {k} N/m, v0: 1.5 m/s, g: 9.81 m/s^2}}
+bodies:
+  rod:  {{rod: {{length: 2 m}}}}
+  bead: {{particle: {{mass: m}}, near: {{at: [0.2 m, 0]}}}}
+connections:
+  axle:  {{pin: [ground.O, rod.center]}}
+  slot:  {{slot: {{pin: bead, along: rod.x, on: rod}}}}
+  motor: {{driver: {{measure: angle of rod, follows: w*t}}}}
+loads: {{{load}}}
+measures: {{r: {{travel of bead along rod.x from rod.center}}}}
+start: {{r: {at}, rate(r): {rate}}}
+"""
+FLUNG = TUBE.format(k=5, load="", at="a", rate="0")
+SHOT_IN = TUBE.format(k=5, load="", at="b", rate="-v0")
+CUBIC = TUBE.format(k=4, load="spring: {law: {measure: r, force: -k*r^3/a^2}}", at="a", rate="v0")
+HOOP = """
+parameters: {m: 0.2 kg, M: 1 kg, R: 0.5 m, W: 3 rad/s, u0: 8 rad/s, q: 60 deg}
+bodies:
+  hoop: {ring: {mass: M, radius: R}, points: {A: [-R, 0]}}
+  bead: {particle: {mass: m}}
+connections:
+  axle:  {pin: [ground.O, hoop.A]}
+  motor: {driver: {measure: angle of hoop, follows: W*t}}
+  wire:  {link: [hoop.center, bead, R]}
+measures: {beta: {angle of line from hoop.center to bead from hoop.x}}
+start: {beta: 0, rate(beta): u0}
+"""
+CENTRED = HOOP.replace("{A: [-R, 0]}", "{A: [0, 0]}")
+
+BESIDE_DRIVERS = {
+    # r'' = w^2 r: r'^2 - w^2 r^2 is kept; Coriolis 2 m w r' on the wall. Taylor, ex. 7.5 family; Meriam, ch. 2
+    "flung out": (FLUNG, "velocity of r when r = b", "w*sqrt(b^2 - a^2)"),
+    "wall": (FLUNG, "normal force of slot when r = b", "2*m*w^2*sqrt(b^2 - a^2)"),
+    "shot in": (SHOT_IN, "r when rate(r) = 0", "sqrt(b^2 - v0^2/w^2)"),
+    # with a spring that hardens: r'^2/2 - w^2 r^2/2 + k r^4/(4 m a^2)
+    "spring": (
+        CUBIC,
+        "velocity of r when r = 1.2*a",
+        "sqrt(v0^2 + w^2*(1.44 - 1)*a^2 - k*a^2/(2*m)*(1.2^4 - 1))",
+    ),
+    # beta'' = -W^2 sin(beta): beta'^2 = u0^2 - 2 W^2 (1 - cos(beta)), as a pendulum. Goldstein, ch. 1, hoop family
+    "hoop": (HOOP, "velocity of beta when beta = q", "sqrt(u0^2 - 2*W^2*(1 - cos(q)))"),
+    "hoop turns": (HOOP, "period of beta", "4/u0*elliptic_K(2*W/u0)"),
+    "hoop, time": (HOOP, "time when beta = q", "2/u0*elliptic_F(q/2, 2*W/u0)"),
+    # towards the centre of the hoop: centripetal and Coriolis (beta' + W)^2 R, and W^2 R cos(beta) of the centre
+    "hoop, force": (
+        HOOP,
+        "tension of wire when beta = q",
+        "m*R*((sqrt(u0^2 - 2*W^2*(1 - cos(q))) + W)^2 + W^2*cos(q))",
+    ),
+}
+
+
+@pytest.mark.parametrize("name", BESIDE_DRIVERS)
+def test_jacobis_integral_gives_speeds_and_forces(name: str) -> None:
+    is_formula(*BESIDE_DRIVERS[name], factors=(1.0, 1.02, 0.99))
+
+
+def test_jacobis_integral_is_told_where_energy_is_not_conserved() -> None:
+    told = fb.explain(System.from_text(HOOP + "questions: [velocity of beta when beta = q]\n")).to_text()
+    assert "Jacobi's integral" in " ".join(told.split())
+    assert "T + V stays what it was" not in told
+
+
+def test_a_driver_in_a_gravity_field_leaves_no_first_integral() -> None:
+    found = posed(FLUNG.replace("loads: {}", "loads: {weight: {gravity: g}}"), "velocity of r when r = b")
+    assert "sqrt(" not in str(found.expression)
+
+
+# -- loads with a potential along the motion --------------------------------------------------
+FOLLOWED = """
+parameters: {m: 1 kg, L: 1 m, F: 8 N, g: 9.81 m/s^2, q: 60 deg, c: 3 N m, G: 4 N m^2, r0: 2 m, r1: 0.5 m, v0: 1 m/s}
+bodies: {rod: {rod: {mass: m, length: L}}}
+connections: {hinge: {pin: [ground.O, rod.start]}}
+loads: {weight: {gravity: g}, push: {force: {at: rod.end, along: rod.y, magnitude: F}}}
+measures: {th: {angle of rod from down}}
+start: {th: 0, rate(th): 0}
+"""
+WOUND = FOLLOWED.replace("along: rod.y, magnitude: F", "along: rod.y, magnitude: F*cos(th)")
+CENTRE = """
+parameters: {m: 2 kg, G: 4 N m^2, r0: 2 m, r1: 0.5 m, v0: 1 m/s}
+ground: {lines: {ray: {along: right}}}
+bodies: {star: {particle: {mass: m}}}
+connections: {guide: {slider: [star, ground.ray]}}
+loads: {pull: {law: {measure: r, force: -G/r^2}}}
+measures: {r: x of star}
+start: {r: r0, rate(r): RATE}
+"""
+FALLING, THROWN = CENTRE.replace("RATE", "0"), CENTRE.replace("RATE", "v0")
+HYPERBOLIC = FALLING.replace("-G/r^2", "-G/(r*r0)")
+
+ALONG_THE_WAY = {
+    # m L^2/6 u^2 = F L q - m g L/2 (1 - cos(q)): a jet at the tip of a rod. Meriam, ch. 6, family of the thruster
+    "follower": (FOLLOWED, "velocity of th when th = q", "sqrt(6/(m*L)*(F*q - m*g/2*(1 - cos(q))))"),
+    "follower, law": (WOUND, "velocity of th when th = q", "sqrt(6/(m*L)*(F*sin(q) - m*g/2*(1 - cos(q))))"),
+    # m v^2/2 - G/r. Kleppner & Kolenkow, ch. 5: fall towards a centre, speed of escape
+    "fall": (FALLING, "velocity of r when r = r1", "-sqrt(2*G/m*(1/r1 - 1/r0))"),
+    "thrown": (THROWN, "r when rate(r) = 0", "1/(1/r0 - m*v0^2/(2*G))"),
+    # a force like that of a charged wire: a potential with a logarithm
+    "wire": (HYPERBOLIC, "velocity of r when r = r1", "-sqrt(2*G/(m*r0)*log(r0/r1))"),
+}
+
+
+@pytest.mark.parametrize("name", ALONG_THE_WAY)
+def test_a_load_has_a_potential_along_the_motion(name: str) -> None:
+    is_formula(*ALONG_THE_WAY[name])
+
+
+def test_the_work_of_a_follower_load_is_told() -> None:
+    told = fb.explain(System.from_text(FOLLOWED + "questions: [velocity of th when th = q]\n")).to_text()
+    assert "as from a potential energy" in " ".join(told.split())
