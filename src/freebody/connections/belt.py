@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, ClassVar
 
 from freebody.connections.base import Connection
 from freebody.connections.circles import own_radius, touching
@@ -22,6 +22,8 @@ class Belt(Connection, kind="belt"):
     the same way, a crossed one opposite ways; bearings or a carrier keep the centres apart. The belt force is the
     difference of the tensions of its two runs (their sum is the pretension, which the motion does not fix),
     positive when it resists a counter-clockwise turn of the first pulley (1 row)."""
+
+    called: ClassVar[tuple[str, ...]] = ("band",)
 
     first: str
     second: str

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from freebody.connections.base import Connection, as_written
 from freebody.language.units import DIMENSIONLESS, LENGTH, TIME
@@ -20,6 +20,8 @@ if TYPE_CHECKING:
 class Driver(Connection, kind="driver"):
     """`driver: {measure: theta, follows: omega*t}`. The driving force or torque does positive work when it pushes
     the measure up (1 row)."""
+
+    called: ClassVar[tuple[str, ...]] = ("drive", "motor")
 
     measure: str | dict[str, Any]
     follows: Formula

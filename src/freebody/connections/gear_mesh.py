@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, ClassVar
 
 from freebody.connections.base import Connection
 from freebody.connections.circles import own_radius, touching
@@ -24,6 +24,8 @@ class GearMesh(Connection, kind="gear_mesh"):
     when it resists a counter-clockwise turn of the first gear. The distance of the centres is held too where no
     carrier or bearing holds it already (1 or 2 rows). `first_radius`, `second_radius` for a wheel with several
     gears on it."""
+
+    called: ClassVar[tuple[str, ...]] = ("mesh", "gear")
 
     first: str
     second: str

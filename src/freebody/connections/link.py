@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, ClassVar
 
 from freebody.connections.base import Connection
 from freebody.connections.standing import place_of
@@ -24,6 +24,8 @@ if TYPE_CHECKING:
 class Link(Connection, kind="link"):
     """`link: [ground.A, bob, L]`; without a length, the distance at the start. The force in
     it is positive when it pulls (1 row)."""
+
+    called: ClassVar[tuple[str, ...]] = ("rod", "bar", "strut")
 
     first: str
     second: str

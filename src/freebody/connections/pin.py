@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from freebody.connections.base import Connection, coincidence
 from freebody.connections.standing import stands_at
@@ -25,6 +25,8 @@ if TYPE_CHECKING:
 class Pin(Connection, kind="pin"):
     """`pin: [ground.A, rod.start]`. Holds r_second - r_first = 0 (2 rows). `friction` with the `radius` of the journal:
     the torque that resists is mu r times the force in the pin."""
+
+    called: ClassVar[tuple[str, ...]] = ("hinge", "pivot", "axle", "bearing", "pin joint", "axis")
 
     first: str
     second: str

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, ClassVar
 
 from freebody.connections.base import Connection
 from freebody.connections.joints import across_names, is_spatial
@@ -24,6 +24,8 @@ if TYPE_CHECKING:
 class PointOnLine(Connection, kind="point_on_line"):
     """`point_on_line: {point: shaft.B, through: ground.A, along: x}`: a point stays on the line through a point of
     another body, along a direction of that body; a bearing that holds across its axis alone (2 rows)."""
+
+    called: ClassVar[tuple[str, ...]] = ("guide", "wire", "rail")
 
     point: str
     through: str

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, ClassVar
 
 from freebody.connections.base import Connection
 from freebody.connections.joints import read_joint
@@ -20,6 +20,8 @@ if TYPE_CHECKING:
 class Revolute(Connection, kind="revolute"):
     """`revolute: {first: ground.A, second: rod.start, about: z}`: the axis on the first body, on the second one
     `second_axis` (the same components). Holds the points and the direction of the axis (5 rows)."""
+
+    called: ClassVar[tuple[str, ...]] = ("hinge", "pivot", "axle", "bearing", "pin")
 
     first: str
     second: str

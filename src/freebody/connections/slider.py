@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from freebody.connections.base import Connection
 from freebody.connections.standing import along_of, is_parallel, stands_at
@@ -98,6 +98,8 @@ class Slider(Connection, kind="slider"):
     """`slider: {body: block, along: right}`; `on` is the guiding body (default the ground), `through` a point
     of the guide. Holds the displacement across the guide and the angle (2 rows).
     `friction`: the force that resists is mu times the normal force."""
+
+    called: ClassVar[tuple[str, ...]] = ("guide", "rail", "track")
 
     body: str
     along: Heading

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from freebody.connections.base import Connection
 from freebody.connections.slider import guide
@@ -24,6 +24,8 @@ class Slot(Connection, kind="slot"):
     """`slot: {pin: rod.end, along: up}`; `on` is the slotted body (default the ground), `through` a point of
     the slot's centre line. Holds the displacement across the slot (1 row). `friction`: the force that resists is mu
     times the normal force."""
+
+    called: ClassVar[tuple[str, ...]] = ("guide", "groove")
 
     pin: str
     along: Heading

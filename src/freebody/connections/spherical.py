@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, ClassVar
 
 from freebody.connections.base import Connection
 from freebody.connections.joints import is_spatial, meeting
@@ -18,6 +18,8 @@ if TYPE_CHECKING:
 
 class Spherical(Connection, kind="spherical"):
     """`spherical: [ground.A, rod.start]`. Holds r_second - r_first = 0 (3 rows)."""
+
+    called: ClassVar[tuple[str, ...]] = ("ball joint", "socket")
 
     first: str
     second: str

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from freebody.connections.base import Connection, as_written
 from freebody.language.expression import add
@@ -26,6 +26,8 @@ if TYPE_CHECKING:
 class Stop(Connection, kind="stop"):
     """`stop: {measure: theta, min: 0, max: 60 deg, restitution: 0.3}`: min <= measure <= max; one of the two may be
     left out."""
+
+    called: ClassVar[tuple[str, ...]] = ("buffer",)
 
     measure: str | dict[str, Any]
     min: Formula | None = None

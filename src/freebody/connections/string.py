@@ -7,7 +7,7 @@ import math
 import re
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from pydantic import ConfigDict, Field
 
@@ -122,6 +122,8 @@ class String(Connection, kind="string"):
     `friction`: that of the drums and pulleys over which it slides, one coefficient or {drum: mu}. The tensions on both
     sides of a drum differ by up to e^(mu beta), beta the angle of wrap between leads with constant directions, or
     `wrap: {drum: 3*pi}`; ask for the tension at an end, or between two places."""
+
+    called: ClassVar[tuple[str, ...]] = ("rope", "cord", "cable", "thread", "wire", "line")
 
     start: str | None = Field(default=None, alias="from")
     to: str | None = None

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, ClassVar
 
 from freebody.connections.base import Connection, coincidence
 from freebody.connections.joints import meeting
@@ -27,6 +27,8 @@ class Weld(Connection, kind="weld"):
     """`weld: [ground.A, beam.start]`. Two points coincide and the angle between the bodies stays as it is at
     the start (3 rows). In space the second body is `turned` from the first by known rotations, such as [30 deg about
     x], and parallel to it without any (6 rows)."""
+
+    called: ClassVar[tuple[str, ...]] = ("clamp", "fixed support", "wall")
 
     first: str
     second: str

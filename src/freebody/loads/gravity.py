@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, ClassVar
 
 from freebody.language.expression import multiply
 from freebody.language.units import ACCELERATION
@@ -21,6 +21,8 @@ if TYPE_CHECKING:
 
 class Gravity(Load, kind="gravity"):
     """`gravity: g`, `gravity: {strength: g, along: down}`. Pushes each mass centre with m g."""
+
+    called: ClassVar[tuple[str, ...]] = ("weight",)
 
     strength: Formula
     along: Heading = "down"

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from freebody.language.expression import ZERO, Symbol, multiply, negate
 from freebody.language.sentences import Message
@@ -74,6 +74,8 @@ loads: {it: {spring: {first: ground.A, second: ball, stiffness: 5 N/m, length: 1
 class Damper(Load, kind="damper"):
     """`damper: {first: ground.A, second: block, damping: c}`: pulls with c dl/dt."""
 
+    called: ClassVar[tuple[str, ...]] = ("dashpot", "shock absorber")
+
     first: str
     second: str
     damping: Formula
@@ -111,6 +113,8 @@ class TorsionalSpring(Load, kind="torsional_spring"):
     """`torsional_spring: {body: rod, stiffness: k, on: ground, angle: 0}`: turns the body back with
     k (theta - angle). In space theta is the turn `about` an axis of the body that it is on."""
 
+    called: ClassVar[tuple[str, ...]] = ("spring",)
+
     body: str
     stiffness: Formula
     on: str = "ground"
@@ -138,6 +142,8 @@ loads: {it: {torsional_spring: {body: wheel, stiffness: 5 N m}}}
 class TorsionalDamper(Load, kind="torsional_damper"):
     """`torsional_damper: {body: rod, damping: c, on: ground}`: resists with c dtheta/dt. In space
     theta is the turn `about` an axis of the body that it is on."""
+
+    called: ClassVar[tuple[str, ...]] = ("damper",)
 
     body: str
     damping: Formula

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, ClassVar
 
 from freebody.language.sentences import Message
 from freebody.language.units import TORQUE
@@ -41,6 +41,8 @@ class Torque(Load, kind="torque"):
     """`torque: {on: sun, magnitude: T}`, counter-clockwise positive; `reacts_on: arm` where the motor sits on a
     body, which feels the opposite torque. In space `about` says the axis: a direction fixed in the ground, or in a body
     (`about: rotor.x`)."""
+
+    called: ClassVar[tuple[str, ...]] = ("motor", "couple", "moment")
 
     on: str
     magnitude: Formula

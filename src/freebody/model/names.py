@@ -102,8 +102,10 @@ class Names:
         self.assumptions: list[str] = []
         self._path: tuple[str | int, ...] = ()
         self.connections: Mapping[str, Joining] = {}
+        self.called: dict[str, tuple[str, ...]] = {}  # words for the kind of each body, connection and load
         self.broken: set[str] = set()  # what could not be read: told where it stands, and nowhere else
         self.is_cut_short = False  # a whole section of names could not be read
+        self.started_at_zero: set[str] = set()  # named measures that the file lets start at zero
         self.constraint_rows: list[ConstraintRow] = []
         self.loads: dict[str, Dimension] = {}  # the dimension of what each load exerts
         self.applied_loads: list[
@@ -167,6 +169,10 @@ class Names:
             yield
         finally:
             del self.problems[n_before:]
+
+    def is_broken_in(self, text: str) -> bool:
+        """Whether a text names what could not be read: it is told where that stands."""
+        return self.is_cut_short or any(name in self.broken for name in re.findall(r"\w+", text))
 
     def unknown(self, name: str, message: str, *path: str | int) -> None:
         """Notes a problem of a name that stands for nothing, but not where that follows from another problem."""

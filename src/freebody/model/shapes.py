@@ -110,6 +110,11 @@ def _axis(names: Names, spec: Shape) -> Components:
 class Particle(Shape, kind="particle"):
     """A point mass; it has no angle."""
 
+    called: ClassVar[tuple[str, ...]] = (
+        *("block", "bob", "bead", "ball", "object", "weight"),
+        *("piston", "car", "cart", "collar"),
+    )
+
     mass: Formula = 0
 
     example = "{mass: 1 kg}"
@@ -120,6 +125,8 @@ class Particle(Shape, kind="particle"):
 
 class Rod(Shape, kind="rod"):
     """A slender uniform rod from `start` to `end`, along its own x axis; I = m L^2/12."""
+
+    called: ClassVar[tuple[str, ...]] = ("bar", "beam", "ladder", "link", "crank", "stick", "pole", "arm")
 
     mass: Formula = 0
     length: Formula | None = None
@@ -146,6 +153,8 @@ class Disk(Shape, kind="disk"):
     """A uniform disk (or cylinder, pulley, gear wheel); I = m R^2/2 unless `inertia` is given. In space it is thin,
     about its `axis` (z), with half of that inertia about its diameters."""
 
+    called: ClassVar[tuple[str, ...]] = ("disc", "wheel", "cylinder", "pulley", "roller", "drum", "gear", "flywheel")
+
     mass: Formula = 0
     radius: Formula | None = None
     inertia: Formula | None = None
@@ -166,6 +175,8 @@ class Disk(Shape, kind="disk"):
 
 class Ring(Shape, kind="ring"):
     """A thin ring or hoop; I = m R^2 unless `inertia` is given. Wheels may run on its inside."""
+
+    called: ClassVar[tuple[str, ...]] = ("hoop", "wheel", "pipe")
 
     mass: Formula = 0
     radius: Formula | None = None
@@ -190,6 +201,8 @@ class Ring(Shape, kind="ring"):
 class Sphere(Shape, kind="sphere"):
     """A homogeneous ball; I = 2/5 m R^2 about any axis through its centre."""
 
+    called: ClassVar[tuple[str, ...]] = ("ball",)
+
     mass: Formula = 0
     radius: Formula | None = None
 
@@ -207,6 +220,8 @@ class Sphere(Shape, kind="sphere"):
 class Cylinder(Shape, kind="cylinder"):
     """A homogeneous cylinder about its `axis` (z): I = m R^2/2 about it, m (3 R^2 + L^2)/12 across. Points `start`,
     `end`: the middles of its ends. For models in space."""
+
+    called: ClassVar[tuple[str, ...]] = ("roller", "drum", "disk", "disc", "wheel")
 
     mass: Formula = 0
     radius: Formula
@@ -273,6 +288,8 @@ class Box(Shape, kind="box"):
     """A homogeneous block with the sides `size: [a, b, c]` along its x, y and z; I_x = m (b^2 + c^2)/12. Points: the
     middles of its faces, `left`, `right` (x), `bottom`, `top` (y), `back`, `front` (z). For models in space."""
 
+    called: ClassVar[tuple[str, ...]] = ("block", "crate", "brick")
+
     mass: Formula = 0
     size: list[Formula]
 
@@ -317,6 +334,8 @@ class Rectangle(Shape, kind="rectangle"):
     """A uniform rectangular plate or block; I = m (w^2 + h^2)/12. Points: the corners `bottom_left` ...
     and the middles `left`, `right`, `top`, `bottom` of its sides. A side that is left out is zero, unless one of
     these points is used."""
+
+    called: ClassVar[tuple[str, ...]] = ("block", "box", "crate", "plate", "plank", "cart", "car")
 
     mass: Formula = 0
     width: Formula | None = None
@@ -377,6 +396,8 @@ class Polygon(Shape, kind="polygon"):
     whose origin is the reference point `origin`; points `corner1`, `corner2` ... Area, centroid and polar
     second moment by the shoelace formulas (Green's theorem)."""
 
+    called: ClassVar[tuple[str, ...]] = ("wedge", "block", "plate")
+
     mass: Formula = 0
     corners: list[list[Formula]]
 
@@ -430,6 +451,11 @@ class Body(Shape, kind="body"):
 
     In space `inertia` is the three moments about its axes, [Ixx, Iyy, Izz], or the tensor as three rows, about the mass
     centre, or `about: origin`, or another place by components."""
+
+    called: ClassVar[tuple[str, ...]] = (
+        *("block", "cart", "car", "disk", "disc", "wheel", "cylinder", "drum"),
+        *("pulley", "gear", "plate", "platform", "crate"),
+    )
 
     mass: Formula = 0
     inertia: Formula | list[Formula] | list[list[Formula]] = 0

@@ -22,6 +22,8 @@ class Spec(BaseModel):
     model_config = ConfigDict(frozen=True, extra="forbid", strict=False, defer_build=True)
 
     kind: ClassVar[str] = ""
+    # what people call such a thing beside its kind: questions know it by these words
+    called: ClassVar[tuple[str, ...]] = ()
 
     def __init__(self, *args: Any, **named: Any) -> None:
         fields = list(type(self).model_fields)
@@ -47,6 +49,11 @@ class Spec(BaseModel):
                 {f"item {len(fields) + 1}": items[len(fields)]} if len(items) > len(fields) else {}
             )
         return {fields[0]: value}
+
+    @classmethod
+    def words(cls) -> tuple[str, ...]:
+        """What such a thing is called."""
+        return (cls.kind.replace("_", " "), *cls.called)
 
     # names of a field that takes a whole list when the value is a list
     spread: ClassVar[tuple[str, ...]] = ()

@@ -258,6 +258,9 @@ def _angular(names: Names, found: Found, path: Path) -> Quantity | None:
 def _motion(names: Names, found: Found, path: Path) -> Quantity | None:
     of, order = str(found["of"]), _ORDERS[str(found["what"])]
     if of in names.measures:
+        if found["along"]:
+            told = Message("{of} is one number, with a direction of its own; leave out 'along'", of=of)
+            names.problem(told, *path)
         return OfMeasure(names.measures[of], order, of)
     body_name, _, _point_name = of.partition(".")
     if re.fullmatch(POINT, of) and (body_name in names.bodies or not _is_phrase(of)):

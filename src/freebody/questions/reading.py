@@ -35,6 +35,7 @@ from freebody.questions.operands import (
     ratio_as_quotient,
     without_start,
 )
+from freebody.questions.spoken.understanding import understood
 from freebody.questions.turned_round import (
     EXTREME_FOR,
     REACHED,
@@ -74,6 +75,7 @@ class Question:
     options: Mapping[str, str] = field(default_factory=dict[str, str])
     key: str | None = None
     transition: Transition | None = None  # instead of an event: a contact changes its state
+    understood: str = ""  # the question in the words of the grammar
 
 
 # -- reading ----------------------------------------------------------------------------------
@@ -92,7 +94,7 @@ def read_quantity(names: Names, text: str, path: Path) -> Quantity | None:
             return form.read(names, found.groupdict(), path)
     words = text.split(" of ", maxsplit=1)[0]
     openings = {w: f.form for f in FORMS for w in re.split(r"[|,;]", f.form.split(" of ")[0])}
-    close = difflib.get_close_matches(words, [w.strip() for w in openings], n=1, cutoff=0.6)
+    close = difflib.get_close_matches(words, [w.strip() for w in openings], n=1, cutoff=0.8)
     if rate is not None and rate[1] in names.measures:
         names.problem(
             Message("cannot read '{text}'. Did you mean: velocity of {measure}", text=text, measure=rate[1]), *path
@@ -172,9 +174,10 @@ def _question(names: Names, name: str, value: Any) -> Question | None:
         if key not in known:
             names.problem(Message("a question has no {key}.{hint}", key=key, hint=did_you_mean(key, known)), key)
     text = " ".join(str(entry["find"]).split())
-    found = _asked(names, as_condition(names, text), entry.get("when"))
-    if found is None:
+    understood = _understood(names, text, entry.get("when"))
+    if understood is None:
         return None
+    found, canonical = understood
     quantity, event, at_start, transition = found.quantity, found.event, found.at_start, found.transition
     condition = event or transition
     if quantity.scope == "every motion" and (condition is not None or at_start):
@@ -202,7 +205,13 @@ def _question(names: Names, name: str, value: Any) -> Question | None:
         shown,
         None if key is None else str(key),
         transition,
+        plain(canonical),
     )
+
+
+def _understood(names: Names, text: str, when: object) -> tuple[_Asked, str] | None:
+    """What a text asks for, and the words of the grammar in which it does."""
+    return understood(names, text, lambda words: _asked(names, as_condition(names, words), when))
 
 
 _SIGN = re.compile(r"[<>=≤≥]|\b(?:is|exceeds|exceed|stays below)\b")

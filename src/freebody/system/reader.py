@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from freebody.connections.base import Connection
 from freebody.language.document import Document
+from freebody.language.expression import ZERO
 from freebody.language.natural import natural
 from freebody.language.plain_text import plain
 from freebody.language.units import ENERGY
@@ -40,12 +41,14 @@ def read_system(document: Document, file: str | None) -> SystemDescription:
     # by name: which of several leads, guides or carries something hangs on no order of the file
     names.connections = {name: connections[name] for name in sorted(connections, key=natural)}
     loads = source.specs("loads", Load.kinds)
+    names.called |= {name: spec.words() for name, spec in {**connections, **loads}.items() if name not in names.bodies}
     measures = read_measures(source)
     applied_loads = names.applied_loads = read_loads(names, loads)
     impulses = read_impulses(names, loads)
     held, offered = read_rows(names, connections, closing_at_start(source))
     contacts, limits, brakes = read_bounds(names, connections)
     start, rates = read_start(source, measures)
+    names.started_at_zero = {name for name, value in start.items() if value == ZERO}
     mode = read_mode(source)
     names.constraint_rows = [*held, *rows_to_ask_for(contacts, limits, brakes)]
     names.loads = {p.load: ENERGY / p.measure.dimension for p in applied_loads}

@@ -23,6 +23,8 @@ from freebody.system.description import SystemDescription
 from freebody.system.reader import read_system
 from freebody.system.unspecified import with_dimension
 
+LONGEST = 4000  # characters of a question
+
 
 class System(SystemDescription):
     """A system that is read, and read again with other values: `with_parameters` makes another one."""
@@ -78,7 +80,11 @@ class System(SystemDescription):
 
     # -- asking -------------------------------------------------------------------------------
     def question(self, text: str) -> Question:
-        """A question given in words. Raises ModelError if it cannot be read."""
+        """A question given in words. Raises InputError if it cannot be read."""
+        if len(text) > LONGEST:
+            raise InputError(
+                Message("a question has at most {most} characters, this one {n}", most=LONGEST, n=len(text))
+            )
         document = self.document.with_value(("questions",), [{"find": text}])
         return self._read(document, self.file).questions[0]
 

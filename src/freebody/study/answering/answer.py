@@ -62,6 +62,7 @@ class Answer:
     cases: tuple[AnswerCase, ...] = ()  # all of them, where there are several
     why_no_value: str = ""  # of an answer with an expression
     never: bool = False  # it is proved that the event does not happen after the start; `reason` says why
+    understood: str = ""  # the question in the words of the grammar
 
     @property
     def is_answered(self) -> bool:
@@ -86,6 +87,7 @@ class Answer:
         return {
             "id": self.id,
             "question": self.question,
+            "understood": self.understood or self.question,
             "expression": shown,
             "latex": self.latex,
             "unit": self.unit,
@@ -138,10 +140,20 @@ def made(
         evidence=evidence,
         cases=cases,
         why_no_value=why_no_value,
+        understood=question.understood,
     )
 
 
 def refused(question: Question, reason: str, value: Value = None, *, never: bool = False) -> Answer:
     """Why there is no closed form, with the number of the numeric route where there is one. never: it is proved that
     the event does not happen."""
-    return Answer(question.id, question.text, None, question.quantity.unit, value, reason=reason, never=never)
+    return Answer(
+        question.id,
+        question.text,
+        None,
+        question.quantity.unit,
+        value,
+        reason=reason,
+        never=never,
+        understood=question.understood,
+    )

@@ -16,6 +16,8 @@ def answer_section(answer: Answer) -> Section:
 
 
 def _blocks(answer: Answer) -> Iterator[Block]:
+    if answer.understood not in ("", answer.question):
+        yield from entries(entry("understood", answer.understood))
     if answer.expression is None:
         word = "never: " if answer.never else "" if "no closed form" in answer.reason else "no closed form: "
         yield from map(line, f"{word}{answer.reason}".splitlines())

@@ -89,6 +89,7 @@ class BodySections:
                 chain = read_chain(names, entry.get("turned", []), named=True)
             names.broken |= {turn.name for turn in chain if turn.name}
             return None
+        names.called[name] = shape.words()
         with names.at(shape.kind):
             build = self.source.open.completed(shape, name).build(names)
         offsets = self._offsets(name, entry, build)

@@ -1,0 +1,147 @@
+"""Which element of a model words stand for: a name, or what people call a thing of its kind.
+
+A kind says itself what its things are called (`Spec.called`): a string rope, cord or cable. Such a word alone stands
+for every thing that it fits; beside a name it says no more than the name does: `the left block`, `pin A`, `mass m1`.
+Names are marked («left») until the text is read, so that no rule takes them for words.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+from itertools import islice
+from typing import TYPE_CHECKING
+
+from freebody.language.expression import Symbol
+from freebody.measures.geometry import GROUND
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+OPEN, CLOSE = "«", "»"
+MARKED = rf"{OPEN}[^{OPEN}{CLOSE}]+{CLOSE}"
+MOST = 96  # ways in which the words of one text may be meant: more are no question
+_LONGEST = 4  # words of a name
+_TOKEN = re.compile(r"’\w+|[^\W\d]\w*(?:\.[^\W\d]\w*)?|\d[\w.]*|\s+|.", re.DOTALL)
+_BODY_WORDS = ("body", "mass", "element", "member", "part")
+_JOINT_WORDS = ("joint", "connection", "support")
+_POINT_WORDS = ("point", "end")
+
+# how far what is meant is from what is written
+WRITTEN, ALIKE, INFERRED = 0, 1, 3
+
+
+@dataclass(frozen=True)
+class Element:
+    """Something that a question can name, and the words for its kind."""
+
+    name: str
+    words: frozenset[str] = frozenset()
+
+
+@dataclass(frozen=True)
+class Way:
+    """The text with names put in, and how far that is from what is written."""
+
+    text: str
+    distance: int
+
+
+@dataclass
+class Elements:
+    """All that words can stand for in a model."""
+
+    exact: dict[str, Element] = field(default_factory=dict[str, Element])
+    # by words in lower case: an element, how it is written, and how far that is from its name
+    spoken: dict[tuple[str, ...], list[tuple[Element, str, int]]] = field(
+        default_factory=dict[tuple[str, ...], list[tuple[Element, str, int]]]
+    )
+
+    def add(self, name: str, words: Sequence[str] = (), said: str = "", distance: int = WRITTEN) -> None:
+        """said: how it may be called, where that is not its name."""
+        element = self.exact.setdefault(name, Element(name, frozenset(words))) if not said else self.exact[name]
+        written = said or name
+        apart = re.sub(r"(?<=[a-z])(?=[A-Z])", " ", written)
+        for key in {(written.lower(),), tuple(re.split(r"[\s_.]+", apart.lower()))}:
+            self.spoken.setdefault(key, []).append((element, written, distance))
+
+
+def elements_of(names: Names) -> Elements:
+    """What can be named in a model."""
+    found = Elements()
+    for name, body in names.bodies.items():
+        if name != GROUND:
+            found.add(name, (*names.called.get(name, ()), *_BODY_WORDS))
+            if isinstance(body.mass, Symbol):  # `mass m1`, `the acceleration of m1`
+                found.add(name, said=body.mass.name, distance=INFERRED)
+        for point in body.points:
+            found.add(f"{name}.{point}", _POINT_WORDS)
+            found.add(f"{name}.{point}", said=point, distance=INFERRED)
+    for name in names.connections:
+        found.add(name, (*names.called.get(name, ()), *_JOINT_WORDS))
+    for name in names.loads:
+        found.add(name, names.called.get(name, ()))
+    for name in (*names.measures, *names.parameters, *names.bodies[GROUND].lines):
+        found.add(name)
+    return found
+
+
+def linked(elements: Elements, text: str) -> list[Way]:
+    """The text with names put in, in every way that its words can be meant, the nearest to what is written first."""
+    tokens: list[str] = _TOKEN.findall(text)
+    ways = list(islice(_linked(elements, tokens, 0, Way("", 0)), MOST))
+    return sorted(ways, key=lambda way: way.distance)
+
+
+def _linked(elements: Elements, tokens: Sequence[str], k: int, so_far: Way) -> Iterator[Way]:
+    if k >= len(tokens):
+        yield so_far
+        return
+    for name, n, distance in _readings(elements, tokens, k):
+        shown = f"{OPEN}{name}{CLOSE}" if name else tokens[k]
+        yield from _linked(elements, tokens, k + n, Way(so_far.text + shown, so_far.distance + distance))
+
+
+def _readings(elements: Elements, tokens: Sequence[str], k: int) -> Iterator[tuple[str, int, int]]:
+    """What stands at a token: the name of an element ("" for the token itself), the number of tokens, the distance."""
+    is_unit = k > 1 and tokens[k - 2][0].isdigit() and not tokens[k - 1].strip()
+    if is_unit or not re.match(r"[^\W\d]", tokens[k]):
+        yield "", 1, WRITTEN
+        return
+    seen: set[str] = set()
+    for n in range(_LONGEST, 0, -1):
+        window = tokens[k : k + 2 * n - 1]
+        if len(window) < 2 * n - 1 or any(token.strip() for token in window[1::2]):
+            continue
+        for name, distance in _named(elements, window[::2]):
+            if name not in seen:
+                seen.add(name)
+                yield name, len(window), distance
+        if seen:
+            break
+    is_word = tokens[k].isalpha() and tokens[k].islower() and len(tokens[k]) > 1
+    if not seen or is_word or tokens[k] not in elements.exact:
+        yield "", 1, WRITTEN if tokens[k] not in elements.exact else ALIKE
+
+
+def _named(elements: Elements, written: Sequence[str]) -> Iterator[tuple[str, int]]:
+    """Elements that all of some words name, and how far they are from it."""
+    words = tuple(word.lower() for word in written)
+    meant = elements.spoken.get(words, [])
+    as_written = [found for found in meant if found[1] == " ".join(written)]
+    for element, text, distance in as_written or meant:
+        yield element.name, distance + (WRITTEN if text == " ".join(written) else ALIKE)
+    if len(words) == 1 and not as_written:  # every thing of a kind
+        of_kind = (e for e in elements.exact.values() if "." not in e.name and words[0] in e.words)
+        yield from ((element.name, INFERRED) for element in of_kind)
+    for k in range(1, len(words)):  # a name beside the word for its kind
+        for rest, kind in ((written[:k], words[k:]), (written[k:], words[:k])):
+            for element, text, _distance in elements.spoken.get(tuple(w.lower() for w in rest), []):
+                if " ".join(kind) in element.words:
+                    yield element.name, WRITTEN if text == " ".join(rest) else ALIKE
+
+
+def plain_names(text: str) -> str:
+    """The text without the marks of names."""
+    return text.replace(OPEN, "").replace(CLOSE, "")

@@ -1,0 +1,270 @@
+"""Questions as people type them are read as the question of the grammar that they mean, or not at all."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+import freebody as fb
+from freebody.errors import InputError, ModelError
+from freebody.questions.reading import Question
+from freebody.system.system import System
+
+EXAMPLES = Path(__file__).parents[1] / "examples"
+
+# by example: what is typed, and what it means
+SPOKEN: dict[str, list[tuple[str, str]]] = {
+    "atwood_machine": [
+        ("What is the acceleration of the left block?", "acceleration of left"),
+        ("what's the acceleration of left", "acceleration of left"),
+        ("Find the acceleration of mass m1.", "acceleration of left"),
+        ("acceleration of m1", "acceleration of left"),
+        ("the left mass's acceleration", "acceleration of left"),
+        ("left block acceleration", "acceleration of left"),
+        ("How fast does the left mass accelerate?", "acceleration of left"),
+        ("rope tension at left", "tension of rope at left"),
+        ("What is the tension in the rope at the left mass?", "tension of rope at left"),
+        ("tension in the string at m2", "tension of rope at right"),
+        ("Calculate the tension in the cord on the side of the right block", "tension of rope at right"),
+        ("the string tension between the pulley and the right mass", "tension of rope between pulley and right"),
+        ("What is the angular acceleration of the pulley?", "angular acceleration of pulley"),
+        ("How fast is the pulley spinning when x1 = 1 m?", "angular velocity of pulley when x1 = 1 m"),
+        ("What is the reaction at the axle?", "reaction of axle"),
+        ("force in the axle", "reaction of axle"),
+        ("vertical reaction at the axle", "vertical reaction of axle"),
+        ("bearing force at the axle", "reaction of axle"),
+        ("How many degrees of freedom does the system have?", "degrees of freedom"),
+        ("number of DOF", "degrees of freedom"),
+        ("mobility of the mechanism", "degrees of freedom"),
+        ("Is the total energy constant?", "is total energy conserved"),
+        ("Does the mechanical energy stay constant?", "is total energy conserved"),
+        ("kinetic energy of the system when x1 = 1 m", "kinetic energy when x1 = 1 m"),
+        ("How long does it take until x1 = 2 m?", "time when x1 = 2 m"),
+        ("time needed until x1 reaches 2 m", "time when x1 = 2 m"),
+        ("How fast is the left block going once x1 reaches 1 m?", "speed of left when x1 = 1 m"),
+        ("velocity of the left mass after 2 s", "velocity of left after 2 s"),
+        ("What velocity does the left mass have at t = 2 s?", "velocity of left at t = 2 s"),
+        ("Beschleunigung der linken Masse", "acceleration of left"),
+        ("Wie groß ist die Beschleunigung von x1?", "acceleration of x1"),
+        ("Wie groß ist die Seilkraft an der Masse m1?", "tension of rope at left"),
+        ("Seilkraft im Seil am rechten Block", "tension of rope at right"),
+        ("Winkelbeschleunigung der Rolle", "angular acceleration of pulley"),
+        ("Wie viele Freiheitsgrade hat das System?", "degrees of freedom"),
+        ("Bleibt die Gesamtenergie erhalten?", "is total energy conserved"),
+        ("Geschwindigkeit von x1 nach 2 s", "velocity of x1 after 2 s"),
+        ("Welche Geschwindigkeit hat die linke Masse, wenn x1 = 1 m?", "velocity of left when x1 = 1 m"),
+        ("Wie lange dauert es, bis x1 = 2 m?", "time when x1 = 2 m"),
+    ],
+    "sphere_launched_down_incline": [
+        ("When does the ball start rolling?", "time when ball begins to roll"),
+        ("when does it begin to roll without slipping", "time when rolling begins"),
+        ("After what time does the sphere roll?", "time when ball rolls"),
+        ("How long does it take for the ball to start rolling?", "time when ball begins to roll"),
+        ("time until rolling begins", "time when rolling begins"),
+        ("How long does the ball slide?", "time when slip of ball ends"),
+        ("velocity when pure rolling begins", "velocity of x when rolling begins"),
+        ("With what speed does the sphere start to roll?", "speed of ball when ball begins to roll"),
+        ("How far does the ball travel before it rolls without slipping?", "change of x until it rolls"),
+        ("distance travelled by the ball until rolling begins", "change of x until rolling begins"),
+        ("energy dissipated before pure rolling sets in", "energy lost until rolling begins"),
+        ("How much energy is lost until the ball starts rolling?", "energy lost until ball begins to roll"),
+        ("How much heat is produced until rolling begins?", "energy lost until rolling begins"),
+        ("how many revolutions does the ball make until it starts rolling", "turns of ball until it begins to roll"),
+        ("friction on the ball", "friction force of contact"),
+        ("What is the normal force between the ball and the incline?", "normal force of contact"),
+        ("normal reaction on the sphere", "normal force of contact"),
+        ("the frictional force right after release", "friction force of contact at start"),
+        ("initial acceleration of the sphere", "acceleration of ball at start"),
+        ("acceleration of the ball along the incline", "acceleration of ball along incline"),
+        ("acceleration down the incline", "acceleration of ball along incline"),
+        (
+            "angular speed of the sphere at the moment when rolling begins",
+            "angular velocity of ball when rolling begins",
+        ),
+        ("speed of the ball after it has moved 0.5 m", "speed of ball when x = 0.5 m"),
+        ("Wann beginnt die Kugel zu rollen?", "time when ball begins to roll"),
+        ("Welche Geschwindigkeit hat die Kugel, wenn das Rollen beginnt?", "velocity of ball when rolling begins"),
+        ("Reibkraft an der Kugel", "friction force of contact"),
+        ("Wie weit rutscht die Kugel, bis sie rollt?", "change of x until it begins to roll"),
+        ("Wie viele Umdrehungen macht die Kugel, bis sie rollt?", "turns of ball until it begins to roll"),
+        ("Energieverlust bis das Rollen beginnt", "energy lost until rolling begins"),
+    ],
+    "slider_crank": [
+        ("How fast is the piston moving?", "speed of piston"),
+        ("speed of the piston", "speed of piston"),
+        ("horizontal velocity of the piston", "velocity of piston along right"),
+        ("x-component of acceleration of the piston", "acceleration of piston along right"),
+        ("angular velocity of the connecting rod", ""),
+        ("angular velocity of the rod", "angular velocity of rod"),
+        ("rotational speed of the crank", "angular velocity of crank"),
+        ("How fast is the crank rotating?", "angular velocity of crank"),
+        ("reaction at the main bearing", "reaction of main"),
+        ("force in the wristpin", "reaction of wristpin"),
+        ("instantaneous center of rotation of the rod", "instant centre of rod"),
+        ("velocity of the end of the crank", ""),
+        ("velocity of point crank.end", "velocity of crank.end"),
+        ("acceleration of the piston for theta = 90 deg", "acceleration of piston when theta = 90 deg"),
+    ],
+    "ladder_against_wall": [
+        (
+            "What is the smallest coefficient of friction so that the ladder does not slip?",
+            "least mu so that it stays at rest",
+        ),
+        ("minimum friction coefficient required for equilibrium", "least mu so that it stays at rest"),
+        ("smallest mu for which the ladder stays at rest", "least mu so that it stays at rest"),
+        ("maximum distance d such that the ladder does not slip", "largest d so that it stays at rest"),
+        ("largest d before the ladder slips", "largest d so that it stays at rest"),
+        ("minimum angle alpha so that nothing slips", "least alpha so that it stays at rest"),
+        ("Does the ladder stay at rest?", "does it hold"),
+        ("normal force at the wall", ""),
+        ("normal force from the floor", ""),
+        ("friction at the floor", ""),
+        ("Normalkraft an der Wand", ""),
+        ("kleinste Haftreibungszahl, damit die Leiter nicht rutscht", "least mu so that it stays at rest"),
+    ],
+    "disk_rolling_down_incline": [
+        ("How long does it take until s = 2 m?", "time when s = 2 m"),
+        ("acceleration of the disk's center", "acceleration of disk.center"),
+        ("the disk's acceleration", "acceleration of disk"),
+        ("What is the velocity of the disc after it has rolled a distance of 2 m?", "velocity of disk when s = 2 m"),
+        ("friction force on the disk", "friction force of contact"),
+        ("friction force between the disk and the incline", "friction force of contact"),
+    ],
+    "incline_with_pulley": [
+        ("What is the tension in the rope at the block?", "tension of rope at block"),
+        ("tension at the weight", "tension of rope at weight"),
+        ("normal force on the block", "normal force of incline"),
+        ("What force does the axle exert on the pulley?", "reaction of axle on pulley"),
+        ("acceleration of the block up the incline", ""),
+        ("acceleration of s", "acceleration of s"),
+    ],
+    "simple_pendulum": [
+        ("tension in the rod when theta = 0", "tension of rod when theta = 0"),
+        ("How fast is the bob when theta is 0?", "speed of bob when theta = 0"),
+        ("period of small oscillations", "period of small oscillations"),
+        ("What is the period for small oscillations?", "period of small oscillations"),
+        ("natural frequency of the system", "natural frequency"),
+        ("Schwingungsdauer kleiner Schwingungen", "period of small oscillations"),
+    ],
+    "mass_on_spring": [
+        ("equilibrium position of y", "equilibrium of y"),
+        ("What is the natural angular frequency?", "natural frequency"),
+        ("force of the spring", "force in spring"),
+        ("what is the spring force", "force in spring"),
+        ("Eigenfrequenz des Systems", "natural frequency"),
+        ("Ruhelage von y", "equilibrium of y"),
+    ],
+    "planetary_gear": [
+        ("What is the angular acceleration of the sun?", "angular acceleration of sun"),
+        ("tooth force of sun_P1", "tooth force of sun_P1"),
+        ("tooth force in the gear mesh sun_P1", "tooth force of sun_P1"),
+        ("tooth force between the sun and P1", "tooth force of sun_P1"),
+        (
+            "ratio of the angular velocity of P1 to the angular velocity of the sun",
+            "ratio of angular velocity of P1 to angular velocity of sun",
+        ),
+        ("How many degrees of freedom are there?", "degrees of freedom"),
+    ],
+    "block_on_rough_incline": [
+        ("When does the block stop?", "time when block stops"),
+        ("How far does the block slide before it stops?", "change of x until it stops"),
+        ("Where does the block stop?", "x when block stops"),
+        ("energy lost to friction until the block comes to rest", "energy lost until block comes to rest"),
+        ("initial friction force of the contact", "friction force of contact at start"),
+        ("deceleration of the block", ""),
+    ],
+    "cart_and_pendulum": [
+        ("acceleration of the cart at the beginning", "acceleration of cart at start"),
+        ("acceleration of the cart immediately after release", "acceleration of cart at start"),
+        ("force in the hinge", "reaction of hinge"),
+        ("momentum of the system along right", "linear momentum along right"),
+        ("Is the horizontal momentum conserved?", "is linear momentum along right conserved"),
+    ],
+    "bouncing_ball": [
+        ("When does the ball hit the floor?", "time when ball hits floor"),
+        ("With what speed does the ball hit the floor?", "speed of ball when ball hits floor"),
+        ("How long until the ball touches the floor?", "time when ball touches floor"),
+        ("Mit welcher Geschwindigkeit trifft die Kugel auf den Boden?", "velocity of ball when ball hits floor"),
+    ],
+}
+CASES = [
+    pytest.param(name, said, meant, id=f"{name}-{said}") for name, pairs in SPOKEN.items() for said, meant in pairs
+]
+
+
+@cache
+def example(name: str) -> System:
+    return fb.System.load(EXAMPLES / f"{name}.yaml")
+
+
+def meaning(question: Question) -> str:
+    """What a question asks for, whatever its words."""
+    event, transition = question.event, question.transition
+    timed = None if event is None else replace(event, text="")
+    changed = None if transition is None else replace(transition, text="")
+    return str((question.quantity, timed, question.at_start, changed))
+
+
+@pytest.mark.parametrize(("name", "said", "meant"), CASES)
+def test_a_question_in_ones_own_words_is_that_of_the_grammar_or_none(name: str, said: str, meant: str) -> None:
+    system = example(name)
+    if not meant:
+        with pytest.raises(ModelError):
+            system.question(said)
+        return
+    found, expected = system.question(said), system.question(meant)
+    assert meaning(found) == meaning(expected), found.understood
+
+
+@pytest.mark.parametrize(
+    ("said", "told"),
+    [
+        ("What is the angular velocity of the carrier?", "there is no body carrier"),
+        ("tension of the ropee", "there is no connection ropee. Did you mean rope?"),
+        ("friction in the axle", "axle has no friction force"),
+        ("tension in the rope", "rope has several values of tension; say which: at BODY"),
+    ],
+)
+def test_what_the_model_lacks_is_said(said: str, told: str) -> None:
+    with pytest.raises(ModelError, match=told):
+        example("atwood_machine").question(said)
+
+
+def test_what_cannot_be_read_is_answered_with_questions_of_this_model() -> None:
+    system = example("atwood_machine")
+    with pytest.raises(ModelError) as error:
+        system.question("tell me everything about the tension")
+    suggested = [line.strip() for line in str(error.value).splitlines()[1:]]
+    assert 1 <= len(suggested) <= 5
+    for question in suggested:
+        assert system.question(question).understood == question
+    assert any(question.startswith("tension of rope at ") for question in suggested)
+
+
+def test_what_can_be_meant_in_two_ways_is_refused_with_both() -> None:
+    with pytest.raises(ModelError, match=r"can be meant in several ways. Ask for\s+speed of left\s+speed of right"):
+        example("atwood_machine").question("How fast is the block moving?")
+
+
+def test_the_sense_of_a_measure_does_not_make_its_speed_negative() -> None:
+    text = "speed of x1 when x1 = -1 m"
+    system = example("atwood_machine").with_parameters(m1="1 kg")
+    [answer] = fb.solve(system, question=text).answers
+    assert answer.understood == "|velocity of x1| when x1 = -1 m"
+    assert isinstance(answer.value, float)
+    assert answer.value > 0.0
+
+
+def test_questions_are_shown_as_they_were_understood() -> None:
+    found = fb.solve(example("atwood_machine"), question="What is the acceleration of the left block?")
+    [answer] = found.answers
+    assert answer.to_plain()["understood"] == "acceleration of left"
+
+
+@pytest.mark.parametrize("text", ["a" * 100_000, "the " * 20_000, "when " * 60, "(" * 250, "of left " * 30])
+def test_hostile_questions_are_refused(text: str) -> None:
+    with pytest.raises(InputError):
+        example("atwood_machine").question(text)
