@@ -33,7 +33,7 @@ def closing(context: Context, question: Question, answer: Answer) -> list[Deriva
 
 
 def _result(context: Context, script: Script, question: Question, answer: Answer) -> None:
-    is_told = question.quantity.scope == "rest" or question.quantity.wanted is not None
+    is_told = question.quantity.scope in ("rest", "linkage") or question.quantity.wanted is not None
     if answer.expression is not None and not is_told:
         n = len(answer.expression) if isinstance(answer.expression, tuple) else 1
         name = asked_symbol(context, question, n)
@@ -41,7 +41,7 @@ def _result(context: Context, script: Script, question: Question, answer: Answer
         with suppress(CannotAnswer, ExpressionError):
             script.line(*sides, when=_when(question))
     if answer.conditions and question.quantity.scope != "every motion":  # that is what was derived
-        key = "steady.verdict" if question.quantity.is_verdict else "result.holds"
+        key = question.quantity.verdict if question.quantity.is_verdict else "result.holds"
         script.say(key, conditions=tuple(ready(c) for c in answer.conditions))
     script.add_all(limiting_cases(context, question, answer))
     if answer.unit not in ("", "1"):
@@ -50,7 +50,7 @@ def _result(context: Context, script: Script, question: Question, answer: Answer
     if answer.value is not None:
         values = answer.value if isinstance(answer.value, tuple) else (answer.value,)
         shown = ", ".join(f"{v:.5g}" for v in values)
-        unit = "" if answer.unit == "1" else f" {raised(answer.unit)}"
+        unit = "" if answer.unit in ("", "1") else f" {raised(answer.unit)}"
         script.say("result.value", value=f"@{shown}{unit}")
     if answer.notes:
         script.add(Listing(tuple(Sentence("result.note", {"text": ready(note)}) for note in answer.notes)))

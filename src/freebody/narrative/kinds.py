@@ -26,6 +26,7 @@ _PLACES: dict[Scope, str] = {
     "repeated motion": "questions.period",
     "small motion": "questions.small",
     "steady motion": "steady.steady",
+    "linkage": "questions.linkage",
 }
 
 

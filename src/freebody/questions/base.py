@@ -34,6 +34,7 @@ Scope = Literal[
     "small motion",  # equilibrium, and small oscillations about it
     "every motion",  # what all motions have in common: conservation
     "structure",  # whatever moves: degrees of freedom
+    "linkage",  # the geometry of a loop, whatever moves it
 ]
 S_co = TypeVar("S_co", covariant=True)
 
@@ -159,8 +160,9 @@ class Quantity:
     is_of_start: ClassVar[bool] = False
     # whether it is a force or moment that a connection transmits
     is_reaction: ClassVar[bool] = False
-    # whether the conditions are the answer: a verdict
+    # whether the conditions are the answer: a verdict, and the key of the sentence that gives it
     is_verdict: ClassVar[bool] = False
+    verdict: ClassVar[str] = "steady.verdict"
     # whether the equilibrium that is meant is a stable one, where there are several
     is_about_stable: ClassVar[bool] = False
 

@@ -223,7 +223,7 @@ def _connections(names: Names, name: str, path: Path) -> tuple[str, ...]:
 def as_condition(names: Names, text: str) -> str:
     """'when does the block slip' and 'where does it leave the surface' in the words of the grammar."""
     found = re.match(r"^(?:[Ww]hen|at what time) (?:does|do|will) (?P<event>.+?)\??$", text)
-    if found is not None:
+    if found is not None and not re.match(r"the (?:loop|linkage|mechanism) (?:assemble|close)", found["event"]):
         return f"time when {found['event']}"
     found = re.match(r"^[Ww]here (?:does|do|will) (?P<event>.+?)\??$", text)
     if found is not None and names.measures:

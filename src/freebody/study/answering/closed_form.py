@@ -100,7 +100,11 @@ class QuestionSolver:
     def _number_instead(self) -> Value:
         """The value of the numeric route where there is no closed form, at the start or at the event."""
         q = self.question
-        if not self.setup.has_values or q.quantity.scope == "steady motion" or q.quantity.wanted is not None:
+        if (
+            not self.setup.has_values
+            or q.quantity.scope in ("steady motion", "linkage")
+            or q.quantity.wanted is not None
+        ):
             return None
         return number_of(self.setup, q.quantity, q.event)
 
@@ -114,6 +118,10 @@ class QuestionSolver:
             from freebody.study.steady.ask import find
 
             return find(self.setup, self.question)
+        if q.scope == "linkage":
+            from freebody.study.mobility.loop_answers import find as find_of_loop
+
+            return find_of_loop(self.setup, self.question)
         if self.question.event is not None:
             return self._at_event(q)
         return self._found(q)

@@ -28,10 +28,15 @@ Place = tuple[str, Components]  # a point by body and components
 
 @dataclass(frozen=True)
 class LoopJoint:
-    """A node of a loop: the connections that make it, and one of its points."""
+    """A node of a loop: the connections that make it, one of its points, and all of them."""
 
     name: str
     point: Point
+    points: tuple[Point, ...] = ()
+
+    def on(self, body: str) -> Point | None:
+        """The node as a point of a body; None where it has none there."""
+        return next((p for p in self.points if p.body == body), None)
 
 
 @dataclass(frozen=True)
@@ -69,6 +74,7 @@ class SliderCrank:
     sliding: str  # the connection that guides
     joints: tuple[LoopJoint, LoopJoint, LoopJoint]  # O, B, W
     along: Direction
+    through: Point  # of the guide's line
 
     @property
     def kind(self) -> str:
@@ -116,7 +122,9 @@ class _Node:
 
     @property
     def joint(self) -> LoopJoint:
-        return LoopJoint(" and ".join(dict.fromkeys(self.connections)) or str(self.points[0]), self.points[0])
+        return LoopJoint(
+            " and ".join(dict.fromkeys(self.connections)) or str(self.points[0]), self.points[0], tuple(self.points)
+        )
 
 
 @dataclass(frozen=True)
@@ -125,6 +133,7 @@ class _Slide:
     guide: str
     along: Direction
     connection: str
+    through: Point
 
 
 class _Graph:
@@ -197,16 +206,16 @@ class _Graph:
             return
         guide = across.along.body
         point = across.of if across.of.body != guide else across.origin
-        along = across.along.normal().reversed()
+        along, base = across.along.normal().reversed(), across.of if point is across.origin else across.origin
         moved = self._group[point.body]
         keeps_angle = len(rows) == 2
         self._node(point)
         for k, node in enumerate(self.nodes):
             groups = {self._group[p.body] for p in node.points}
             if any(_place(p) == _place(point) for p in node.points) or (keeps_angle and moved in groups):
-                yield _Slide(k, self._group[guide], along, connection)
+                yield _Slide(k, self._group[guide], along, connection, base)
             elif keeps_angle and self._group[guide] in groups:
-                yield _Slide(k, moved, along, connection)
+                yield _Slide(k, moved, along, connection, base)
 
 
 def _place(point: Point) -> Place:
@@ -291,7 +300,11 @@ def _slider_cranks(graph: _Graph) -> Iterator[SliderCrank]:
                     if len({o, b, slide.node}) == 3:
                         joints = graph.nodes[o].joint, graph.nodes[b].joint, graph.nodes[slide.node].joint
                         fixed = GROUND if GROUND in (slide.guide, crank, rod) else None
-                        found.append(SliderCrank(slide.guide, crank, rod, fixed, slide.connection, joints, slide.along))
+                        found.append(
+                            SliderCrank(
+                                slide.guide, crank, rod, fixed, slide.connection, joints, slide.along, slide.through
+                            )
+                        )
     # a guide on the ground first: the same loop seen from its slider is told once
     yield from sorted(found, key=lambda loop: loop.guide != GROUND)
 

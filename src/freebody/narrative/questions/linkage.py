@@ -1,0 +1,316 @@
+"""A loop of four links: its diagonal by the law of cosines, from it what can turn, reverse, and how it transmits."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import singledispatch
+
+from freebody.errors import CannotAnswer
+from freebody.language.expression import Call, Expr, Symbol, add, multiply, negate, number, power
+from freebody.language.sentences import Message
+from freebody.measures.geometry import GROUND, position, unit
+from freebody.narrative.context import Context, Method, refuse
+from freebody.narrative.lines.glossary import Meaning, World
+from freebody.narrative.lines.naming import fresh
+from freebody.narrative.lines.script import Argument, DerivationStage, FormulaTable, Script, Sentence, ready
+from freebody.questions.base import Quantity
+from freebody.questions.linkages import Assembly, DeadPoints, FullTurn, TransmissionAngle
+from freebody.questions.motion import OfMeasure
+from freebody.questions.reading import Question
+from freebody.questions.steady import Extremes
+from freebody.study.answering.answer import Answer
+from freebody.study.answering.crosscheck import SaysNothing, element_at
+from freebody.study.mobility.dead_points import DeadPoint, bars_of, dead_points, needs_of, transmission_extreme
+from freebody.study.mobility.four_links import FourLinks
+from freebody.study.mobility.linkages import FourBar, LoopJoint, SliderCrank
+from freebody.study.mobility.loop_answers import (
+    extreme_in_numbers,
+    four_links,
+    nearest,
+    output_of,
+    reversing,
+    transmission_in_numbers,
+)
+from freebody.symbolic.conditions import Condition
+from freebody.symbolic.tidy import tidy
+
+_TWO = number(2)
+
+
+@dataclass(frozen=True)
+class _Told:
+    """What the derivation of one question is written with. line: that of the distance between the links, by its
+    symbol."""
+
+    context: Context
+    question: Question
+    answer: Answer
+    links: FourLinks
+    script: Script
+    line: int
+    distance: Symbol
+
+
+def derive(context: Context, question: Question, answer: Answer, method: Method) -> list[DerivationStage]:
+    """Raises CannotAnswer where the solver has no formula."""
+    refuse(method, (), Message("the geometry of a loop"))
+    if answer.expression is None:
+        raise CannotAnswer(answer.reason or Message("there is no closed form"))
+    try:
+        links = four_links(context.setup)
+    except CannotAnswer:
+        return _elsewhere(question.quantity, context, question, answer)
+    needs = _needs(question.quantity, links)
+    script = Script(context.glossary.where(lambda world: _hold(links, needs, world)), context.next_number)
+    with script.stage("linkage.loop", "linkage.loop_hint"):
+        _lengths(script, links)
+        line, distance = _diagonal(context, script, links)
+    with script.stage("linkage.conclusion", "linkage.conclusion_hint"):
+        _concluded(question.quantity, _Told(context, question, answer, links, script, line, distance))
+    return script.stages
+
+
+@singledispatch
+def _elsewhere(q: Quantity, context: Context, question: Question, answer: Answer) -> list[DerivationStage]:
+    """In another mechanism: through its coordinate."""
+    script = context.script()
+    with script.stage("linkage.conclusion", "linkage.coordinate_hint"):
+        names = tuple(Symbol(c.name) for c in context.setup.model.coordinates)
+        script.say("linkage.coordinate", names=names)
+    return script.stages
+
+
+@_elsewhere.register(DeadPoints)
+def _(q: DeadPoints, context: Context, question: Question, answer: Answer) -> list[DerivationStage]:
+    from freebody.narrative.steady.extremes import tell_extremes
+
+    return tell_extremes(context, question, answer, Extremes(OfMeasure(q.of, 0, q.name), None))
+
+
+@singledispatch
+def _needs(q: Quantity, links: FourLinks) -> list[Condition]:
+    """Without what the formulas of the answer are not true."""
+    return []
+
+
+@_needs.register(DeadPoints)
+def _(q: DeadPoints, links: FourLinks) -> list[Condition]:
+    return needs_of(links)
+
+
+@_needs.register(TransmissionAngle)
+def _(q: TransmissionAngle, links: FourLinks) -> list[Condition]:
+    if not q.end:
+        return []
+    return [*needs_of(links), *transmission_extreme(links, is_least=q.end == "least")[1]]
+
+
+@singledispatch
+def _concluded(q: Quantity, told: _Told) -> None:
+    """What follows from the distance that has to be bridged."""
+    raise CannotAnswer(Message("this is no question about a linkage"))
+
+
+def _hold(links: FourLinks, needs: list[Condition], world: World) -> bool:
+    draw = world.draw
+    return all(element_at(links.setup, c.element, draw, draw.start())[0] >= 0 for c in needs)
+
+
+# -- the loop ---------------------------------------------------------------------------------
+def _lengths(script: Script, links: FourLinks) -> None:
+    loop = links.loop
+    header = (Sentence("linkage.table_link"), Sentence("linkage.table_length"))
+    rows: list[tuple[Sentence | Expr | str, ...]] = []
+    for link in loop.links:
+        is_offset = isinstance(loop, SliderCrank) and link == loop.guide
+        role = Sentence("linkage.offset") if is_offset else Sentence("linkage.ground") if link == GROUND else link
+        rows.append((role, tidy(links.lengths[link])))
+    script.add(FormulaTable(header, tuple(rows)))
+
+
+def _at(world: World, joint: LoopJoint) -> tuple[float, float]:
+    r = position(world.snapshot.geometry, joint.point)
+    return r.x.value, r.y.value
+
+
+def _angle_between(a: LoopJoint, b: LoopJoint, c: LoopJoint) -> Callable[[World], float]:
+    """From a to b, counted from the direction from a to c."""
+
+    def read(world: World) -> float:
+        p, q, r = (_at(world, joint) for joint in (a, b, c))
+        turned = math.atan2(q[1] - p[1], q[0] - p[0]) - math.atan2(r[1] - p[1], r[0] - p[0])
+        return math.remainder(turned, math.tau)
+
+    return read
+
+
+def _diagonal(context: Context, script: Script, links: FourLinks) -> tuple[int, Symbol]:
+    """The line for what the two links at the crank's pin leave between their ends, and its symbol."""
+    loop = links.loop
+    if isinstance(loop, SliderCrank) and loop.fixed == loop.guide:
+        return _height(context, script, links, loop)
+    if isinstance(loop, FourBar):
+        bars = bars_of(links)
+        pivot, pin, _far, other = bars.joints
+        a, d, crank = bars.a, bars.d, bars.crank
+    else:
+        P, B, W = loop.joints
+        pivot, pin, other = (B, W, P) if loop.fixed == loop.crank else (B, P, W)
+        a, d = links.lengths[loop.crank], links.lengths[loop.rod]
+        a, d, crank = (d, a, loop.rod) if loop.fixed == loop.crank else (a, d, loop.crank)
+    D, beta = Symbol(fresh(context, "D", "D_1")), Symbol(fresh(context, "beta", "beta_c", "beta_1"))
+    names: dict[str, Argument] = {"from": pin.name, "to": other.name}
+    _introduce(
+        script,
+        Meaning(D, Sentence("linkage.diagonal_symbol", names), lambda w: math.dist(_at(w, pin), _at(w, other)), "m"),
+        Meaning(beta, Sentence("linkage.angle_symbol", {"crank": crank}), _angle_between(pivot, pin, other), "rad"),
+    )
+    squares = add(power(tidy(a), _TWO), power(tidy(d), _TWO))
+    right = add(squares, negate(multiply(_TWO, tidy(a), tidy(d), Call("cos", beta))))
+    return script.line(power(D, _TWO), right, why="linkage.cosines"), D
+
+
+def _height(context: Context, script: Script, links: FourLinks, loop: SliderCrank) -> tuple[int, Symbol]:
+    """How far the crankpin is off the guide's line."""
+    P, B, W = loop.joints
+    y, beta = Symbol(fresh(context, "h", "h_B", "h_1")), Symbol(fresh(context, "beta", "beta_c", "beta_1"))
+
+    def off(world: World) -> float:
+        along = unit(world.snapshot.geometry, loop.along)
+        p, q = _at(world, B), _at(world, W)
+        return along.x.value * (p[1] - q[1]) - along.y.value * (p[0] - q[0])
+
+    def angle(world: World) -> float:
+        along = unit(world.snapshot.geometry, loop.along)
+        p, q = _at(world, P), _at(world, B)
+        return math.remainder(math.atan2(q[1] - p[1], q[0] - p[0]) - math.atan2(along.y.value, along.x.value), math.tau)
+
+    _introduce(
+        script,
+        Meaning(y, Sentence("linkage.height_symbol", {"joint": B.name}), off, "m"),
+        Meaning(beta, Sentence("linkage.guide_angle_symbol", {"crank": loop.crank}), angle, "rad"),
+    )
+    r, e = links.lengths[loop.crank], links.lengths[loop.guide]
+    right = add(multiply(tidy(r), Call("sin", beta)), negate(tidy(e)))
+    return script.line(y, right, why="linkage.height"), y
+
+
+def _introduce(script: Script, *meanings: Meaning) -> None:
+    for meaning in meanings:
+        script.glossary.redefine(meaning)
+    script.introduce(*meanings)
+
+
+# -- what follows -----------------------------------------------------------------------------
+@_concluded.register(Assembly)
+def _assembly(q: Assembly, told: _Told) -> None:
+    told.script.say("linkage.polygon" if isinstance(told.links.loop, FourBar) else "linkage.reach")
+
+
+@_concluded.register(FullTurn)
+def _turn(q: FullTurn, told: _Told) -> None:
+    script, links, line, loop = told.script, told.links, told.line, told.links.loop
+    if isinstance(loop, FourBar):
+        others = tuple(name for name in loop.links if name not in (q.link, GROUND))
+        script.say("linkage.turn_bars", link=q.link, first=others[0], second=others[1])
+    elif loop.fixed == loop.guide:
+        other = loop.rod if q.link == loop.crank else loop.crank
+        script.say("linkage.turn_guide", link=q.link, other=other)
+    elif q.link == loop.guide:
+        script.say("linkage.turn_lever", link=q.link, line=line)
+    else:
+        script.say("linkage.turn_driver", link=q.link, guide=loop.guide, line=line)
+    script.say("linkage.therefore", condition=ready(links.turning(q.link).says))
+
+
+@_concluded.register(DeadPoints)
+def _dead(q: DeadPoints, told: _Told) -> None:
+    script, links, loop = told.script, told.links, told.links.loop
+    found = dead_points(links, q.of, q.name)
+    is_lever = isinstance(loop, SliderCrank) and loop.fixed != loop.guide
+    coupler = loop.coupler if isinstance(loop, FourBar) else loop.rod
+    key = "linkage.lever_reverses" if is_lever else "linkage.reverses"
+    script.say(key, output=output_of(links), crank=links.crank, coupler=coupler)
+    names = [_asked(told.context, told.question, k, len(found)) for k in range(len(found))]
+    for name, point in zip(names, found, strict=True):
+        what = Sentence("linkage.dead_symbol", {"name": q.name, "where": ready(point.where)})
+        _introduce(script, Meaning(name, what, _reader(links, q, point), q.unit))
+    for name, point in zip(names, found, strict=True):
+        _triangle(script, links, point)
+        script.line(name, tidy(point.value), why="linkage.from_triangle", when="never")
+
+
+def _asked(context: Context, question: Question, k: int, n: int) -> Symbol:
+    own = question.id if question.id.isidentifier() else "result"
+    return Symbol(fresh(context, own if n == 1 else f"{own}_{k + 1}", f"{own}_asked{k + 1}"))
+
+
+def _reader(links: FourLinks, q: DeadPoints, point: DeadPoint) -> Callable[[World], float]:
+    """Where the output reverses in numbers."""
+
+    def read(world: World) -> float:
+        try:
+            there = reversing(links, world.draw, q.of)
+        except SaysNothing as error:
+            raise CannotAnswer(str(error)) from None
+        (x,) = element_at(links.setup, point.value, world.draw, world.draw.start())
+        return nearest(x, there, is_angle=q.unit == "rad")
+
+    return read
+
+
+def _triangle(script: Script, links: FourLinks, point: DeadPoint) -> None:
+    """What the three sides are then."""
+    loop = links.loop
+    if isinstance(loop, FourBar):
+        bars = bars_of(links)
+        sides = tuple(tidy(x) for x in (point.reach, bars.d, bars.c))
+        script.say("linkage.triangle", where=ready(point.where), sides=sides)
+    elif loop.fixed == loop.guide:
+        e = tidy(links.lengths[loop.guide])
+        script.say("linkage.right_triangle", where=ready(point.where), long=tidy(point.reach), short=e)
+    else:
+        d = links.lengths[loop.crank if loop.fixed == loop.crank else loop.rod]
+        e = links.lengths[loop.guide]
+        short = tidy(links.field.lowest_terms(point.reach - e))
+        script.say("linkage.right_triangle", where=ready(point.where), long=tidy(d), short=short)
+
+
+@_concluded.register(TransmissionAngle)
+def _transmission(q: TransmissionAngle, told: _Told) -> None:
+    script, links, loop, question = told.script, told.links, told.links.loop, told.question
+    line, D = told.line, told.distance
+    assert isinstance(told.answer.expression, Expr)
+    if isinstance(loop, SliderCrank) and loop.fixed != loop.guide:
+        script.say("linkage.right_angle", output=loop.guide)
+        return
+    mu = Symbol(fresh(told.context, "mu", "mu_t", "mu_1"))
+
+    def seen(world: World) -> float:
+        return transmission_in_numbers(links, None, world.draw, world.snapshot.q)
+
+    _introduce(script, Meaning(mu, Sentence("linkage.transmission_symbol"), seen, "rad"))
+    if isinstance(loop, FourBar):
+        bars = bars_of(links)
+        b, c = tidy(bars.b), tidy(bars.c)
+        right = add(power(b, _TWO), power(c, _TWO), negate(multiply(_TWO, b, c, Call("cos", mu))))
+        args: dict[str, Argument] = {"coupler": bars.coupler, "output": bars.output}
+        second = script.line(power(D, _TWO), right, why="linkage.other_side", args=args)
+    else:
+        rod = tidy(links.lengths[loop.rod])
+        second = script.line(multiply(rod, Call("cos", mu)), D, why="linkage.height_again", args={"rod": loop.rod})
+    name = _asked(told.context, question, 0, 1)
+    event = question if question.event is not None else None
+
+    def asked(world: World) -> float:
+        if q.end:
+            return extreme_in_numbers(links, world.draw, is_least=q.end == "least")
+        return transmission_in_numbers(links, event, world.draw, world.snapshot.q)
+
+    _introduce(script, Meaning(name, Sentence("symbol.asked", {"question": question.text}), asked, "rad"))
+    given: dict[str, Argument] = {"lines": (line, second)}
+    why = f"linkage.{q.end}" if q.end else "linkage.solved"
+    when = "start" if question.at_start else "never" if q.end or event is not None else "always"
+    script.line(name, told.answer.expression, why=why, args=given, uses=(line, second), when=when)

@@ -1,0 +1,261 @@
+"""Loops of four links asked for what turns fully, dead points, transmission angles and assembly.
+
+Formulas by hand from the triangles of the linkage. Problem families: Norton, Design of Machinery, 5th ed. 2012, sec.
+2.13 (Grashof), 3.2 (toggle positions), 3.4 (quick return), 4.10 (transmission angle), 4.11 (slider-crank with offset);
+Uicker, Pennock & Shigley, Theory of Machines and Mechanisms, 4th ed. 2011, sec. 1.9, 1.10 and problems of ch. 1 to 3;
+Mabie & Reinholtz, Mechanisms and Dynamics of Machinery, 4th ed. 1987, sec. 2.3; own words and numbers.
+"""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+import freebody as fb
+from freebody.api import System
+from posed import posed
+
+_BARS = """
+parameters: {{a: {a} m, b: {b} m, c: {c} m, d: {d} m}}
+ground: {{points: {{O: [0, 0], D: [d, 0]}}}}
+bodies:
+  crank: {{rod: {{mass: 1 kg, length: a}}}}
+  coupler: {{rod: {{mass: 1 kg, length: b}}}}
+  rocker: {{rod: {{mass: 1 kg, length: c}}, near: {{angle: {near} deg}}}}
+connections:
+  O: {{pin: [ground.O, crank.start]}}
+  A: {{pin: [crank.end, coupler.start]}}
+  B: {{pin: [coupler.end, rocker.end]}}
+  C: {{pin: [ground.D, rocker.start]}}
+measures: {{psi: angle of crank, phi: angle of rocker}}
+start: {{psi: 60 deg}}
+"""
+
+
+def bars(a: float, b: float, c: float, d: float, near: float = 80.0) -> str:
+    return _BARS.format(a=a, b=b, c=c, d=d, near=near)
+
+
+CRANK_ROCKER = bars(0.1, 0.32, 0.25, 0.3)
+DRAG_LINK = bars(0.3, 0.28, 0.32, 0.1)
+TRIPLE_ROCKER = bars(0.3, 0.35, 0.4, 0.6)
+OFFSET = """
+parameters: {r: 0.05 m, l: 0.2 m, e: 0.03 m}
+ground: {points: {O: [0, 0], P: [0, e]}, lines: {rail: {along: right, through: ground.P}}}
+bodies: {crank: {rod: {mass: 1 kg, length: r}}, rod: {rod: {mass: 1 kg, length: l}}, piston: {particle: {mass: 1 kg}}}
+connections:
+  O: {pin: [ground.O, crank.start]}
+  A: {pin: [crank.end, rod.start]}
+  B: {pin: [rod.end, piston]}
+  guide: {slider: [piston, ground.rail]}
+measures: {psi: angle of crank, x: x of piston}
+start: {psi: 30 deg}
+"""
+SLOTTED = """
+parameters: {{a: {a} m, d: {d} m}}
+ground: {{points: {{O: [0, 0], A: [0, -d]}}}}
+bodies:
+  crank: {{rod: {{mass: 1 kg, length: a}}}}
+  lever: {{rod: {{mass: 1 kg, length: 0.5 m}}, near: {{angle: 70 deg}}}}
+connections:
+  main: {{pin: [ground.O, crank.start]}}
+  pivot: {{pin: [ground.A, lever.start]}}
+  block: {{slot: {{pin: crank.end, along: right, on: lever}}}}
+measures: {{psi: angle of crank, phi: angle of lever}}
+start: {{psi: 30 deg}}
+"""
+SHAPER = SLOTTED.format(a=0.1, d=0.25)
+WHITWORTH = SLOTTED.format(a=0.15, d=0.06)
+SWINGING_BLOCK = """
+parameters: {r: 0.1 m, d: 0.3 m}
+ground: {points: {O: [0, 0], P: [d, 0]}}
+bodies: {crank: {rod: {mass: 1 kg, length: r}}, rod: {rod: {mass: 1 kg, length: 0.5 m}, near: {angle: -10 deg}}}
+connections:
+  main: {pin: [ground.O, crank.start]}
+  pin: {pin: [crank.end, rod.start]}
+  block: {slot: {pin: ground.P, along: right, on: rod}}
+measures: {psi: angle of crank, beta: angle of rod}
+start: {psi: 30 deg}
+"""
+TRAMMEL = """
+parameters: {L: 0.5 m}
+ground: {lines: {floor: {along: right}, wall: {along: up}}}
+bodies: {bar: {rod: {mass: 1 kg, length: L}}}
+connections: {foot: {slot: [bar.start, ground.floor]}, top: {slot: [bar.end, ground.wall]}}
+measures: {phi: angle of bar, x: x of bar.start}
+start: {phi: 130 deg}
+"""
+SCOTCH_YOKE = """
+parameters: {r: 0.1 m}
+bodies:
+  crank: {rod: {mass: 1 kg, length: r}}
+  yoke: {rectangle: {mass: 1 kg, width: 0.5 m, height: 0.1 m}, at: [0, 0]}
+connections:
+  main: {pin: [ground.origin, crank.start]}
+  guide: {slider: {body: yoke, along: right}}
+  slot: {slot: {pin: crank.end, along: up, on: yoke}}
+measures: {psi: angle of crank, x: x of yoke}
+start: {psi: 30 deg}
+"""
+TURNS = {
+    "crank of a crank-rocker": (CRANK_ROCKER, "does crank turn fully", True, "a + d ≤ b + c and |a - d| ≥ |b - c|"),
+    "its rocker": (CRANK_ROCKER, "does rocker make full turns", False, "c + d ≤ a + b and |c - d| ≥ |a - b|"),
+    "its coupler": (CRANK_ROCKER, "does coupler turn fully", False, "b + d ≤ a + c and |b - d| ≥ |a - c|"),
+    "a drag link": (DRAG_LINK, "does rocker turn fully", True, "c + d ≤ a + b and |c - d| ≥ |a - b|"),
+    "a triple rocker": (TRIPLE_ROCKER, "can crank turn fully", False, "a + d ≤ b + c and |a - d| ≥ |b - c|"),
+    "offset slider-crank": (OFFSET, "does crank turn fully", True, "l ≥ r + e"),
+    "its rod": (OFFSET, "does rod turn fully", False, "r ≥ l + e"),
+    "lever of a Whitworth drive": (WHITWORTH, "does lever turn fully", True, "a ≥ d"),
+    "lever of a shaper": (SHAPER, "does lever turn fully", False, "a ≥ d"),
+    "crank of a shaper": (SHAPER, "does crank turn fully", True, "for all lengths"),
+    "elliptic trammel": (TRAMMEL, "does bar turn fully", True, "for all lengths"),
+    "Scotch yoke": (SCOTCH_YOKE, "does crank turn fully", True, "for all lengths"),
+    "crank of a swinging block": (SWINGING_BLOCK, "does crank turn fully", True, "for all lengths"),
+    "its rod against the ground": (SWINGING_BLOCK, "does rod turn fully", False, "r ≥ d"),
+}
+
+
+@pytest.mark.parametrize("name", TURNS)
+def test_a_link_turns_fully(name: str) -> None:
+    text, question, so, condition = TURNS[name]
+    found = posed(text, question)
+    assert found.expression is not None, found.reason
+    assert found.evidence is not None
+    assert found.conditions[0].endswith(condition)
+    values = found.value if isinstance(found.value, tuple) else (found.value,)
+    assert all(x >= 0 for x in values if x is not None) is so
+    word = "turns fully" if so else "does not turn fully"
+    assert any(note.startswith("with the given numbers") and note.endswith(word) for note in found.notes)
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_grashof_and_the_margins_say_the_same(seed: int) -> None:
+    """s + l <= p + q with the frame or the crank the shortest link; lengths as they come."""
+    a, b, c, d = [(0.2, 0.31, 0.25, 0.3), (0.3, 0.31, 0.25, 0.12), (0.3, 0.2, 0.33, 0.31), (0.3, 0.31, 0.2, 0.33)][
+        seed % 4
+    ]
+    c += 0.01 * seed
+    found = posed(bars(a, b, c, d), "does crank turn fully")
+    s, p, q, longest = sorted((a, b, c, d))
+    so = s + longest <= p + q and s in (a, d)
+    assert isinstance(found.value, tuple)
+    assert all(x >= 0 for x in found.value) is so
+
+
+def _acos(x: float) -> float:
+    return math.acos(x)
+
+
+A, B, C, D = 0.1, 0.32, 0.25, 0.3
+R, L, E = 0.05, 0.2, 0.03
+DEAD = {
+    "crank of a crank-rocker": (
+        CRANK_ROCKER,
+        "dead points of crank",
+        (
+            _acos(((A + B) ** 2 + D**2 - C**2) / (2 * (A + B) * D)),
+            math.pi + _acos(((B - A) ** 2 + D**2 - C**2) / (2 * (B - A) * D)),
+        ),
+    ),
+    "its rocker": (
+        CRANK_ROCKER,
+        "toggle positions of phi",
+        tuple(_acos((rho**2 - C**2 - D**2) / (2 * C * D)) for rho in (A + B, B - A)),
+    ),
+    "offset slider-crank": (
+        OFFSET,
+        "dead points of psi",
+        (math.asin(E / (L + R)), math.pi + math.asin(E / (L - R))),
+    ),
+    "its piston": (
+        OFFSET,
+        "dead points of x",
+        (math.sqrt((L + R) ** 2 - E**2), math.sqrt((L - R) ** 2 - E**2)),
+    ),
+    # the lever is a tangent of the crank circle
+    "shaper": (SHAPER, "dead points of phi", (math.pi / 2 + math.asin(0.4), math.pi / 2 - math.asin(0.4))),
+    "crank of a shaper": (SHAPER, "dead points of crank", (math.pi + math.asin(0.4), -math.asin(0.4))),
+    "swinging block": (SWINGING_BLOCK, "dead points of beta", (math.asin(1 / 3), -math.asin(1 / 3))),
+    "trammel": (TRAMMEL, "dead points of x", (-0.5, 0.5)),
+}
+
+
+@pytest.mark.parametrize("name", DEAD)
+def test_dead_points(name: str) -> None:
+    text, question, wanted = DEAD[name]
+    found = posed(text, question)
+    assert isinstance(found.value, tuple), found.reason
+    assert found.value == pytest.approx(wanted, rel=1e-12)
+    assert found.evidence is not None
+
+
+def test_a_triple_rocker_is_stretched_only() -> None:
+    found = posed(TRIPLE_ROCKER, "dead points of phi")
+    assert found.value == pytest.approx(_acos((0.65**2 - 0.4**2 - 0.6**2) / (2 * 0.4 * 0.6)))
+
+
+def test_what_turns_all_round_does_not_reverse() -> None:
+    for text in (WHITWORTH, DRAG_LINK):
+        assert "neither reverses" in posed(text, "dead points of phi").reason
+
+
+def _folded(D2: float) -> float:
+    mu = _acos((B * B + C * C - D2) / (2 * B * C))
+    return min(mu, math.pi - mu)
+
+
+TRANSMISSION = {
+    "pose": (CRANK_ROCKER, "transmission angle at start", _acos((B * B + C * C - A * A - D * D + A * D) / (2 * B * C))),
+    "given": (
+        CRANK_ROCKER,
+        "transmission angle when psi = 90 deg",
+        _acos((B * B + C * C - A * A - D * D) / (2 * B * C)),
+    ),
+    "least": (CRANK_ROCKER, "least transmission angle", min(_folded((D - A) ** 2), _folded((D + A) ** 2))),
+    "greatest": (CRANK_ROCKER, "greatest transmission angle over a turn", _folded((D + A) ** 2)),
+    "right angle passed": (bars(0.1, 0.3, 0.25, 0.3), "greatest transmission angle", math.pi / 2),
+    "slider": (OFFSET, "minimum transmission angle", _acos((R + E) / L)),
+    "slot": (SHAPER, "transmission angle", math.pi / 2),
+}
+
+
+@pytest.mark.parametrize("name", TRANSMISSION)
+def test_transmission_angle(name: str) -> None:
+    text, question, wanted = TRANSMISSION[name]
+    found = posed(text, question)
+    assert found.value == pytest.approx(wanted, rel=1e-12), found.reason
+    assert found.evidence is not None
+
+
+def test_assembly() -> None:
+    """No side of a closed polygon is longer than the others together; crank and rod reach the guide."""
+    found = posed(CRANK_ROCKER, "when does the loop assemble")
+    assert found.value == pytest.approx((A + B + C - D, B + C + D - A, A + C + D - B, A + B + D - C))
+    assert "d ≤ a + b + c" in found.conditions[0]
+    assert posed(OFFSET, "condition of assembly").value == pytest.approx(R + L - E)
+
+
+TOLD = {
+    "turn": (CRANK_ROCKER, "does crank turn fully"),
+    "turn of a rod": (OFFSET, "does crank turn fully"),
+    "turn of a lever": (WHITWORTH, "does lever turn fully"),
+    "turn of its crank": (SHAPER, "does crank turn fully"),
+    "trammel": (TRAMMEL, "does bar turn fully"),
+    "dead points": (CRANK_ROCKER, "dead points of psi"),
+    "stroke": (OFFSET, "dead points of x"),
+    "lever": (SHAPER, "dead points of phi"),
+    "of a trammel": (TRAMMEL, "dead points of x"),
+    "transmission": (CRANK_ROCKER, "transmission angle when psi = 20 deg"),
+    "least": (CRANK_ROCKER, "least transmission angle"),
+    "at a guide": (OFFSET, "least transmission angle"),
+    "in a slot": (SHAPER, "transmission angle"),
+    "assembly": (OFFSET, "when does the loop assemble"),
+}
+
+
+@pytest.mark.parametrize("name", TOLD)
+def test_it_is_told(name: str) -> None:
+    text, question = TOLD[name]
+    found = fb.explain(System.from_text(f"{text}questions: {{it: {question!r}}}\n"))
+    assert "There is no derivation" not in found.to_text()
