@@ -8,7 +8,7 @@ what is under the roots of its solution must not become negative on the way roun
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from functools import singledispatch
@@ -36,7 +36,7 @@ from freebody.questions.steady import Extremes
 from freebody.study.answering.answer import Evidence
 from freebody.study.answering.conditions import real
 from freebody.study.answering.crosscheck import INSTANT_TOLERANCE, CrossCheck, SaysNothing, element_at
-from freebody.study.answering.draws import Draw
+from freebody.study.answering.draws import SEED, Draw, draws
 from freebody.study.answering.finding import Finding
 from freebody.study.mobility.dead_points import (
     arc_of,
@@ -51,7 +51,7 @@ from freebody.study.mobility.four_links import FourLinks
 from freebody.study.mobility.grashof import FourBarNumbers, dimensions, fold
 from freebody.study.mobility.gruebler import is_driven
 from freebody.study.mobility.linkages import FourBar, Linkage, linkages
-from freebody.study.setup import Setup
+from freebody.study.setup import N_DRAWS, Setup
 from freebody.study.steady.extremes import ExtremaSearch, extremes
 from freebody.study.steady.turning import TurningAngle
 from freebody.symbolic.closure import explicit
@@ -92,6 +92,12 @@ def only_loop(system: System) -> Linkage:
 
 def four_links(setup: Setup) -> FourLinks:
     return FourLinks(setup, only_loop(setup.system))
+
+
+def _draws(setup: Setup) -> Iterator[Draw]:
+    """More of them near the model's own numbers: which case of several they are in is open."""
+    yield from setup.draw_stream()
+    yield from draws(setup.system, N_DRAWS, seed=SEED + 30, widest=0.1, near=setup.draws[0])
 
 
 def _plain(question: Question) -> None:
@@ -202,7 +208,7 @@ def _turns_in_numbers(
             return
         check.compare(draw, float(so), float(turns_fully(setup.system, draw.values, draw.q, link)))
 
-    return check.gather(setup.draw_stream(), compare).evidence()
+    return check.gather(_draws(setup), compare).evidence()
 
 
 def turns_fully(system: System, values: dict[str, float], q: Array, link: str) -> bool:
@@ -241,7 +247,7 @@ def _assembly(q: Assembly, setup: Setup, question: Question) -> Finding:
         exact = tuple(element_at(setup, x, draw, draw.start())[0] for x in needs)
         check.compare(draw, exact, _room(links, draw))
 
-    evidence = check.gather(setup.draw_stream(), compare).evidence()
+    evidence = check.gather(_draws(setup), compare).evidence()
     notes: list[str] = []
     if isinstance(links.loop, FourBar):
         notes.append(Message("no side of the polygon is longer than all others together"))
@@ -308,7 +314,7 @@ def _dead_points(q: DeadPoints, setup: Setup, question: Question) -> Finding:
         is_angle = q.of.dimension == DIMENSIONLESS
         check.compare(draw, tuple(exact), tuple(nearest(x, numeric, is_angle=is_angle) for x in exact))
 
-    evidence = check.gather(setup.draw_stream(), compare).evidence()
+    evidence = check.gather(_draws(setup), compare).evidence()
     where = in_turn([point.where for point in found], "{first}; {second}")
     notes: list[str] = [
         Message("there {what} reverses: {places}", what=output_of(links), places=where),
@@ -430,7 +436,7 @@ def _extreme_transmission(q: TransmissionAngle, links: FourLinks, question: Ques
         (exact,) = element_at(setup, x, draw, draw.start())
         check.compare(draw, exact, extreme_in_numbers(links, draw, is_least=q.end == "least"))
 
-    evidence = check.gather(setup.draw_stream(), compare).evidence()
+    evidence = check.gather(_draws(setup), compare).evidence()
     notes: list[str] = [_meant(links), Message("of the angle and what it lacks to 180 degrees the smaller one")]
     return Finding(x, evidence, needs, notes, is_complete=True)
 
