@@ -302,3 +302,150 @@ def test_a_load_has_a_potential_along_the_motion(name: str) -> None:
 def test_the_work_of_a_follower_load_is_told() -> None:
     told = fb.explain(System.from_text(FOLLOWED + "questions: [velocity of th when th = q]\n")).to_text()
     assert "as from a potential energy" in " ".join(told.split())
+
+
+# -- several coordinates together in time -----------------------------------------------------
+TRACK = """
+parameters: {{m1: 1 kg, m2: {m2} kg, k: 100 N/m, c: 30 N/m, a: 0.1 m, v0: 2 m/s, l: 0.4 m, T: 0.5 s, F1: 5 N, F2: 4 N}}
+ground: {{lines: {{rail: {{along: right}}}}}}
+bodies: {{A: {{particle: {{mass: m1}}}}, B: {{particle: {{mass: {mass}}}}}}}
+connections: {{gA: {{slider: [A, ground.rail]}}, gB: {{slider: [B, ground.rail]}}}}
+measures: {{x1: x of A, x2: x of B, d: {{expression: x2 - x1}}}}
+loads: {loads}
+start: {{{start}}}
+"""
+BETWEEN_WALLS = TRACK.format(
+    m2=2,
+    mass="m1",
+    loads="""
+  f1: {force: {at: A, along: right, magnitude: -k*x1 + c*(x2 - x1)}}
+  f2: {force: {at: B, along: right, magnitude: -k*x2 - c*(x2 - x1)}}
+""",
+    start="x1: a, rate(x1): 0, x2: 0, rate(x2): 0",
+)
+FREE = TRACK.format(
+    m2=3,
+    mass="m2",
+    loads="{s: {spring: {first: A, second: B, stiffness: k, length: l}}}",
+    start="x1: 0, rate(x1): v0, x2: l, rate(x2): 0",
+)
+RACE = TRACK.format(
+    m2=2,
+    mass="m2",
+    loads="""
+  f1: {force: {at: A, along: right, magnitude: F1}}
+  f2: {force: {at: B, along: right, magnitude: F2}}
+""",
+    start="x1: 0, rate(x1): 0, x2: l, rate(x2): 0",
+)
+SLOW, QUICK = "sqrt(k/m1)", "sqrt((k + 2*c)/m1)"
+REDUCED = "sqrt(k*(m1 + m2)/(m1*m2))"
+
+TOGETHER = {
+    # symmetric and antisymmetric mode. Taylor, sec. 11.2 and 11.3; Landau & Lifshitz, sec. 23
+    "first": (BETWEEN_WALLS, "x1 at t = T", f"a/2*(cos({SLOW}*T) + cos({QUICK}*T))"),
+    "second": (BETWEEN_WALLS, "x2 at t = T", f"a/2*(cos({SLOW}*T) - cos({QUICK}*T))"),
+    "rate": (BETWEEN_WALLS, "velocity of x2 after T", f"a/2*({QUICK}*sin({QUICK}*T) - {SLOW}*sin({SLOW}*T))"),
+    "side by side": (BETWEEN_WALLS, "time when d = 0", f"pi/(2*{QUICK})"),
+    "place then": (BETWEEN_WALLS, "x1 when d = 0", f"a/2*cos(pi/2*{SLOW}/({QUICK}))"),
+    # the mass centre goes on, and the distance oscillates with the reduced mass. Kleppner & Kolenkow, ch. 3
+    "free": (FREE, "x1 at t = T", f"m1*v0/(m1 + m2)*T + m2*v0/(m1 + m2)*sin({REDUCED}*T)/({REDUCED})"),
+    "closest": (FREE, "d when rate(d) = 0", f"l - v0/({REDUCED})"),
+    "as long again": (FREE, "time when d = l", f"pi/({REDUCED})"),
+    "handed on": (FREE, "velocity of x2 when d = l", "2*m1*v0/(m1 + m2)"),
+    # two constant accelerations
+    "overtakes": (RACE, "time when d = 0", "sqrt(2*l/(F1/m1 - F2/m2))"),
+    "energy then": (RACE, "kinetic energy when d = 0", "l*(F1^2/m1 + F2^2/m2)/(F1/m1 - F2/m2)"),
+}
+
+
+@pytest.mark.parametrize("name", TOGETHER)
+def test_linear_systems_are_integrated_together(name: str) -> None:
+    is_formula(*TOGETHER[name], factors=(1.0, 1.02, 0.99))
+
+
+def test_modes_are_told_where_coordinates_are_coupled() -> None:
+    told = fb.explain(System.from_text(BETWEEN_WALLS + "questions: [x1 at t = T]\n")).to_text()
+    assert "are coupled" in " ".join(told.split())
+
+
+# -- laws of one freedom that are separable in the velocity -----------------------------------
+ROAD = """
+parameters:
+  {{m: 300 kg, c: 40 kg/s, k: 12 kg/m, P: 4 kW, R: 200 N, u: 1 m/s, v0: {v0} m/s, v1: {v1} m/s, d: {d} m, T: 4 s}}
+ground: {{lines: {{road: {{along: right}}}}}}
+bodies: {{car: {{particle: {{mass: m}}}}}}
+connections: {{guide: {{slider: [car, ground.road]}}}}
+measures: {{x: x of car}}
+loads: {{push: {{force: {{at: car, along: right, magnitude: "{law}"}}}}}}
+start: {{x: 0, rate(x): v0}}
+"""
+POWER = ROAD.format(law="P/rate(x)", v0=5, v1=9, d=12)
+BRAKED_POWER = ROAD.format(law="P/rate(x) - R", v0=5, v1=9, d=12)
+SAIL = ROAD.format(law="-c*rate(x)*sqrt(rate(x)/u)", v0=6, v1=2, d=12)
+CUBE = ROAD.format(law="-c*rate(x)^3/u^2", v0=6, v1=2, d=2)
+BOTH = ROAD.format(law="-R - c*rate(x)", v0=6, v1=2, d=2)
+ALL_THREE = ROAD.format(law="-R - c*rate(x) - k*rate(x)^2", v0=6, v1=2, d=2)
+TWO = ROAD.format(law="-c*rate(x) - k*rate(x)^2", v0=6, v1=2, d=2)
+BY_PLACE = ROAD.format(law="-k*x*rate(x)/s", v0=6, v1=2, d=2).replace("T: 4 s", "T: 4 s, s: 1 s")
+D_3 = "sqrt(4*k*R - c^2)"
+S_V = "sqrt(k*v0/(2*m*s))"
+
+SEPARABLE = {
+    # m u u' = P: u^2 grows with the time, u^3 with the way. Beer & Johnston, sec. 13.5; Meriam, sec. 3/6
+    "power, rate": (POWER, "velocity of x at t = T", "sqrt(v0^2 + 2*P*T/m)"),
+    "power, place": (POWER, "x at t = T", "m/(3*P)*((v0^2 + 2*P*T/m)^(3/2) - v0^3)"),
+    "power, time to a rate": (POWER, "time when rate(x) = v1", "m*(v1^2 - v0^2)/(2*P)"),
+    "power, way to a rate": (POWER, "x when rate(x) = v1", "m*(v1^3 - v0^3)/(3*P)"),
+    "power, at a place": (POWER, "velocity of x when x = d", "(v0^3 + 3*P*d/m)^(1/3)"),
+    # u' = (P/u - R)/m
+    "power and resistance": (
+        BRAKED_POWER,
+        "time when rate(x) = v1",
+        "-m/R*(v1 - v0) - m*P/R^2*log((P - R*v1)/(P - R*v0))",
+    ),
+    "power and resistance, way": (
+        BRAKED_POWER,
+        "x when rate(x) = v1",
+        "-m/R*((v1^2 - v0^2)/2 + P/R*(v1 - v0) + P^2/R^2*log((P - R*v1)/(P - R*v0)))",
+    ),
+    # powers 3/2 and 3 of the rate. Meriam, problems of sec. 2/2
+    "3/2, rate": (SAIL, "velocity of x at t = T", "1/(1/sqrt(v0) + c*T/(2*m*sqrt(u)))^2"),
+    "3/2, at a place": (SAIL, "velocity of x when x = d", "(sqrt(v0) - c*d/(2*m*sqrt(u)))^2"),
+    "3/2, way in the end": (SAIL, "x as t grows", "2*m/c*sqrt(u*v0)"),
+    "3, rate": (CUBE, "velocity of x at t = T", "1/sqrt(1/v0^2 + 2*c*T/(m*u^2))"),
+    "3, at a place": (CUBE, "velocity of x when x = d", "1/(1/v0 + c*d/(m*u^2))"),
+    "3, time to a place": (CUBE, "time when x = d", "m*u^2/(2*c)*((1/v0 + c*d/(m*u^2))^2 - 1/v0^2)"),
+    # dry and viscous, and both with a square. Timoshenko & Young, Advanced Dynamics, sec. 6
+    "dry and viscous": (BOTH, "time when rate(x) = 0", "m/c*log(1 + c*v0/R)"),
+    "two": (TWO, "time when rate(x) = v1", "m/c*log(v0*(c + k*v1)/(v1*(c + k*v0)))"),
+    "two, way": (TWO, "x when rate(x) = v1", "m/k*log((c + k*v0)/(c + k*v1))"),
+    "three": (ALL_THREE, "time when rate(x) = 0", f"2*m/{D_3}*(atan((2*k*v0 + c)/{D_3}) - atan(c/{D_3}))"),
+    "three, way": (
+        ALL_THREE,
+        "x when rate(x) = 0",
+        f"m/(2*k)*log(1 + (c*v0 + k*v0^2)/R) - c*m/(k*{D_3})*(atan((2*k*v0 + c)/{D_3}) - atan(c/{D_3}))",
+    ),
+    # a resistance with the way: m u' = -(k/s) x u
+    "by place": (BY_PLACE, "velocity of x when x = d", "v0 - k*d^2/(2*m*s)"),
+    "by place, in time": (BY_PLACE, "x at t = T", f"v0/({S_V})*tanh({S_V}*T)"),
+    "by place, time": (BY_PLACE, "time when x = d", f"log((v0 + {S_V}*d)/(v0 - {S_V}*d))/(2*{S_V})"),
+    "by place, in the end": (BY_PLACE, "x as t grows", "sqrt(2*m*s*v0/k)"),
+}
+
+
+@pytest.mark.parametrize("name", SEPARABLE)
+def test_what_is_separable_in_the_velocity_is_integrated(name: str) -> None:
+    is_formula(*SEPARABLE[name], factors=(1.0, 1.02, 0.99))
+
+
+@pytest.mark.parametrize("text", [POWER, BRAKED_POWER, TWO, BY_PLACE], ids=range(4))
+def test_separation_is_derived(text: str) -> None:
+    question = "x when rate(x) = v1"
+    told = " ".join(fb.explain(System.from_text(f"{text}questions: [{question}]\n")).to_text().split())
+    assert "eparated" in told
+
+
+def test_a_limit_of_powers_is_written_as_a_root() -> None:
+    found = posed(POWER, "velocity of x when x = d")
+    assert "log" not in str(found.expression)

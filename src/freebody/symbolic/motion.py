@@ -21,6 +21,7 @@ from freebody.language.notation import Stated, compared, reworded, to_python, to
 from freebody.language.sentences import Message
 from freebody.questions.reading import QuestionEvent
 from freebody.symbolic.closure import Closure
+from freebody.symbolic.coupled import CoupledMotion, coupled_with
 from freebody.symbolic.elliptic import EllipticTime
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.first_integrals import FirstIntegrals, is_driven
@@ -82,6 +83,7 @@ class SmoothMotion:
         start, the next time. Raises NeverHappens where it is proved that there is none."""
         value = self.model.value_of(event.measure)
         target = self.model.geometry.scalar(event.value)
+        place = value
         if event.order == 1:
             value = self.model.rate(value)
         begins = self.field.follow(self.model.in_independent_speeds(value - target), self.start.values).is_zero()
@@ -94,7 +96,10 @@ class SmoothMotion:
                     "something disturbs it)"
                 )
             )
-        reached = self._reach_rate(value, target) if event.order == 1 else self._reach_place(value, target, event)
+        if event.order == 1:
+            reached = self._reach_rate(value, target, place, event.text)
+        else:
+            reached = self._reach_place(value, target, event)
         if begins:
             words = Message("'{event}' holds at the start as well (t = 0); this is the next time", event=event.text)
             reached.notes.insert(0, reworded(words, compared(tidy(value), "=", tidy(target))))
@@ -155,9 +160,15 @@ class SmoothMotion:
             if self.stands_still:
                 values |= {c.index: self.start.of(c.index), c.speed: self.field.zero}
             law = None if c.index in values else self.law_of(c, takes_side=takes_side)
-            if law is not None:
+            if law is not None and law.has_course:
                 values[c.index], values[c.speed] = map(self.field.lowest_terms, law.at(reached.time))
+            elif c.index not in values and (coupled := self.coupled(c)) is not None:
+                values = coupled.at(reached.time) | values
         return values
+
+    def coupled(self, c: Coordinate) -> CoupledMotion | None:
+        """How a coordinate moves with those to which it is coupled linearly."""
+        return coupled_with(self.model, self.start, c, self.acceleration)
 
     @cached_property
     def stands_still(self) -> bool:
@@ -249,7 +260,7 @@ class SmoothMotion:
             return self._uniform(c.name, law, at).of(c, at)
         instants = None if law is None else law.places(at)
         if instants is not None:
-            return self._first(c, *instants)
+            return self._first(c, c.name, *instants)
         return self._place_by_energy(c, at, event)
 
     def _driven(self, value: Ratio, target: Ratio) -> Reached | None:
@@ -266,22 +277,37 @@ class SmoothMotion:
             raise NeverHappens(_HOLDS_ONCE)
         return Reached(time, None, target, f.derivative(value, index), conditions=[(time, ">")])
 
-    def _together(self, value: Ratio, target: Ratio, found: list[Coordinate], text: str) -> Reached | None:
-        """A measure that is linear in several coordinates, all of which move with constant accelerations: it moves
-        with one itself."""
+    def _together(
+        self, value: Ratio, target: Ratio, found: list[Coordinate], text: str, order: int = 0
+    ) -> Reached | None:
+        """A measure that is linear in several coordinates, and whose acceleration depends on nothing that moves but
+        itself: the way between bodies that fall, or between two masses on a spring."""
         f = self.field
-        laws = [self.law_of(c) for c in found]
         slopes = [f.partial(value, c.index) for c in found]
         rest = value
         for slope, c in zip(slopes, found, strict=True):
             rest = rest - slope * f.variable(c.index)
-        if not all(x.is_constant() for x in (*slopes, rest)) or not all(isinstance(law, UniformLaw) for law in laws):
+        if not all(x.is_constant() for x in (*slopes, rest)):
             return None
         q0, u0, a = rest, f.zero, f.zero
-        for slope, law in zip(slopes, laws, strict=True):
-            assert isinstance(law, UniformLaw)
-            q0, u0, a = q0 + slope * law.q0, u0 + slope * law.u0, a + slope * law.a
-        return self._uniform(text, UniformLaw(self.model, q0, u0, f.lowest_terms(a)), target).of(None, target)
+        for slope, c in zip(slopes, found, strict=True):
+            q0, u0 = q0 + slope * self.start.of(c.index), u0 + slope * self.start.of(c.speed)
+            a = a + slope * self.acceleration(c)
+        # the measure takes the place of the first coordinate; its acceleration may depend on no other then
+        first, others = found[0], range(1, len(found))
+        own, rate = f.variable(first.index) - rest, f.variable(first.speed)
+        for k in others:
+            own = own - slopes[k] * f.variable(found[k].index)
+            rate = rate - slopes[k] * f.variable(found[k].speed)
+        a = f.lowest_terms(f.follow(a, {first.index: own / slopes[0], first.speed: rate / slopes[0]}))
+        moving = Freely(self.model, first, a, f.lowest_terms(q0), f.lowest_terms(u0), self._takes_side)
+        law = law_of(moving) if moving.is_alone else None
+        if isinstance(law, UniformLaw) and not order:
+            return self._uniform(text, law, target).of(None, target)
+        if law is None or law.is_still:
+            return None
+        instants = law.rates(target) if order else law.places(target)
+        return None if instants is None else self._first(None, text, *instants)
 
     def _uniform(self, name: str, law: UniformLaw, at: Ratio) -> _Passage:
         a, u0, distance = law.a, law.u0, self.field.lowest_terms(at - law.q0)
@@ -342,25 +368,32 @@ class SmoothMotion:
         note = Stated(words, to_python(tidy(other)))
         return _Passage(chosen, root if pick == 0 else -root, [note], needs)
 
-    def _first(self, c: Coordinate, instants: list[LawInstant], needs: list[tuple[Ratio, str]]) -> Reached:
+    def _first(
+        self, c: Coordinate | None, name: str, instants: list[LawInstant], needs: list[tuple[Ratio, str]]
+    ) -> Reached:
         found = first(self.model, instants)
         if found is None:
             if any(sign_of(x) is Sign.NEGATIVE for x, _relation in needs):
-                raise NeverHappens(Message("{x} does not get that far", x=c.name))
+                raise NeverHappens(Message("{x} does not get that far", x=name))
             if instants and all(i.period is None and _is_past(i) for i in instants):
-                raise NeverHappens(Message("{x} does not get there after the start", x=c.name))
+                raise NeverHappens(Message("{x} does not get there after the start", x=name))
             if all(i.time.is_zero() and i.period is None for i in instants):
-                raise NeverHappens(_HOLDS_ONCE if instants else Message("{x} only tends to that", x=c.name))
-            raise NotReached(Message("{x} does not get there at any of the parameter values that were tried", x=c.name))
+                raise NeverHappens(_HOLDS_ONCE if instants else Message("{x} only tends to that", x=name))
+            raise NotReached(Message("{x} does not get there at any of the parameter values that were tried", x=name))
         i = found.instant
         lowest = self.field.lowest_terms
         return Reached(lowest(i.time), c, lowest(i.place), lowest(i.rate), [], [*needs, *found.conditions])
 
     # -- a rate -------------------------------------------------------------------------------
-    def _reach_rate(self, rate: Ratio, target: Ratio) -> Reached:
+    def _reach_rate(self, rate: Ratio, target: Ratio, place: Ratio, text: str) -> Reached:
         speeds = [c for c in self.model.coordinates if c.speed in rate.generators()]
         inside = self.field.ingredients(rate) & {c.index for c in (*self.model.coordinates, *self.model.dependent)}
-        if len(speeds) != 1 or inside or any(c.speed in rate.generators() for c in self.model.dependent):
+        bound = any(c.speed in rate.generators() for c in self.model.dependent)
+        if len(speeds) > 1 and not inside and not bound:
+            together = self._together(place, target, speeds, text, order=1)
+            if together is not None:
+                return together
+        if len(speeds) != 1 or inside or bound:
             raise CannotAnswer(Message("the rate depends on several coordinates; a closed form is found for one only"))
         (c,) = speeds
         wanted = solve_linear(rate - target, c.speed)
@@ -382,7 +415,7 @@ class SmoothMotion:
             return Reached(time, c, at, wanted, conditions=[(time, ">")])
         instants = None if law is None else law.rates(wanted)
         if instants is not None:
-            return self._first(c, *instants)
+            return self._first(c, c.name, *instants)
         return self._rate_by_energy(c, wanted)
 
     # -- a motion that repeats itself ---------------------------------------------------------

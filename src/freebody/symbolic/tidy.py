@@ -308,10 +308,22 @@ def shown(field: Field, index: int) -> Expr:
         modulus = tidy(k)
         modulus = negate(modulus) if _is_negative(modulus) else modulus  # both integrals are even in it
         return Call("elliptic_K", modulus) if phi is None else Call("elliptic_F", tidy(phi), modulus)
+    name, x = field.arguments.get(index, ("", field.one))
+    if name == "exp" and (raised := _as_power(field, x)) is not None:
+        return raised
     if index in field.arcs:
         name, x = field.arcs[index]
         return multiply(number(2), Call("atan", tidy(x))) if name == "half" else Call(name, tidy(x))
     return generator.display
+
+
+def _as_power(field: Field, x: Ratio) -> Expr | None:
+    """exp of a part of a logarithm is a root: exp(log(u)/3) = u^(1/3)."""
+    logs = [g for g in x.generators() if field.arguments.get(g, ("", x))[0] == "log"]
+    if len(logs) != 1 or len(x.generators()) != 1:
+        return None
+    exponent = (x / field.variable(logs[0])).fraction()
+    return None if exponent is None else power(tidy(field.arguments[logs[0]][1]), number(exponent))
 
 
 def _collected(field: Field, terms: Mapping[Monomial, int], *, gather: bool) -> Expr | None:

@@ -27,6 +27,7 @@ from freebody.questions.loads import Work
 from freebody.questions.motion import rates_of
 from freebody.questions.reading import Question, QuestionEvent
 from freebody.study.answering.answer import Answer
+from freebody.symbolic.coupled import CoupledMotion
 from freebody.symbolic.elliptic import EllipticTime
 from freebody.symbolic.field import Field, Ratio
 from freebody.symbolic.first_integrals import is_driven
@@ -136,6 +137,8 @@ def coordinates_asked(context: Context, question: Question) -> list[Coordinate]:
 def law_lines(way: EventWay) -> list[int]:
     """Rate and place as functions of the time."""
     law, script, c = way.law, way.script, way.coordinate
+    if law is None and (coupled := way.context.setup.motion.coupled(c)) is not None:
+        return _coupled_lines(way, coupled)
     if not isinstance(law, UniformLaw):
         return by_law(way)
     script.say("course.constant", line=way.line, coordinate=c.name)
@@ -145,6 +148,18 @@ def law_lines(way: EventWay) -> list[int]:
     )
     right = sum_of(law.q0, (law.u0, TIME), (law.a / 2, TIME ** number(2)))
     return [u, script.line(Symbol(c.name), right, why="course.place", args={"line": u}, uses=(u,), when="event")]
+
+
+def _coupled_lines(way: EventWay, coupled: CoupledMotion) -> list[int]:
+    """Place and rate of a coordinate that is coupled with others, as sums over the modes."""
+    script, c, f = way.script, way.coordinate, way.acceleration.field
+    names = tuple(Symbol(k.name) for k in coupled.coordinates)
+    script.say("course.coupled", line=way.line, names=names, squares=tuple(map(tidy, coupled.squares)))
+    found = coupled.at(f.time)
+    x = script.line(Symbol(c.name), tidy(found[c.index]), why="course.modes", when="event")
+    args: dict[str, Argument] = {"line": x}
+    rate = tidy(found[c.speed])
+    return [x, script.line(rates_of(c.name, 1), rate, why="course.differentiated", args=args, uses=(x,), when="event")]
 
 
 def _start(way: EventWay) -> tuple[Ratio, Ratio]:
@@ -275,6 +290,8 @@ def by_law(way: EventWay) -> list[int]:
     script, c, law = way.script, way.coordinate, way.law
     if law is None:
         raise CannotAnswer(Message("the motion to the event has no closed form"))
+    if not law.has_course:
+        return _by_rate(way)
     f, reached = way.context.setup.model.field, way.reached
     near = reached.settled if reached.time is None else reached.time
     place, rate = (f.lowest_terms(x) for x in (law.at(f.time) if near is None else law.at_near(f.time, near)))
@@ -285,6 +302,17 @@ def by_law(way: EventWay) -> list[int]:
         rates_of(c.name, 1), tidy(rate), why="course.differentiated", args={"line": x}, uses=(x,), when="event"
     )
     return [x, u]
+
+
+def _by_rate(way: EventWay) -> list[int]:
+    """Place and time as integrals over the rate, where these have no closed form the other way round."""
+    script, c, reached = way.script, way.coordinate, way.reached
+    if reached.speed is None:
+        raise CannotAnswer(Message("the motion to the event has no closed form"))
+    script.say("course.by_rate", line=way.line, name=Symbol(c.name), rate=rates_of(c.name, 1))
+    args: dict[str, Argument] = {"line": way.line}
+    uses = (way.line,)
+    return [script.line(Symbol(c.name), tidy(reached.at), why="course.to_the_rate", args=args, uses=uses, when="event")]
 
 
 def _oscillation(way: EventWay, beta: Ratio, center: Ratio, x0: Ratio, u0: Ratio, x: Expr, u: Expr) -> list[int]:

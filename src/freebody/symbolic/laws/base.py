@@ -136,6 +136,11 @@ class MotionLaw:
         return None
 
     @property
+    def has_course(self) -> bool:
+        """Whether value and rate are known as functions of the time."""
+        return True
+
+    @property
     def period(self) -> Ratio | None:
         """After which time it turns the same way again; None where it does not."""
         return None

@@ -359,7 +359,7 @@ def course_of(model: SymbolicModel, start: StartState) -> ClosedFormMotion:
     smooth = SmoothMotion(model, start)
     # what is driven goes on by the time since the start of the model, not of the phase
     free = not model.dependent and not is_driven(model)
-    laws = [law for c in model.coordinates if (law := smooth.law_of(c)) is not None] if free else []
+    laws = [law for c in model.coordinates if (law := smooth.law_of(c)) is not None and law.has_course] if free else []
     has_laws = len(laws) == len(model.coordinates)
     if len(model.coordinates) == 1:
         try:

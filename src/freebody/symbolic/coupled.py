@@ -1,0 +1,150 @@
+"""Coordinates that are coupled linearly, together in time:  q'' = alpha - A q  with constant A and alpha.
+
+With the different eigenvalues l_k of A and the projectors on their spaces (Sylvester's formula),
+
+    P_k = prod_(j != k) (A - l_j)/(l_k - l_j),     q(t) = sum_k P_k (q0 c_k + u0 s_k + alpha (1 - c_k)/l_k),
+
+where c_k = cos(w t), s_k = sin(w t)/w for l_k = w^2 (cosh and sinh for l_k < 0); for l_k = 0: 1, t, and t^2/2 behind
+alpha. The modes are found where the characteristic polynomial has factors of the second degree at most.
+Source: Gantmacher, Applications of the Theory of Matrices, 1959, ch. I; Landau & Lifshitz, Mechanics, sec. 23.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+from freebody.errors import CannotAnswer
+from freebody.symbolic.field import Field, Ratio
+from freebody.symbolic.functions import functions
+from freebody.symbolic.model import SymbolicModel
+from freebody.symbolic.routh import determinant
+from freebody.symbolic.signs import Sign, sign_of
+from freebody.symbolic.start import StartState
+from freebody.symbolic.unknowns import Coordinate
+
+Matrix = list[list[Ratio]]
+_MOST = 6  # coordinates that are coupled
+
+
+@dataclass(frozen=True)
+class CoupledMotion:
+    """Coordinates that move with each other, and with no others."""
+
+    model: SymbolicModel
+    coordinates: tuple[Coordinate, ...]
+    alpha: tuple[Ratio, ...]
+    squares: tuple[Ratio, ...]  # the eigenvalues of A, each once
+    projectors: tuple[Matrix, ...]
+    begin: tuple[tuple[Ratio, Ratio], ...]  # values and rates at the start
+
+    def at(self, time: Ratio) -> dict[int, Ratio]:
+        """Coordinates and their rates at a time, by generator."""
+        f = self.model.field
+        places, rates = ([f.zero] * len(self.coordinates) for _ in range(2))
+        q0, u0 = ([b[k] for b in self.begin] for k in range(2))
+        for square, projector in zip(self.squares, self.projectors, strict=True):
+            c, s, w = self._waves(square, time)
+            x, v, a = (_times(projector, column) for column in (q0, u0, self.alpha))
+            for k in range(len(self.coordinates)):
+                places[k] = places[k] + x[k] * c + v[k] * s + a[k] * w
+                rates[k] = rates[k] - square * x[k] * s + v[k] * c + a[k] * s
+        found = dict[int, Ratio]()
+        for coordinate, place, rate in zip(self.coordinates, places, rates, strict=True):
+            found[coordinate.index], found[coordinate.speed] = f.lowest_terms(place), f.lowest_terms(rate)
+        return found
+
+    def _waves(self, square: Ratio, t: Ratio) -> tuple[Ratio, Ratio, Ratio]:
+        """c, s = int c dt, and int s dt."""
+        f = self.model.field
+        of = functions(f, self.model.samples.is_negative)
+        if square.is_zero():
+            return f.one, t, t * t / 2
+        known = sign_of(square)
+        falls = known is Sign.NEGATIVE if known.is_strict else self.model.samples.is_negative(square)
+        w = f.sqrt(-square if falls else square, self.model.samples.is_negative)
+        c, s = (of[name](w * t) for name in (("cosh", "sinh") if falls else ("cos", "sin")))
+        return c, s / w, (1 - c) / square
+
+
+def coupled_with(
+    model: SymbolicModel, start: StartState, c: Coordinate, acceleration: Callable[[Coordinate], Ratio]
+) -> CoupledMotion | None:
+    """How a coordinate moves with those with which it is coupled; None where that is not linear, or where its modes
+    have no closed form."""
+    f = model.field
+    chosen = [c]
+    for k in chosen:  # grows while it is gone through
+        inside = f.ingredients(acceleration(k))
+        chosen += [o for o in model.coordinates if {o.index, o.speed} & inside and o not in chosen]
+    if not 1 < len(chosen) <= _MOST or model.dependent:
+        return None
+    chosen.sort(key=lambda k: k.index)
+    parts = [_linear(f, acceleration(k), chosen) for k in chosen]
+    rows = [row for row in parts if row is not None]
+    if len(rows) != len(chosen):
+        return None
+    A, alpha = [row for row, _rest in rows], tuple(rest for _row, rest in rows)
+    try:
+        squares = _eigenvalues(model, A)
+    except CannotAnswer:
+        return None
+    projectors = None if squares is None else _projectors(f, A, squares)
+    if squares is None or projectors is None:
+        return None
+    begin = tuple((start.of(k.index), start.of(k.speed)) for k in chosen)
+    return CoupledMotion(model, tuple(chosen), alpha, tuple(squares), projectors, begin)
+
+
+def _linear(f: Field, a: Ratio, chosen: Sequence[Coordinate]) -> tuple[list[Ratio], Ratio] | None:
+    """Row of A, and alpha, of a = alpha - row q with constants."""
+    row = [f.lowest_terms(-f.derivative(a, k.index)) for k in chosen]
+    rest = a
+    for slope, k in zip(row, chosen, strict=True):
+        rest = rest + slope * f.variable(k.index)
+    rest = f.lowest_terms(rest)
+    return (row, rest) if all(x.is_constant() for x in (*row, rest)) else None
+
+
+def _eigenvalues(model: SymbolicModel, A: Matrix) -> list[Ratio] | None:
+    f, n = model.field, len(A)
+    s = f.parameter("@s")
+    index, found = f.index(s), list[Ratio]()
+    polynomial = determinant([[A[j][k] - (s if j == k else 0) for k in range(n)] for j in range(n)])
+    for base, _exponent in f.factor(polynomial.num)[1]:
+        if index not in base.generators():
+            continue
+        c = base.coefficients(index)
+        if len(c) > 3:
+            return None
+        if len(c) == 2:
+            found.append(f.lowest_terms(-c[0] / c[1]))
+            continue
+        root = f.sqrt(c[1] * c[1] - 4 * c[0] * c[2], model.samples.is_negative)
+        found += [f.lowest_terms((-c[1] + sign * root) / (2 * c[2])) for sign in (-1, 1)]
+    return found
+
+
+def _projectors(f: Field, A: Matrix, squares: Sequence[Ratio]) -> tuple[Matrix, ...] | None:
+    """None unless they add up to one and A is the sum of its eigenvalues times them: where it has not enough modes."""
+    n = range(len(A))
+    found: list[Matrix] = []
+    for own in squares:
+        product: Matrix = [[f.one if j == k else f.zero for k in n] for j in n]
+        for other in squares:
+            if other != own:
+                factor = [[(A[j][k] - (other if j == k else 0)) / (own - other) for k in n] for j in n]
+                product = [
+                    [f.lowest_terms(sum((product[j][i] * factor[i][k] for i in n), f.zero)) for k in n] for j in n
+                ]
+        found.append(product)
+    for j in n:
+        for k in n:
+            total = sum((square * p[j][k] for square, p in zip(squares, found, strict=True)), f.zero)
+            if not f.lowest_terms(total - A[j][k]).is_zero():
+                return None
+    return tuple(found)
+
+
+def _times(A: Matrix, x: Sequence[Ratio]) -> list[Ratio]:
+    return [sum((a * b for a, b in zip(row, x, strict=True)), x[0].field.zero) for row in A]

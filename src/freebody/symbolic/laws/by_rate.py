@@ -1,0 +1,133 @@
+"""An acceleration that is a rational function of the rate, w' = R(w)/N(w) with R of the second degree at most: how long
+it takes to a rate, and how far it gets until then,
+
+    t = int N(w)/R(w) dw,          q - q0 = int w N(w)/R(w) dw,
+
+which division by R leaves as polynomials and, with D = b^2 - 4 a c of R = a + b w + c w^2,
+
+    int dw/R = ln((2 c w + b - sqrt D)/(2 c w + b + sqrt D))/sqrt D      (D < 0: 2 atan((2 c w + b)/sqrt(-D))/sqrt(-D)),
+    int w dw/R = (ln R - b int dw/R)/(2 c).
+
+As a function of the time it has no closed form in general. So move what both dry friction and a resistance hold back,
+and a drive of constant power against a resistance.
+Source: Meriam & Kraige, Dynamics, sec. 2/2; Timoshenko & Young, Advanced Dynamics, 1948, sec. 6.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Self
+
+from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.laws.base import Freely, Instants, LawInstant, MotionLaw, Need
+from freebody.symbolic.signs import Sign
+
+_MOST = 6  # degree of N
+
+
+@dataclass(frozen=True)
+class ByRate(MotionLaw):
+    """With the sense of the motion, in which w = sense u is positive. above, below: the coefficients of R and N."""
+
+    key = "by_rate"
+
+    above: tuple[Ratio, ...]
+    below: tuple[Ratio, ...]
+    sense: int
+    bends: int  # the sign of D
+
+    @classmethod
+    def of(cls, moving: Freely) -> Self | None:
+        f, c = moving.field, moving.coordinate
+        a = moving.acceleration
+        if not moving.is_alone or c.speed not in f.ingredients(a):
+            return None
+        if {c.index, f.index(f.time)} & f.ingredients(a):
+            return None
+        try:
+            drive = f.follow(a, {c.speed: f.zero}) if moving.u0.is_zero() else moving.u0
+        except ZeroDivisionError:
+            return None
+        sense = {Sign.POSITIVE: 1, Sign.NEGATIVE: -1}.get(moving.sign(f.lowest_terms(drive)), 0)
+        if not sense:
+            return None
+        w = f.parameter("@w")  # positive, as a parameter is
+        a = f.lowest_terms(f.follow(sense * a, {c.speed: sense * w}))
+        index = f.index(w)
+        if index in (f.ingredients(a) - a.generators()):
+            return None
+        above, below = (tuple(part.coefficients(index)) for part in (a.numerator(), a.denominator()))
+        if not 2 <= len(above) <= 3 or len(below) > _MOST or any(index in f.ingredients(x) for x in (*above, *below)):
+            return None
+        is_simple = len(below) == 1 and (len(above) == 2 or above[1].is_zero())
+        if is_simple or sum(not x.is_zero() for x in above) == 1:
+            return None  # which have laws of their own
+        bends = 0
+        if len(above) == 3:
+            sign = moving.sign(f.lowest_terms(above[1] ** 2 - 4 * above[0] * above[2]))
+            bends = {Sign.POSITIVE: 1, Sign.NEGATIVE: -1}.get(sign, 0)
+            if not bends:
+                return None
+        return cls(moving.model, moving.q0, moving.u0, above, below, sense, bends)
+
+    @property
+    def is_still(self) -> bool:
+        return False
+
+    @property
+    def has_course(self) -> bool:
+        return False
+
+    @property
+    def first_acceleration(self) -> Ratio:
+        return self._value(self.above, self.sense * self.u0)
+
+    def at(self, t: Ratio) -> tuple[Ratio, Ratio]:
+        raise CannotAnswer(Message("no closed form of the motion in the time was found"))
+
+    def _value(self, coefficients: tuple[Ratio, ...], w: Ratio) -> Ratio:
+        return self.model.field.lowest_terms(sum((x * w**k for k, x in enumerate(coefficients)), self.model.field.zero))
+
+    def _integral(self, top: tuple[Ratio, ...], w0: Ratio, w: Ratio) -> Ratio:
+        """int top/R from w0 to w."""
+        f, rest, total = self.model.field, list(top), self.model.field.zero
+        degree = len(self.above) - 1
+        while len(rest) > degree:
+            k = len(rest) - 1 - degree
+            share = f.lowest_terms(rest[-1] / self.above[-1])
+            total = total + share * (w ** (k + 1) - w0 ** (k + 1)) / (k + 1)
+            for j, x in enumerate(self.above):
+                rest[k + j] = f.lowest_terms(rest[k + j] - share * x)
+            rest.pop()
+        ratio = f.lowest_terms(self._value(self.above, w) / self._value(self.above, w0))
+        grown = self.function("log", ratio)
+        if degree == 1:
+            return f.lowest_terms(total + rest[0] / self.above[1] * grown)
+        plain, linear = (*rest, f.zero)[:2]
+        a, b, c = self.above
+        per = (plain - linear * b / (2 * c)) * self._plain(b, c, a, w0, w)
+        return f.lowest_terms(total + per + linear / (2 * c) * grown)
+
+    def _plain(self, b: Ratio, c: Ratio, a: Ratio, w0: Ratio, w: Ratio) -> Ratio:
+        """int dw/R for R of the second degree."""
+        f = self.model.field
+        root = self.root(f.lowest_terms(self.bends * (b * b - 4 * a * c)))
+        first, then = (2 * c * x + b for x in (w0, w))
+        if self.bends < 0:
+            arcs = [self.function("atan", f.lowest_terms(x / root)) for x in (then, first)]
+            return 2 * (arcs[0] - arcs[1]) / root
+        ratio = f.lowest_terms((then - root) * (first + root) / ((then + root) * (first - root)))
+        return self.function("log", ratio) / root
+
+    def rates(self, value: Ratio) -> Instants:
+        f, w0, w = self.model.field, self.sense * self.u0, self.sense * value
+        time = self._integral(self.below, w0, w)
+        way = self._integral((f.zero, *self.below), w0, w)
+        first, then = (self._value(self.above, x) for x in (w0, w))
+        drive = f.lowest_terms(first / self._value(self.below, w0)) if not w0.is_zero() else first
+        needs: list[Need] = [] if w.is_zero() else [(w, ">")]
+        needs.append((f.lowest_terms(first * then), ">"))
+        place = f.lowest_terms(self.q0 + self.sense * way)
+        return [LawInstant(time, place, value, f.lowest_terms((w - w0) * drive))], needs
