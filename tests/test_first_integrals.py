@@ -449,3 +449,42 @@ def test_separation_is_derived(text: str) -> None:
 def test_a_limit_of_powers_is_written_as_a_root() -> None:
     found = posed(POWER, "velocity of x when x = d")
     assert "log" not in str(found.expression)
+
+
+# -- how far it gets --------------------------------------------------------------------------
+HUNG = """
+parameters: {m: 1 kg, v0: 3 m/s, g: 9.81 m/s^2, k: 50 N/m, a: 0.1 m, c: 2 kg/s}
+bodies: {load: {particle: {mass: m}}}
+measures: {y: y of load, s: drop of load below ground.O}
+loads: {weight: {gravity: g}, spring: {force: {at: load, along: up, magnitude: -k*y}}}
+start: {y: a, rate(y): v0}
+"""
+LET_GO = HUNG.replace("rate(y): v0", "rate(y): 0")
+BALL = HUNG.replace(", spring: {force: {at: load, along: up, magnitude: -k*y}}", "")
+AIR = HUNG.replace("magnitude: -k*y", "magnitude: -c*rate(y)")
+AMPLITUDE = "sqrt((a + m*g/k)^2 + m*v0^2/k)"
+
+EXTENTS = {
+    # m u^2/2 + k y^2/2 + m g y is kept. Meriam, sec. 3/7; Beer & Johnston, sec. 13.8
+    "highest": (HUNG, "greatest y", f"{AMPLITUDE} - m*g/k"),
+    "lowest": (HUNG, "least y", f"-{AMPLITUDE} - m*g/k"),
+    "lowest by its drop": (HUNG, "maximum of s over the motion", f"{AMPLITUDE} + m*g/k"),
+    "from rest": (LET_GO, "greatest y", "a"),
+    "from rest, down": (LET_GO, "minimum of y", "-a - 2*m*g/k"),
+    "thrown": (BALL, "highest y", "a + v0^2/(2*g)"),
+    "turns": (BALL, "time when y turns back", "v0/g"),
+    "pendulum": (STRUCK, "greatest theta", "acos(1 - L*w^2/(3*g))"),
+    "pendulum, back": (STRUCK, "least theta", "-acos(1 - L*w^2/(3*g))"),
+    "shot in": (SHOT_IN, "least r", "sqrt(b^2 - v0^2/w^2)"),
+}
+
+
+@pytest.mark.parametrize("name", EXTENTS)
+def test_how_far_a_motion_gets(name: str) -> None:
+    is_formula(*EXTENTS[name], factors=(1.0, 1.02, 0.99))
+
+
+def test_a_turn_is_derived_and_never_claimed_where_none_comes() -> None:
+    assert "the speed is zero" in fb.explain(System.from_text(STRUCK + "questions: [least theta]\n")).to_text()
+    assert posed(BALL, "least y").expression is None
+    assert posed(WHIRLED, "greatest theta").value is None

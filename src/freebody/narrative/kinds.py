@@ -23,6 +23,7 @@ def derivation_of(system: System, question: Question) -> Derive:
 _PLACES: dict[Scope, str] = {
     "structure": "questions.freedom",
     "every motion": "questions.conserving",
+    "whole motion": "questions.extent",
     "repeated motion": "questions.period",
     "small motion": "questions.small",
     "steady motion": "steady.steady",

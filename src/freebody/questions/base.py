@@ -30,6 +30,7 @@ Scope = Literal[
     "course",  # counted from the start to an event
     "rest",
     "steady motion",
+    "whole motion",  # how far it gets
     "repeated motion",  # a motion that repeats itself, whatever its amplitude
     "small motion",  # equilibrium, and small oscillations about it
     "every motion",  # what all motions have in common: conservation

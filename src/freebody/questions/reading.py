@@ -118,6 +118,10 @@ def _event(names: Names, text: str, path: Path) -> AskedEvent | None:
         return Clock(None, ENDLESS)
     if time is not None:
         return Clock(names.formula(time, TIME, *path), text)
+    turning = re.match(r"^(?P<what>.+?) (?:turns (?:back|round|around)|reverses)$", text)
+    if turning is not None:
+        turned = measure_of(names, turning["what"], *path)
+        return None if turned is None else QuestionEvent(turned, 1, ZERO, text)
     found = re.match(r"^(?P<what>.+?)\s*(?:=| reaches | is | equals )\s*(?P<value>.+)$", text)
     if found is None:
         names.problem(Message("cannot read the condition '{text}'; write for example x = h", text=text), *path)

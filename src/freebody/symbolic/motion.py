@@ -27,6 +27,8 @@ from freebody.symbolic.field import Ratio
 from freebody.symbolic.first_integrals import FirstIntegrals, is_driven
 from freebody.symbolic.functions import functions
 from freebody.symbolic.laws import Freely, LawInstant, MotionLaw, first, law_of
+from freebody.symbolic.laws.damped import Damped
+from freebody.symbolic.laws.quadratic_resistance import Resisted
 from freebody.symbolic.laws.uniform import UniformLaw
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.signs import Sign, sign_of
@@ -443,6 +445,29 @@ class SmoothMotion:
             )
         time, needs, says = found
         return Reached(time, c, q0, u0, [], needs, says=says, integral=way.integral)
+
+    def extent(self, c: Coordinate, side: int) -> Reached:
+        """The farthest place of a coordinate above (side > 0) or below."""
+        q0 = self.start.of(c.index)
+        if self.stands_still:
+            return Reached(self.field.zero, c, q0, self.field.zero)
+        try:
+            self.integrals.speed_squared(c, self.field.variable(c.index))
+        except CannotAnswer:
+            return self._extent_by_law(c, side)
+        at, needs, says = self._way(c).extent(side)
+        return Reached(None, c, at, self.field.zero, [], needs, says=says)
+
+    def _extent_by_law(self, c: Coordinate, side: int) -> Reached:
+        """Of what is damped or resisted: it does not get beyond its first turn, nor back beyond its start at rest."""
+        law, u0 = self.law_of(c, takes_side=True), self.start.of(c.speed)
+        sense = sign_of(u0)
+        if not isinstance(law, Damped | Resisted) or not sense.is_strict or (sense is Sign.POSITIVE) != (side > 0):
+            raise CannotAnswer(Message("no closed form was found for how far it gets"))
+        instants = law.rates(self.field.zero)
+        if instants is None or (isinstance(law, Damped) and law.is_negative(law.delta)):
+            raise CannotAnswer(Message("no closed form was found for how far it gets"))
+        return self._first(c, c.name, *instants)
 
     # -- first integral -----------------------------------------------------------------------
     def _place_by_energy(self, c: Coordinate, at: Ratio, event: QuestionEvent) -> Reached:

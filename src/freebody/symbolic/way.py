@@ -146,6 +146,22 @@ class EnergyPath:
         found = self.field.lowest_terms(found)
         return (found if self._side(found) > 0 else -found), needs, says
 
+    def extent(self, side: int) -> tuple[Ratio, list[Need], list[str]]:
+        """The farthest place on one side, and what it needs: from rest the start, which energy lets it reach again and
+        no more; else where it turns, also where it comes back to after the turn on the other side."""
+        way, needs = self._way
+        if side == way:
+            turn, more, says = self._turning
+            return turn, [*needs, *more], says
+        if self.u0.is_zero():
+            return self.q0, needs, []
+        _turn, more, says = self._turning
+        back = EnergyPath(
+            self.model, self.c, self.square, (self.q0, -self.u0, -self._drive), takes_side=self._takes_side
+        )
+        turn, others, words = back._turning
+        return turn, [*needs, *more, *others], [*says, *words]
+
     # -- the direction and the end ------------------------------------------------------------
     @cached_property
     def _way(self) -> tuple[int, list[Need]]:

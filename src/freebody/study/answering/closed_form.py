@@ -17,6 +17,7 @@ from freebody.language.notation import joined, reworded
 from freebody.language.sentences import Message, further
 from freebody.questions.base import Quantity, Wanted
 from freebody.questions.clock import Clock
+from freebody.questions.extent import Extent
 from freebody.questions.freedom import DegreesOfFreedom
 from freebody.questions.period import Period
 from freebody.questions.reading import AskedEvent, Question, QuestionEvent
@@ -248,6 +249,12 @@ class QuestionSolver:
         from freebody.study.answering.repeated import find
 
         return find(self.setup, self.question.text, q.measure)
+
+    @_found.register(Extent)
+    def _extent(self, q: Extent) -> Finding:
+        from freebody.study.answering.extent import find
+
+        return find(self.setup, self.question.text, q.measure, q.side)
 
     # -- small oscillations and equilibrium ---------------------------------------------------
     @_found.register(SmallOscillations)

@@ -11,6 +11,7 @@ from freebody.language.sentences import Message
 from freebody.numeric.reference import Snapshot
 from freebody.questions.base import Quantity
 from freebody.questions.clock import Clock
+from freebody.questions.extent import Extent
 from freebody.questions.loads import Power
 from freebody.questions.period import Period
 from freebody.questions.reading import AskedEvent
@@ -83,6 +84,13 @@ def _period_number(quantity: Period, setup: Setup, event: AskedEvent | None, dra
     from freebody.study.answering.repeated import number
 
     return number(quantity.measure, setup, draw)
+
+
+@_number.register(Extent)
+def _extent_number(quantity: Extent, setup: Setup, event: AskedEvent | None, draw: Draw) -> float | tuple[float, ...]:
+    from freebody.study.answering.extent import extent_in_numbers
+
+    return extent_in_numbers(draw, quantity.measure, quantity.side)
 
 
 def _rests(setup: Setup) -> bool:

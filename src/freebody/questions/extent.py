@@ -1,0 +1,65 @@
+"""How far a motion gets: the greatest and the least value of a measure over all of it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Literal
+
+from freebody.language.expression import Symbol
+from freebody.language.sentences import Sentence
+from freebody.language.units import DIMENSIONLESS, Dimension
+from freebody.measures.base import Measure
+from freebody.model.phrases import measure_of
+from freebody.questions.base import Described, Found, Path, Quantity, angular_unit, asked
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+_GREATEST = "greatest|largest|maximum|maximal|highest"
+_LEAST = "least|smallest|minimum|minimal|lowest"
+
+
+@dataclass(frozen=True)
+class Extent(Quantity, kind="extent"):
+    """The value of a measure at the turn that lies farthest up, or down; that of the start is one of them."""
+
+    measure: Measure
+    name: str
+    end: Literal["greatest", "least"]
+
+    example = """
+bodies: {ball: {particle: {mass: 2 kg}}}
+loads: {weight: {gravity: 9.81 m/s^2}}
+measures: {y: y of ball}
+start: {y: 0, rate(y): 3 m/s}
+questions: {it: greatest y}
+"""
+    scope = "whole motion"
+
+    @property
+    def dimension(self) -> Dimension:
+        return self.measure.dimension
+
+    @property
+    def unit(self) -> str:
+        is_angle = self.dimension == DIMENSIONLESS
+        return angular_unit(self.dimension) if is_angle else str(self.dimension)
+
+    @property
+    def side(self) -> int:
+        return 1 if self.end == "greatest" else -1
+
+    def sentence(self, system: Described) -> Sentence:
+        of = Symbol(self.name) if self.name in system.measures else self.name
+        return Sentence(f"what.{self.end}", {"of": of})
+
+
+@asked(
+    "greatest | least MEASURE [over the motion]",
+    rf"(?P<end>{_GREATEST}|{_LEAST}) (?:value )?(?:of )?(?P<of>.+?)(?: (?:over|during|of) the (?:whole )?motion)?",
+    rank=15,
+)
+def _extent(names: Names, found: Found, path: Path) -> Quantity | None:
+    of = str(found["of"])
+    measure = measure_of(names, of, *path)
+    return None if measure is None else Extent(measure, of, "greatest" if found["end"] in _GREATEST else "least")
