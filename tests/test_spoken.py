@@ -15,6 +15,18 @@ from freebody.system.system import System
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
 
+STACKED = """
+parameters: {F: 20 N}
+ground: {lines: {floor: {along: right}}}
+bodies:
+  lower: {rectangle: {mass: 5 kg, width: 1 m, height: 0.2 m}, at: [0, 0.1 m]}
+  upper: {rectangle: {mass: 2 kg, width: 0.4 m, height: 0.2 m}, at: [0, 0.3 m]}
+connections:
+  base: {contact: {between: [lower, floor], friction: 0.2}}
+  top: {contact: {between: [upper, lower], friction: 0.4}}
+loads: {weight: {gravity: 9.81 m/s^2}, pull: {force: {at: lower, along: right, magnitude: F}}}
+"""
+
 # by example: what is typed, and what it means
 SPOKEN: dict[str, list[tuple[str, str]]] = {
     "atwood_machine": [
@@ -115,15 +127,15 @@ SPOKEN: dict[str, list[tuple[str, str]]] = {
         ),
         ("minimum friction coefficient required for equilibrium", "least mu so that it stays at rest"),
         ("smallest mu for which the ladder stays at rest", "least mu so that it stays at rest"),
-        ("maximum distance d such that the ladder does not slip", "largest d so that it stays at rest"),
-        ("largest d before the ladder slips", "largest d so that it stays at rest"),
+        ("maximum distance d such that the ladder does not slip", "largest d so that it does not slip"),
+        ("largest d before the ladder slips", "largest d so that it does not slip"),
         ("minimum angle alpha so that nothing slips", "least alpha so that it stays at rest"),
         ("Does the ladder stay at rest?", "does it hold"),
-        ("normal force at the wall", ""),
-        ("normal force from the floor", ""),
-        ("friction at the floor", ""),
-        ("Normalkraft an der Wand", ""),
-        ("kleinste Haftreibungszahl, damit die Leiter nicht rutscht", "least mu so that it stays at rest"),
+        ("normal force at the wall", "normal force of wall"),
+        ("normal force from the floor", "normal force of floor"),
+        ("friction at the floor", "friction force of floor"),
+        ("Normalkraft an der Wand", "normal force of wall"),
+        ("kleinste Haftreibungszahl, damit die Leiter nicht rutscht", "least mu so that it does not slip"),
     ],
     "disk_rolling_down_incline": [
         ("How long does it take until s = 2 m?", "time when s = 2 m"),
@@ -242,6 +254,12 @@ def test_what_cannot_be_read_is_answered_with_questions_of_this_model() -> None:
     for question in suggested:
         assert system.question(question).understood == question
     assert any(question.startswith("tension of rope at ") for question in suggested)
+
+
+@pytest.mark.parametrize("said", ["largest F so that upper does not slip", "größte Kraft F, damit upper nicht rutscht"])
+def test_that_one_of_two_bodies_does_not_slip_is_not_that_nothing_moves(said: str) -> None:
+    with pytest.raises(ModelError):
+        fb.System.from_text(STACKED).question(said)
 
 
 def test_what_can_be_meant_in_two_ways_is_refused_with_both() -> None:

@@ -42,6 +42,11 @@ class Connection(Spec):
         """The measures it holds."""
         return []
 
+    @property
+    def is_one_force(self) -> bool:
+        """Whether people mean one force by what it transmits at several places: the normal force of a block."""
+        return False
+
     def is_in_plane(self, names: Names) -> bool:
         """Whether it is a connection of the plane."""
         return self.in_plane

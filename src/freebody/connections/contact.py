@@ -119,6 +119,10 @@ class Contact(Connection, kind="contact"):
     touching: bool | None = None
     below: bool = False
 
+    @property
+    def is_one_force(self) -> bool:
+        return self.between is not None
+
     spread = ("between",)
     in_plane = True
     example = """

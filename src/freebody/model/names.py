@@ -74,6 +74,11 @@ def did_you_mean(name: str, known: Iterable[str]) -> str:
 class Joining(Protocol):
     """What the description asks of connections while it is read."""
 
+    @property
+    def is_one_force(self) -> bool:
+        """Whether what it transmits at several places is one force to people."""
+        ...
+
     def rows(self, names: Names) -> list[ConstraintRow]:
         """The measures that it holds."""
         ...

@@ -67,6 +67,7 @@ class ReactionComponent(Quantity, kind="reaction component"):
     row: str
     at: tuple[str, ...] = ()
     less: tuple[str, ...] = ()  # rows whose reactions are subtracted: the tension before a drum with friction
+    further: tuple[str, ...] = ()  # rows whose reactions are added: the other places at which two outlines touch
     transmits: Dimension = FORCE
 
     example = """
@@ -94,6 +95,8 @@ questions: {it: tension of rod}
         total = rows[self.row].sign * state.multiplier(rows[self.row])
         for name in self.less:
             total = total - rows[name].sign * state.multiplier(rows[name])
+        for name in self.further:
+            total = total + rows[name].sign * state.multiplier(rows[name])
         return total
 
     def sentence(self, system: Described) -> Sentence:
@@ -307,7 +310,8 @@ def _multiplier(names: Names, found: Found, path: Path) -> Quantity | None:
     at = tuple(_place(names, str(found[k]), path) for k in ("at", "a", "b") if found[k] is not None)
     places = [place for row in rows if row.reaction == what for place in _places(row)]
     matching = [place for place in places if set(at) <= set(place[1].places)]
-    if len(matching) != 1:
+    is_whole = not at and names.connections[of].is_one_force
+    if len(matching) != 1 and not (matching and is_whole):
         ends = "; ".join(" - ".join(_listed(stretch.places)) for _row, stretch in places)
         names.problem(
             Message(
@@ -324,9 +328,9 @@ def _multiplier(names: Names, found: Found, path: Path) -> Quantity | None:
         return None
     row, stretch = matching[0]
     dimension = FORCE if row.measure.dimension == LENGTH else TORQUE / row.measure.dimension
-    return ReactionComponent(
-        of, what, row.name, at, tuple(f"{of}.{component}" for component in stretch.less), dimension
-    )
+    less = tuple(f"{of}.{component}" for component in stretch.less)
+    further = tuple(other.name for other, _stretch in matching[1:])
+    return ReactionComponent(of, what, row.name, at, less, further, dimension)
 
 
 def _listed(places: tuple[str, ...]) -> list[str]:

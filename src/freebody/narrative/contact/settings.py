@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
-from freebody.study.answering.solve import MOST_PLACES
 from freebody.study.setup import Setup
 from freebody.system.system import System
 
@@ -19,10 +18,11 @@ def setup_of(system: System) -> Setup:
         return prepared(system).setup
     if not has_phases(system):
         return Setup(system)
-    if len(system.bounds) > MOST_PLACES:
-        return Setup(system, 2)
+    from freebody.study.phases.home import is_crowded
     from freebody.study.phases.tree import tree_of
 
+    if is_crowded(system):
+        return Setup(system, 2)
     tree = tree_of(system)
     return tree.roots[0].phase.setup if tree.roots else tree.home
 

@@ -4,6 +4,7 @@
     @joint(floor, block)    the connection between the two; a third word is a reaction that it is to have
     @friction               the coefficient of friction
     @moving, @body          what is measured, or the body that moves
+    @all(ladder)            `it`, where the body is all that moves
 
 Where a model has several, each is a way to mean the text.
 """
@@ -22,7 +23,7 @@ from freebody.questions.spoken.naming import CLOSE, OPEN, plain_names
 if TYPE_CHECKING:
     from freebody.model.names import Names
 
-_CALL = re.compile(r"@(?P<what>way|joint|friction|moving|body)(?:\((?P<args>[^()]*)\))?")
+_CALL = re.compile(r"@(?P<what>way|joint|friction|moving|body|all)(?:\((?P<args>[^()]*)\))?")
 
 
 def resolved(names: Names, text: str) -> Iterator[str]:
@@ -39,13 +40,18 @@ def resolved(names: Names, text: str) -> Iterator[str]:
 def _choices(names: Names, what: str, args: str) -> list[str]:
     if what == "way":
         return _ways(names, args)
+    if what == "all":
+        return ["it"] if _moving(names) == [args] else []
     if what in ("moving", "body"):
-        bodies = [name for name, body in names.bodies.items() if name != GROUND and not body.fixed]
-        return bodies if what == "body" else list(names.measures) or bodies
+        return _moving(names) if what == "body" else list(names.measures) or _moving(names)
     if what == "joint":
         first, second, reaction = (part.strip() for part in f"{args},,".split(",")[:3])
         return _joints(names, first, second, reaction)
     return _coefficients(names)
+
+
+def _moving(names: Names) -> list[str]:
+    return [name for name, body in names.bodies.items() if name != GROUND and not body.fixed]
 
 
 def _ways(names: Names, body: str) -> list[str]:

@@ -25,8 +25,6 @@ from freebody.study.setup import Setup, independent_measures
 from freebody.study.worded import in_words
 from freebody.system.system import System
 
-MOST_PLACES = 12  # at which bodies can touch, for formulas
-
 
 @in_words
 def solve(system: System, question: str | None = None, *, setup: Setup | None = None) -> Solution:
@@ -180,13 +178,14 @@ def _in_phases(system: System, questions: Sequence[Question]) -> Solution:
     """The motion changes its law on the way: one phase after the other."""
     from freebody.study.friction.answers import answer as at_rest
     from freebody.study.phases.ask import answer
+    from freebody.study.phases.home import is_crowded
     from freebody.study.phases.result import phases_of
     from freebody.study.phases.tree import tree_of
     from freebody.study.settled import start_mode
 
-    if len(system.bounds) > MOST_PLACES:
-        return _too_many_places(system, questions)
     try:
+        if is_crowded(system):
+            return _too_many_places(system, questions)
         if system.has_values:
             start_mode(system)  # refuses bodies that are inside others
         tree = tree_of(system)

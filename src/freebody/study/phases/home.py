@@ -6,6 +6,7 @@ import random
 from collections.abc import Iterator, Sequence, Set
 from contextlib import suppress
 from dataclasses import replace
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -33,6 +34,8 @@ from freebody.system.modes import ContactMode, depends_on_time, ideal_bounds, in
 from freebody.system.system import System
 from freebody.tolerances import ROUND_OFF, TOUCHES
 
+MOST_PLACES = 64  # at which bodies can ever touch: each is looked at by what could end a phase
+MOST_TOUCHING = 12  # at which they touch when the motion begins: each opens, slips or sticks
 _LONG_ANGLE, _LONG_TIME = 3, 12  # operations: what is longer gets a symbol
 _N_STARTS = 3  # numbers of the parameters at which the rates of the start are looked at
 
@@ -232,6 +235,12 @@ def _with_angles(system: System, setup: Setup) -> System:
     return system if bodies == system.bodies else replace(system, bodies=bodies)
 
 
+def is_crowded(system: System) -> bool:
+    """Whether more can touch than a case distinction has room for."""
+    return len(system.bounds) > MOST_PLACES or len(closed_at_start(system)) > MOST_TOUCHING
+
+
+@lru_cache(maxsize=4)
 def closed_at_start(system: System) -> frozenset[str]:
     """Bounds that are closed when the motion begins: ideal ones; of those said to touch the places that do so at the
     model's own values; and those whose gap is zero whatever the values are."""

@@ -40,7 +40,8 @@ def _joined(quantity: Joined, base: System, system: System, state: State[Any]) -
 
 @_value.register(ReactionComponent)
 def _component(quantity: ReactionComponent, base: System, system: System, state: State[Any]) -> Any:
-    return reaction(quantity.row, quantity.less, base, system, state)
+    found = reaction(quantity.row, quantity.less, base, system, state)
+    return reduce(operator.add, (_reaction(name, base, system, state) for name in quantity.further), found)
 
 
 @_value.register(Wrench)
