@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from freebody.study.friction.report import Statics
     from freebody.study.inverse_dynamics import InverseDynamics
     from freebody.study.mobility.found import Mobility
+    from freebody.study.over_a_turn import OverTurn
     from freebody.study.phases.result import Phases
     from freebody.study.simulation.simulate import Simulation
     from freebody.study.small_motion.found import Equilibria
@@ -310,4 +311,35 @@ class Studies:
     @study("freebody.study.inverse_dynamics")
     def inverse_dynamics(self, motion: Mapping[str, Any] | None, times: Sequence[float]) -> InverseDynamics:
         """The forces and torques for a prescribed motion of named measures."""
+        ...
+
+    @study(
+        "freebody.study.over_a_turn",
+        "turn",
+        busy="turning once round",
+        options=[
+            Option("along", ("--along",), "The angle that is turned; else the one that is driven.", metavar="ANGLE"),
+            Option(
+                "rate",
+                ("--rate",),
+                "How fast, as '30 rad/s'; 0: slowly, without inertia. Else as the model says.",
+                read="freebody.study.given.turning_rate",
+            ),
+            Option("n", ("--poses",), "Poses of the turn.", int, 72),
+            Option("csv", ("--csv",), "Write all values as a table.", Path),
+            Option("plot", ("--plot",), "Draw the torque over the angle: .png, .svg or .pdf.", Path),
+        ],
+    )
+    def over_a_turn(
+        self,
+        along: str | None = None,
+        *,
+        rate: float | None = None,
+        n: int = 72,
+        csv: str | Path | None = None,
+        plot: str | Path | None = None,
+    ) -> OverTurn:
+        """Find the driving torque over a turn of an angle, as a table and as a picture.
+
+        along: a named angle; rate: [rad/s], 0 for slowly; n: poses; csv, plot: files to write."""
         ...

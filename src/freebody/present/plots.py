@@ -66,7 +66,7 @@ def plot(
     panels: dict[str, list[Curve]] = {}
     for curve in found:
         panels.setdefault(curve.unit, []).append(curve)
-    return _figure(recording.times, panels, list(events), dark=dark)
+    return figure_over(recording.times, panels, "time [s]", list(events), dark=dark)
 
 
 def save(figure: Figure, path: str | Path) -> Path:
@@ -129,7 +129,15 @@ def _curve(recording: Recording, name: str) -> Curve:
 
 
 # -- drawing ----------------------------------------------------------------------------------
-def _figure(times: Array, panels: dict[str, list[Curve]], events: list[tuple[str, float]], *, dark: bool) -> Figure:
+def figure_over(
+    times: Array,
+    panels: dict[str, list[Curve]],
+    x_label: str,
+    events: Sequence[tuple[str, float]] = (),
+    *,
+    dark: bool = False,
+) -> Figure:
+    """Panels by unit over the time, or whatever else goes on evenly, with the instants of events."""
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 
@@ -147,7 +155,7 @@ def _figure(times: Array, panels: dict[str, list[Curve]], events: list[tuple[str
                 at = axes.get_xaxis_transform()
                 text = {"fontsize": 8, "color": theme.muted, "parse_math": False, "rotation": 35}
                 axes.text(time, 1.02, name, transform=at, ha="left", va="bottom", rotation_mode="anchor", **text)
-    stack[-1].set_xlabel("time [s]", color=theme.ink)
+    stack[-1].set_xlabel(_literal(x_label), color=theme.ink)
     return figure
 
 

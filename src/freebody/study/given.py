@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from freebody.errors import InputError
 from freebody.language.expression import Expr
 from freebody.language.sentences import Message, lines
-from freebody.language.units import TIME, parse_quantity
+from freebody.language.units import DIMENSIONLESS, TIME, parse_quantity
 from freebody.measures.base import Measure
 from freebody.model.names import Names, did_you_mean
 from freebody.system.system import System
@@ -55,6 +55,17 @@ def seconds(text: str) -> float:
         quantity = parse_quantity(text)
     if quantity.dimension != TIME:
         raise InputError(Message("{text} is no time; write 10 or 200 ms", text=text))
+    return float(quantity.value)
+
+
+def turning_rate(text: str) -> float:
+    """A rate of an angle [rad/s]: a number, or a number with a unit. Raises InputError for anything else."""
+    try:
+        return float(text)
+    except ValueError:
+        quantity = parse_quantity(text)
+    if quantity.dimension != DIMENSIONLESS / TIME:
+        raise InputError(Message("{text} is no rate of an angle; write 10 or 30 rad/s", text=text))
     return float(quantity.value)
 
 
