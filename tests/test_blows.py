@@ -268,7 +268,7 @@ def test_blows_that_are_not_solved_are_refused(name: str) -> None:
 
 WRONG = {
     "another key": ("close: at start", "hit has no close. Did you mean closes?"),
-    "another time": ("closes: when theta = 0", "closes does so at the start"),
+    "another time": ("closes: soon", "say when it closes"),
 }
 
 

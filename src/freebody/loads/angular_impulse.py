@@ -1,4 +1,4 @@
-"""An angular impulse on a body at the start: the time integral of a torque that is great for no time."""
+"""An angular impulse on a body: the time integral of a torque that is great for no time."""
 
 from __future__ import annotations
 
@@ -19,18 +19,23 @@ if TYPE_CHECKING:
 
 
 class AngularImpulse(Load, kind="angular_impulse"):
-    """`angular_impulse: {on: wheel, magnitude: H}`, counter-clockwise positive, at the start; `reacts_on` and `about`
-    as of a torque."""
+    """`angular_impulse: {on: wheel, magnitude: H}`, counter-clockwise positive, at the start or with `when: x = d` in
+    mid-motion; `reacts_on` and `about` as of a torque."""
 
     on: str
     magnitude: Formula
     reacts_on: str = GROUND
     about: Heading | None = None
+    when: str = ""
 
     example = """
 bodies: {wheel: {disk: {mass: 1 kg, radius: 1 m}}}
 loads: {it: {angular_impulse: {on: wheel, magnitude: 2 N m s}}}
 """
+
+    @property
+    def strikes_when(self) -> str:
+        return self.when
 
     def impulses(self, names: Names) -> list[AppliedLoad]:
         turned = turned_about(names, self.on, self.reacts_on, self.about)

@@ -1,8 +1,8 @@
 """The base of all loads.
 
 A load is one file in this folder: a `Spec` with a `kind`; `applied_loads`, which says which measures it pushes and by
-what law; and `glyphs`, which says what is drawn of it. Extension and pulling are positive. A blow at the start says
-with `impulses` what it pushes by which impulse, and pushes nothing afterwards.
+what law; and `glyphs`, which says what is drawn of it. Extension and pulling are positive. A blow says with
+`impulses` what it pushes by which impulse, and pushes nothing otherwise.
 """
 
 from __future__ import annotations
@@ -29,6 +29,11 @@ class Load(Spec):
     # True if its work is kept as potential energy
     stores_energy: ClassVar[bool] = False
 
+    @property
+    def strikes_when(self) -> str:
+        """Of an impulse in mid-motion: the words of the event at which it acts; nothing at the start."""
+        return ""
+
     def __init_subclass__(cls, kind: str = "", **rest: Any) -> None:
         super().__init_subclass__(**rest)
         if kind:
@@ -40,7 +45,7 @@ class Load(Spec):
         return []
 
     def impulses(self, names: Names) -> list[AppliedLoad]:
-        """The measures it pushes at the start, in no time: by an impulse in the parameters."""
+        """The measures it pushes at once, at the start or when an event happens: by an impulse in the parameters."""
         return []
 
     def pulls_with(self, laws: Sequence[Any], sqrt: Callable[[Any], Any]) -> Any:

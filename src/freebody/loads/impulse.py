@@ -1,4 +1,4 @@
-"""A blow at a point at the start: an impulse, the time integral of a force that is great for no time."""
+"""A blow at a point: an impulse, the time integral of a force that is great for no time."""
 
 from __future__ import annotations
 
@@ -19,16 +19,22 @@ if TYPE_CHECKING:
 
 class Impulse(Load, kind="impulse"):
     """`impulse: {at: rod.end, along: right, magnitude: J}`: at the start the point is struck. The section `start` says
-    how everything moves just before; what is asked at the start is so just after."""
+    how everything moves just before; what is asked at the start is so just after. With `when: x = d` it is struck in
+    mid-motion, the first time that x reaches d."""
 
     at: str
     along: Heading
     magnitude: Formula
+    when: str = ""
 
     example = """
 bodies: {ball: {particle: {mass: 1 kg}}}
 loads: {it: {impulse: {at: ball, along: right, magnitude: 2 N s}}}
 """
+
+    @property
+    def strikes_when(self) -> str:
+        return self.when
 
     def impulses(self, names: Names) -> list[AppliedLoad]:
         pushed = pushed_along(names, self.at, self.along)

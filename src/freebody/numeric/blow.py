@@ -1,4 +1,4 @@
-"""A blow at the start in numbers: impulses, and connections that close, change the velocities at once.
+"""A blow in numbers: impulses, and connections that close, change the velocities at once.
 
 The start of the model says how everything moves just before. With P the generalized impulses, J the gradients of what
 is held afterwards and Lambda its impulses,
@@ -38,16 +38,20 @@ class Blow:
 
 def blow(reference: NumericSystem, g: JetGeometry, extra: Wanted = ()) -> Blow:
     """The blow at the start in the pose of g, whose velocities are zero. extra: rates that are wanted before."""
+    return struck(reference, g, start_velocities(reference, g, extra, with_start=True))
+
+
+def struck(reference: NumericSystem, g: JetGeometry, before: Array) -> Blow:
+    """The blow in a pose, whose velocities are zero in g. before: (n,) those just before."""
     n, M = len(g.q), reference.masses
-    before = start_velocities(reference, g, extra, with_start=True)
     rows = reference.system.constraint_rows
     gaps = [reference.gap(row, g) for row in rows]
     split = Split(stack([gap.row(n) for gap in gaps], n), reference.sizes.small_moves)
     v = split.least(np.array([-gap.rate for gap in gaps]))
-    struck = M * before + _impulses(reference, g)
+    brought = M * before + _impulses(reference, g)
     if split.null.shape[1]:
-        v = v + free_motion(reference, split.null, struck - M * v)
-    return Blow(before, v, split.multipliers(M * v - struck), split)
+        v = v + free_motion(reference, split.null, brought - M * v)
+    return Blow(before, v, split.multipliers(M * v - brought), split)
 
 
 def _impulses(reference: NumericSystem, g: JetGeometry) -> Array:

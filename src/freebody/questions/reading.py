@@ -112,7 +112,8 @@ def read_quantity(names: Names, text: str, path: Path) -> Quantity | None:
     return None
 
 
-def _event(names: Names, text: str, path: Path) -> AskedEvent | None:
+def read_event(names: Names, text: str, path: Path) -> AskedEvent | None:
+    """The event that a condition states: x = d, theta' = 0, t = 2 s."""
     time = None if "t" in names.measures else time_asked(text)
     if time == "":
         return Clock(None, ENDLESS)
@@ -401,7 +402,7 @@ def _placed(names: Names, quantity: Quantity, condition: str | None, at_start: b
         names.problem(told, *path)
         return None
     transition = read_transition(names, condition, path)
-    event = None if transition is not None else _event(names, condition, path)
+    event = None if transition is not None else read_event(names, condition, path)
     if event is None and transition is None:
         return None
     return _Asked(quantity, event, at_start, transition)

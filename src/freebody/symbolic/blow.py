@@ -1,4 +1,4 @@
-"""A blow at the start as elements: impulses, and connections that close, change the velocities at once.
+"""A blow as elements: impulses, and connections that close, change the velocities at once.
 
 The start of the model says how everything moves just before. There all bodies move each for itself: with V their
 velocities along their slots, J0 the gradients of what is held before and A those of the given rates,
@@ -39,14 +39,22 @@ _Given = tuple[Row, Ratio]  # a row over the slots of the bodies, and what it co
 class Blow:
     """The blow at the start of a model. places: its coordinates there, and the time, by generator."""
 
-    def __init__(self, model: SymbolicModel, known_rates: Mapping[str, Expr], places: Mapping[int, Ratio]) -> None:
+    def __init__(
+        self,
+        model: SymbolicModel,
+        known_rates: Mapping[str, Expr],
+        places: Mapping[int, Ratio],
+        before: Mapping[tuple[str, str], Ratio] | None = None,
+    ) -> None:
+        """before: the velocities just before, where they are known, by body and slot."""
         self.model, self.field = model, model.field
         self._places = dict(places)
         self._columns = {
             (body.name, slot): k
             for k, (body, slot) in enumerate((b, s) for b in model.system.moving for s in self._slots(b))
         }
-        self._before = self._least(list(self._rows_before(known_rates)))
+        self._known = before
+        self._before = self._least(list(self._rows_before(known_rates))) if before is None else None
         self.speeds = self._speeds_after()
 
     # -- just before --------------------------------------------------------------------------
@@ -65,6 +73,8 @@ class Blow:
         return self.field.lowest_terms(total)
 
     def _velocity_before(self, body: str, slot: str) -> Ratio:
+        if self._known is not None:
+            return self._here(self._known.get((body, slot), self.field.zero))
         column = self._columns.get((body, slot))
         if column is None or self._before is None:
             return self.field.zero

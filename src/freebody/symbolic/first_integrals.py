@@ -70,7 +70,7 @@ class FirstIntegrals:
         for j, row in enumerate(M):
             for k, entry in enumerate(row):
                 total = total + f.follow(self._explicit(entry), self.start.values) * u0[j] * u0[k]
-        before, now = (self.potential(values) for values in (self.start.values, {c.index: at}))
+        before, now = (self.potential(values) for values in (self.start.values, {**self.resting, c.index: at}))
         square = (total - rest + 2 * (before - now)) / mass
         if self.model.dependent and len(square.num) > _MOST_TERMS:
             raise CannotAnswer(Message("through the closed loop the speed would be a formula that is too long"))
@@ -120,8 +120,30 @@ class FirstIntegrals:
         return x
 
     def _explicit(self, x: Ratio) -> Ratio:
-        """Without the angles that closed loops bind."""
-        return self._closure.explicit(x) if self.model.dependent else x
+        """Without the angles that closed loops bind, and with what stays at rest where it is."""
+        x = self._closure.explicit(x) if self.model.dependent else x
+        return self.field.follow(x, self.resting) if self.resting else x
+
+    @cached_property
+    def resting(self) -> dict[int, Ratio]:
+        """The coordinates, by generator, that stay where they start, and their speeds: they start at rest, and while
+        all of them are there none is accelerated, whatever the others do."""
+        model, f = self.model, self.field
+        if model.dependent or is_driven(model) or len(model.coordinates) < 2:
+            return {}
+        pairs = list(zip(model.coordinates, model.accelerations, strict=True))
+        pairs = [(c, a) for c, a in pairs if self.start.of(c.speed).is_zero()]
+        while pairs:
+            there = {k: x for c, _a in pairs for k, x in ((c.index, self.start.of(c.index)), (c.speed, f.zero))}
+            still = [
+                (c, a)
+                for c, a in pairs
+                if f.lowest_terms(f.follow(model.dynamics.solved_accelerations[a], there)).is_zero()
+            ]
+            if len(still) == len(pairs):
+                return there
+            pairs = still
+        return {}
 
     @cached_property
     def _closure(self) -> Closure:
@@ -161,7 +183,7 @@ class FirstIntegrals:
         return found
 
     def _check(self, c: Coordinate) -> None:
-        others = [k for k in self.model.coordinates if k is not c]
+        others = [k for k in self.model.coordinates if k is not c and k.index not in self.resting]
         if any(k.index in self._needed for k in others):
             raise CannotAnswer(
                 Message(
@@ -186,7 +208,8 @@ class FirstIntegrals:
         """The coordinates on which masses and potential depend; with one freedom there are no others to ask for."""
         if self.model.degrees_of_freedom == 1 or self.model.dependent:
             return {k.index for k in self.model.coordinates} if self.model.degrees_of_freedom != 1 else set()
-        elements = [x for row in self.model.dynamics.mass_matrix for x in row] + [self.potential({})]
+        entries = [self._explicit(x) for row in self.model.dynamics.mass_matrix for x in row]
+        elements = [*entries, self.potential(dict(self.resting))]
         return set[int]().union(*map(self.field.ingredients, elements))
 
     def speeds(self, c: Coordinate) -> dict[int, Ratio]:
@@ -194,10 +217,10 @@ class FirstIntegrals:
         self._check(c)
         f, names = self.field, self.model.coordinates
         own = names.index(c)
-        others = [k for k in range(len(names)) if k != own]
+        others = [k for k in range(len(names)) if k != own and names[k].index not in self.resting]
         rows: list[Row] = []
         for k in others:
-            line = self.model.dynamics.mass_matrix[k]
+            line = [self._explicit(x) for x in self.model.dynamics.mass_matrix[k]]
             momentum = f.zero
             for entry, other in zip(line, names, strict=True):
                 momentum = momentum + f.follow(entry, self.start.values) * self.start.of(other.speed)
@@ -208,7 +231,8 @@ class FirstIntegrals:
         if solved.free or solved.contradictory:
             raise CannotAnswer(Message("the momenta do not give the speeds of the other coordinates"))
         found = {k: f.lowest_terms(line.get(RHS, f.zero)) for k, line in solved.pivots.items()}
-        return {**found, c.speed: f.variable(c.speed)}
+        still = {k.speed: f.zero for k in names if k.index in self.resting}
+        return {**still, **found, c.speed: f.variable(c.speed)}
 
     def potential(self, values: dict[int, Ratio]) -> Ratio:
         """Minus the work function of all loads; each must be a function of its own measure."""

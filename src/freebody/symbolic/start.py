@@ -164,7 +164,8 @@ def _row_of(x: Ratio, speeds: Sequence[int]) -> Row:
 
 def start_from_bodies(model: SymbolicModel) -> StartState:
     """Start values where the model gives a full pose and motion of every body: of the measure that a coordinate is, and
-    of its gradient times the velocities. Raises CannotAnswer for a coordinate that is no measure."""
+    of its gradient times the velocities, which are those before where it is struck. Raises CannotAnswer for a
+    coordinate that is no measure."""
     if model.system.space:
         raise CannotAnswer(Message("the start of a phase is put together from bodies in the plane only"))
     f, scalar = model.field, model.geometry.scalar
@@ -202,6 +203,10 @@ def start_from_bodies(model: SymbolicModel) -> StartState:
             if slot in velocities:
                 speed = speed + f.follow(slope, values) * velocities[slot]
         values[c.speed] = f.lowest_terms(speed)
+    if model.system.is_struck:
+        speeds = {c.speed for c in everything}
+        blow = Blow(model, {}, {k: x for k, x in values.items() if k not in speeds}, velocities)
+        return StartState(values | blow.speeds, (), blow)
     return StartState(values)
 
 

@@ -27,7 +27,8 @@ from freebody.model.elements import (
 from freebody.model.glyphs import Shown
 from freebody.model.names import Names
 from freebody.model.rotations import Columns
-from freebody.questions.reading import Question
+from freebody.questions.reading import Clock, Question
+from freebody.system.blows import BlowEvent
 
 
 @dataclass(frozen=True, repr=False)
@@ -62,6 +63,7 @@ class SystemDescription:
     frames: Mapping[str, tuple[str, Columns]] = field(default_factory=dict[str, tuple[str, Columns]])  # axes on bodies
     names: Names = field(default_factory=Names, repr=False)  # what the words of the model mean
     impulses: tuple[AppliedLoad, ...] = ()  # of the blows at the start: measures pushed by an impulse, their law
+    blows: tuple[BlowEvent, ...] = ()  # what closes and strikes in mid-motion
 
     @property
     def moving(self) -> tuple[RigidBody, ...]:
@@ -85,12 +87,13 @@ class SystemDescription:
 
     @property
     def rows(self) -> tuple[ConstraintRow, ...]:
-        """The rows whose multipliers a motion has: what is held, what is bounded, what rubs."""
+        """The rows whose multipliers a motion has: what is held, what is bounded, what rubs, what closes on the way."""
         return self._rows
 
     @cached_property
     def _rows(self) -> tuple[ConstraintRow, ...]:
-        return (*self.constraint_rows, *(bound.row for bound in self.bounds), *(rub.row for rub in self.dry_friction))
+        bounded = (*(bound.row for bound in self.bounds), *(rub.row for rub in self.dry_friction))
+        return (*self.constraint_rows, *bounded, *(row for blow in self.blows for row in blow.rows))
 
     @cached_property
     def glyphs(self) -> tuple[Shown[Point, Direction, Expr], ...]:
@@ -130,14 +133,22 @@ class SystemDescription:
             yield set(rub.row.measure.bodies()).union(*(m.bodies() for _n, m in rub.measures))
             loaded = [connection_of[name] for name in (*rub.load, rub.of) if name in connection_of]
             yield set[str]().union(of_connection[rub.row.connection], *(of_connection[c] for c in loaded))
-        for push in (*self.applied_loads, *self.impulses):
+        for push in (*self.applied_loads, *self.impulses, *(push for blow in self.blows for push in blow.impulses)):
             yield set(push.measure.bodies()).union(*(m.bodies() for _n, m in push.measures))
+        for blow in self.blows:
+            yield self.ends_of_blow(blow)
         for attitude in self.attitudes:
             yield {attitude.first, attitude.second}
         for body in self.bodies.values():
             yield {body.name, body.frame}
         for name in (*self.start, *self.start_rates):
             yield set(self.measures[name].bodies())
+
+    def ends_of_blow(self, blow: BlowEvent) -> set[str]:
+        """The bodies that a blow is about: those of its event, and those that it closes or strikes."""
+        own = set[str]() if isinstance(blow.event, Clock) else set(blow.event.measure.bodies())
+        own.update(body for push in blow.impulses for body in push.measure.bodies())
+        return own.union(*(self.ends_of(row) for row in blow.rows))
 
     def ends_of(self, row: ConstraintRow) -> set[str]:
         """The bodies between which a row is; of its ends, some are called by lines."""
@@ -147,6 +158,7 @@ class SystemDescription:
     def touched(self) -> frozenset[Point]:
         """The points at which something is held, bounded, pushed or measured."""
         measures = [row.measure for row in self.rows] + [push.measure for push in (*self.applied_loads, *self.impulses)]
+        measures += [push.measure for blow in self.blows for push in blow.impulses]
         return frozenset(point for measure in (*measures, *self.measures.values()) for point in points_in(measure))
 
     @property
@@ -174,7 +186,7 @@ class SystemDescription:
     def _meaning(self) -> tuple[object, ...]:
         described = (self.title, self.parameters, self.bodies, self.constraint_rows, self.applied_loads, self.measures)
         bounded = (self.contacts, self.limits, self.brakes)
-        return (*described, self.impulses, self.start, self.start_rates, self.questions, self.mode, bounded)
+        return (*described, self.impulses, self.blows, self.start, self.start_rates, self.questions, self.mode, bounded)
 
 
 def merged(groups: Iterable[frozenset[str]], ties: Iterable[set[str]]) -> tuple[frozenset[str], ...]:

@@ -233,6 +233,7 @@ class _GenericReader:
             constraint_rows=held,
             applied_loads=(),
             impulses=(),
+            blows=(),
             measures=measures,
             offered=(),
             start={},

@@ -1,6 +1,7 @@
 """Modes: which bounds are closed, and which dry friction sticks or slides. In one mode a system is an ordinary one:
 
     closed     the row of the bound is held
+    past       a blow has happened: the rows that close in it are held
     sticking   the row of the slip is held where it is
     sliding    a load pushes the slip: -s c N, s the sign of its rate, c the kinetic coefficient, N the friction's load
 
@@ -18,6 +19,7 @@ from freebody.measures.base import Measure
 from freebody.measures.combination import Combination
 from freebody.measures.geometry import ONE
 from freebody.model.elements import AppliedLoad, ConstraintRow, DryFriction, NonholonomicForm, Parameter
+from freebody.system.blows import BlowEvent
 from freebody.system.system import System
 
 
@@ -27,10 +29,13 @@ class ContactMode:
 
     closed: frozenset[str] = frozenset()
     dry_friction: tuple[tuple[str, int], ...] = ()  # 0 sticks, +1 slides with a growing measure, -1 with a falling one
+    past: frozenset[str] = frozenset()  # the blows that have happened, by the words of their events
 
     @classmethod
-    def of(cls, closed: set[str] | frozenset[str], dry_friction: Mapping[str, int]) -> ContactMode:
-        return cls(frozenset(closed), tuple(sorted(dry_friction.items())))
+    def of(
+        cls, closed: set[str] | frozenset[str], dry_friction: Mapping[str, int], past: frozenset[str] = frozenset()
+    ) -> ContactMode:
+        return cls(frozenset(closed), tuple(sorted(dry_friction.items())), past)
 
     @property
     def states(self) -> dict[str, int]:
@@ -72,6 +77,7 @@ def in_mode(system: System, mode: ContactMode) -> tuple[System, dict[str, DryFri
     """The system in one mode, without bounds or dry friction of its own, and the rubs whose load its symbols name."""
     states = mode.states
     held = [row for row in system.constraint_rows if is_held_in(row, mode)]
+    held += [row for blow in system.blows if blow.name in mode.past for row in blow.rows]
     held += [bound.row for bound in system.bounds if bound.name in mode.closed]
     applied_loads = list(system.applied_loads)
     parameters = dict(system.parameters)
@@ -96,8 +102,17 @@ def in_mode(system: System, mode: ContactMode) -> tuple[System, dict[str, DryFri
         contacts=(),
         limits=(),
         brakes=(),
+        blows=(),
     )
     return alone, loads
+
+
+def at_blow(system: System, blow: BlowEvent, past: frozenset[str]) -> System:
+    """The system as its velocities change in a blow of its own: what holds is held, what closes does so, impulses act,
+    and what only pushes or pulls answers afterwards to what it is left to do. past: the blows before."""
+    before, _loads = in_mode(system, ContactMode.of(frozenset(), {}, past))
+    closing = tuple(replace(row, closes=True) for row in blow.rows)
+    return replace(before, constraint_rows=(*before.constraint_rows, *closing), impulses=blow.impulses)
 
 
 # -- the time ---------------------------------------------------------------------------------

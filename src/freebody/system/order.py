@@ -25,6 +25,7 @@ from typing import TypeVar
 
 from freebody.language.natural import natural
 from freebody.language.units import DIMENSIONLESS
+from freebody.system.blows import BlowEvent
 from freebody.system.system import System
 
 _T = TypeVar("_T")
@@ -65,7 +66,13 @@ def in_one_order(system: System) -> System:
             sorted(system.applied_loads, key=lambda push: (natural(push.load), natural(push.component)))
         ),
         impulses=tuple(sorted(system.impulses, key=lambda push: natural(push.load))),
+        blows=tuple(map(_blow_in_order, system.blows)),
     )
+
+
+def _blow_in_order(blow: BlowEvent) -> BlowEvent:
+    rows = sorted(blow.rows, key=lambda row: natural(row.connection))
+    return replace(blow, rows=tuple(rows), impulses=tuple(sorted(blow.impulses, key=lambda push: natural(push.load))))
 
 
 def _walk(names: Sequence[str], beside: Mapping[str, Collection[str]], on_ground: Sequence[str]) -> list[str]:

@@ -24,14 +24,17 @@ def cut_out(system: System, group: frozenset[str]) -> System:
     held = tuple(row for row in system.constraint_rows if stays(system.ends_of(row)))
     applied_loads = tuple(push for push in system.applied_loads if stays(push.measure.bodies()))
     impulses = tuple(push for push in system.impulses if stays(push.measure.bodies()))
+    blows = tuple(blow for blow in system.blows if stays(system.ends_of_blow(blow)))
     gone = {row.connection for row in system.rows if not stays(system.ends_of(row))}
-    loads = {push.load for push in (*applied_loads, *impulses)}
+    struck = (push for blow in blows for push in blow.impulses)
+    loads = {push.load for push in (*applied_loads, *impulses, *struck)}
     return replace(
         system,
         bodies={name: body for name, body in system.bodies.items() if name in kept},
         constraint_rows=held,
         applied_loads=applied_loads,
         impulses=impulses,
+        blows=blows,
         measures=measures,
         offered=tuple((name, m) for name, m in system.offered if stays(m.bodies())),
         start={name: e for name, e in system.start.items() if name in measures},

@@ -10,11 +10,14 @@ from freebody.language.plain_text import plain
 from freebody.language.units import ENERGY
 from freebody.loads.base import Load
 from freebody.questions.reading import read_questions
+from freebody.system.blows import gathered
 from freebody.system.description import SystemDescription
 from freebody.system.reading.bodies import BodySections
 from freebody.system.reading.connections import (
     CLOSES,
     closing_at_start,
+    closing_when,
+    parted,
     read_attitudes,
     read_bounds,
     read_rows,
@@ -22,7 +25,7 @@ from freebody.system.reading.connections import (
 )
 from freebody.system.reading.ground import place_ground_points
 from freebody.system.reading.head import check_sections, read_space, title
-from freebody.system.reading.loads import read_impulses, read_loads
+from freebody.system.reading.loads import read_impulses, read_loads, striking_when
 from freebody.system.reading.measures import read_measures
 from freebody.system.reading.parameters import read_parameters
 from freebody.system.reading.source import Source
@@ -45,12 +48,15 @@ def read_system(document: Document, file: str | None) -> SystemDescription:
     measures = read_measures(source)
     applied_loads = names.applied_loads = read_loads(names, loads)
     impulses = read_impulses(names, loads)
-    held, offered = read_rows(names, connections, closing_at_start(source))
-    contacts, limits, brakes = read_bounds(names, connections)
+    striking, closing = striking_when(names, loads), closing_when(source)
+    held, offered = read_rows(names, connections, closing_at_start(source), closing)
+    held, later = parted(names, held, closing)
+    blows = gathered(closing, striking, later, list(impulses))
+    contacts, limits, brakes = read_bounds(names, connections, closing)
     start, rates = read_start(source, measures)
     names.started_at_zero = {name for name, value in start.items() if value == ZERO}
     mode = read_mode(source)
-    names.constraint_rows = [*held, *rows_to_ask_for(contacts, limits, brakes)]
+    names.constraint_rows = [*held, *later, *rows_to_ask_for(contacts, limits, brakes)]
     names.loads = {p.load: ENERGY / p.measure.dimension for p in applied_loads}
     questions = read_questions(names, source.data.get("questions"))
     place_ground_points(names)
@@ -81,6 +87,7 @@ def read_system(document: Document, file: str | None) -> SystemDescription:
         up=names.up,
         frames=names.frames,
         names=names,
-        impulses=impulses,
+        impulses=tuple(push for push in impulses if push.load not in striking),
+        blows=blows,
         attitudes=read_attitudes(names, connections),
     )

@@ -153,7 +153,9 @@ def json_schema() -> dict[str, Any]:
             },
             "frames": _named({"anyOf": [frame, _CHAIN]}),
             "bodies": _named({"anyOf": [body, {"type": "string"}]}),
-            "connections": _named(_one_of(Connection.kinds, {"closes": {"enum": ["at start"]}})),
+            "connections": _named(
+                _one_of(Connection.kinds, {"closes": {"type": "string", "pattern": "^(at start|when .+)$"}})
+            ),
             "loads": _named(_one_of(Load.kinds)),
             "measures": _named(phrase),
             "start": _named(_FORMULA),

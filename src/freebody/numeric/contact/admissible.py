@@ -23,6 +23,8 @@ def admissible_reactions(bounded: Bounded, course: Trajectory, k: int) -> dict[s
     assert course.contact is not None
     engine = bounded.free
     y = engine.state_at(course, k)
+    after = {blow.name for blow in course.contact.blows if blow.time > course.times[k]}
+    bounded.hold_past(course.contact.past - after)
     now = bounded.instant(y, float(course.times[k]), course.near)
     # the contact problem at this instant, in the mode of the motion
     closed = [int(i) for i in np.flatnonzero(course.contact.states[k])]
@@ -35,7 +37,7 @@ def admissible_reactions(bounded: Bounded, course: Trajectory, k: int) -> dict[s
     for i, slip in slips.items():
         mode[problem.row_of_drag(i)] = _STATE_OF_SLIP[slip]
     # the accelerations (n_rows,) of its rows, as the motion has them, positive where a gap opens
-    held = [*bounded.bilateral, *(grip for i in closed for grip in bounded.barriers[i].grips)]
+    held = [*bounded.always, *(grip for i in closed for grip in bounded.barriers[i].grips)]
     places = [*held, *(bounded.barriers[i].place for i in closed), *(bounded.drags[i].keeps for i in slips)]
     signs = np.ones(len(places))
     signs[len(held) : len(held) + len(closed)] = [bounded.barriers[i].sign for i in closed]

@@ -7,7 +7,7 @@ the inequalities that the mode needs.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
@@ -16,7 +16,7 @@ import numpy as np
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
-from freebody.language.units import DIMENSIONLESS
+from freebody.language.units import DIMENSIONLESS, LENGTH
 from freebody.measures.base import Measure
 from freebody.measures.distance import Distance
 from freebody.measures.turned import carriers
@@ -29,6 +29,8 @@ from freebody.numeric.engine.writing import OF_MULTIPLIER, OF_RATE, OF_RESERVE, 
 from freebody.numeric.kernels import dynamics, stepping
 from freebody.numeric.kernels.arrays import Floats
 from freebody.numeric.numbers import Numbers
+from freebody.questions.clock import Clock
+from freebody.system.blows import BlowEvent
 
 LENT = 1e-6  # part of the mass lent to massless bodies that they keep in contact problems
 _SAME_SLIP = 1e-11  # relative, of gradients: drags along one line slip together
@@ -72,12 +74,25 @@ class FrictionRow:
 
 
 @dataclass(frozen=True)
+class BlowRow:
+    """A blow in mid-motion in numbers: the places of the rows that close in it, the instant by the clock at which it
+    happens (infinite: never), or the watch whose zero it is."""
+
+    name: str
+    places: tuple[int, ...]
+    keeps: tuple[tuple[int, int], ...]  # of these places those that are held where they are then, and their rows
+    time: float
+    watch: EngineWatch | None
+
+
+@dataclass(frozen=True)
 class ModeOf:
     """Which barriers are closed, and for every drag 0 (sticks), +1, -1 (slides) or None (no force)."""
 
     closed: frozenset[int]
     drags: tuple[int | None, ...]
     groups: tuple[tuple[int, ...], ...] = ()  # drags that stick along the same slip: one row holds all of a group
+    past: frozenset[int] = frozenset()  # the blows that have happened
 
     @property
     def followers(self) -> frozenset[int]:
@@ -136,7 +151,14 @@ class Bounded:
         for rub in system.dry_friction:
             loads = tuple(places[name] for name in rub.load)
             packing.friction(rub, loads, self._load_sign(loads))
+        for blow in system.blows:
+            if not isinstance(blow.event, Clock):
+                packing.watch(blow.event.measure)
+            for row in blow.rows:
+                packing.closing(row)
         self.written = ArrayBuilder(packing)
+        self.blows = [self._blow(blow, places) for blow in system.blows]
+        self.past = frozenset[int]()  # the blows that have happened in the motion under way
         self.bilateral = tuple(k for k, row in enumerate(system.constraint_rows) if not (row.unilateral or row.needs))
         grips = {
             bound.name: tuple(
@@ -163,6 +185,39 @@ class Bounded:
             for k, rub in dry_friction
         ]
         self._engines: dict[ModeOf, tuple[Engine, tuple[Guard, ...], list[tuple[str, int]]]] = {}
+
+    def _blow(self, blow: BlowEvent, places: Mapping[str, int]) -> BlowRow:
+        own = tuple(places[row.name] for row in blow.rows)
+        counted = [
+            (place, self.written.rows[row.measure])
+            for place, row in zip(own, blow.rows, strict=True)
+            if not isinstance(row.measure, NonholonomicForm) and row.target is None and row.measure.incremental
+        ]
+        event, number = blow.event, self.numbers.number
+        if isinstance(event, Clock):
+            time = np.inf if event.time is None else number(event.time)
+            return BlowRow(blow.name, own, tuple(counted), time, None)
+        value = number(event.value)
+        length = self.numbers.length if event.measure.dimension == LENGTH else 1.0
+        size = max(abs(value), 1.0 if event.order else length)
+        watch = EngineWatch(f"@{blow.name}", event.measure, event.order, value, is_terminal=True, size=size)
+        return BlowRow(blow.name, own, tuple(counted), np.inf, watch)
+
+    def hold_past(self, names: Collection[str]) -> None:
+        """What closes in blows that have happened is held from now on."""
+        self.past = frozenset(k for k, blow in enumerate(self.blows) if blow.name in names)
+
+    def close(self, k: int, y: Floats, t: float, near: Floats) -> None:
+        """A blow happens in a state: what is held where it is then is held there."""
+        self.instant(y, t, near)
+        for place, row in self.blows[k].keeps:
+            self.written.keep_at(place, float(self.free.room.rows[row, dynamics.VALUE]))
+        self.past |= {k}
+
+    @property
+    def always(self) -> tuple[int, ...]:
+        """Places of the rows that are held whatever touches: bilateral ones, and what has closed."""
+        return (*self.bilateral, *(place for k in sorted(self.past) for place in self.blows[k].places))
 
     def _load_sign(self, loads: tuple[int, ...]) -> int:
         """The sign with which a single row presses; 0: by its size."""
@@ -227,7 +282,7 @@ class Bounded:
 
     def held_in(self, mode: ModeOf) -> tuple[int, ...]:
         """Places of the rows that are held in a mode."""
-        places = set(self.bilateral)
+        places = {*self.bilateral, *(place for k in mode.past for place in self.blows[k].places)}
         for k in mode.closed:
             places.add(self.barriers[k].place)
             places.update(self.barriers[k].grips)
@@ -268,7 +323,8 @@ class Bounded:
                     about.append(("slip", k))
             sliding = tuple((drag.packed, state) for drag, state in zip(self.drags, mode.drags, strict=True) if state)
             rows = EngineRows(self.written, self.held_in(mode), sliding, tuple(guards))
-            engine = Engine(self.numbers, self.watches, self.tracked, rows)
+            to_come = [b.watch for k, b in enumerate(self.blows) if k not in mode.past and b.watch is not None]
+            engine = Engine(self.numbers, (*self.watches, *to_come), self.tracked, rows)
             self._engines[mode] = engine, tuple(guards), about
         return self._engines[mode]
 
@@ -353,7 +409,7 @@ class Bounded:
     ) -> RowProblem:
         """The contact problem of a set of barriers and of drags (with the sign of their slip rate): in accelerations,
         or in rates."""
-        held = [*self.bilateral, *(grip for k in closed for grip in self.barriers[k].grips)]
+        held = [*self.always, *(grip for k in closed for grip in self.barriers[k].grips)]
         places = [*held, *(self.barriers[k].place for k in closed), *(self.drags[k].keeps for k in drags)]
         signs = np.ones(len(places))
         normals = range(len(held), len(held) + len(closed))

@@ -11,22 +11,24 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Collection, Iterator
 from dataclasses import replace
 from functools import partial
 from typing import Any
 
 import numpy as np
 
+from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message, further, in_turn
 from freebody.numeric.contact.bounded import Bounded, ContactInstant, ModeOf, within
 from freebody.numeric.contact.least import least_within
 from freebody.numeric.contact.problem import OutcomeCount as Consistency
 from freebody.numeric.contact.problem import OutcomeCount as Outcome
 from freebody.numeric.contact.record import PhaseRecord, merged
+from freebody.numeric.contact.sudden import SuddenBlows
 from freebody.numeric.contact.transition import HELD_ALONE, After, Choice, InstantTransition
 from freebody.numeric.contact.words import events_between
-from freebody.numeric.engine.course import Collision, Event, Status, Trajectory
+from freebody.numeric.engine.course import BlowRecord, Collision, Event, Status, Trajectory
 from freebody.numeric.engine.engine import Engine
 from freebody.numeric.engine.motion import stopped
 from freebody.numeric.engine.patrol import Guarding
@@ -42,6 +44,7 @@ MOST_EVENTS = 20_000
 _FREE = 1e-6  # a force that null vectors of unit length leave free, by the sizes of rows
 _SLIGHT = 1e-7  # of the largest effect: what free forces change by friction that is none
 NO_ENERGY = 1e-10  # by the kinetic energy
+SOON = 1e-12  # [s] a time that is none: what is to happen by the clock before a motion begins happens then
 CLOSED = 1e-12  # a gap that is none, by the size of the system
 ADVICE = Message("use time stepping (method moreau, with a step), which does not follow single events")
 Progress = Callable[[float, int], None]
@@ -50,8 +53,13 @@ Progress = Callable[[float, int], None]
 class Hybrid:
     """One motion under way."""
 
-    def __init__(self, bounded: Bounded, options: SimulationOptions) -> None:
-        self.bounded, self.options = bounded, options
+    def __init__(
+        self, bounded: Bounded, options: SimulationOptions, blows: SuddenBlows | None = None, past: Collection[str] = ()
+    ) -> None:
+        """past: the blows that have happened before."""
+        self.bounded, self.options, self.blows = bounded, options, blows
+        bounded.hold_past(past)
+        self.struck: list[BlowRecord] = []
         self.transition = InstantTransition(bounded, options.law, jams=options.jams)
         self.phases: list[PhaseRecord] = []
         self.events: list[Event] = []
@@ -85,6 +93,7 @@ class Hybrid:
                 if not self.phases:
                     self.phases.append(self._no_phase(y, t))
                 break
+            mode = replace(mode, past=self.bounded.past)
             if t >= until:
                 break
             left = self.options.max_seconds - (time.perf_counter() - began)
@@ -110,9 +119,10 @@ class Hybrid:
             if is_open:
                 self._share(engine, mode, y, t)
             is_soft = bool(mode.closed) and is_open
+            by_clock = self._by_clock(until)
             course: Trajectory = engine.run(
                 y,
-                until,
+                until if by_clock is None else max(self.bounded.blows[by_clock].time, t + SOON),
                 replace(self.options, max_seconds=left, max_steps=steps_left),
                 start=t,
                 first_step=FIRST_STEP * self.phases[-1].course.last_step if self.phases else 0.0,
@@ -138,7 +148,19 @@ class Hybrid:
             near = course.near
             y = engine.state_at(course, -1)
             y[engine.at_work] = course.work[-1]
-            self.events += course.events
+            self.events += [e for e in course.events if not e.name.startswith("@")]
+            blow = self._blow_at_end(course, mode, by_clock)
+            if blow is not None:
+                n_at_once = n_at_once + 1 if course.t_end <= t else 0
+                t, forbidden = course.t_end, []
+                trouble = self._strike(blow, y, t, near)
+                if trouble:
+                    status, message = Status.INCONSISTENT, trouble
+                    break
+                result = self.transition.after(y, t, near, mode)
+                again, asleep = None, result.behind
+                self._note(mode, result, t)
+                continue
             if course.violated < 0:
                 status, message = course.status, course.message
                 if status in (Status.STEP_TOO_SMALL, Status.NOT_FINITE) and any(mode.drags):
@@ -169,6 +191,48 @@ class Hybrid:
             asleep = result.behind | passed | (set[int]() if is_progress else asleep)
             self._note(mode, result, t)
         return self._course(status, message, time.perf_counter() - began)
+
+    # -- blows --------------------------------------------------------------------------------
+    def _by_clock(self, until: float) -> int | None:
+        """The next blow by the clock before a time."""
+        found = [
+            (blow.time, k)
+            for k, blow in enumerate(self.bounded.blows)
+            if k not in self.bounded.past and blow.watch is None and blow.time < until
+        ]
+        return min(found)[1] if found else None
+
+    def _blow_at_end(self, course: Trajectory, mode: ModeOf, by_clock: int | None) -> int | None:
+        """The blow with which a phase ends."""
+        last = course.events[-1] if course.events else None
+        if last is not None and last.is_terminal:
+            names = {f"@{blow.name}": k for k, blow in enumerate(self.bounded.blows) if k not in mode.past}
+            return names.get(last.name)
+        is_over = course.violated < 0 and course.status is Status.FINISHED
+        return by_clock if is_over and by_clock is not None and course.t_end >= self._time_of(by_clock) else None
+
+    def _time_of(self, k: int) -> float:
+        return self.bounded.blows[k].time
+
+    def _strike(self, k: int, y: Floats, t: float, near: Floats) -> str:
+        """A blow changes the velocities of a state; why it cannot, or nothing."""
+        assert self.blows is not None
+        b, free = self.bounded, self.bounded.free
+        name, past = b.blows[k].name, {b.blows[j].name for j in b.past}
+        poses, velocities = free.coordinates(y)
+        by_column, by_body = self.blows.by_column, self.blows.by_body
+        q = by_column(poses)
+        try:
+            v, record = self.blows.at(name, past, q, by_column(velocities), t)
+        except CannotAnswer as error:
+            return str(error)
+        n = free.n_coordinates
+        y[n : 2 * n] = free.state(*by_body(q, v))[n : 2 * n]
+        y[free.at_work] += record.energy_change
+        b.close(k, y, t, near)
+        self.struck.append(record)
+        self.events.append(Event(t, self.blows.words(name), "blow"))
+        return ""
 
     # -- between phases -----------------------------------------------------------------------
     def _excluded(self, what: str, k: int, mode: ModeOf, *, is_progress: bool) -> list[Choice]:
@@ -338,7 +402,9 @@ class Hybrid:
     def _course(self, status: Status, message: str, wall: float) -> Trajectory:
         events = tuple(sorted(self.events, key=lambda e: e.time))
         message = further(*(said for said in (message, *self._remarks()) if said))
-        return merged(self.bounded, self.phases, status, message, wall, events, tuple(self.collisions))
+        return merged(
+            self.bounded, self.phases, status, message, wall, events, tuple(self.collisions), tuple(self.struck)
+        )
 
     def _remarks(self) -> Iterator[Message]:
         """What was taken where a rigid model leaves it open."""

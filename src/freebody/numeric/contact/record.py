@@ -7,7 +7,16 @@ from dataclasses import dataclass, fields
 import numpy as np
 
 from freebody.numeric.contact.bounded import Bounded, FrictionRow, ModeOf
-from freebody.numeric.engine.course import Collision, ContactRecord, Event, RotationHistory, Status, Tracks, Trajectory
+from freebody.numeric.engine.course import (
+    BlowRecord,
+    Collision,
+    ContactRecord,
+    Event,
+    RotationHistory,
+    Status,
+    Tracks,
+    Trajectory,
+)
 from freebody.numeric.engine.engine import Engine
 from freebody.numeric.kernels import stepping
 from freebody.numeric.kernels.arrays import Floats
@@ -32,6 +41,7 @@ def merged(
     wall: float,
     events: tuple[Event, ...],
     collisions: tuple[Collision, ...],
+    blows: tuple[BlowRecord, ...] = (),
 ) -> Trajectory:
     """One course of all phases. At an instant between two phases it has the state after it; multipliers are those of
     all rows that may be held, zero where they are not, and friction forces where friction slides."""
@@ -91,6 +101,8 @@ def merged(
             slips.astype(np.int8),
             collisions,
             len(phases),
+            blows,
+            frozenset(bounded.blows[k].name for k in bounded.past),
         ),
         rotation=_rotation(parts),
     )

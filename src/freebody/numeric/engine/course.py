@@ -38,7 +38,7 @@ class Event:
     """An event of a motion. kind: "rising", "falling", "touch" (zero without a crossing), "start" (zero when the motion
     begins) or "zero" (zero all along, said once); of contacts and friction what happens to them: "touches", "rebounds",
     "comes to rest", "parts", "starts to slip", "stops slipping", "slips back", "goes taut", "goes slack"; "starts to
-    roll", "stops rolling", "rolls back" where rolling is resisted."""
+    roll", "stops rolling", "rolls back" where rolling is resisted; "blow"."""
 
     time: float
     name: str
@@ -90,9 +90,22 @@ class Collision:
 
 
 @dataclass(frozen=True)
+class BlowRecord:
+    """A blow: what closes and strikes at once. impulses: of what holds, by row, with the sign of its reaction [N s,
+    N m s]; not_unique: rows whose impulses are not; energy_change: of the kinetic energy [J]."""
+
+    time: float
+    name: str
+    impulses: Mapping[str, float]
+    not_unique: tuple[str, ...]
+    energy_change: float
+
+
+@dataclass(frozen=True)
 class ContactRecord:
     """Contact along a motion. states: (n_times, n_bounds) 1 where closed; slips: (n_times, n_frictions) 0 where it
-    sticks, +1 or -1 where it slides, 2 where there is none."""
+    sticks, +1 or -1 where it slides, 2 where there is none. past: the blows that have happened at the end, those before
+    the motion began included."""
 
     bounds: tuple[str, ...]
     dry_friction: tuple[str, ...]
@@ -100,6 +113,8 @@ class ContactRecord:
     slips: NDArray[np.int8]
     collisions: tuple[Collision, ...]
     n_phases: int
+    blows: tuple[BlowRecord, ...] = ()
+    past: frozenset[str] = frozenset()
 
 
 @dataclass(frozen=True)

@@ -311,6 +311,20 @@ class Packing:
         self.dry_friction.append(Slide(where, friction, keeps, loads, sign))
         return keeps
 
+    def closing(self, row: ConstraintRow) -> int:
+        """Enters a row that is held from some instant on, and gives its place; one of which only changes mean something
+        is held where it is then, which `Written.keep_at` says."""
+        if isinstance(row.measure, NonholonomicForm) or row.target is not None or not row.measure.incremental:
+            place = self.hold(row)
+            self.watched.append(self.held[place].where)
+            return place
+        where = self.row(row.measure)
+        self.watched.append(where)
+        if where[0] == "base":  # a row of its own, which can be held at any value
+            self.bases.append(self.bases[where[1]])
+            return self._hold(("base", len(self.bases) - 1), None, row)
+        return self._hold(where, None, row, is_place=False)
+
     def watch(self, measure: Measure | NonholonomicForm) -> None:
         """Enters a measure whose value and rate are wanted."""
         self.watched.append(self.row(measure))

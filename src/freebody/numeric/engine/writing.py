@@ -272,10 +272,13 @@ class ArrayBuilder:
 
     def keep(self, friction: int, value: float) -> None:
         """What a sticking friction keeps its measure at from now on, in all layouts."""
-        slide = self.packing.dry_friction[friction]
-        where = self.packing.held[slide.keeps].where
+        self.keep_at(self.packing.dry_friction[friction].keeps, value)
+
+    def keep_at(self, place: int, value: float) -> None:
+        """What a row at a place among those that may be held keeps its measure at from now on, in all layouts."""
+        where = self.packing.held[place].where
         if where[0] == "base":
-            self._fixed["row_constant"][where[1]] = self.packing.bases[slide.where[1]].constant - value
+            self._fixed["row_constant"][where[1]] = self.packing.bases[where[1]].constant - value
 
     def row_of_friction(self, friction: int) -> int:
         """The row of the slip of dry friction."""

@@ -77,7 +77,7 @@ def _in_whole(system: System, questions: Sequence[Question], setup: Setup | None
             return _at_rest(system, questions)
         except CannotAnswer as error:  # as a question among others is refused
             return replace(_in_whole(system, (), setup), answers=tuple(refused(q, str(error)) for q in questions))
-    if system.bounds or system.dry_friction:
+    if system.bounds or system.dry_friction or system.blows:
         return _in_phases(system, questions)
     lets_go = any(row.unilateral for row in system.constraint_rows)  # ideal strings and rolling contacts do, if asked
     if lets_go and any(q.transition is not None for q in questions):
@@ -186,7 +186,7 @@ def _in_phases(system: System, questions: Sequence[Question]) -> Solution:
     try:
         if is_crowded(system):
             return _too_many_places(system, questions)
-        if system.has_values:
+        if system.has_values and (system.bounds or system.dry_friction):
             start_mode(system)  # refuses bodies that are inside others
         tree = tree_of(system)
     except CannotAnswer as error:

@@ -200,6 +200,7 @@ class _AssemblySearch:
         if len(bodies) == len(system.bodies):
             return self, miss
         smaller = replace(system, bodies=bodies, constraint_rows=tuple(rows), applied_loads=(), impulses=(), offered=())
+        smaller = replace(smaller, blows=())
         search = _AssemblySearch(smaller, self.work)
         search.equations = {name: search.equations[name] for name in names}
         search.is_complete = self.is_complete

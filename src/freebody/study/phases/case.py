@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, Literal
 
 from freebody.language.expression import Expr
 from freebody.language.notation import stated_plain, to_python
@@ -28,6 +28,7 @@ class PhaseResult:
     impact: str = ""  # with which it begins
     impulses: tuple[tuple[str, Expr], ...] = ()
     is_proved: bool = True  # that nothing else ends it follows from formulas
+    begins: Literal["", "impact", "blow"] = ""  # with a collision, or with a blow that leads to none
 
     def to_plain(self) -> dict[str, Any]:
         return {

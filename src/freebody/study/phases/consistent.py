@@ -53,7 +53,7 @@ def candidates(home: Home, instant: PhaseStart, indices: Chosen) -> Iterator[Con
         still = {n for n, s in combination if n in closed and s is not None}
         still |= {n for n in closed if n not in dict(combination)}
         dry_friction = {n: s for n, s in combination if n in slips and s is not None and _touches(home, n, still)}
-        mode = ContactMode.of(still, dry_friction)
+        mode = ContactMode.of(still, dry_friction, instant.past)
         if mode not in seen:
             seen.add(mode)
             n_changes = sum(before.get(n, s) != s for n, s in dry_friction.items()) + 3 * (len(closed) - len(still))

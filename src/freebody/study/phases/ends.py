@@ -14,6 +14,7 @@ from freebody.study.phases.decide import Inequality, Test
 from freebody.study.phases.numbers import Chosen, Mask, Sets
 from freebody.study.phases.phase import PhaseWatch
 from freebody.study.phases.words import occurs
+from freebody.symbolic.conditions import Condition
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.phases.course import CourseZero
@@ -45,6 +46,7 @@ class PhaseOutcome:
     conditions: tuple[Inequality, ...]
     is_exact: bool
     unsure: tuple[Proofs, ...] = ()
+    given: tuple[Condition, ...] = ()  # what makes it come to its events from the sides it does, in the home field
 
 
 @dataclass

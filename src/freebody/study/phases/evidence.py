@@ -40,8 +40,8 @@ from freebody.study.phases.witness import (
     PhaseSnapshot,
     before_impact,
     begun,
+    changed,
     follow,
-    struck,
 )
 from freebody.system.system import System
 from freebody.tolerances import ROUND_OFF, ROUNDED
@@ -81,7 +81,7 @@ def _at_instants(tree: PhaseTree, question: Question, piece: AnswerBranch) -> Ev
                 q, v = reference.wander(q, np.random.default_rng(SEED + n), 0.1)
             now = mode.snapshot(q, v, 0.0)
             if is_before_impact(question) and node.impact is not None:
-                now, _q, _v = before_impact(tree.system, node.impact.before.kept, tree.sets.one(k))
+                now, _q, _v = before_impact(tree.system, node.impact.kept, tree.sets.one(k))
             numeric = value_in_mode(question.quantity, tree.system, mode.system, now)
         exact = (
             _home_numbers(tree, piece, k)
@@ -100,11 +100,13 @@ def _numbered(piece: AnswerBranch) -> list[int]:
 
 def stage(tree: PhaseTree, node: PhaseNode) -> FollowedPhase:
     """A phase as the numeric route follows it."""
-    touching = None if node.phase.mode.closed <= tree.closed else tree.closed
+    mode = node.phase.mode
+    touching = None if mode.closed <= tree.closed and not mode.past else tree.closed
     if node.impact is None:
         opens = tree.closed if node.phase.mode.closed < tree.closed else frozenset[str]()
         return FollowedPhase(node.phase, touching, (), opens)
-    return FollowedPhase(node.phase, touching, node.impact.hits, node.impact.before.kept)
+    blow = "" if node.impact.blow is None else node.impact.blow.name
+    return FollowedPhase(node.phase, touching, node.impact.hits, node.impact.kept, blow)
 
 
 def _at_once(tree: PhaseTree, question: Question, piece: AnswerBranch) -> Evidence:
@@ -117,7 +119,7 @@ def _at_once(tree: PhaseTree, question: Question, piece: AnswerBranch) -> Eviden
         now, impact = mode.snapshot(q, v, 0.0), piece.nodes[-1].impact
         asked = "" if question.transition is None else question.transition.kind
         if asked == "touches" and impact is not None:
-            before, _q, _v = before_impact(tree.system, impact.before.kept, tree.sets.one(k))
+            before, _q, _v = before_impact(tree.system, impact.kept, tree.sets.one(k))
             struck_rows = [tree.bound_row(name) for name in impact.hits]
             begins = any(row.sign * before.rate(row.measure) < -ROUNDED for row in struck_rows)
         elif asked == "opens":
@@ -143,7 +145,7 @@ def _since_the_start(tree: PhaseTree, question: Question, piece: AnswerBranch) -
         mode, q, v = begun(tree.system, stage(tree, node), values)
         before = now = mode.snapshot(q, v, 0.0)
         if node.impact is not None:
-            before, _q, _v = before_impact(tree.system, node.impact.before.kept, values)
+            before, _q, _v = before_impact(tree.system, node.impact.kept, values)
         counted = question.quantity.counted(_passage(tree, [], mode, before, now))
         check.compare(Draw(mode.values, mode.references[0], q), _home_numbers(tree, piece, k), counted)
 
@@ -209,11 +211,12 @@ def _number(tree: PhaseTree, quantity: Quantity, piece: AnswerBranch, seen: list
     mode, now = last.mode, last.snapshot()
     values, first = seen[0].mode.values, piece.nodes[0]
     if piece.after is not None and piece.after.impact is not None:  # the value just after an impact
-        hits, mode = piece.after.impact.hits, NumericMode(tree.system, stage(tree, piece.after), values)
-        now = mode.snapshot(last.q, struck(tree.system, values, last.q, last.v, hits, last.time), last.time)
+        following = stage(tree, piece.after)
+        mode = NumericMode(tree.system, following, values)
+        now = mode.snapshot(last.q, changed(tree.system, following, values, last.q, last.v, last.time), last.time)
     begin = seen[0].begin
     if first.impact is not None:
-        begin, _q, _v = before_impact(tree.system, first.impact.before.kept, values)
+        begin, _q, _v = before_impact(tree.system, first.impact.kept, values)
     return quantity.counted(_passage(tree, seen, mode, begin, now))
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Iterator, Sequence, Set
+from collections.abc import Iterator, Mapping, Sequence, Set
 from contextlib import suppress
 from dataclasses import replace
 from functools import lru_cache
@@ -16,7 +16,7 @@ from freebody.language.expression import ZERO, Expr, Symbol, n_operations
 from freebody.language.sentences import Message
 from freebody.measures.distance import Distance
 from freebody.measures.geometry import Pose
-from freebody.model.elements import ConstraintRow, Start, UnilateralConstraint
+from freebody.model.elements import ConstraintRow, DryFriction, Start, UnilateralConstraint
 from freebody.numeric.blow import blow_loads_friction
 from freebody.numeric.contact.start import assembled_touching, far_sides, gap_of, is_within
 from freebody.numeric.jets import Array
@@ -32,7 +32,7 @@ from freebody.symbolic.relations import parted
 from freebody.symbolic.state import SymbolicState
 from freebody.system.modes import ContactMode, depends_on_time, ideal_bounds, in_mode, sticking_row
 from freebody.system.system import System
-from freebody.tolerances import ROUND_OFF, TOUCHES
+from freebody.tolerances import ROUND_OFF, ROUNDED, TOUCHES
 
 MOST_PLACES = 64  # at which bodies can ever touch: each is looked at by what could end a phase
 MOST_TOUCHING = 12  # at which they touch when the motion begins: each opens, slips or sticks
@@ -155,6 +155,28 @@ class Home:
         found = equal + [c for x, relation, purpose in open_ones for c in parted(x, relation, purpose, sign_at)]
         # what is not so at every set of the branch is no condition of it
         return [c for c in found if not (self.numbers(c.element)[sets] < -ROUND_OFF).any()]
+
+    # -- contacts -------------------------------------------------------------------------------
+    def bound_row(self, name: str) -> ConstraintRow:
+        """Of a bound, or of a connection that cannot pull."""
+        return next(
+            row for row in (*ideal_bounds(self.system), *(b.row for b in self.system.bounds)) if row.name == name
+        )
+
+    def by_sign(self, rates: Mapping[str, Ratio], indices: Chosen) -> Iterator[tuple[dict[str, int], Chosen]]:
+        """The sets by the signs of the rates at which gaps change."""
+        if not rates:
+            yield {}, indices
+            return
+        numbers = {name: self.numbers(x)[indices] for name, x in rates.items()}
+        largest = np.max([np.abs(v) for v in numbers.values()], axis=0)
+        table = np.array([np.sign(np.where(np.abs(v) > ROUNDED * largest, v, 0.0)) for v in numbers.values()]).T
+        for row in np.unique(table, axis=0)[::-1]:
+            mine = indices[(table == row).all(axis=1)]
+            yield dict(zip(numbers, row.astype(int).tolist(), strict=True)), mine
+
+    def rubbing(self, closed: frozenset[str]) -> list[DryFriction]:
+        return [rub for rub in self.system.dry_friction if not rub.of or rub.of in closed]
 
     # -- states as starts ---------------------------------------------------------------------
     def placed(self, phase: Phase | Setup, values: dict[int, Ratio]) -> Placed:

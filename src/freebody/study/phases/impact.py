@@ -21,7 +21,14 @@ from freebody.errors import CannotAnswer
 from freebody.language.expression import Symbol
 from freebody.language.sentences import Message, in_turn
 from freebody.language.units import FORCE
-from freebody.model.elements import AppliedLoad, ConstraintRow, DryFriction, Parameter, UnilateralConstraint
+from freebody.model.elements import (
+    AppliedLoad,
+    ConstraintRow,
+    DryFriction,
+    NonholonomicForm,
+    Parameter,
+    UnilateralConstraint,
+)
 from freebody.study.phases.decide import Inequality
 from freebody.study.phases.phase import Given, Placed
 from freebody.symbolic.field import Ratio
@@ -29,7 +36,8 @@ from freebody.symbolic.linear import RHS, Row, solve
 from freebody.symbolic.phases.friction import named_rows
 from freebody.symbolic.start import StartState, start_from_bodies, start_state
 from freebody.symbolic.state import SymbolicState
-from freebody.system.modes import ContactMode, in_mode
+from freebody.system.blows import BlowEvent
+from freebody.system.modes import ContactMode, at_blow, ideal_bounds, in_mode
 from freebody.system.system import System
 
 
@@ -54,8 +62,10 @@ class ClosedFormCollision:
         hits: Sequence[str],
         placed: Placed,
         values: Sequence[Mapping[str, float]],
+        past: frozenset[str] = frozenset(),
     ) -> None:
-        bounds = {b.name: b for b in base.bounds}
+        ideal = (UnilateralConstraint(row) for row in ideal_bounds(base))
+        bounds = {b.name: b for b in (*ideal, *base.bounds)}
         self.base, self.kept = base, kept
         self.hits: list[UnilateralConstraint] = [bounds[name] for name in hits]
         self.dry_friction: list[DryFriction] = [rub for rub in base.dry_friction if rub.of in hits]
@@ -67,7 +77,7 @@ class ClosedFormCollision:
                     contacts=_listed(hits),
                 )
             )
-        system, _loads = in_mode(placed.put_into(base), ContactMode.of(kept, {}))
+        system, _loads = in_mode(placed.put_into(base), ContactMode.of(kept, {}, past))
         self.symbols = {row.name: f"@impulse of {row.name}" for row in self.struck}
         applied_loads = [
             AppliedLoad("", row.measure, Symbol(self.symbols[row.name]), load=f"@{row.name}") for row in self.struck
@@ -207,6 +217,43 @@ class ClosedFormCollision:
                 )
             if rows[name].unilateral or name in {b.name for b in self.base.bounds}:
                 yield push, ">=", Message("{contact} keeps touching", contact=rows[name].connection)
+
+
+class SuddenBlow:
+    """A blow in mid-motion: connections that close and impulses that act at one event, as at a start (`symbolic/blow`).
+    placed: the state just before; past: the blows before it. Raises CannotAnswer where it has no closed form here."""
+
+    def __init__(
+        self,
+        base: System,
+        blow: BlowEvent,
+        past: frozenset[str],
+        placed: Placed,
+        values: Sequence[Mapping[str, float]],
+    ) -> None:
+        self.blow = blow
+        self.setup = Given(at_blow(placed.put_into(base), blow, past), values)
+        self.start: StartState = start_from_bodies(self.setup.model)
+        self.after = SymbolicState(self.setup.model, self.start.values, self.start.blow)
+        self.impulses: dict[str, Ratio] = {}
+        self.unknown: dict[str, CannotAnswer] = {}
+        for row in self.setup.system.constraint_rows:
+            try:
+                self.impulses[row.name] = self.after.impulse(row)
+            except CannotAnswer as error:
+                self.unknown[row.name] = error
+
+    @property
+    def gaps(self) -> dict[str, Ratio]:
+        """How far what closes is from where it is held, by row."""
+        found: dict[str, Ratio] = {}
+        for row in self.blow.rows:
+            measure = row.measure
+            if isinstance(measure, NonholonomicForm) or (row.target is None and measure.incremental):
+                continue
+            target = self.setup.model.field.zero if row.target is None else self.setup.model.geometry.scalar(row.target)
+            found[row.name] = self.after.value(measure) - target
+        return found
 
 
 def _listed(names: Sequence[str]) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
+from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message, in_turn
 from freebody.study.phases.ends import FirstEvent
 from freebody.study.phases.impact import ClosedFormCollision
@@ -13,6 +14,8 @@ from freebody.study.phases.phase import Phase, PhaseWatch, Placed
 from freebody.study.phases.words import label
 from freebody.symbolic.conditions import Condition
 from freebody.symbolic.field import Ratio
+from freebody.symbolic.state import SymbolicState
+from freebody.system.blows import BlowEvent
 
 
 @dataclass
@@ -34,17 +37,31 @@ class PhaseEnd:
 
 
 @dataclass(frozen=True)
+class JustBefore:
+    """The state just before a blow, in the phase that it ends."""
+
+    setup: Phase
+    now: SymbolicState
+
+
+@dataclass(frozen=True)
 class PhaseImpact:
-    """A collision with which a phase begins: what hits, and the impulses by row in the home field; `before` is the
-    state just before."""
+    """A blow, a collision, or one by the other, with which a phase begins: what hits, and the impulses by row in the
+    home field; `before` is the state just before. unknown: rows whose impulses are not unique, and why."""
 
     hits: tuple[str, ...]
     impulses: Mapping[str, Ratio]
-    before: ClosedFormCollision
+    before: ClosedFormCollision | JustBefore
+    kept: frozenset[str] = frozenset()  # what touched before
+    blow: BlowEvent | None = None
+    unknown: Mapping[str, CannotAnswer] = field(default_factory=dict[str, CannotAnswer])
 
     @property
     def words(self) -> str:
-        return Message("impact of {contacts}", contacts=self.contacts)
+        impact = Message("impact of {contacts}", contacts=self.contacts)
+        if self.blow is None:
+            return impact
+        return Message("{blow}, {impact}", blow=self.blow.words, impact=impact) if self.hits else self.blow.words
 
     @property
     def contacts(self) -> str:
@@ -65,6 +82,7 @@ class PhaseNode:
     n_impacts: int = 0  # so far
     is_exact: bool = True
     known: tuple[Condition, ...] = ()  # what holds on the way to it
+    began: Ratio | None = None  # since the start, in the home field; None: no closed form
 
 
 @dataclass(frozen=True)
@@ -80,6 +98,8 @@ class PhaseStart:
     n_impacts: int = 0
     known: tuple[Condition, ...] = ()  # what holds on the way to it
     given: tuple[Condition, ...] = ()  # what makes it the state that follows
+    past: frozenset[str] = frozenset()  # the blows that have happened
+    began: Ratio | None = None  # since the start, in the home field
 
 
 @dataclass(frozen=True)

@@ -60,7 +60,7 @@ def passage_of(
     phases: list[FormulaPhase] = []
     for k, node in enumerate(way.nodes):
         ends = way.edges[k].first if k < len(way.edges) else first
-        values = node.phase.start.values if ends is None else {**still_in(node.phase), **ends.zero.values}
+        values = node.phase.start.values if ends is None else {**node.phase.still, **ends.zero.values}
         end = SymbolicState(node.phase.model, values)
         phases.append(FormulaPhase(node.phase.start_instant, end, partial(tree.to_home, node.phase)))
     last = way.last.phase
@@ -88,17 +88,10 @@ def passage_of(
 def elements_in(tree: PhaseTree, phase: Phase, quantity: Quantity, state: SymbolicState) -> Elements:
     value = value_in_mode(quantity, tree.system, phase.system, state)
     f = phase.model.field
-    still = still_in(phase)
+    still = phase.still
     if isinstance(value, tuple):
         return tuple(f.lowest_terms(f.follow(f.element(v), still)) for v in value)  # type: ignore[arg-type]
     return f.lowest_terms(f.follow(f.element(value), still))
-
-
-def still_in(phase: Phase) -> dict[int, Ratio]:
-    try:
-        return phase.course.still
-    except CannotAnswer:
-        return {}
 
 
 def _heat(tree: PhaseTree, way: WayToPhase, first: FirstEvent | None) -> Ratio:
@@ -133,7 +126,7 @@ def _energy_lost(tree: PhaseTree, phase: Phase, values: Mapping[int, Ratio]) -> 
         raise CannotAnswer(
             Message("other loads do work as well, and the heat of friction has no closed form; simulate the motion")
         )
-    there = SymbolicState(phase.model, {**still_in(phase), **values})
+    there = SymbolicState(phase.model, {**phase.still, **values})
     system = plain(phase.system)
     before, after = (EnergyOf("total").value(system, state) for state in (phase.start_instant, there))
     return tree.to_home(phase, before) - tree.to_home(phase, after)
@@ -144,6 +137,13 @@ def _taken_by_impact(tree: PhaseTree, node: PhaseNode) -> Ratio:
     if node.impact is None:
         return tree.home.model.field.zero
     setup, phase = node.impact.before.setup, node.phase
+    if node.impact.blow is not None and node.impact.blow.impulses:
+        raise CannotAnswer(
+            Message(
+                "{names} does work on the way; ask for the kinetic energy just before and just after it",
+                names=", ".join(node.impact.blow.striking),
+            )
+        )
     before = EnergyOf("total").value(plain(setup.system), node.impact.before.now)
     after = EnergyOf("total").value(plain(phase.system), phase.start_instant)
     return tree.to_home(setup, before) - tree.to_home(phase, after)

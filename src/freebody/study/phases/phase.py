@@ -68,7 +68,7 @@ class Placed:
 class PhaseWatch:
     """Something that must stay positive for the phase to go on, and what happens where it does not."""
 
-    kind: str  # "slip ends", "opens", "slips", "touches", "edge ends", "changes sign"
+    kind: str  # "slip ends", "opens", "slips", "touches", "edge ends", "changes sign", "strikes", "is reached"
     name: str  # of the bound or the friction; of what changes its sign where that is
     element: Ratio
     direction: int = 0  # in which it begins to slip
@@ -76,7 +76,8 @@ class PhaseWatch:
 
     @property
     def connection(self) -> str:
-        return self.name if self.kind == "changes sign" else self.name.partition(".")[0]
+        is_text = self.kind in ("changes sign", "strikes", "is reached")
+        return self.name if is_text else self.name.partition(".")[0]
 
 
 class Given(Setup):
@@ -177,6 +178,14 @@ class Phase:
     @cached_property
     def course(self) -> ClosedFormMotion:
         return course_of(self.model, self.start)
+
+    @property
+    def still(self) -> dict[int, Ratio]:
+        """What rests all along, by generator."""
+        try:
+            return self.course.still
+        except CannotAnswer:
+            return {}
 
     @classmethod
     def begun(cls, base: System, mode: ContactMode, placed: Placed, values: Sequence[Mapping[str, float]]) -> Phase:

@@ -11,24 +11,22 @@ import numpy as np
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
-from freebody.questions.clock import Clock
 from freebody.questions.course import Transition
 from freebody.questions.reading import AskedEvent, Question
 from freebody.study.answering.conditions import as_written, at_instant, real
 from freebody.study.answering.finding import NO_FORM, Elements, why
-from freebody.study.phases.ends import FirstEvent
+from freebody.study.phases.ends import FirstEvent, PhaseOutcome
 from freebody.study.phases.events import first_events
 from freebody.study.phases.nodes import PhaseNode, WayToPhase
 from freebody.study.phases.numbers import Chosen
 from freebody.study.phases.passage import elements_in, passage_of
 from freebody.study.phases.phase import Phase, PhaseWatch
+from freebody.study.phases.reached import STRIKES, pending, sides
 from freebody.study.phases.tree import PhaseTree
 from freebody.study.phases.words import label
 from freebody.symbolic.conditions import Condition
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.phases.course import EnergyMotion
-from freebody.symbolic.tidy import tidy
-from freebody.tolerances import ROUNDED
 
 
 @dataclass
@@ -228,6 +226,11 @@ def _is_meant(asked: Transition, watch: PhaseWatch) -> bool:
     return watch.kind == kind and _is_named(asked, watch.connection)
 
 
+def _is_same(watch: PhaseWatch, other: PhaseWatch) -> bool:
+    """Whether two watches are for one event; those for blows are made anew."""
+    return watch is other or (watch.kind == other.kind == STRIKES and watch.name == other.name)
+
+
 # -- a measure reaches a value ----------------------------------------------------------------
 def _at_event(
     tree: PhaseTree, question: Question, event: AskedEvent, ways: list[WayToPhase], met: list[str]
@@ -256,16 +259,19 @@ def _in_phase(
     """In the last phase of a way, or in those that follow it."""
     node = way.last
     try:
-        outcomes = first_events(node.phase, tree.sets, sets, [watch])
+        outcomes: list[PhaseOutcome] = []
+        for watches, mine, more in pending(tree, node, sets):
+            found = first_events(node.phase, tree.sets, mine, [watch, *watches])
+            outcomes += [replace(o, given=tuple(more)) for o in found]
     except NO_FORM as error:
         met.append(why(tree.system, error))
         return
     for outcome in outcomes:
         if outcome.first is not None and outcome.first.watch is watch:
-            conditions = [*given, *tree.outcome_conditions(node.phase, outcome)]
+            conditions = [*given, *outcome.given, *tree.outcome_conditions(node.phase, outcome)]
             yield _piece(tree, question, way, outcome.first, conditions, outcome.sets)
     for edge in node.edges:
-        mine = [o.sets for o in outcomes if edge.first and o.first and o.first.watch is edge.first.watch]
+        mine = [o.sets for o in outcomes if edge.first and o.first and _is_same(o.first.watch, edge.first.watch)]
         for after in edge.nodes:
             later = np.intersect1d(after.sets, np.concatenate(mine)) if mine else after.sets[:0]
             if len(later):
@@ -278,39 +284,9 @@ def _watches(
     """The distance from the value, positive when the phase begins (where it is zero, right after that), with the sets
     for which it has this sign."""
     node = way.last
-    phase = node.phase
-    if isinstance(event, Clock):
-        difference = _time_left(tree, way, event)
-    else:
-        value = phase.state.rate(event.measure) if event.order == 1 else phase.state.value(event.measure)
-        difference = value - phase.model.geometry.scalar(event.value)
-    left, place = node.sets, Message("'{event}' is reached from this side", event=event.text)
-    x = difference
-    for _derivative in range(3):
-        at_first = tree.to_home(phase, phase.start_instant.here(phase.model.in_independent_speeds(x)))
-        numbers = tree.numbers(at_first)[left]
-        for sign in (1, -1):
-            mine = left[sign * numbers > ROUNDED]
-            if len(mine):
-                watch = PhaseWatch("is reached", event.text, sign * difference)
-                given = tree.conditions([(sign * at_first, ">", place)], mine) if len(mine) < len(node.sets) else []
-                yield watch, mine, given
-        left = left[~(np.abs(numbers) > ROUNDED)]
-        if not len(left):
-            return
-        x = phase.model.field.substitute(phase.model.rate(x), phase.model.dynamics.solved_accelerations)
-
-
-def _time_left(tree: PhaseTree, way: WayToPhase, event: Clock) -> Ratio:
-    """Until an instant by the clock, in the last phase of a way; a phase counts its own time."""
-    if event.time is None:
-        raise CannotAnswer(Message("what is tended to as the time grows is found only where one law of motion holds"))
-    geometry, total = way.last.phase.model.geometry, tree.home.model.field.zero
-    for edge in way.edges:
-        if edge.time is None:
-            raise CannotAnswer(Message("how long a phase before that lasts has no closed form"))
-        total = total + edge.time
-    return geometry.scalar(event.time) - geometry.scalar(tidy(total)) - geometry.field.time
+    for watch, mine, given in sides(tree, node.phase, event, node.began, "is reached", node.sets):
+        if watch is not None:
+            yield watch, mine, given
 
 
 # -- the value there --------------------------------------------------------------------------

@@ -48,6 +48,9 @@ def _component(quantity: ReactionComponent, base: System, system: System, state:
 def _wrench(quantity: Wrench, base: System, system: System, state: State[Any]) -> Any:
     if _is_contact(quantity.connection, base):
         return _force(quantity, base, system, state)
+    if _is_open(quantity.connection, base, system):
+        is_vector = quantity.along is None and not (quantity.size or quantity.moment)
+        return (_zero(state), _zero(state)) if is_vector else _zero(state)
     return quantity.value(plain(system), state)
 
 
@@ -84,6 +87,12 @@ def plain(system: System) -> System:
 
 def _is_contact(name: str, base: System) -> bool:
     return any(r.connection == name for r in (*(b.row for b in base.bounds), *(r.row for r in base.dry_friction)))
+
+
+def _is_open(name: str, base: System, system: System) -> bool:
+    """Whether a connection that closes in mid-motion has not closed yet."""
+    is_meant = any(name in blow.closing for blow in base.blows)
+    return is_meant and all(row.connection != name for row in system.constraint_rows)
 
 
 def frictions(system: System) -> list[AppliedLoad]:

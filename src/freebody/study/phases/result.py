@@ -104,7 +104,7 @@ def phases(system: System) -> Phases:
 
 def phases_of(tree: PhaseTree) -> Phases:
     """The cases of a tree, path by path."""
-    if not tree.system.bounds and not tree.system.dry_friction and not tree.closed:
+    if not tree.system.bounds and not tree.system.dry_friction and not tree.closed and not tree.system.blows:
         raise CannotAnswer(Message("the system has no contact, no stop and no dry friction: its motion has one phase"))
     cases = [_case(tree, path) for path in paths(tree.roots)]
     cases.sort(key=lambda case: not case.is_own)
@@ -181,7 +181,9 @@ def _title(shown: Sequence[PhaseResult]) -> str:
     words: list[str] = []
     for k, phase in enumerate(shown):
         word = phase.what
-        if phase.impact:
+        if phase.begins == "blow" and k and word == shown[k - 1].what:
+            word = f"{word} on"
+        elif phase.begins == "impact":
             word = "rebounds" if word == "flies" else f"{word} after the impact"
         elif word == "slides" and k and shown[k - 1].what == "slides":
             word = "slides back"
@@ -219,6 +221,7 @@ def _phase(tree: PhaseTree, node: PhaseNode, edge: PhaseEnd | None, following: P
         "" if node.impact is None else node.impact.words,
         () if node.impact is None else _impulses(tree, node.impact),
         edge is None or edge.is_proved,
+        "" if node.impact is None else "impact" if node.impact.hits else "blow",
     )
 
 

@@ -17,8 +17,9 @@ import numpy as np
 from freebody.budgets import allowed
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message, in_turn
-from freebody.model.elements import ConstraintRow, DryFriction, UnilateralConstraint
+from freebody.model.elements import UnilateralConstraint
 from freebody.study.answering.finding import NO_FORM, why
+from freebody.study.phases.blown import after_blow
 from freebody.study.phases.consistent import candidates, checks, without_slip
 from freebody.study.phases.decide import NOTHING, Inequality, Test, as_test, cells
 from freebody.study.phases.ends import PhaseOutcome, Proofs
@@ -28,6 +29,7 @@ from freebody.study.phases.impact import Blow, ClosedFormCollision
 from freebody.study.phases.nodes import PhaseEnd, PhaseImpact, PhaseNode, PhaseStart
 from freebody.study.phases.numbers import Chosen
 from freebody.study.phases.phase import Phase, Placed, has_lines
+from freebody.study.phases.reached import STRIKES, pending
 from freebody.study.phases.words import label
 from freebody.symbolic.conditions import Condition
 from freebody.symbolic.decide import decide
@@ -57,7 +59,7 @@ class PhaseTree(Home):
         self.boundaries: list[Ratio] = []
         moving = [b for b in self.system.bounds if b.name in self.moving]
         rates = {b.name: b.row.sign * self.at_start(self.home.state.rate(b.row.measure)) for b in moving}
-        for signs, sets in self._by_sign(rates, self.indices):
+        for signs, sets in self.by_sign(rates, self.indices):
             self._begin(rates, signs, sets)
         self.roots.sort(key=lambda node: int(node.sets[0]))
 
@@ -72,24 +74,6 @@ class PhaseTree(Home):
     # -- the start --------------------------------------------------------------------------------
     def _bound(self, name: str) -> UnilateralConstraint:
         return next(b for b in self.system.bounds if b.name == name)
-
-    def bound_row(self, name: str) -> ConstraintRow:
-        """Of a bound, or of a connection that cannot pull."""
-        return next(
-            row for row in (*ideal_bounds(self.system), *(b.row for b in self.system.bounds)) if row.name == name
-        )
-
-    def _by_sign(self, rates: Mapping[str, Ratio], indices: Chosen) -> Iterator[tuple[dict[str, int], Chosen]]:
-        """The sets by the signs of the rates at which gaps change."""
-        if not rates:
-            yield {}, indices
-            return
-        numbers = {name: self.numbers(x)[indices] for name, x in rates.items()}
-        largest = np.max([np.abs(v) for v in numbers.values()], axis=0)
-        table = np.array([np.sign(np.where(np.abs(v) > ROUNDED * largest, v, 0.0)) for v in numbers.values()]).T
-        for row in np.unique(table, axis=0)[::-1]:
-            mine = indices[(table == row).all(axis=1)]
-            yield dict(zip(numbers, row.astype(int).tolist(), strict=True)), mine
 
     def _begin(self, rates: Mapping[str, Ratio], signs: Mapping[str, int], sets: Chosen) -> None:
         """The velocities of the start decide: a gap of zero that grows opens at once, one that shrinks is an impact."""
@@ -114,20 +98,19 @@ class PhaseTree(Home):
         hits = tuple(sorted(name for name, sign in signs.items() if sign < 0))
         closed = self.closed | {name for name, sign in signs.items() if sign == 0}
         if hits:
-            nodes = self._struck(PhaseStart(Placed(), closed, {}, given=tuple(given)), hits, sets, 0)
+            start = PhaseStart(Placed(), closed, {}, given=tuple(given), began=self.home.model.field.zero)
+            nodes = self._struck(start, hits, sets, 0)
         else:
             here = self.home.state
-            slips = {r.name: self.at_start(here.rate(r.row.measure)) for r in self._rubbing(closed)}
+            slips = {r.name: self.at_start(here.rate(r.row.measure)) for r in self.rubbing(closed)}
             self.slips |= slips
             self.boundaries += [x for x in slips.values() if self.changes_sign(x, sets)]
-            nodes = self._follow(PhaseStart(Placed(), closed, slips, given=tuple(given)), sets, 0)
+            start = PhaseStart(Placed(), closed, slips, given=tuple(given), began=self.home.model.field.zero)
+            nodes = self._follow(start, sets, 0)
         self.roots += nodes
         gone = np.setdiff1d(sets, np.concatenate([sets[:0], *(n.sets for n in nodes)]))
         reason = self.reasons[-1] if self.reasons else Message("no state of the contacts is consistent with the start")
         self.lost |= dict.fromkeys(gone.tolist(), reason)
-
-    def _rubbing(self, closed: frozenset[str]) -> list[DryFriction]:
-        return [rub for rub in self.system.dry_friction if not rub.of or rub.of in closed]
 
     # -- impacts ----------------------------------------------------------------------------------
     def _struck(self, instant: PhaseStart, hits: tuple[str, ...], indices: Chosen, depth: int) -> list[PhaseNode]:
@@ -135,7 +118,7 @@ class PhaseTree(Home):
         found: list[PhaseNode] = []
         try:
             collision = ClosedFormCollision(
-                self.system, instant.closed, hits, instant.placed, self.sets.some(indices, 3)
+                self.system, instant.closed, hits, instant.placed, self.sets.some(indices, 3), instant.past
             )
             blows = [(blow, *self._tested(collision, blow)) for blow in collision.blows()]
         except NO_FORM as error:
@@ -156,7 +139,11 @@ class PhaseTree(Home):
             blow, elements, _tests = blows[cell.label]
             impulses = {name: self.to_home(collision.setup, x) for name, x in blow.impulses.items()}
             given = self.conditions([*elements, *cell.cuts], cell.sets)
-            now = replace(instant, impact=PhaseImpact(hits, impulses, collision), n_impacts=instant.n_impacts + 1)
+            impact = PhaseImpact(hits, impulses, collision, collision.kept)
+            if instant.impact is not None:  # by the blow just before
+                first = instant.impact
+                impact = replace(first, hits=hits, impulses={**first.impulses, **impulses})
+            now = replace(instant, impact=impact, n_impacts=instant.n_impacts + 1)
             now = replace(now, given=(*instant.given, *given))
             nodes = self._after_blow(collision, blow, now, cell.sets, depth)
             for node in nodes:
@@ -180,15 +167,26 @@ class PhaseTree(Home):
                 b.name: b.row.sign * self.to_home(collision.setup, after.rate(b.row.measure)) for b in collision.hits
             }
             touching = collision.kept | rates.keys()
-            slips = {r.name: self.to_home(collision.setup, after.rate(r.row.measure)) for r in self._rubbing(touching)}
+            slips = {r.name: self.to_home(collision.setup, after.rate(r.row.measure)) for r in self.rubbing(touching)}
         except NO_FORM as error:
             self.reasons.append(why(self.system, error))
             return []
         found: list[PhaseNode] = []
-        for signs, sets in self._by_sign({n: x for n, x in rates.items() if not x.is_zero()}, indices):
+        for signs, sets in self.by_sign({n: x for n, x in rates.items() if not x.is_zero()}, indices):
             closed = touching - {name for name, sign in signs.items() if sign}
-            own = {r.name: slips[r.name] for r in self._rubbing(closed)}
+            own = {r.name: slips[r.name] for r in self.rubbing(closed)}
             found += self._follow(replace(instant, placed=placed, closed=closed, slips=own), sets, depth)
+        return found
+
+    # -- blows in mid-motion ----------------------------------------------------------------------
+    def _blown(self, node: PhaseNode, edge: PhaseEnd, instant: PhaseStart) -> list[PhaseNode]:
+        """The phases that follow on a blow: what only pushes or pulls answers to what it is left to do."""
+        found: list[PhaseNode] = []
+        for now, hits, sets in after_blow(self, node, edge, instant):
+            if hits:
+                found += self._struck(now, hits, sets, node.depth + 1)
+            else:
+                found += self._follow(now, sets, node.depth + 1)
         return found
 
     # -- which modes follow -----------------------------------------------------------------------
@@ -239,6 +237,7 @@ class PhaseTree(Home):
                 conditions = self.conditions([*needed, *((x, relation, "") for x, relation, _p in cuts)], cell.sets)
                 node = PhaseNode(phase, [*instant.given, *conditions], cell.sets, depth, is_exact=cell.is_exact)
                 node.impact, node.n_impacts, node.known = instant.impact, instant.n_impacts, instant.known
+                node.began = instant.began
                 found.append(node)
         for node in found:
             self._end(node)
@@ -271,7 +270,11 @@ class PhaseTree(Home):
     def _end(self, node: PhaseNode) -> None:
         """The first events, and what follows each."""
         try:
-            outcomes = first_events(node.phase, self.sets, node.sets)
+            outcomes = [
+                (outcome, given)
+                for watches, sets, given in pending(self, node, node.sets)
+                for outcome in first_events(node.phase, self.sets, sets, watches)
+            ]
         except NO_FORM as error:
             node.reason = why(self.system, error)
             return
@@ -281,10 +284,10 @@ class PhaseTree(Home):
             if gone
             else ""
         )
-        for outcome in outcomes:
+        for outcome, given in outcomes:
             first = outcome.first
             time = None if first is None or first.zero.time is None else self.to_home(node.phase, first.zero.time)
-            conditions = self.outcome_conditions(node.phase, outcome)
+            conditions = [*given, *self.outcome_conditions(node.phase, outcome)]
             proved = all(self._never(node, conditions, proofs) for proofs in outcome.unsure)
             edge = PhaseEnd(first, time, conditions, outcome.sets, is_exact=outcome.is_exact, is_proved=proved)
             node.edges.append(edge)
@@ -315,15 +318,20 @@ class PhaseTree(Home):
             edge.stops = Message("behind {place} other formulas hold; simulate the motion", place=watch.name)
             return
         phase = node.phase
-        there = SymbolicState(phase.model, edge.first.zero.values)
+        there = SymbolicState(phase.model, {**phase.still, **edge.first.zero.values})
         states = dict(phase.mode.states)
         before = {n: s for n, s in states.items() if n != watch.name}
         known = (*node.known, *node.conditions, *edge.conditions)
         n_reasons = len(self.reasons)
         try:
-            placed = self.placed(phase, dict(edge.first.zero.values))
-            if watch.kind == "touches":
-                edge.nodes = self._touched(node, edge, placed, before, known)
+            placed = self.placed(phase, {**phase.still, **edge.first.zero.values})
+            began = None if node.began is None or edge.time is None else node.began + edge.time
+            if watch.kind == STRIKES:
+                edge.nodes = self._blown(
+                    node, edge, PhaseStart(placed, phase.mode.closed, {}, before, known=known, began=began)
+                )
+            elif watch.kind == "touches":
+                edge.nodes = self._touched(node, edge, placed, before, known, began)
             else:
                 slips: dict[str, Ratio] = {}
                 for name, state in states.items():
@@ -334,11 +342,12 @@ class PhaseTree(Home):
                 closed = phase.mode.closed
                 if watch.kind == "edge ends":
                     closed = closed - {watch.name} | self._taking_over(phase, there, watch.name, edge.sets)
-                    dry_friction = self._rubbing(closed)
+                    dry_friction = self.rubbing(closed)
                     slips = {
                         r.name: slips.get(r.name, self.to_home(phase, there.rate(r.row.measure))) for r in dry_friction
                     }
                 instant = PhaseStart(placed, closed, slips, before, excluded, None, node.n_impacts, known)
+                instant = replace(instant, past=phase.mode.past, began=began)
                 edge.nodes = self._follow(instant, edge.sets, node.depth + 1)
         except NO_FORM as error:
             edge.stops = why(self.system, error)
@@ -369,7 +378,13 @@ class PhaseTree(Home):
         return frozenset(found)
 
     def _touched(
-        self, node: PhaseNode, edge: PhaseEnd, placed: Placed, before: Mapping[str, int], known: tuple[Condition, ...]
+        self,
+        node: PhaseNode,
+        edge: PhaseEnd,
+        placed: Placed,
+        before: Mapping[str, int],
+        known: tuple[Condition, ...],
+        began: Ratio | None,
     ) -> list[PhaseNode]:
         """A gap that closes with a speed is an impact. After MAX_IMPACTS of them the formulas end."""
         watch = edge.watch
@@ -382,6 +397,7 @@ class PhaseTree(Home):
             )
             return []
         instant = PhaseStart(placed, node.phase.mode.closed, {}, before, None, None, node.n_impacts, known)
+        instant = replace(instant, past=node.phase.mode.past, began=began)
         return self._struck(instant, (watch.name,), edge.sets, node.depth + 1)
 
 

@@ -23,14 +23,17 @@ from freebody.errors import CannotAnswer
 from freebody.language.expression import evaluate
 from freebody.language.sentences import Message
 from freebody.model.elements import DryFriction
+from freebody.numeric.blow import Blow
+from freebody.numeric.blow import struck as numeric_blow
 from freebody.numeric.brent import least_between, zero_between
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference, Snapshot
 from freebody.questions.clock import Clock
 from freebody.questions.reading import AskedEvent
 from freebody.study.phases.phase import Phase, without_rows
+from freebody.study.phases.reached import STRIKES
 from freebody.symbolic.phases.friction import named_rows
-from freebody.system.modes import ContactMode, in_mode
+from freebody.system.modes import ContactMode, at_blow, in_mode
 from freebody.system.system import System
 from freebody.tolerances import ROUND_OFF
 
@@ -42,7 +45,11 @@ _OF_TIMES = 1e-14  # of roots, relative and [s]
 _OF_DIPS = 1e-5  # [s] of the time at which something is least
 _N_LOOKS = 6  # places in a step at which events are looked for
 _SLOPE = 1e-4  # of the time between two looks: over that slopes are taken
-_PLACES = ("touches", "is reached")  # events of places, which a motion may pass and come back from between two looks
+_PLACES = (
+    "touches",
+    "is reached",
+    STRIKES,
+)  # events of places, which a motion may pass and come back from between two looks
 MAX_TIME = 1000.0
 
 
@@ -66,13 +73,14 @@ class PhaseSnapshot:
 @dataclass(frozen=True)
 class FollowedPhase:
     """A phase to be followed. touching: what touches at the start of the motion, where more does in the phase. hits:
-    what collides when it begins; kept: what keeps touching in that, and for the first phase what does so up to the
-    start, where it opens."""
+    what collides when it begins; blow: what happens in mid-motion before that; kept: what keeps touching
+    in that, and for the first phase what does so up to the start, where it opens."""
 
     phase: Phase
     touching: frozenset[str] | None = None
     hits: tuple[str, ...] = ()
     kept: frozenset[str] = frozenset()
+    blow: str = ""
 
 
 class NumericMode:
@@ -242,6 +250,9 @@ class NumericMode:
         n = len(q)
         begin = self.references[0].snapshot(q, v, start)
         watches = self.watches()
+        for blow in self.base.blows:
+            if blow.name not in self.mode.past:
+                watches.append(((STRIKES, blow.name, 0), self._distance(blow.event, begin)))
         if asked is not None:
             watches.append((("is reached", asked.text, 0), self._distance(asked, begin)))
 
@@ -325,7 +336,13 @@ def _signs(first: Array, is_guide: NDArray[np.bool_]) -> Sequence[Array]:
 
 # -- impacts ----------------------------------------------------------------------------------
 def struck(
-    base: System, values: Mapping[str, float], q: Array, v: Array, hits: Sequence[str], time: float = 0.0
+    base: System,
+    values: Mapping[str, float],
+    q: Array,
+    v: Array,
+    hits: Sequence[str],
+    time: float = 0.0,
+    past: frozenset[str] = frozenset(),
 ) -> Array:
     """The velocities just after a collision, by the contact problem in velocities (`numeric/contact`). Raises
     CannotAnswer where it has no solution."""
@@ -337,11 +354,29 @@ def struck(
     bounded = simulator.bounded
     assert bounded is not None
     y = bounded.free.state(*simulator.reference.by_body(q, v))
+    bounded.hold_past(past)
     touched = [k for k, barrier in enumerate(bounded.barriers) if barrier.name in hits]
     after = InstantTransition(bounded, Law.NEWTON).after(y, time, simulator.engine.near(), None, touched)
     if not after.impacts:
         raise CannotAnswer(Message("the impact has no solution in numbers"))
     return simulator.reference.by_column(bounded.free.coordinates(after.y)[1])
+
+
+def changed(
+    base: System, stage: FollowedPhase, values: Mapping[str, float], q: Array, v: Array, time: float = 0.0
+) -> Array:
+    """The velocities with which a phase begins: after its blow, and after what collides."""
+    if stage.blow:
+        v = blown(base, stage, values, q, v, time).after
+    return struck(base, values, q, v, stage.hits, time, stage.phase.mode.past) if stage.hits else v
+
+
+def blown(base: System, stage: FollowedPhase, values: Mapping[str, float], q: Array, v: Array, time: float) -> Blow:
+    """A blow in mid-motion."""
+    blow = next(b for b in base.blows if b.name == stage.blow)
+    system = at_blow(base, blow, stage.phase.mode.past - {blow.name})
+    reference = Reference(system, {n: x for n, x in values.items() if n in base.parameters})
+    return numeric_blow(reference, reference.geometry(q, np.zeros_like(q), time), v)
 
 
 def before_impact(base: System, kept: frozenset[str], values: Mapping[str, float]) -> tuple[Snapshot, Array, Array]:
@@ -376,7 +411,7 @@ def follow(
     for k, (stage, end) in enumerate(zip(stages, until, strict=True)):
         if k:
             mode = NumericMode(base, stage, values)
-            v = struck(base, values, q, v, stage.hits, time) if stage.hits else v
+            v = changed(base, stage, values, q, v, time)
         seen = mode.run(q, v, time, end, asked)
         found.append(seen)
         time, q, v = seen.time, seen.q, seen.v

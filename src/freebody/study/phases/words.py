@@ -20,6 +20,7 @@ _OCCURS = {
     "slip ends": Message("slip ends"),
     "edge ends": Message("edge ends"),
     "is reached": Message("is reached"),
+    "strikes": Message("is reached"),
     "changes sign": Message("is reached"),
 }
 
@@ -69,8 +70,13 @@ def label(name: str) -> str:
 
 def action(phase: Phase) -> str:
     """What the system does, in a few words."""
+    closed = [name for blow in phase.base.blows if blow.name in phase.mode.past for name in blow.closing]
     found = states(phase)
     spoken = _by_connection(found)
+    if closed and not spoken:
+        if not phase.model.coordinates:
+            return Message("holds")
+        return Message("moves with {names} closed", names=in_turn(closed))
     if not spoken:
         return Message("moves in contact") if any(w == "touches" for w in found.values()) else Message("moves")
     if len(spoken) == 1:
@@ -154,6 +160,11 @@ def happening(watch: PhaseWatch, after: Phase | None) -> str:
             if state:
                 return Message("slip of {contact} reverses", contact=name)
             return Message("slip of {contact} ends", contact=name)
+        case "strikes":
+            blow = None if after is None else next((b for b in after.base.blows if b.name == watch.name), None)
+            if blow is None:
+                return Message("{event} is reached", event=watch.name)
+            return Message("{blow} ({event})", blow=blow.words, event=watch.name)
         case "is reached" | "changes sign":
             return Message("{event} is reached", event=watch.name)
         case _:

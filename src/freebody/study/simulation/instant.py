@@ -38,4 +38,4 @@ class SimulatedInstant(Snapshot):
 def with_all_held(system: System) -> System:
     """The system with the rows of contacts and dry friction among those that are held, for questions about forces: what
     is open has the force zero, what slides the force of its friction."""
-    return replace(system, constraint_rows=tuple(system.rows), contacts=(), limits=(), brakes=())
+    return replace(system, constraint_rows=tuple(system.rows), contacts=(), limits=(), brakes=(), blows=())

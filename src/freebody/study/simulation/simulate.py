@@ -143,10 +143,20 @@ def simulate(
                 "contact of a model in space, or write the model without space: true"
             )
         )
+    if options.by_steps and system.blows:
+        raise InputError(
+            Message(
+                "time stepping (moreau) does not locate events, so nothing closes or strikes in mid-motion in it; "
+                "leave out the method"
+            )
+        )
     before = from_result
     simulator = Simulator(system, values, events, by_steps=options.by_steps) if before is None else before.simulator
     start = 0.0 if before is None else before.t_end
     state, near = (None, None) if before is None else (_last_state(before), before.course.near)
+    past = frozenset[str]()
+    if before is not None and before.course.contact is not None:
+        past = before.course.contact.past
     if simulator.degrees_of_freedom == 0 and not _is_driven(system):
         message = "no motion: 0 degrees of freedom; the reactions at rest are given"
         course = simulator.run(1e-9, SimulationOptions(tolerance=options.tolerance), outputs=np.array([0.0]))
@@ -161,10 +171,11 @@ def simulate(
         zero = [h for h in first.events if h.kind == "start"]
         here = (*zero, *(replace(h, kind="zero") for h in zero))
         return Simulation(system, simulator, staying(first, outputs, here), options)
-    course = simulator.run(until, options, outputs=outputs, progress=progress, state=state, start=start, near=near)
+    going_on: dict[str, Any] = {"outputs": outputs, "state": state, "start": start, "near": near, "past": past}
+    course = simulator.run(until, options, progress=progress, **going_on)
     trusted = None
     if options.verify:
-        finer = simulator.run(until, options.finer, outputs=outputs, state=state, start=start, near=near)
+        finer = simulator.run(until, options.finer, **going_on)
         trusted = _trusted_until(simulator, course, finer)
     return Simulation(system, simulator, course, options, trusted)
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import replace
 from itertools import islice
 from typing import TYPE_CHECKING, Any
@@ -17,6 +17,7 @@ from freebody.numeric.blow import checked_blow
 from freebody.numeric.contact.bounded import Bounded
 from freebody.numeric.contact.hybrid import Hybrid
 from freebody.numeric.contact.start import assembled_touching, start_velocities
+from freebody.numeric.contact.sudden import SuddenBlows
 from freebody.numeric.engine.course import Trajectory
 from freebody.numeric.engine.engine import Engine
 from freebody.numeric.engine.evaluator import EngineWatch
@@ -110,17 +111,20 @@ class Simulator:
         start: float = 0.0,
         near: Array | None = None,
         first_step: float = 0.0,
+        past: Collection[str] = (),
         **given: Any,
     ) -> Trajectory:
         """The motion to `until` [s] as arrays. outputs: times at which it is wanted [s]. state, start, near: of a
-        motion that goes on, from its `Trajectory`. first_step: [s], chosen if it is zero. given: of the options."""
+        motion that goes on, from its `Trajectory`; past: the blows that have happened in it. first_step: [s], chosen if
+        it is zero. given: of the options."""
         options = replace(options or SimulationOptions(), **given)
         near = self._near if near is None else near
         self.engine.count_from(near)
         y = (self.start if state is None else state).copy()
         if self.bounded is not None:
             wanted = np.array([until]) if outputs is None else outputs
-            return Hybrid(self.bounded, options).run(y, start, until, wanted, near, progress)
+            blows = SuddenBlows(self.reference) if self.system.blows else None
+            return Hybrid(self.bounded, options, blows, past).run(y, start, until, wanted, near, progress)
         return self.engine.run(
             y, until, options, start=start, first_step=first_step, outputs=outputs, progress=progress
         )
@@ -136,7 +140,7 @@ class Simulator:
 
 def has_phases(system: System) -> bool:
     """Whether a motion may change its law on the way: something can part, touch, stick or slip."""
-    return bool(system.contacts or system.limits or system.brakes) or any(
+    return bool(system.contacts or system.limits or system.brakes or system.blows) or any(
         row.unilateral for row in system.constraint_rows
     )
 

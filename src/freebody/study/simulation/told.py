@@ -46,7 +46,7 @@ def _said(result: MeasuredMotion, summary: dict[str, Any]) -> Iterator[Entry]:
     open_ = [r.name for k, r in enumerate(result.rows) if not course.unique[:, k].all()]
     if open_:
         yield entry("not unique", f"{', '.join(open_)}: connections hold the same thing more than once")
-    if course.contact is not None:
+    if course.contact is not None and (course.contact.bounds or course.contact.dry_friction):
         yield entry("contact", *_contacts(result, summary, open_))
     if result.trusted_until is not None:
         is_all = result.trusted_until >= result.t_end

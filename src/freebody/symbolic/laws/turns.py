@@ -11,6 +11,8 @@ def wave_turns(law: MotionLaw, a: Ratio, b: Ratio, y: Ratio) -> tuple[list[Turn]
     """Angles tau in (-pi, 3 pi/2) with a cos(tau) + b sin(tau) = y, each with d/dtau there and a key."""
     field = law.model.field
     pi, zero, real = field.pi, field.zero, a * a + b * b - y * y
+    if a.is_zero() and b.is_zero():  # it stays at its centre
+        return [], []
     if sign_of(real) is Sign.NEGATIVE:  # out of reach
         return [], [(real, ">")]
     if b.is_zero():  # from an extreme; half a turn at most
@@ -41,6 +43,8 @@ def wave_turns(law: MotionLaw, a: Ratio, b: Ratio, y: Ratio) -> tuple[list[Turn]
 def growth_turns(law: MotionLaw, a: Ratio, b: Ratio, y: Ratio) -> tuple[list[Turn], list[Need]]:
     """tau with a cosh(tau) + b sinh(tau) = y, each with d/dtau there and a key; E = exp(tau) is a root of
     (a + b) E^2 - 2 y E + (a - b) = 0."""
+    if a.is_zero() and b.is_zero():  # it stays at its centre
+        return [], []
     if (a + b).is_zero():  # it comes to rest at the centre, but only after all time
         if y.is_zero():
             return [], []

@@ -21,6 +21,7 @@ from freebody.language.sentences import Message
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.first_integrals import FirstIntegrals, is_driven
 from freebody.symbolic.laws.base import MotionLaw
+from freebody.symbolic.laws.uniform import UniformLaw
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.motion import SmoothMotion
 from freebody.symbolic.start import StartState
@@ -187,6 +188,10 @@ class LawMotion(MotionInTime):
         if c.speed in inside:
             index = c.speed
         value = None if {c.index, c.speed} <= inside else solve_linear(base, index)
+        if value is not None and index == c.index and isinstance(law, UniformLaw):
+            for time in polynomial_roots(self.model, [law.q0 - value, law.u0, law.a / 2]):
+                yield CourseZero(time, self.values(time), needs=(time,))
+            return
         instants = None if value is None else law.places(value) if index == c.index else law.rates(value)
         if instants is None:
             raise CannotAnswer(Message("it has no closed form in the time"))
@@ -211,7 +216,8 @@ class EnergyMotion(ClosedFormMotion):
     def __init__(self, model: SymbolicModel, start: StartState, coordinate: Coordinate) -> None:
         super().__init__(model, start, {})
         self.coordinate = coordinate
-        integrals, f = FirstIntegrals(model, start), model.field
+        self._integrals, f = FirstIntegrals(model, start), model.field
+        integrals = self._integrals
         # u^2 as a function of q
         self.square = f.lowest_terms(integrals.speed_squared(coordinate, f.variable(coordinate.index)))
         self._others = {k: x for k, x in integrals.speeds(coordinate).items() if k != coordinate.speed}
@@ -219,7 +225,7 @@ class EnergyMotion(ClosedFormMotion):
     def _reduced(self, x: Ratio) -> Ratio:
         """With the speeds that momenta give put in. Raises CannotAnswer where it depends on another coordinate."""
         x = self.model.in_independent_speeds(x)
-        x = self.model.field.follow(x, self._others) if self._others else x
+        x = self.model.field.follow(x, {**self._others, **self._integrals.resting}) if self._others else x
         inside = self.model.field.ingredients(x) if self._others else set[int]()
         others = [c.name for c in self.model.coordinates if c is not self.coordinate and c.index in inside]
         if others:
@@ -280,6 +286,8 @@ class EnergyMotion(ClosedFormMotion):
         square = f.lowest_terms(f.follow(self.square, {c.index: value}))
         own = {c.index: value, c.speed: way * f.sqrt(square, self.model.samples.is_negative)}
         others = {k: f.follow(x, own) for k, x in self._others.items()}
+        if self._others:
+            others |= self._integrals.places_at(c, value, None)
         return CourseZero(None, {**others, **own}, value)
 
     def reachable(self, zero: CourseZero) -> tuple[Ratio, ...]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Container, Mapping
+from collections.abc import Container, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any, cast
 
@@ -15,30 +15,75 @@ from freebody.measures.base import Measure
 from freebody.model.carriers import is_distance_kept
 from freebody.model.elements import Attitude, ConstraintRow, DryFriction, UnilateralConstraint
 from freebody.model.names import Names
+from freebody.questions.reading import AskedEvent, read_event
+from freebody.system.reading.loads import happening
 from freebody.system.reading.parameters import forms
 from freebody.system.reading.source import Source
 
 MOST_ASKED = 40
 CLOSES = "closes"  # the key beside the kind of a connection
+_AT_START = ("at start", "start")
 
 
 def closing_at_start(source: Source) -> frozenset[str]:
     """The connections that close when the motion begins: `{weld: [bullet, block], closes: at start}`."""
-    found: set[str] = set()
-    for name, entry in source.mapping("connections").items():
-        if not isinstance(entry, dict) or CLOSES not in entry:
+    return frozenset(name for name, value in _closings(source) if value in _AT_START)
+
+
+def closing_when(source: Source) -> dict[str, AskedEvent]:
+    """The connections that close in mid-motion, `{pin: [peg, rod.notch], closes: when theta = 0}`, and at which
+    event."""
+    found: dict[str, AskedEvent] = {}
+    for name, value in _closings(source):
+        if value in _AT_START:
             continue
-        value = cast("dict[str, Any]", entry)[CLOSES]
-        if value not in ("at start", "start"):
-            told = Message("a connection that closes does so at the start; write {closes}: at start", closes=CLOSES)
+        if not isinstance(value, str) or not value.startswith("when "):
+            told = Message("say when it closes: {closes}: at start, or {closes}: when x = d", closes=CLOSES)
             source.names.problem(told, "connections", name, CLOSES)
-        found.add(name)
-    return frozenset(found)
+            continue
+        event = read_event(source.names, happening(value), ("connections", name, CLOSES))
+        if event is not None:
+            found[name] = event
+    return found
+
+
+def _closings(source: Source) -> Iterator[tuple[str, object]]:
+    """What the model says of the connections that close."""
+    for name, entry in source.mapping("connections").items():
+        if isinstance(entry, dict) and CLOSES in entry:
+            yield name, cast("dict[str, Any]", entry)[CLOSES]
+
+
+def parted(
+    names: Names, held: Sequence[ConstraintRow], closing: Container[str]
+) -> tuple[list[ConstraintRow], list[ConstraintRow]]:
+    """The rows that are held from the start on, and those that close in mid-motion."""
+    later = [row for row in held if row.connection in closing]
+    for row in later:
+        told = None
+        if row.unilateral or row.needs:
+            told = Message(
+                "{connection} can only pull, or only push, and closes by itself where it is reached; a string that is "
+                "slack at first is given its length by a stop",
+                connection=row.connection,
+            )
+        elif row.target is not None and "t" in free_symbols(row.target):
+            told = Message("{connection} is driven in time, and cannot close in mid-motion", connection=row.connection)
+        elif names.space:
+            told = Message("connections close in mid-motion in models of the plane only; in space write at start")
+        if told is not None:
+            names.problem(told, "connections", row.connection, CLOSES)
+    return [row for row in held if row.connection not in closing], later
 
 
 def read_rows(
-    names: Names, connections: Mapping[str, Connection], closing: Container[str] = ()
+    names: Names,
+    connections: Mapping[str, Connection],
+    closing: Container[str] = (),
+    later: Container[str] = (),
 ) -> tuple[list[ConstraintRow], list[tuple[str, Measure]]]:
+    """The rows that connections hold, and the measures that they offer. closing, later: connections that close at the
+    start, and in mid-motion."""
     rows: list[ConstraintRow] = []
     offered: list[tuple[str, Measure]] = []
     for name, connection in connections.items():
@@ -47,8 +92,8 @@ def read_rows(
             if names.space and connection.is_in_plane(names):
                 _check_plane(names, connection, connections)
             held = connection.rows(names)
-            if name in closing and not held and len(names.problems) == n_before:
-                told = Message("a {kind} holds nothing by itself that could close at the start", kind=connection.kind)
+            if (name in closing or name in later) and not held and len(names.problems) == n_before:
+                told = Message("a {kind} holds nothing by itself that could close", kind=connection.kind)
                 names.problem(told)
             rows += [_in_numbers(names, replace(row, connection=name, closes=name in closing)) for row in held]
             if len(names.problems) == n_before:
@@ -56,7 +101,7 @@ def read_rows(
     if names.problems:
         return rows, offered
     kept = [row for row in rows if not row.if_needed]
-    always = tuple(kept)
+    always = tuple(row for row in kept if row.connection not in later)
     for row in sorted(rows, key=lambda row: row.name):
         if not row.if_needed or any(row.measure == other.measure for other in kept):
             continue
@@ -90,9 +135,9 @@ def _check_plane(names: Names, connection: Connection, connections: Mapping[str,
 
 
 def read_bounds(
-    names: Names, connections: Mapping[str, Connection]
+    names: Names, connections: Mapping[str, Connection], later: Container[str] = ()
 ) -> tuple[tuple[OutlinePair, ...], tuple[UnilateralConstraint, ...], tuple[DryFriction, ...]]:
-    """What may touch, other limits, and dry friction."""
+    """What may touch, other limits, and dry friction. later: connections that close in mid-motion."""
     contacts: list[OutlinePair] = []
     limits: list[UnilateralConstraint] = []
     brakes: list[DryFriction] = []
@@ -103,6 +148,9 @@ def read_bounds(
                 contacts += connection.pairs(names, name)
                 continue
             bounds, dry_friction = connection.bounds(names, name)
+            if name in later and (bounds or dry_friction):
+                told = Message("a connection that closes in mid-motion has no friction and no limits; leave them out")
+                names.problem(told)
             limits += (replace(bound, row=_in_numbers(names, bound.row)) for bound in bounds)
             for rub in dry_friction:
                 static, kinetic = (substitute(e, by_form) for e in (rub.static, rub.kinetic))

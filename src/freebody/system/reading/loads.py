@@ -9,6 +9,7 @@ from freebody.language.expression import free_symbols, replace_rates, substitute
 from freebody.loads.base import Load
 from freebody.model.elements import RATE, VALUE, AppliedLoad
 from freebody.model.names import Names
+from freebody.questions.reading import AskedEvent, read_event
 from freebody.system.reading.parameters import forms
 
 
@@ -24,8 +25,25 @@ def read_loads(names: Names, loads: Mapping[str, Load]) -> list[AppliedLoad]:
     return found
 
 
+def striking_when(names: Names, loads: Mapping[str, Load]) -> dict[str, AskedEvent]:
+    """The impulses that act in mid-motion, and at which event."""
+    found: dict[str, AskedEvent] = {}
+    for name, load in loads.items():
+        if load.strikes_when:
+            with names.reading("loads", name, load.kind):
+                event = read_event(names, happening(load.strikes_when), ("when",))
+            if event is not None:
+                found[name] = event
+    return found
+
+
+def happening(words: str) -> str:
+    """An event without the word that leads it in."""
+    return " ".join(words.split()).removeprefix("when ")
+
+
 def read_impulses(names: Names, loads: Mapping[str, Load]) -> tuple[AppliedLoad, ...]:
-    """What is struck at the start, and by which impulse."""
+    """What is struck, and by which impulse."""
     found: list[AppliedLoad] = []
     for name, load in loads.items():
         with names.reading("loads", name, load.kind):
