@@ -131,7 +131,8 @@ PROBLEMS = {
     ),
     "kicked block": (KICK, "velocity of x when x = D", "v + J/m"),
     "kicked block, time": (KICK, "time when x = D", "d/v + (D - d)/(v + J/m)"),
-    # m L^2/3 w0^2/2 = m g L/2 (1 - cos alpha); (m/3 + m0) w = m/3 w0; then (m/3 + m0) L^2 w^2/2 - m g L/2 (1 - cos beta)
+    # m L^2/3 w0^2/2 = m g L/2 (1 - cos alpha); (m/3 + m0) w = m/3 w0; then (m/3 + m0) L^2 w^2/2 less m g L/2
+    # (1 - cos beta)
     "lump sticks": (
         LUMP,
         "angular velocity of rod when theta = -beta",

@@ -113,6 +113,8 @@ class Names:
         self.started_at_zero: set[str] = set()  # named measures that the file lets start at zero
         self.constraint_rows: list[ConstraintRow] = []
         self.loads: dict[str, Dimension] = {}  # the dimension of what each load exerts
+        self.impulses: frozenset[str] = frozenset()  # the loads that act in no time
+        self.struck_at_start = frozenset[str]()  # what closes at the start, and the impulses that act then
         self.applied_loads: list[
             AppliedLoad
         ] = []  # what the loads push, known before the connections say what they hold

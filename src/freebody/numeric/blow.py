@@ -54,6 +54,14 @@ def struck(reference: NumericSystem, g: JetGeometry, before: Array) -> Blow:
     return Blow(before, v, split.multipliers(M * v - brought), split)
 
 
+def between(reference: NumericSystem, g: JetGeometry, before: Array, after: Array) -> Blow:
+    """The impulses that lead from velocities just before to those just after, in the pose of g."""
+    n, M = len(g.q), reference.masses
+    rows = [reference.jet(g, row.measure, row.name) for row in reference.system.constraint_rows]
+    split = Split(stack([jet.row(n) for jet in rows], n), reference.sizes.small_moves)
+    return Blow(before, after, split.multipliers(M * (after - before) - _impulses(reference, g)), split)
+
+
 def _impulses(reference: NumericSystem, g: JetGeometry) -> Array:
     total = np.zeros(len(g.q))
     for push in reference.system.impulses:

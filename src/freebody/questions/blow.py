@@ -1,4 +1,4 @@
-"""Questions about the blow at the start: the impulses of connections, and the energy that is lost in it."""
+"""Questions about a blow: the impulses of connections and contacts, and the energy that is lost in it."""
 
 from __future__ import annotations
 
@@ -22,8 +22,9 @@ _RANK = 60
 
 @dataclass(frozen=True)
 class ImpulsiveWrench(Wrench, kind="impulse"):
-    """Impulse or angular impulse of a connection on a body in the blow at the start: a vector, a component, the size,
-    or the angular impulse about the mass centre or a point."""
+    """Impulse or angular impulse of a connection on a body in a blow: a vector, a component, the size, or the angular
+    impulse about the mass centre or a point. It is that of the blow at the start; of what closes on the way, or
+    collides, that of the first time."""
 
     example = """
 bodies: {rod: {rod: {mass: 3 kg, length: 2 m}, angle: -90 deg}}
@@ -68,7 +69,7 @@ questions: {it: impulse of pivot along right}
 
 @dataclass(frozen=True)
 class EnergyLostInBlow(Quantity, kind="energy lost in the blow"):
-    """The kinetic energy just before the blow at the start less that just after."""
+    """The kinetic energy just before the blow (that at the start, else the first one) less that just after."""
 
     example = """
 bodies:
@@ -97,14 +98,25 @@ questions: {it: energy lost in the blow}
 
 # -- words ------------------------------------------------------------------------------------
 @asked(
-    "impulse of CONNECTION [on BODY] [along DIRECTION]; x, y component of, size of",
+    "impulse of CONNECTION | LINE | BODY [on BODY] [along DIRECTION]; x, y component of, size of",
     rf"(?:(?P<part>horizontal|vertical|size of|magnitude of|x component of|y component of) )?(?:the )?"
     rf"(?:impulse|impulsive reaction) of (?P<of>{NAME})"
     rf"(?: on (?P<on>{NAME}))?(?: along (?P<along>.+?))?{IN_BASIS}",
     rank=_RANK,
 )
 def _impulse(names: Names, found: Found, path: Path) -> Quantity | None:
-    return read_wrench(names, found, path, ImpulsiveWrench)
+    return read_wrench(names, _between(names, found), path, ImpulsiveWrench)
+
+
+def _between(names: Names, found: Found) -> Found:
+    """`impulse of floor on ball` is that of the connection between them, where there is one alone."""
+    of, on = str(found["of"]), found["on"]
+    if of in names.connections or of in names.broken:
+        return found
+    wanted = {of} if on is None else {of, str(on)}
+    ends = ((row.connection, {*row.ends, *row.measure.bodies()}) for row in names.constraint_rows)
+    between = {connection for connection, these in ends if wanted <= these}
+    return {**found, "of": between.pop()} if len(between) == 1 else found
 
 
 @asked(

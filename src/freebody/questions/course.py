@@ -18,18 +18,20 @@ from freebody.measures.base import Measure
 from freebody.model.names import did_you_mean
 from freebody.model.phrases import read_measure
 from freebody.questions.base import Described, Found, Passage, Path, Quantity, angular_unit, asked
+from freebody.questions.sudden import side_of_blow
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
 
-TransitionKind = Literal["rolls", "slip ends", "slips", "opens", "touches"]
+TransitionKind = Literal["rolls", "slip ends", "slips", "opens", "touches", "before", "after"]
 RANK = 90
 
 
 @dataclass(frozen=True)
 class Transition:
     """A change of the state of a contact: it begins to roll (or to stick), stops slipping, begins to slip, opens, is
-    touched. `of` are the connections that are meant; none means any."""
+    touched; or the instant just before or just after a blow or an impact. `of` are the connections (of a blow also the
+    impulses) that are meant; none means any."""
 
     kind: TransitionKind
     of: tuple[str, ...]
@@ -184,7 +186,12 @@ _TRANSITIONS: list[tuple[re.Pattern[str], TransitionKind]] = [
 
 
 def read_transition(names: Names, text: str, path: Path) -> Transition | None:
-    """The change of a contact's state that a text states; None if it is none of these."""
+    """The change of a contact's state that a text states, or the side of a blow; None if it is none of these."""
+    sided = side_of_blow(text)
+    if sided is not None:
+        side, name = sided
+        of = () if name is None else (name,) if name in names.impulses else _connections(names, name, path)
+        return Transition("before" if side == "before" else "after", of, text)
     for pattern, kind in _TRANSITIONS:
         found = pattern.match(text.strip())
         if found is None:

@@ -36,6 +36,7 @@ from freebody.questions.operands import (
     without_start,
 )
 from freebody.questions.spoken.understanding import understood
+from freebody.questions.sudden import by_blows
 from freebody.questions.turned_round import (
     EXTREME_FOR,
     REACHED,
@@ -219,6 +220,11 @@ def _understood(names: Names, text: str, when: object) -> tuple[_Asked, str] | N
     return understood(names, text, lambda words: _asked(names, as_condition(names, words), when))
 
 
+def _timed(phrase: str) -> str:
+    """Words for instants of the clock and for the two sides of a blow as conditions."""
+    return by_the_clock(by_blows(phrase))
+
+
 _SIGN = re.compile(r"[<>=≤≥]|\b(?:is|exceeds|exceed|stays below)\b")
 
 
@@ -244,13 +250,13 @@ def _asked(names: Names, phrase: str, when: object) -> _Asked | None:
         return _turned_round(names, turned["parameter"], turned["relation"], when, end)
     if when is not None:
         path: Path = ("when",)
-        phrase, condition = by_the_clock(phrase), by_the_clock(f" {when}").removeprefix(" when ").strip()
+        phrase, condition = _timed(phrase), _timed(f" {when}").removeprefix(" when ").strip()
         phrase, at_start = without_start(phrase), False
         if condition in ("start", "at start"):
             condition, at_start = None, True
     else:
         path = ("find",)
-        phrase, condition = event_at_end(names, ratio_as_quotient(names, by_the_clock(phrase)))
+        phrase, condition = event_at_end(names, ratio_as_quotient(names, _timed(phrase)))
         at_start = condition is None and without_start(phrase) != phrase
         phrase = without_start(phrase)
     operands = operands_of(names, phrase)
@@ -269,7 +275,7 @@ def _turned_round(
         told = Message("{name} is no parameter.{hint}", name=name, hint=did_you_mean(name, names.parameters))
         names.unknown(name, told, "find")
         return None
-    relation = by_the_clock(relation)
+    relation = _timed(relation)
     inequality = inequality_of(relation)
     if inequality is not None:
         return _range(names, parameter, inequality, when, end)
@@ -398,14 +404,22 @@ def _placed(names: Names, quantity: Quantity, condition: str | None, at_start: b
     if condition is None:
         return _Asked(quantity, at_start=at_start or of_start)
     if of_start:
-        told = Message("impulses act at the start only; leave out 'when' and 'until'")
+        told = Message("impulses act in a blow; leave out 'when' and 'until'")
         names.problem(told, *path)
         return None
     transition = read_transition(names, condition, path)
+    if transition is not None and transition.kind == "after" and _is_at_start(names, transition):
+        return _Asked(quantity, at_start=True)
     event = None if transition is not None else read_event(names, condition, path)
     if event is None and transition is None:
         return None
     return _Asked(quantity, event, at_start, transition)
+
+
+def _is_at_start(names: Names, transition: Transition) -> bool:
+    """Whether the blow that is meant is that of the start."""
+    struck = names.struck_at_start
+    return bool(struck) and struck.issuperset(transition.of)
 
 
 def is_of_start(quantity: Quantity) -> bool:

@@ -106,7 +106,7 @@ class SymbolicState:
     def blow(self) -> Blow:
         """The blow of the start. Raises CannotAnswer where there is none."""
         if self._blow is None:
-            raise CannotAnswer(Message("nothing is struck here: impulses act and connections close at the start only"))
+            raise CannotAnswer(Message("nothing is struck here"))
         return self._blow
 
     def law(self, push: AppliedLoad) -> Ratio:

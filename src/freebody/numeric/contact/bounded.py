@@ -426,7 +426,7 @@ class Bounded:
         )
         lengths = np.array([1.0 if self.is_angle(self.rows[k]) else self.numbers.length for k in places])
         matrices = ContactProblem(A, b, tuple(normals), dry_friction, lengths)
-        return RowProblem(matrices, tuple(closed), tuple(drags), weighted, len(held))
+        return RowProblem(matrices, tuple(closed), tuple(drags), weighted, len(held), tuple(places))
 
     def _rub(self, k: int, sliding: int, at: dict[int, int], row: int, t: float) -> FrictionProblemRow:
         drag, number = self.drags[k], self.numbers.number
@@ -465,6 +465,7 @@ class RowProblem:
     drags: tuple[int, ...]
     weighted: Floats
     n_held: int
+    places: tuple[int, ...] = ()  # of its rows, among those that may be held
 
     def row_of_barrier(self, k: int) -> int:
         return self.n_held + self.closed.index(k)

@@ -274,7 +274,7 @@ class Hybrid:
 
     # -- words --------------------------------------------------------------------------------
     def _note(self, before: ModeOf | None, result: After, t: float) -> None:
-        names = [b.name for b in self.bounded.barriers]
+        b, names = self.bounded, [b.name for b in self.bounded.barriers]
         if result.status is Consistency.SEVERAL and self.several is None:
             self.several = t
         for impact in result.impacts:
@@ -287,6 +287,8 @@ class Hybrid:
                     {names[k]: x for k, x in impact.after.items()},
                     impact.energy_change,
                     impact.energy_grew,
+                    {b.rows[place].name: b.rows[place].sign * x for place, x in impact.joints.items()},
+                    tuple(b.rows[place].name for place in impact.not_unique),
                 )
             )
             result.y[self.bounded.free.at_work] += impact.energy_change

@@ -15,6 +15,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 
 import numpy as np
+from numpy.typing import NDArray
 
 from freebody.language.sentences import Message, in_turn
 from freebody.numeric.contact.bounded import TOUCHING, Bounded, ContactInstant, ModeOf, RowProblem
@@ -31,6 +32,8 @@ STILL = 1e-9  # rates below this part of the system's speed are none
 REST = 1e-10  # gaps that do not come wider than this part of the system's size are none
 TIED = 1e-9  # rates of approach that differ by less, relatively, are equal
 N_IMPACTS = 50
+OPEN = 1e-12  # eigenvalues of rows that depend on each other, by the largest
+_SEEN = 1e-6  # of a unit vector of forces that do nothing: less is no part in it
 MOST_OTHERS = 300  # modes that are tried to find out whether there is another outcome: those of three contacts
 
 Choice = tuple[str, int, int | None]  # ("closed", barrier, None), ("open", barrier, None), ("drag", drag, state)
@@ -47,6 +50,8 @@ class ImpactRecord:
     after: dict[int, float]
     energy_change: float
     energy_grew: bool
+    joints: dict[int, float] = field(default_factory=dict[int, float])  # by place: of what holds, where they are unique
+    not_unique: tuple[int, ...] = ()  # places of rows whose impulses are not
 
 
 @dataclass
@@ -278,6 +283,12 @@ class InstantTransition:
         self, t: float, problem: RowProblem, outcome: ImpactOutcome, rates: dict[int, float], change: float
     ) -> ImpactRecord:
         rows = {k: problem.row_of_barrier(k) for k in problem.closed}
+        is_open = _not_unique(problem.matrices.A)
+        joints = {
+            place: float(outcome.impulses[row])
+            for row, place in enumerate(problem.places[: problem.n_held])
+            if not is_open[row]
+        }
         return ImpactRecord(
             t,
             {k: float(outcome.impulses[row]) for k, row in rows.items()},
@@ -286,6 +297,8 @@ class InstantTransition:
             {k: float(outcome.velocities[row]) for k, row in rows.items()},
             change,
             outcome.energy_grew,
+            joints,
+            tuple(place for row, place in enumerate(problem.places) if is_open[row]),
         )
 
     # -- the end of rebounds ------------------------------------------------------------------
@@ -445,3 +458,13 @@ class InstantTransition:
             elif what == "open" and k in problem.closed:
                 found.append((problem.row_of_barrier(k), RowState.OPEN))
         return found
+
+
+def _not_unique(A: Floats) -> NDArray[np.bool_]:
+    """(n,) which of the forces x are not determined by A x, A symmetric and not negative."""
+    sizes = np.sqrt(np.maximum(np.diag(A), 0.0))
+    sizes[sizes == 0.0] = 1.0
+    values, vectors = np.linalg.eigh(A / np.outer(sizes, sizes))
+    null = vectors[:, values <= OPEN * max(1.0, float(values.max(initial=0.0)))]
+    found: NDArray[np.bool_] = np.abs(null).max(axis=1, initial=0.0) > _SEEN
+    return found

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import StrEnum
 from typing import Any
 
@@ -78,6 +78,8 @@ NO_TRACKS = Tracks({}, np.zeros(0), np.zeros((0, 0)))  # of a motion in which no
 @dataclass(frozen=True)
 class Collision:
     """Impacts at one instant: impulses [N s] and rates of gaps [m/s] by name, and the kinetic energy they take [J].
+    joints: impulses with which what holds answers, by row, with the sign of its reaction; not_unique: rows whose
+    impulses are not.
     energy_grew: the law of impact made energy, as Newton's may with friction."""
 
     time: float
@@ -87,6 +89,8 @@ class Collision:
     after: Mapping[str, float]
     energy_change: float
     energy_grew: bool
+    joints: Mapping[str, float] = field(default_factory=dict[str, float])
+    not_unique: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)

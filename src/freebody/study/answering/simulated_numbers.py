@@ -11,7 +11,7 @@ from freebody.numeric.engine.course import Status
 from freebody.numeric.options import SimulationOptions
 from freebody.questions.clock import Clock
 from freebody.questions.energy import Energy
-from freebody.questions.reading import Question
+from freebody.questions.reading import Question, is_of_start
 from freebody.study.answering.answer import Value
 from freebody.study.answering.crosscheck import as_parts
 from freebody.study.answering.numbers import LONGEST
@@ -34,6 +34,8 @@ def number_with_changes(system: System, question: Question) -> Value:
     BudgetExhausted where the event was not reached within the budget of steps, CannotAnswer where it has no number."""
     quantity, event = question.quantity, question.event
     if not system.has_values or question.transition is not None or not quantity.is_of_state:
+        return None
+    if is_of_start(quantity) and not system.is_struck:  # it belongs to a blow on the way
         return None
     clock = event.time if isinstance(event, Clock) else None
     if isinstance(event, Clock) and clock is None:

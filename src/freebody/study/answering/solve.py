@@ -72,6 +72,8 @@ def _solved(system: System, questions: Sequence[Question], setup: Setup | None) 
 
 
 def _in_whole(system: System, questions: Sequence[Question], setup: Setup | None) -> Solution:
+    if any(_is_before_start(system, q) for q in questions):
+        return _with_before(system, questions, setup)
     if questions and all(q.quantity.scope == "rest" for q in questions):
         try:
             return _at_rest(system, questions)
@@ -96,6 +98,26 @@ def _in_whole(system: System, questions: Sequence[Question], setup: Setup | None
         for q in questions
     )
     return Solution.of(system, model, answers, assumed=assumed_at_start(setup, answers))
+
+
+def _is_before_start(system: System, question: Question) -> bool:
+    """Whether something is asked for just before the blow of the start."""
+    asked = question.transition
+    if asked is None or asked.kind != "before" or not system.is_struck:
+        return False
+    closing = {row.connection for row in system.constraint_rows if row.closes}
+    return {*closing, *(push.load for push in system.impulses)}.issuperset(asked.of)
+
+
+def _with_before(system: System, questions: Sequence[Question], setup: Setup | None) -> Solution:
+    """What is so just before the blow of the start is so at the start of the system that nothing strikes."""
+    rows = tuple(row for row in system.constraint_rows if not row.closes)
+    unstruck = replace(system, constraint_rows=rows, impulses=())
+    early = [replace(q, transition=None, at_start=True) for q in questions if _is_before_start(system, q)]
+    before = _in_whole(unstruck, early, None)
+    after = _in_whole(system, [q for q in questions if not _is_before_start(system, q)], setup)
+    answers = {a.id: a for a in (*before.answers, *after.answers)}
+    return replace(after, answers=tuple(answers[q.id] for q in questions))
 
 
 def _by_cases(setup: Setup, question: Question) -> Answer | None:
@@ -139,7 +161,9 @@ def _with_changes(system: System, questions: Sequence[Question], setup: Setup | 
 
 
 def _without_contacts(q: Question, transition: Transition) -> Answer:
-    """A change of a contact, of a system in which nothing can touch or rub."""
+    """A change of a contact, of a system in which nothing can touch or rub, or a blow where nothing strikes."""
+    if transition.kind in ("before", "after"):
+        return refused(q, Message("nothing is struck and nothing closes in the model"), never=True)
     reason = Message(
         "'{event}' is a change of a contact or of dry friction, and the model has neither", event=transition.text
     )

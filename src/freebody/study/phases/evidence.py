@@ -29,6 +29,7 @@ from freebody.study.answering.draws import SEED, Draw
 from freebody.study.answering.magnitude import magnitude
 from freebody.study.answering.passage import NumericPassage
 from freebody.study.answering.spread import disagreement
+from freebody.study.phases.in_blow import after_in_numbers
 from freebody.study.phases.nodes import PhaseNode
 from freebody.study.phases.pieces import AnswerBranch, is_before_impact
 from freebody.study.phases.quantities import frictions, only_friction_takes_energy, plain, value_in_mode
@@ -51,6 +52,8 @@ _LONGEST = 400.0  # in units of the typical time of the sets; longer motions are
 
 def compare(tree: PhaseTree, question: Question, piece: AnswerBranch) -> Evidence:
     """Raises RoutesDisagree on a difference, CannotAnswer if too little could be compared."""
+    if piece.in_blow:
+        return _in_blow(tree, question, piece)
     if piece.at_start and question.quantity.is_of_event:
         return _at_once(tree, question, piece)
     if piece.at_start and question.quantity.scope == "course":
@@ -148,6 +151,34 @@ def _since_the_start(tree: PhaseTree, question: Question, piece: AnswerBranch) -
             before, _q, _v = before_impact(tree.system, node.impact.kept, values)
         counted = question.quantity.counted(_passage(tree, [], mode, before, now))
         check.compare(Draw(mode.values, mode.references[0], q), _home_numbers(tree, piece, k), counted)
+
+    return check.gather(_numbered(piece), compare).evidence()
+
+
+def _in_blow(tree: PhaseTree, question: Question, piece: AnswerBranch) -> Evidence:
+    """The impulses that lead from the momenta just before to those just after."""
+    check = CrossCheck(question.text, Message("floating-point momenta before and after the blow"), MOTION_TOLERANCE)
+    node = piece.nodes[-1] if piece.after is None else piece.after
+    ends = None if piece.time is None else tree.numbers(piece.time)
+
+    def compare(k: int) -> None:
+        values, following = tree.sets.one(k), stage(tree, node)
+        if piece.after is None:
+            _before, q, v = before_impact(tree.system, following.kept, values)
+            time = 0.0
+        else:
+            if ends is not None and not 0 < ends[k] < _LONGEST:
+                return
+            with without_numbers():
+                last = run(tree, question.event, piece, k, None if ends is None else float(ends[k]))[-1]
+            q, v, time = last.q, last.v, last.time
+        mode = NumericMode(tree.system, following, values)
+        after = mode.snapshot(q, changed(tree.system, following, values, q, v, time), time)
+        state: Any = after_in_numbers(tree.system, following, values, after, q, v, time)
+        numeric = value_in_mode(question.quantity, tree.system, mode.system, state)
+        draw = Draw(mode.values, mode.references[0], q)
+        size = partial(magnitude, question.quantity.dimension, after)
+        check.compare(draw, _home_numbers(tree, piece, k), numeric, size)
 
     return check.gather(_numbered(piece), compare).evidence()
 

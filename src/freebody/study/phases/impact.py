@@ -174,7 +174,7 @@ class ClosedFormCollision:
         model, f = self.model, self.model.field
         speeds: dict[int, Ratio] = {}
         for c, a in zip(model.coordinates, model.accelerations, strict=True):
-            change = self._total(model.dynamics.solved_accelerations[a], impulses)
+            change = self.total(model.dynamics.solved_accelerations[a], impulses)
             speeds[c.speed] = f.lowest_terms(self.start.of(c.speed) + change)
         conditions = list(checks)
         for bound in self.hits:
@@ -189,7 +189,8 @@ class ClosedFormCollision:
         conditions += self._kept_touching(impulses)
         return Blow(impulses, speeds, tuple(conditions))
 
-    def _total(self, x: Ratio, impulses: Mapping[str, Ratio]) -> Ratio:
+    def total(self, x: Ratio, impulses: Mapping[str, Ratio]) -> Ratio:
+        """How much impulses make of what grows with forces along the same rows."""
         total = self.model.field.zero
         for name, slope in self.slopes(x).items():
             if name in impulses:
@@ -203,7 +204,7 @@ class ClosedFormCollision:
         for name in sorted({*self.kept, *loads}):
             if name not in rows:
                 continue
-            push = rows[name].sign * self._total(self.model.reactions.multiplier(rows[name]), impulses)
+            push = rows[name].sign * self.total(self.model.reactions.multiplier(rows[name]), impulses)
             if push.is_zero():
                 continue
             if name in loads:

@@ -55,6 +55,12 @@ class PhaseImpact:
     kept: frozenset[str] = frozenset()  # what touched before
     blow: BlowEvent | None = None
     unknown: Mapping[str, CannotAnswer] = field(default_factory=dict[str, CannotAnswer])
+    collision: tuple[ClosedFormCollision, Mapping[str, Ratio]] | None = None  # with its impulses in its own field
+
+    @property
+    def struck(self) -> frozenset[str]:
+        """The rows along which it collides."""
+        return frozenset(() if self.collision is None else (row.name for row in self.collision[0].struck))
 
     @property
     def words(self) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from typing import Any, cast
@@ -12,18 +12,20 @@ import numpy as np
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.questions.course import Transition
-from freebody.questions.reading import AskedEvent, Question
+from freebody.questions.reading import AskedEvent, Question, is_of_start
 from freebody.study.answering.conditions import as_written, at_instant, real
 from freebody.study.answering.finding import NO_FORM, Elements, why
 from freebody.study.phases.ends import FirstEvent, PhaseOutcome
 from freebody.study.phases.events import first_events
+from freebody.study.phases.in_blow import after_in_formulas, named_in, not_struck
 from freebody.study.phases.nodes import PhaseNode, WayToPhase
 from freebody.study.phases.numbers import Chosen
 from freebody.study.phases.passage import elements_in, passage_of
 from freebody.study.phases.phase import Phase, PhaseWatch
+from freebody.study.phases.quantities import value_in_mode
 from freebody.study.phases.reached import STRIKES, pending, sides
 from freebody.study.phases.tree import PhaseTree
-from freebody.study.phases.words import label
+from freebody.study.phases.words import happening, label
 from freebody.symbolic.conditions import Condition
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.phases.course import EnergyMotion
@@ -44,6 +46,7 @@ class AnswerBranch:
     notes: list[str] = field(default_factory=list[str])
     after: PhaseNode | None = None  # the phase behind the impact that the event is: the value is that just after it
     needs: list[Condition] = field(default_factory=list[Condition])  # without which it has no value, in the same field
+    in_blow: bool = False  # it is of the blow with which the last phase begins
 
     @property
     def phase(self) -> Phase:
@@ -59,7 +62,11 @@ def pieces(tree: PhaseTree, question: Question) -> list[AnswerBranch]:
     """The answer, part by part; that of the model's own values first. Raises CannotAnswer where there is none."""
     roots = [WayToPhase((n,), (), (*tree.assumed, *n.conditions)) for n in tree.roots]
     met: list[str] = []
-    if question.transition is not None:
+    if is_of_start(question.quantity) and not _is_of_start_blow(tree, question):
+        found = list(_in_blows(tree, question, roots))
+        if not found:
+            raise not_struck(question.quantity)
+    elif question.transition is not None:
         found = list(_at_transition(tree, question, question.transition, roots))
     elif question.event is not None:
         found = list(_at_event(tree, question, question.event, roots, met))
@@ -126,6 +133,8 @@ def _at_instant(tree: PhaseTree, question: Question, way: WayToPhase) -> AnswerB
 
 def _just_after(node: PhaseNode) -> str:
     assert node.impact is not None
+    if node.impact.blow is not None:
+        return Message("just after: {blow}", blow=node.impact.words)
     if node.depth == 0:
         return Message("just after the impact of {contacts} at the start", contacts=node.impact.contacts)
     return Message("just after the impact of {contacts}", contacts=node.impact.contacts)
@@ -135,6 +144,9 @@ def _just_after(node: PhaseNode) -> str:
 def _at_transition(
     tree: PhaseTree, question: Question, asked: Transition, ways: list[WayToPhase]
 ) -> Iterator[AnswerBranch]:
+    if asked.kind in ("before", "after"):
+        yield from _beside_blow(tree, question, asked, ways)
+        return
     for way in ways:
         if not way.edges and (at_once := _at_once(tree, asked, way.last)):
             yield _at_the_start(tree, question, way, at_once)
@@ -159,6 +171,99 @@ def _at_transition(
                     yield _piece(tree, question, way, edge.first, conditions, node.sets, after=node)
                 else:
                     yield from _at_transition(tree, question, asked, [way.on(edge, node)])
+
+
+def _beside_blow(
+    tree: PhaseTree, question: Question, asked: Transition, ways: list[WayToPhase]
+) -> Iterator[AnswerBranch]:
+    """Just before or just after the first blow or impact that is meant."""
+    for way in ways:
+        node = way.last
+        if not way.edges and is_struck_in(node, asked.of):
+            yield _beside_start(tree, question, asked, way)
+            continue
+        for edge in node.edges:
+            for after in edge.nodes:
+                if not is_struck_in(after, asked.of):
+                    yield from _beside_blow(tree, question, asked, [way.on(edge, after)])
+                    continue
+                assert edge.first is not None
+                conditions = [*edge.conditions, *after.conditions]
+                behind = after if asked.kind == "after" else None
+                yield _piece(tree, question, way, edge.first, conditions, after.sets, after=behind)
+
+
+def _beside_start(tree: PhaseTree, question: Question, asked: Transition, way: WayToPhase) -> AnswerBranch:
+    """Where the motion begins with an impact."""
+    node, zero = way.last, tree.home.model.field.zero
+    assert node.impact is not None
+    if asked.kind == "after":
+        value, note = question.quantity.counted(passage_of(tree, way, zero, node.sets)), _just_after(node)
+    else:
+        before = node.impact.before
+        found = value_in_mode(question.quantity, tree.system, before.setup.system, before.now)
+        parts = cast("tuple[Any, ...]", found) if isinstance(found, tuple) else (found,)
+        homes = tuple(tree.to_home(before.setup, before.setup.model.field.element(x)) for x in parts)
+        value = homes if isinstance(found, tuple) else homes[0]
+        note = Message("just before: {event}", event=node.impact.words)
+    return AnswerBranch(value, True, [node], None, list(way.conditions), node.sets, zero, [note])
+
+
+# -- impulses ---------------------------------------------------------------------------------
+def _is_of_start_blow(tree: PhaseTree, question: Question) -> bool:
+    """Whether impulses are those of the blow of the start: of what holds there, and does not close later."""
+    later = {name for blow in tree.system.blows for name in blow.closing}
+    later |= {bound.row.connection for bound in tree.system.bounds}
+    return tree.system.is_struck and not named_in(question.quantity) & later
+
+
+def _in_blows(tree: PhaseTree, question: Question, ways: list[WayToPhase]) -> Iterator[AnswerBranch]:
+    """In the first blow or impact of what is named: of a contact or of what closes its own, else of any."""
+    named = named_in(question.quantity)
+    own = {name for blow in tree.system.blows for name in blow.closing}
+    own |= {bound.row.connection for bound in tree.system.bounds}
+    for way in ways:
+        node = way.last
+        if not way.edges and is_struck_in(node, sorted(named & own)):
+            yield _of_blow(tree, question, way, node, list(way.conditions), None)
+            continue
+        for edge in node.edges:
+            for after in edge.nodes:
+                if is_struck_in(after, sorted(named & own)):
+                    conditions = [*way.conditions, *edge.conditions, *after.conditions]
+                    yield _of_blow(tree, question, way, after, conditions, edge.first)
+                else:
+                    yield from _in_blows(tree, question, [way.on(edge, after)])
+
+
+def _of_blow(
+    tree: PhaseTree,
+    question: Question,
+    way: WayToPhase,
+    node: PhaseNode,
+    conditions: list[Condition],
+    first: FirstEvent | None,
+) -> AnswerBranch:
+    phase = node.phase
+    found = value_in_mode(question.quantity, tree.system, phase.system, cast("Any", after_in_formulas(tree, node)))
+    parts = cast("tuple[Any, ...]", found) if isinstance(found, tuple) else (found,)
+    homes = tuple(tree.to_home(phase, phase.model.field.element(x)) for x in parts)
+    value: Elements = homes if isinstance(found, tuple) else homes[0]
+    assert node.impact is not None
+    notes: list[str] = [Message("in: {event}", event=node.impact.words)]
+    time = tree.home.model.field.zero if first is None else _total(tree, way, first)
+    after = None if first is None else node
+    return AnswerBranch(value, True, list(way.nodes), first, conditions, node.sets, time, notes, after, in_blow=True)
+
+
+def is_struck_in(node: PhaseNode, of: Sequence[str]) -> bool:
+    """Whether a phase begins with a blow or an impact of what is named."""
+    if node.impact is None:
+        return False
+    struck = {name.partition(".")[0] for name in node.impact.hits}
+    if node.impact.blow is not None:
+        struck |= {*node.impact.blow.closing, *node.impact.blow.striking}
+    return not of or bool(struck.intersection(of))
 
 
 def _is_left(node: PhaseNode, asked: Transition, connection: str) -> bool:
@@ -214,7 +319,9 @@ def _at_the_start(tree: PhaseTree, question: Question, way: WayToPhase, why: str
 def is_before_impact(question: Question) -> bool:
     """Whether a place or a velocity is asked for where something is struck: it is that just before."""
     asked = question.transition
-    return asked is not None and asked.kind == "touches" and question.quantity.kinematic_order in (0, 1)
+    if asked is None or asked.kind == "before":
+        return asked is not None
+    return asked.kind == "touches" and question.quantity.kinematic_order in (0, 1)
 
 
 def _is_named(asked: Transition, connection: str) -> bool:
@@ -307,12 +414,16 @@ def _piece(
         )
     if after is not None:
         notes.append(_just_after(after))
+    elif question.transition is not None and question.transition.kind == "before":
+        notes.append(Message("just before: {event}", event=happening(first.watch, None)))
     elif is_before_impact(question) and question.quantity.kinematic_order == 1:
         notes.append(Message("just before the impact of {contact}", contact=label(first.watch.name)))
     elif hits := [other for other in first.together if other.kind == "touches" and first.watch.kind == "is reached"]:
         notes.append(
             Message("just before the impact of {contact}, which comes at the same instant", contact=label(hits[0].name))
         )
+    elif first.watch.kind == "is reached" and any(other.kind == STRIKES for other in first.together):
+        notes.append(Message("just before the blow, which comes at the same instant"))
     value = question.quantity.counted(passage_of(tree, way, time, sets, first, after))
     return AnswerBranch(value, True, list(way.nodes), first, [*way.conditions, *conditions], sets, time, notes, after)
 

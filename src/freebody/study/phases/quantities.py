@@ -12,8 +12,9 @@ from typing import Any
 from freebody.errors import CannotAnswer
 from freebody.language.expression import free_symbols
 from freebody.language.sentences import Message
+from freebody.measures.base import Measure
 from freebody.measures.geometry import Direction
-from freebody.model.elements import AppliedLoad
+from freebody.model.elements import AppliedLoad, NonholonomicForm
 from freebody.model.state import State
 from freebody.questions.arithmetic import Joined
 from freebody.questions.base import Quantity
@@ -57,12 +58,8 @@ def _wrench(quantity: Wrench, base: System, system: System, state: State[Any]) -
 @_value.register(ImpulsiveWrench)
 def _impulse(quantity: ImpulsiveWrench, base: System, system: System, state: State[Any]) -> Any:
     if _is_contact(quantity.connection, base):
-        raise CannotAnswer(
-            Message(
-                "the impulse of a contact stands with the phases, as that of an impact; here one can ask for the "
-                "impulses of connections that hold"
-            )
-        )
+        rows = [row for row in base.rows if row.connection == quantity.connection]
+        return _resultant(quantity, base, [(row.measure, state.impulse(row)) for row in rows], state)
     return quantity.value(plain(system), state)
 
 
@@ -132,25 +129,29 @@ def _reaction(name: str, base: System, system: System, state: State[Any]) -> Any
 
 def _force(quantity: Wrench, base: System, system: System, state: State[Any]) -> Any:
     """The force of a contact on a body: its rows, and its friction where that slides."""
+    rows = [row for row in system.constraint_rows if row.connection == quantity.connection]
+    pushes = [(row.measure, state.multiplier(row)) for row in rows]
+    pushes += [(push.measure, state.law(push)) for push in _frictions(quantity.connection, system)]
+    return _resultant(quantity, base, pushes, state)
+
+
+def _resultant(
+    quantity: Wrench, base: System, pushes: Iterable[tuple[Measure | NonholonomicForm, Any]], state: State[Any]
+) -> Any:
+    """What pushes of measures, forces or impulses, are on a body together."""
     if quantity.moment:
         raise CannotAnswer(
             Message("the moment of a contact is asked by its forces; ask for its normal and friction force")
         )
-    rows = [row for row in system.constraint_rows if row.connection == quantity.connection]
     touched = dict.fromkeys(b for r in base.rows if r.connection == quantity.connection for b in r.measure.bodies())
     moving = [b for b in touched if not base.bodies[b].fixed]
     if not quantity.on and not moving:
         raise CannotAnswer(Message("{connection} acts on nothing that moves", connection=quantity.connection))
     body = quantity.on or moving[0]
     fx, fy = _zero(state), _zero(state)
-    for row in rows:
-        gx, gy, _g = state.gradient(row.measure, body)
-        force = state.multiplier(row)
-        fx, fy = fx + gx * force, fy + gy * force
-    for push in _frictions(quantity.connection, system):
-        gx, gy, _g = state.gradient(push.measure, body)
-        force = state.law(push)
-        fx, fy = fx + gx * force, fy + gy * force
+    for measure, size in pushes:
+        gx, gy, _g = state.gradient(measure, body)
+        fx, fy = fx + gx * size, fy + gy * size
     if quantity.size:
         return state.sqrt(fx * fx + fy * fy)
     if quantity.along is None:

@@ -139,10 +139,10 @@ class PhaseTree(Home):
             blow, elements, _tests = blows[cell.label]
             impulses = {name: self.to_home(collision.setup, x) for name, x in blow.impulses.items()}
             given = self.conditions([*elements, *cell.cuts], cell.sets)
-            impact = PhaseImpact(hits, impulses, collision, collision.kept)
+            impact = PhaseImpact(hits, impulses, collision, collision.kept, collision=(collision, blow.impulses))
             if instant.impact is not None:  # by the blow just before
                 first = instant.impact
-                impact = replace(first, hits=hits, impulses={**first.impulses, **impulses})
+                impact = replace(first, hits=hits, impulses={**first.impulses, **impulses}, collision=impact.collision)
             now = replace(instant, impact=impact, n_impacts=instant.n_impacts + 1)
             now = replace(now, given=(*instant.given, *given))
             nodes = self._after_blow(collision, blow, now, cell.sets, depth)

@@ -62,6 +62,6 @@ def _formula(tree: PhaseTree, asked: Question, piece: AnswerBranch) -> Formula:
         return number_with_changes(tree.system.with_parameters(**values), asked)
 
     conditions = [*piece.conditions, *needs]
-    if asked.transition is not None:
+    if asked.transition is not None or piece.in_blow:
         return Formula(value, conditions, lambda: compare(tree, asked, piece), is_put_back=False)
     return Formula(value, conditions, lambda: compare(tree, asked, piece), in_numbers)

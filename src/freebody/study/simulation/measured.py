@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from contextlib import suppress
 from dataclasses import asdict
 from functools import cached_property
 from typing import Any
@@ -13,6 +12,7 @@ from freebody.errors import CannotAnswer, InputError
 from freebody.language.sentences import Message
 from freebody.numeric.blow import impulse
 from freebody.numeric.contact.admissible import admissible_reactions
+from freebody.numeric.engine.course import BlowRecord, Collision
 from freebody.numeric.jets import Array
 from freebody.study.simulation.contact_series import final_states
 from freebody.study.simulation.energy import EnergyBalance, energy_balance
@@ -76,19 +76,41 @@ class MeasuredMotion(SimulatedMotion):
             **self._blow_summary(),
         }
 
-    def _blow_summary(self) -> dict[str, Any]:
-        """The blow at the start: the kinetic energy that is lost in it [J], and the impulses [N s, N m s] that are
-        unique, by row, with the sign of its reaction."""
+    @cached_property
+    def struck(self) -> tuple[BlowRecord, ...]:
+        """All blows of the motion: that of its start, what closes and strikes on the way, and collisions."""
+        record = self.course.contact
+        later = () if record is None else (*record.blows, *map(_as_blow, record.collisions))
+        first = () if self._start_blow is None else (self._start_blow,)
+        return (*first, *sorted(later, key=lambda blow: blow.time))
+
+    @cached_property
+    def _start_blow(self) -> BlowRecord | None:
+        """The blow at the start; a motion that goes on has it behind it."""
         reference, struck = self.simulator.reference, self.simulator.blow
-        if struck is None:
-            return {}
+        if struck is None or self.course.times[0] > 0.0:
+            return None
         impulses: dict[str, float] = {}
+        unknown: list[str] = []
         for row in reference.system.constraint_rows:
-            with suppress(CannotAnswer):
+            try:
                 impulses[row.name] = row.sign * impulse(reference, struck, row)
+            except CannotAnswer:
+                unknown.append(row.name)
         M = reference.masses
-        lost = 0.5 * float(struck.before @ (M * struck.before) - struck.after @ (M * struck.after))
-        return {"blow": {"energy_lost": lost, "impulses": impulses}}
+        change = 0.5 * float(struck.after @ (M * struck.after) - struck.before @ (M * struck.before))
+        return BlowRecord(0.0, "start", impulses, tuple(unknown), change)
+
+    def _blow_summary(self) -> dict[str, Any]:
+        """The blow at the start, and those on the way: the kinetic energy that is lost [J], and the impulses [N s,
+        N m s] that are unique, by row, with the sign of its reaction."""
+        found: dict[str, Any] = {}
+        if self._start_blow is not None:
+            found["blow"] = _told(self._start_blow)
+        record = self.course.contact
+        if record is not None and self.system.blows:
+            found["blows"] = [{"time": b.time, "when": b.name, **_told(b)} for b in record.blows]
+        return found
 
     def _contact_summary(self) -> dict[str, Any]:
         """Contact states at the end, and all collisions."""
@@ -100,3 +122,17 @@ class MeasuredMotion(SimulatedMotion):
             "contacts": final_states(self),
             "collisions": [asdict(collision) for collision in record.collisions],
         }
+
+
+def _told(blow: BlowRecord) -> dict[str, Any]:
+    found: dict[str, Any] = {"energy_lost": -blow.energy_change, "impulses": dict(blow.impulses)}
+    if blow.not_unique:
+        found["not_unique"] = list(blow.not_unique)
+    return found
+
+
+def _as_blow(collision: Collision) -> BlowRecord:
+    """A collision as a blow: its impulses at contacts, of friction, and in joints."""
+    impulses = {**collision.joints, **collision.impulses, **collision.friction}
+    known = {name: x for name, x in impulses.items() if name not in collision.not_unique}
+    return BlowRecord(collision.time, "impact", known, collision.not_unique, collision.energy_change)

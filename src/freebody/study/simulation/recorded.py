@@ -10,6 +10,13 @@
     <load>.force                               every load that acts along one measure (springs and dampers: pulling)
     kinetic_energy, potential_energy, work     [J]
 
+Where something is struck, closes or collides, these blows in their order:
+
+    blow_time (blow)                           [s]
+    blow_energy_lost (blow)                    the kinetic energy that each takes; negative where an impulse gives some
+    <connection>.<reaction>.impulse (blow)     of every reaction, zero where it has no part in a blow and NaN where it
+                                               is not unique [N s, N m s]
+
 In space `axis` is x, y, z, and a body is turned by
 
     body_quaternion (time, body, quaternion)            w, x, y, z, continuous in time
@@ -31,7 +38,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from freebody.language.expression import evaluate
-from freebody.language.units import DIMENSIONLESS, LENGTH, unit_of
+from freebody.language.units import DIMENSIONLESS, ENERGY, LENGTH, TIME, unit_of
 from freebody.model.elements import RATE, VALUE, AppliedLoad, ConstraintRow, NonholonomicForm
 from freebody.numeric.engine.course import RotationHistory, Trajectory
 from freebody.numeric.jets import Array
@@ -74,6 +81,7 @@ def recorded(result: MeasuredMotion) -> Recording:
         ("work", energy.work, "work of all other loads and of drivers since the start"),
     ):
         data[name] = ("time", values, _named("J", what))
+    data |= _blows(result)
     try:
         made_by = f"freebody {version('freebody')}"
     except PackageNotFoundError:
@@ -173,6 +181,29 @@ def _reactions(result: MeasuredMotion) -> dict[str, Any]:
                 "connections hold the same thing more than once: this reaction has no unique value"
             )
         data[names[k]] = ("time", values, attributes)
+    return data
+
+
+def _blows(result: MeasuredMotion) -> dict[str, Any]:
+    """Impulses, and the energy that they take, blow by blow."""
+    blows = result.struck
+    if not blows:
+        return {}
+    data: dict[str, Any] = {
+        "blow_time": ("blow", np.array([b.time for b in blows]), _named("s", "time of the blow")),
+        "blow_energy_lost": (
+            "blow",
+            np.array([-b.energy_change for b in blows]),
+            _named("J", "kinetic energy that the blow takes"),
+        ),
+    }
+    acting = set[str]().union(*(b.impulses.keys() | set(b.not_unique) for b in blows))
+    for name, row in zip(reaction_names(result.rows), result.rows, strict=True):
+        if row.name not in acting:
+            continue
+        values = np.array([np.nan if row.name in b.not_unique else b.impulses.get(row.name, 0.0) for b in blows])
+        unit = unit_of(ENERGY * TIME / row.measure.dimension)
+        data[f"{name}.impulse"] = ("blow", values, _named(unit, f"impulse of {row.reaction} of {row.connection}"))
     return data
 
 

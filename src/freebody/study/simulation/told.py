@@ -40,7 +40,9 @@ def _said(result: MeasuredMotion, summary: dict[str, Any]) -> Iterator[Entry]:
     violated = (f"{summary['max_position_violation']:.1e} m", f"{summary['max_velocity_violation']:.1e} m/s")
     yield entry("constraints", f"at most {' and '.join(violated)} violated")
     if "blow" in summary:
-        yield entry("blow", *_blow(result, summary["blow"]))
+        yield entry("blow", *_blow(result, "at the start", summary["blow"]))
+    for blow in summary.get("blows", ()):
+        yield entry("blow", *_blow(result, f"{blow['time']:.6g} s", blow))
     error, relative = summary["energy_error"], summary["energy_error_relative"]
     yield entry("energy", f"energy balance error: {error:.1e} J (relative {relative:.1e})")
     open_ = [r.name for k, r in enumerate(result.rows) if not course.unique[:, k].all()]
@@ -53,14 +55,16 @@ def _said(result: MeasuredMotion, summary: dict[str, Any]) -> Iterator[Entry]:
         yield entry("trust", "to the end" if is_all else f"two tolerances diverge at {result.trusted_until:.4g} s")
 
 
-def _blow(result: MeasuredMotion, blow: dict[str, Any]) -> Iterator[str]:
-    """What the blow at the start takes, and the impulses of what is held."""
-    yield f"at the start; kinetic energy lost {blow['energy_lost']:.6g} J"
-    rows = {row.name: row for row in result.system.constraint_rows}
+def _blow(result: MeasuredMotion, when: str, blow: dict[str, Any]) -> Iterator[str]:
+    """What a blow takes, and the impulses of what is held."""
+    yield f"{when}; kinetic energy lost {blow['energy_lost']:.6g} J"
+    rows = {row.name: row for row in result.system.rows}
     for name, value in list(blow["impulses"].items())[:N_LISTED]:
         yield f"impulse of {name} {value:.6g} {unit_of(ENERGY * TIME / rows[name].measure.dimension)}"
     if len(blow["impulses"]) > N_LISTED:
         yield f"{len(blow['impulses']) - N_LISTED} more"
+    if "not_unique" in blow:
+        yield f"not unique: the impulses of {', '.join(blow['not_unique'])}"
 
 
 def _contacts(result: MeasuredMotion, summary: dict[str, Any], open_: Sequence[str]) -> Iterator[str]:

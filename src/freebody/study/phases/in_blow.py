@@ -1,0 +1,115 @@
+"""Impulses in a blow or an impact with which a phase begins, on both routes: of what closes and of what collides, and
+those with which everything else that holds answers.
+
+In formulas they come with the blow (`symbolic/blow.py`) and the collision (`impact.py`); in numbers from the momenta
+before and after alone, J^T Lambda = M (v+ - v-) - P over all rows that act.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
+from freebody.model.elements import ConstraintRow
+from freebody.numeric.blow import between, impulse
+from freebody.numeric.jets import Array
+from freebody.numeric.reference import Reference
+from freebody.questions.base import Quantity
+from freebody.questions.blow import ImpulsiveWrench
+from freebody.questions.energy import Energy
+from freebody.study.phases.home import Home
+from freebody.study.phases.nodes import PhaseImpact, PhaseNode
+from freebody.study.phases.quantities import plain
+from freebody.study.phases.witness import FollowedPhase, changed
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.phases.friction import named_rows
+from freebody.system.modes import ContactMode, in_mode
+from freebody.system.system import System
+
+
+class InBlow:
+    """A state just after a blow, and what happened in it."""
+
+    def __init__(self, state: Any, impulses: Callable[[ConstraintRow], Any], energy_before: Callable[[], Any]) -> None:
+        self._state, self._impulses, self._energy_before = state, impulses, energy_before
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self._state, name)
+
+    def impulse(self, row: ConstraintRow) -> Any:
+        """As a multiplier: it pushes in the direction in which its measure grows."""
+        return self._impulses(row)
+
+    @property
+    def energy_before(self) -> Any:
+        """The kinetic energy just before."""
+        return self._energy_before()
+
+
+def named_in(quantity: Quantity) -> frozenset[str]:
+    """The connections whose impulses a quantity is about."""
+    own = {quantity.connection} if isinstance(quantity, ImpulsiveWrench) else set[str]()
+    return frozenset(own.union(*map(named_in, quantity.inner)))
+
+
+# -- in formulas --------------------------------------------------------------------------------
+def after_in_formulas(home: Home, node: PhaseNode) -> InBlow:
+    """The start of a phase that begins with a blow. Raises CannotAnswer for an impulse that is not unique."""
+    impact, phase = node.impact, node.phase
+    assert impact is not None
+
+    def own(x: Ratio) -> Ratio:
+        return phase.model.geometry.scalar(home.home.model.field.expression(x))
+
+    def energy() -> Ratio:
+        before = impact.before
+        found = Energy("kinetic").value(plain(before.setup.system), before.now)
+        return own(home.to_home(before.setup, found))
+
+    return InBlow(phase.start_instant, lambda row: own(impulse_of(home, impact, row)), energy)
+
+
+def impulse_of(home: Home, impact: PhaseImpact, row: ConstraintRow) -> Ratio:
+    """Of a row, in the home field."""
+    if row.name in impact.unknown:
+        raise impact.unknown[row.name]
+    total = impact.impulses.get(row.name, home.home.model.field.zero)
+    if impact.collision is None or row.name in impact.struck:
+        return total
+    collision, own = impact.collision
+    held = named_rows(collision.setup.system).get(row.name)
+    if held is None:
+        return total
+    return total + home.to_home(collision.setup, collision.total(collision.model.reactions.multiplier(held), own))
+
+
+# -- in numbers ---------------------------------------------------------------------------------
+def after_in_numbers(
+    base: System, stage: FollowedPhase, values: Mapping[str, float], state: Any, q: Array, v: Array, time: float
+) -> InBlow:
+    """The same in numbers. state: just after; q, v: just before."""
+    after = changed(base, stage, values, q, v, time)
+    closed = stage.kept.union(stage.hits)
+    system, _loads = in_mode(base, ContactMode.of(closed, {}, stage.phase.mode.past))
+    rubs = tuple(rub.row for rub in base.dry_friction if rub.of in stage.hits)
+    pushed = next((blow.impulses for blow in base.blows if blow.name == stage.blow), ())
+    system = replace(system, constraint_rows=(*system.constraint_rows, *rubs), impulses=pushed)
+    reference = Reference(system, {n: x for n, x in values.items() if n in base.parameters})
+    found = between(reference, reference.geometry(q, np.zeros_like(q), time), v, after)
+    rows = {row.name: row for row in system.constraint_rows}
+
+    def of(row: ConstraintRow) -> float:
+        return impulse(reference, found, rows[row.name]) if row.name in rows else 0.0
+
+    return InBlow(state, of, lambda: 0.5 * float(v @ (reference.masses * v)))
+
+
+def not_struck(quantity: Quantity) -> CannotAnswer:
+    """Why there is no impulse."""
+    names = ", ".join(sorted(named_in(quantity)))
+    return CannotAnswer(Message("{names} is in no blow or impact of the phases that were found", names=names))
