@@ -36,7 +36,7 @@ def _place(system: System, question: Question) -> str:
     scope = question.quantity.scope
     if question.quantity.wanted is not None:
         return "questions.turned_round"
-    if is_of_start(question.quantity):
+    if is_of_start(question.quantity) and (system.is_struck or not has_phases(system)):
         return "questions.blow"
     if scope == "rest":
         return "contact.rest"

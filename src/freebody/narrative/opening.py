@@ -103,7 +103,11 @@ def _unit(dimension: Dimension) -> str:
 def count_freedoms(context: Context, script: Script) -> int:
     """The count by bodies and constraints, and what the rank says; returns the degrees of freedom."""
     found = gruebler(context.setup.system)
-    if has_phases(context.system):
+    if context.system.blows:
+        closing = tuple(name for blow in context.system.blows for name in blow.closing)
+        if closing:
+            script.say("freedom.closes_later", names=closing)
+    elif has_phases(context.system):
         script.say("freedom.first_phase")
     script.say("freedom.count_space" if found.space else "freedom.count")
     header = tuple(Sentence(f"system.table_{name}") for name in ("connection", "kind", "between", "constraints"))

@@ -203,6 +203,11 @@ class Quantity:
         return ()
 
     @property
+    def struck(self) -> frozenset[str]:
+        """The connections whose impulses it is about."""
+        return frozenset[str]().union(*(one.struck for one in self.inner))
+
+    @property
     def wanted(self) -> Wanted | None:
         """Where the question is turned round, and asks for the value of a parameter: what is to be so."""
         return None

@@ -36,6 +36,10 @@ questions: {it: impulse of pivot along right}
     is_reaction = False
 
     @property
+    def struck(self) -> frozenset[str]:
+        return frozenset((self.connection,))
+
+    @property
     def dimension(self) -> Dimension:
         return ANGULAR_MOMENTUM if self.moment else IMPULSE
 

@@ -12,8 +12,9 @@ from freebody.narrative.lines.glossary import Glossary, Meaning
 from freebody.narrative.lines.script import Legend, Script, Sentence
 from freebody.narrative.principles.sides import ZERO, balanced
 from freebody.questions.clock import Clock
-from freebody.questions.reading import QuestionEvent
+from freebody.questions.reading import AskedEvent, QuestionEvent
 from freebody.study.phases.phase import PhaseWatch
+from freebody.study.phases.reached import STRIKES
 from freebody.study.phases.words import label
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.phases.course import EnergyMotion, UniformMotion
@@ -70,7 +71,7 @@ def _watched(script: Script, way: PhaseSequence, leg: PhaseSegment, watch: Phase
         case "touches":
             return _gap(script, leg, watch), watch.element
         case _:
-            event = way.question.event
+            event = _event_of(way, leg, watch)
             if isinstance(event, Clock):
                 return Symbol("t"), f.time
             assert event is not None
@@ -113,14 +114,21 @@ def _gap(script: Script, leg: PhaseSegment, watch: PhaseWatch) -> Expr:
     return symbol
 
 
+def _event_of(way: PhaseSequence, leg: PhaseSegment, watch: PhaseWatch) -> AskedEvent | None:
+    """What is reached: what was asked for, or that at which a blow happens."""
+    if watch.kind == STRIKES:
+        return next(blow.event for blow in leg.phase.base.blows if blow.name == watch.name)
+    return way.question.event if watch.kind == "is reached" else None
+
+
 def _target(way: PhaseSequence, leg: PhaseSegment) -> Ratio:
     """The value that is to be reached."""
     assert leg.first is not None
-    f, event = leg.phase.model.field, way.question.event
-    if leg.first.watch.kind == "is reached" and isinstance(event, Clock):
+    f, event = leg.phase.model.field, _event_of(way, leg, leg.first.watch)
+    if isinstance(event, Clock):
         assert event.time is not None
         return leg.phase.model.geometry.scalar(event.time)
-    if leg.first.watch.kind == "is reached" and isinstance(event, QuestionEvent):
+    if isinstance(event, QuestionEvent):
         return leg.phase.model.geometry.scalar(event.value)
     return f.zero
 

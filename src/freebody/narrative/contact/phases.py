@@ -34,10 +34,16 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
     if answer.expression is None:
         raise CannotAnswer(answer.reason or Message("there is no closed form"))
     way = PhaseSequence(context.system, question)
+    if way.piece.in_blow:
+        raise CannotAnswer(
+            Message("the answer belongs to a blow or an impact on the way, of which no derivation is written yet")
+        )
     edges = [leg.first for leg in way.legs if leg.first is not None and leg.first.watch.kind == "edge ends"]
     if edges or way.piece.after is not None or any(node.impact is not None for node in way.piece.nodes):
         raise CannotAnswer(
-            Message("the answer lies behind an impact or the end of an edge, of which no derivation is written yet")
+            Message(
+                "the answer lies behind a blow, an impact or the end of an edge, of which no derivation is written yet"
+            )
         )
     script = Script(way.legs[0].glossary, context.next_number)
     if way.piece.first is None:
@@ -65,7 +71,9 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
 def _overview(script: Script, way: PhaseSequence) -> None:
     """The phases one after the other."""
     with script.stage("stage.phases", "hint.phases"):
-        script.say("phases.plan")
+        system = way.system
+        is_of_contacts = bool(system.bounds or system.dry_friction) or not system.blows
+        script.say("phases.plan" if is_of_contacts else "phases.plan_of_blows")
         header = (Sentence("phases.table_number"), Sentence("phases.table_what"), Sentence("phases.table_end"))
         rows = tuple(
             (str(leg.number), Sentence("phases.does", {"what": ready(action(leg.phase))}), _end_words(leg))

@@ -20,7 +20,6 @@ from freebody.numeric.blow import between, impulse
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference
 from freebody.questions.base import Quantity
-from freebody.questions.blow import ImpulsiveWrench
 from freebody.questions.energy import Energy
 from freebody.study.phases.home import Home
 from freebody.study.phases.nodes import PhaseImpact, PhaseNode
@@ -49,12 +48,6 @@ class InBlow:
     def energy_before(self) -> Any:
         """The kinetic energy just before."""
         return self._energy_before()
-
-
-def named_in(quantity: Quantity) -> frozenset[str]:
-    """The connections whose impulses a quantity is about."""
-    own = {quantity.connection} if isinstance(quantity, ImpulsiveWrench) else set[str]()
-    return frozenset(own.union(*map(named_in, quantity.inner)))
 
 
 # -- in formulas --------------------------------------------------------------------------------
@@ -111,5 +104,5 @@ def after_in_numbers(
 
 def not_struck(quantity: Quantity) -> CannotAnswer:
     """Why there is no impulse."""
-    names = ", ".join(sorted(named_in(quantity)))
+    names = ", ".join(sorted(quantity.struck))
     return CannotAnswer(Message("{names} is in no blow or impact of the phases that were found", names=names))

@@ -17,7 +17,7 @@ from freebody.study.answering.conditions import as_written, at_instant, real
 from freebody.study.answering.finding import NO_FORM, Elements, why
 from freebody.study.phases.ends import FirstEvent, PhaseOutcome
 from freebody.study.phases.events import first_events
-from freebody.study.phases.in_blow import after_in_formulas, named_in, not_struck
+from freebody.study.phases.in_blow import after_in_formulas, not_struck
 from freebody.study.phases.nodes import PhaseNode, WayToPhase
 from freebody.study.phases.numbers import Chosen
 from freebody.study.phases.passage import elements_in, passage_of
@@ -214,12 +214,12 @@ def _is_of_start_blow(tree: PhaseTree, question: Question) -> bool:
     """Whether impulses are those of the blow of the start: of what holds there, and does not close later."""
     later = {name for blow in tree.system.blows for name in blow.closing}
     later |= {bound.row.connection for bound in tree.system.bounds}
-    return tree.system.is_struck and not named_in(question.quantity) & later
+    return tree.system.is_struck and not question.quantity.struck & later
 
 
 def _in_blows(tree: PhaseTree, question: Question, ways: list[WayToPhase]) -> Iterator[AnswerBranch]:
     """In the first blow or impact of what is named: of a contact or of what closes its own, else of any."""
-    named = named_in(question.quantity)
+    named = question.quantity.struck
     own = {name for blow in tree.system.blows for name in blow.closing}
     own |= {bound.row.connection for bound in tree.system.bounds}
     for way in ways:

@@ -1,0 +1,183 @@
+"""What is asked of a blow or an impact: velocities before and after, impulses of contacts and of what closes, the
+energy that is lost, the centre of percussion; friction in an impact as cases. Every formula is derived here by hand from
+impulse and momentum, Newton's law of restitution, and |T| <= mu N between impulses.
+
+Problem families: Brach, Mechanical Impact Dynamics, 1991, ch. 2 and 6; Meriam & Kraige, Dynamics, ch. 3 and 6; Beer &
+Johnston, Dynamics, ch. 17; Hibbeler, Dynamics, ch. 19; Goodman & Warner, Dynamics, ch. 9; Goldsmith, Impact, ch. 2.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+import freebody as fb
+from freebody.api import System
+from freebody.errors import ModelError
+from freebody.language.expression import FLOAT_FUNCTIONS, Expr, evaluate
+from freebody.language.parser import parse
+from freebody.study.answering.answer import Answer
+from test_blows import BALLISTIC, STEP
+from test_blows_on_the_way import CAUGHT, KICK, TAUT
+
+BALL = """
+parameters: {m: 0.2 kg, R: 3 cm, h: 1 m, u: 2 m/s, w: 10 1/s, mu: 0.2, e: 0.6, g: 9.81 m/s^2}
+ground: {lines: {floor: {along: right}}}
+bodies: {ball: {sphere: {mass: m, radius: R}, at: [0, R + h], velocity: [u, 0], angular_velocity: w}}
+connections: {touch: {contact: {between: [ball, floor], friction: mu, restitution: e}}}
+loads: {weight: {gravity: g}}
+measures: {x: x of ball, y: y of ball}
+"""
+SMOOTH = BALL.replace("friction: mu, ", "").replace("mu: 0.2, ", "")
+TOPSPIN = BALL.replace("angular_velocity: w", "angular_velocity: -w").replace("w: 10 1/s", "w: 400 1/s")
+SWUNG = """
+parameters: {m: 3 kg, L: 2 m, b: 1.5 m, J: 5 N s, alpha: 40 deg, g: 9.81 m/s^2}
+ground: {points: {A: [0, 0]}}
+bodies: {rod: {rod: {mass: m, length: L}, points: {struck: [b - L/2, 0]}}}
+connections: {A: {pin: [ground.A, rod.start]}}
+loads: {weight: {gravity: g}, hit: {impulse: {at: rod.struck, along: right, magnitude: J, when: theta = 0}}}
+measures: {theta: {angle of rod from down}}
+start: {theta: alpha}
+"""
+CARTS = """
+parameters: {m1: 3 kg, m2: 1 kg, v: 4 m/s, e: 0.5}
+ground: {lines: {rail: {along: right}}}
+bodies: {front: {particle: {mass: m1}}, rear: {particle: {mass: m2}}}
+connections:
+  g1: {slider: [front, ground.rail]}
+  g2: {slider: [rear, ground.rail]}
+  bump: {stop: {measure: apart, min: 0, restitution: e}}
+measures: {x1: x of front, x2: x of rear, apart: x of front from rear}
+start: {x1: 2 m, x2: 0, rate(x1): 0, rate(x2): v}
+"""
+
+# model, question, formula in the case of the model's own numbers
+PROBLEMS = {
+    "before the catch": (CAUGHT, "velocity of y before the blow", "-sqrt(2*g*h)"),
+    # about the peg m v L/2 = m L^2/3 w: the mass centre goes on with 3/4 of its speed
+    "after the catch": (CAUGHT, "velocity of y after the blow", "-3/4*sqrt(2*g*h)"),
+    "named": (CAUGHT, "angular velocity of rod after the catch of catch", "-3*sqrt(2*g*h)/(2*L)"),
+    "impulse of the peg": (CAUGHT, "vertical impulse of catch on rod", "m*sqrt(2*g*h)/4"),
+    "lost at the peg": (CAUGHT, "energy lost in the blow", "m*g*h/4"),
+    "height for an impulse": (CAUGHT, "value of h for which vertical impulse of catch = 5 N s", "(4*5/m)^2/(2*g)"),
+    "before the kick": (KICK, "velocity of x before the kick", "v"),
+    "after the kick": (KICK, "velocity of x after the kick", "v + J/m"),
+    "the wall's part": (KICK, "vertical impulse of guide on block", "0"),
+    # m L^2/3 (w' - w) = J b and A + J = m L/2 (w' - w)
+    "swung and struck": (
+        SWUNG,
+        "angular velocity of rod after the blow",
+        "-sqrt(3*g*(1 - cos(alpha))/L) + 3*J*b/(m*L^2)",
+    ),
+    "pivot": (SWUNG, "horizontal impulse of A on rod", "3*J*b/(2*L) - J"),
+    "centre of percussion": (SWUNG, "value of b for which horizontal impulse of A = 0", "2*L/3"),
+    "stopped dead": (
+        SWUNG,
+        "value of J for which angular velocity of rod = 0 after the blow",
+        "m*L^2/(3*b)*sqrt(3*g*(1 - cos(alpha))/L)",
+    ),
+    # N = m (1 + e) v; at 2/7 m of slip it ends: T = -2/7 m (u + R w), and u' = u + T/m
+    "ball grips": (BALL, "velocity of x after the impact", "(5*u - 2*R*w)/7"),
+    "ball's spin": (BALL, "angular velocity of ball after the impact", "-(5*u - 2*R*w)/(7*R)"),
+    "normal impulse": (BALL, "vertical impulse of floor on ball", "m*(1 + e)*sqrt(2*g*h)"),
+    "friction impulse": (BALL, "horizontal impulse of touch on ball", "-2/7*m*(u + R*w)"),
+    "lost in the impact": (BALL, "energy lost in the impact", "m*g*h*(1 - e^2) + m*(u + R*w)^2/7"),
+    "no friction": (SMOOTH, "velocity of y after the impact", "e*sqrt(2*g*h)"),
+    # it spins forward so fast that friction drives it on: u' = u + mu (1 + e) v
+    "topspin": (TOPSPIN, "velocity of x after the impact", "u + mu*(1 + e)*sqrt(2*g*h)"),
+    "carts, front": (CARTS, "velocity of x1 after the impact", "m2*(1 + e)*v/(m1 + m2)"),
+    "carts, rear": (CARTS, "velocity of x2 after the collision", "(m2 - e*m1)*v/(m1 + m2)"),
+    "carts, lost": (CARTS, "energy lost in the collision", "(1 - e^2)*m1*m2*v^2/(2*(m1 + m2))"),
+    "carts, impulse": (CARTS, "impulse of bump on front along right", "(1 + e)*m1*m2*v/(m1 + m2)"),
+    "rope jerks": (TAUT, "impulse of rope on rear along right", "m1*m2*v/(m1 + m2)"),
+    "ballistic, before": (BALLISTIC, "kinetic energy before the impact", "m*v^2/2"),
+    "ballistic, after": (BALLISTIC, "kinetic energy after the impact", "m^2*v^2/(2*(m + M))"),
+    "step, before": (STEP, "angular velocity of wheel before the blow", "-v/R"),
+}
+
+
+def answer(text: str, question: str) -> Answer:
+    return fb.solve(System.from_text(f"{text}questions: [{question!r}]\n")).answers[0]
+
+
+@pytest.mark.parametrize("name", PROBLEMS)
+def test_what_is_asked_of_an_impact(name: str) -> None:
+    text, question, formula = PROBLEMS[name]
+    found = answer(text, question)
+    assert isinstance(found.expression, Expr), found.reason
+    own = {p.name: p.value for p in System.from_text(text).parameters.values() if p.value is not None}
+    for factor in (1.0, 1.02, 0.99):
+        values = {k: v * (factor if k != "L" else 1.0) for k, v in own.items()}
+        wanted = evaluate(parse(formula), values, FLOAT_FUNCTIONS)
+        found_value = evaluate(found.expression, values, FLOAT_FUNCTIONS)
+        assert found_value == pytest.approx(wanted, rel=1e-9, abs=1e-12), found.expression
+
+
+def test_friction_in_an_impact_ends_the_slip_or_does_not() -> None:
+    """The two cases of `BALL`: it grips where 2/7 (u + R w) <= mu (1 + e) v, else it slides on: u - mu (1 + e) v."""
+    found = answer(BALL, "velocity of x after the impact")
+    assert len(found.cases) == 2
+    values = {"m": 0.2, "R": 0.03, "h": 1.0, "u": 2.0, "w": 10.0, "mu": 0.02, "e": 0.6, "g": 9.81}
+    slides = found.cases[1].expression
+    assert isinstance(slides, Expr)
+    wanted = 2.0 - 0.02 * 1.6 * math.sqrt(2 * 9.81)
+    assert evaluate(slides, values, FLOAT_FUNCTIONS) == pytest.approx(wanted, rel=1e-12)
+
+
+def test_slip_may_end_and_turn_round_as_its_start_decides() -> None:
+    """Spinning forward at will (a sign of its own) a ball slips forward, backward, or grips: three cases."""
+    text = TOPSPIN.replace("w: 400 1/s", "w: {value: 200 1/s, sign: any}")
+    found = answer(text, "velocity of x after the impact")
+    assert len(found.cases) == 3
+    formulas = {str(case.expression) for case in found.cases}
+    assert len(formulas) == 3
+
+
+def test_the_dataset_has_every_impulse() -> None:
+    """Of the start, of what closes on the way, and of collisions; a motion that goes on has those behind it no more."""
+    caught = fb.simulate(System.from_text(CAUGHT), until=0.6).recording
+    v = math.sqrt(2 * 9.81 * 0.8)
+    assert caught.series["blow_time"].values == pytest.approx([v / 9.81], rel=1e-12)
+    assert caught.series["catch.y.impulse"].values == pytest.approx([3 * v / 4], rel=1e-9)
+    assert caught.series["catch.y.impulse"].unit == "N s"
+    assert caught.series["blow_energy_lost"].values == pytest.approx([3 * v**2 / 8], rel=1e-9)
+    ball = fb.simulate(System.from_text(BALL), until=0.6).recording
+    assert ball.series["touch.normal_force.impulse"].values == pytest.approx(
+        [0.2 * 1.6 * math.sqrt(2 * 9.81)], rel=1e-9
+    )
+    assert ball.series["touch.friction_force.impulse"].values == pytest.approx([-2 / 7 * 0.2 * 2.3], rel=1e-9)
+    first = fb.simulate(System.from_text(BALLISTIC), until=0.1)
+    assert first.recording.series["hit.x.impulse"].values == pytest.approx([0.01 * 2 * 400 / 2.01], rel=1e-12)
+    second = first.continued(0.2)
+    assert "blow" not in second.to_plain()
+    assert "blow_time" not in second.recording.series
+
+
+def test_what_joints_do_in_a_collision_is_told_where_it_is_unique() -> None:
+    """A rod meets a stop of its angle: H = m L^2/3 w, and the pivot holds back the momentum m L/2 w of its mass centre;
+    of two pivots in one place only the sum of what they do is determined."""
+    text = """
+parameters: {m: 3 kg, L: 2 m, b: 1.5 m, w: 2 1/s}
+ground: {points: {A: [0, 0]}}
+bodies: {rod: {rod: {mass: m, length: L}, points: {bumper: [b - L/2, 0]}}}
+connections:
+  A: {pin: [ground.A, rod.start]}
+  wall: {stop: {measure: phi, min: 0}}
+measures: {phi: angle of rod}
+start: {phi: 0.5, rate(phi): -w}
+"""
+    record = fb.simulate(System.from_text(text), until=0.5).recording
+    assert record.series["wall.stop_torque.impulse"].values == pytest.approx([3 * 4 / 3 * 2], rel=1e-9)
+    assert record.series["A.y.impulse"].values == pytest.approx([3 * 1 * 2], rel=1e-9)
+    twice = text.replace("connections:\n", "connections:\n  B: {pin: [ground.A, rod.start]}\n")
+    record = fb.simulate(System.from_text(twice), until=0.5).recording
+    assert np.isnan(record.series["A.y.impulse"].values).all()
+
+
+def test_impulses_need_a_blow() -> None:
+    quiet = KICK.replace(", when: x = d", "").replace("impulse", "force").replace("4 N s", "4 N")
+    assert answer(quiet, "velocity of x after the blow").expression is None
+    with pytest.raises(ModelError, match="leave out 'when'"):
+        System.from_text(CAUGHT).question("impulse of catch on rod when phi = -90 deg")
