@@ -1,6 +1,6 @@
 """What is asked of a blow or an impact: velocities before and after, impulses of contacts and of what closes, the
-energy that is lost, the centre of percussion; friction in an impact as cases. Every formula is derived here by hand from
-impulse and momentum, Newton's law of restitution, and |T| <= mu N between impulses.
+energy that is lost, the centre of percussion; friction in an impact as cases. Every formula is derived here by hand
+from impulse and momentum, Newton's law of restitution, and |T| <= mu N between impulses.
 
 Problem families: Brach, Mechanical Impact Dynamics, 1991, ch. 2 and 6; Meriam & Kraige, Dynamics, ch. 3 and 6; Beer &
 Johnston, Dynamics, ch. 17; Hibbeler, Dynamics, ch. 19; Goodman & Warner, Dynamics, ch. 9; Goldsmith, Impact, ch. 2.
