@@ -181,3 +181,10 @@ def test_impulses_need_a_blow() -> None:
     assert answer(quiet, "velocity of x after the blow").expression is None
     with pytest.raises(ModelError, match="leave out 'when'"):
         System.from_text(CAUGHT).question("impulse of catch on rod when phi = -90 deg")
+
+
+def test_what_is_conserved_is_so_up_to_the_blow() -> None:
+    found = System.from_text(CAUGHT).conserved()
+    conserved = [v for v in found.quantities if v.is_conserved]
+    assert conserved
+    assert all(any("as long as no blow comes" in str(note) for note in v.notes) for v in conserved)

@@ -114,7 +114,7 @@ class Names:
         self.constraint_rows: list[ConstraintRow] = []
         self.loads: dict[str, Dimension] = {}  # the dimension of what each load exerts
         self.impulses: frozenset[str] = frozenset()  # the loads that act in no time
-        self.struck_at_start = frozenset[str]()  # what closes at the start, and the impulses that act then
+        self.struck_at_start: frozenset[str] = frozenset()  # what closes and strikes at the start
         self.applied_loads: list[
             AppliedLoad
         ] = []  # what the loads push, known before the connections say what they hold

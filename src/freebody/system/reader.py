@@ -59,7 +59,7 @@ def read_system(document: Document, file: str | None) -> SystemDescription:
     names.constraint_rows = [*held, *later, *rows_to_ask_for(contacts, limits, brakes)]
     names.impulses = frozenset(push.load for push in impulses)
     closed = {row.connection for row in held if row.closes}
-    names.struck_at_start = closed | {name for name in names.impulses if name not in striking}
+    names.struck_at_start = frozenset(closed | {name for name in names.impulses if name not in striking})
     names.loads = {p.load: ENERGY / p.measure.dimension for p in applied_loads}
     questions = read_questions(names, source.data.get("questions"))
     place_ground_points(names)

@@ -63,6 +63,8 @@ def conserved(system: System, question: str | None = None) -> Conservation:
     """Judges the quantities asked for in words, or by the questions of the model; without any, searches.
 
     Raises ModelError if the system cannot be assembled or the question cannot be read."""
+    if system.blows:
+        return _between_blows(system, question)
     if system.bounds or system.dry_friction:
         from freebody.study.settled import settled
 
@@ -76,6 +78,15 @@ def conserved(system: System, question: str | None = None) -> Conservation:
         judge = Judge(setup)
         return Conservation(system, tuple(judge.answer(q) for q in asked), is_search=False)
     return Conservation(system, tuple(_searched(setup)), is_search=True)
+
+
+def _between_blows(system: System, question: str | None) -> Conservation:
+    """What holds as long as no blow comes: of what happens in it nothing is said."""
+    found = conserved(replace(system, blows=()), question)
+    events = ", ".join(blow.name for blow in system.blows)
+    note = Message("as long as no blow comes ({events}); what stays the same in it is not judged", events=events)
+    told = tuple(replace(v, notes=(*v.notes, note)) if v.is_answered else v for v in found.quantities)
+    return replace(found, system=system, quantities=told)
 
 
 def _question(system: System, text: str) -> Question:
