@@ -259,3 +259,20 @@ def test_it_is_told(name: str) -> None:
     text, question = TOLD[name]
     found = fb.explain(System.from_text(f"{text}questions: {{it: {question!r}}}\n"))
     assert "There is no derivation" not in found.to_text()
+
+
+RANGES = {
+    # s + l <= p + q with the crank as the shortest: a + 0.32 <= 0.25 + 0.3; with the frame as the shortest none
+    "crank": (CRANK_ROCKER, "largest a so that crank turns fully", C + D - B),
+    "rod": (OFFSET, "least l so that the crank turns fully", R + E),
+    "offset": (OFFSET, "largest e such that crank makes full turns", L - R),
+    "lever": (WHITWORTH, "least a for which lever turns fully", 0.06),
+}
+
+
+@pytest.mark.parametrize("name", RANGES)
+def test_values_for_which_a_link_turns_fully(name: str) -> None:
+    text, question, wanted = RANGES[name]
+    found = posed(text, question)
+    assert found.value == pytest.approx(wanted, rel=1e-12), found.reason
+    assert found.evidence is not None

@@ -26,6 +26,7 @@ from freebody.questions.arithmetic import AtStart, read_calculated
 from freebody.questions.base import FORMS, Path, Quantity
 from freebody.questions.clock import ENDLESS, Clock, by_the_clock, time_asked
 from freebody.questions.course import Counted, Transition, When, as_condition, read_transition
+from freebody.questions.linkages import TURNS_FULLY, full_turn
 from freebody.questions.motion import OfMeasure
 from freebody.questions.operands import (
     Operands,
@@ -241,7 +242,7 @@ class _Asked:
 def _asked(names: Names, phrase: str, when: object) -> _Asked | None:
     """What a phrase asks for. when: what the file says of it beside the phrase."""
     extreme = EXTREME_FOR.match(phrase)
-    if extreme is not None and not _SIGN.search(extreme["relation"]) and reached_in(extreme["relation"]) is None:
+    if extreme is not None and not _is_relation(extreme["relation"]):
         extreme = None  # of a state, such as that it stays at rest
     turned = extreme or VALUE_FOR.match(phrase)
     if turned is not None:
@@ -265,6 +266,11 @@ def _asked(names: Names, phrase: str, when: object) -> _Asked | None:
     return _meant(names, phrase, condition, at_start, path)
 
 
+def _is_relation(text: str) -> bool:
+    """Whether a text says something of a quantity, an event or a link that can be so for values of a parameter."""
+    return bool(_SIGN.search(text) or re.fullmatch(TURNS_FULLY, text)) or reached_in(text) is not None
+
+
 def _turned_round(
     names: Names, name: str, relation: str, when: object, end: Literal["", "least", "largest"]
 ) -> _Asked | None:
@@ -279,6 +285,9 @@ def _turned_round(
     inequality = inequality_of(relation)
     if inequality is not None:
         return _range(names, parameter, inequality, when, end)
+    turns = re.fullmatch(TURNS_FULLY, relation)
+    if turns is not None and when is None:
+        return _turning(names, parameter, str(turns["of"]), relation, end)
     if (event := reached_in(relation)) is not None and when is None:
         return _reaching(names, parameter, event, end)
     if end:
@@ -335,6 +344,17 @@ def _range(
         parameter.name, asked.quantity, target, parameter.dimension, unit, left + timed, relation=sign, end=end
     )
     return replace(asked, quantity=quantity)
+
+
+def _turning(
+    names: Names, parameter: Parameter, link: str, text: str, end: Literal["", "least", "largest"]
+) -> _Asked | None:
+    """The values of a parameter for which a link turns fully."""
+    of = full_turn(names, link, ("find",))
+    unit = "rad" if parameter.is_angle else str(parameter.dimension)
+    if of is None:
+        return None
+    return _Asked(RangeFor(parameter.name, of, ZERO, parameter.dimension, unit, text, relation=REACHED, end=end))
 
 
 def _reaching(names: Names, parameter: Parameter, event: str, end: Literal["", "least", "largest"]) -> _Asked | None:

@@ -18,7 +18,7 @@ from freebody.questions.base import NAME, Described, Quantity, Wanted
 FORM = """value of PARAMETER for which QUANTITY = EXPRESSION [at start | when EVENT]
     range of PARAMETER for which QUANTITY > | < | >= | <= EXPRESSION [at start | when EVENT]
     least | largest PARAMETER so that QUANTITY > | < | >= | <= EXPRESSION [at start | when EVENT]
-    range of PARAMETER for which MEASURE reaches VALUE"""
+    range of PARAMETER for which MEASURE reaches VALUE | for which BODY turns fully"""
 _SO_THAT = "(?:for which|so that|such that|with which|at which)"
 VALUE_FOR = re.compile(rf"^(?:the )?(?:values?|range) of (?P<parameter>{NAME}) {_SO_THAT} (?P<relation>.+)$")
 _LEAST = r"(?P<least>least|smallest|minimum|minimal|lowest|shortest)"

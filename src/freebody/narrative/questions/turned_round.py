@@ -39,6 +39,9 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
         raise CannotAnswer(answer.reason or Message("there is no closed form"))
     id = f"Q_{question.id}" if question.id.isidentifier() else "Q"
     asked = replace(question, id=id, text=quantity.text, quantity=quantity.of, options={}, key=None)
+    if quantity.of.scope == "linkage":
+        (given,) = solve(replace(context.system, questions=(asked,)), setup=context.setup).answers
+        return derivation_of(context.system, asked)(context, asked, given, method)
     there, given, formula = _reached(context, asked, quantity.parameter)
     stages = derivation_of(there.system, asked)(there, asked, given, method)
     numbers = [item.number for stage in stages for item in stage.items if isinstance(item, NumberedFormula)]

@@ -133,6 +133,10 @@ class QuestionSolver:
         from freebody.study.answering.turned_round import Formula, first_found
 
         asked = replace(self.question, quantity=q.of, options={}, key=None)
+        if q.of.scope == "linkage":
+            from freebody.study.mobility.loop_answers import is_so
+
+            return solved_for(self.setup, self.question, [is_so(q.of, self.setup)])
 
         def attempt(system: System) -> Finding:
             setup = self.setup if system is self.system else Setup(system)

@@ -103,6 +103,7 @@ class _Search:
         self.parameter: Parameter = setup.system.parameters[wanted.parameter]
         self.index = self.field.index(self.model.geometry.scalar(Symbol(wanted.parameter)))
         self.truths = [self._truth(formula) for formula in formulas]
+        self._placed: list[Ratio] = []  # all ends within the range of the parameter, where they were looked at last
 
     def _truth(self, formula: Formula) -> _Truth:
         if self.wanted.relation == REACHED:
@@ -220,6 +221,7 @@ class _Search:
             if math.isfinite(value) and low < value < high and is_new:
                 placed.append((value, end))
         placed.sort(key=lambda pair: pair[0])
+        self._placed = [end for _value, end in placed]
         values = [low, *(value for value, _end in placed), high]
         inside = [self._between(numbers, a, b) for a, b in pairwise(values)]
         is_at = [self._is_true(numbers, value, at_end=True) for value, _end in placed]
@@ -309,6 +311,8 @@ class _Search:
     def _order(self, found: Sequence[_Interval], own: Draw) -> list[Condition]:
         """That the ends are real, within the range of the parameter, and in this order."""
         ends = [end.value for interval in found for end in interval if end.value is not None]
+        if self.wanted.of.is_verdict:  # the others have their places as well: in another order others may count
+            ends = self._placed
         needs = [c for end in ends for c in real(end)]
         for end in ends[:1] + ends[-1:]:
             needs += domain_of(self.parameter, end)
@@ -363,6 +367,9 @@ class _Search:
         reference = Reference(self.setup.system, values)
         made = PutBack(number, Draw(values, reference, reference.assemble(guess=draw.q, n_starts=2)), 1.0)
         numeric = quantity_with(self.setup, self.question, self.wanted.of, truth.formula, made)
+        if self.wanted.of.is_verdict:
+            check.compare(made.draw, 1.0, numeric)
+            return
         if truth.element is None:  # the event comes there as well
             check.compare(made.draw, (1.0,), 1.0)
             return

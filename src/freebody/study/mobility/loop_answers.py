@@ -11,6 +11,7 @@ import math
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import replace
+from fractions import Fraction
 from functools import singledispatch
 from typing import Any, cast
 
@@ -38,6 +39,7 @@ from freebody.study.answering.conditions import real
 from freebody.study.answering.crosscheck import INSTANT_TOLERANCE, CrossCheck, SaysNothing, element_at
 from freebody.study.answering.draws import SEED, Draw, draws
 from freebody.study.answering.finding import Finding
+from freebody.study.answering.turned_round import Formula
 from freebody.study.mobility.dead_points import (
     arc_of,
     dead_points,
@@ -136,6 +138,31 @@ def _case(links: FourLinks) -> list[str]:
         return []
     draw = links.setup.draws[0]
     return [Message("with the given numbers: {case}", case=dimensions(links.loop, draw.reference, draw.q).case)]
+
+
+@singledispatch
+def is_so(q: Quantity, setup: Setup) -> Formula:
+    """Where something is so of a loop, for questions after the values of a parameter."""
+    raise CannotAnswer(Message("this is no question about a linkage"))
+
+
+@is_so.register(FullTurn)
+def _(q: FullTurn, setup: Setup) -> Formula:
+    turning = four_links(setup).turning(q.link)
+    if not turning.needs:
+        raise CannotAnswer(Message("{link} turns fully for all lengths", link=q.link))
+
+    def evidence() -> Evidence:
+        return _turns_in_numbers(setup, q.link, q.link, turning.conditions)
+
+    def in_numbers(values: dict[str, float]) -> float:
+        try:
+            pose = Reference(setup.system, values).assemble(guess=setup.draws[0].q, n_starts=2)
+        except CannotAnswer:
+            return 0.0
+        return float(turns_fully(setup.system, values, pose, q.link))
+
+    return Formula(Fraction(1), turning.conditions, evidence, in_numbers)
 
 
 def _full_turn_by_coordinate(q: FullTurn, setup: Setup, question: Question) -> Finding:
