@@ -58,6 +58,14 @@ TWO_WELLS = SPRING.format(c=1, law="k*x - b*x^3", at="0.5 m", rate="0")
 LINEAR = SPRING.format(c=1, law="-k*x", at="a", rate="v0")
 DAMPED = SPRING.format(c=4, law="-k*x - c*rate(x)", at="a", rate="0")
 
+SPRUNG = """
+parameters: {m: 1.2 kg, R: 0.8 m, g: 9.81 m/s^2, theta_0: 40 deg, s: 8 N/m}
+bodies: {bead: {particle: {mass: m}}}
+connections: {wire: {link: [ground.O, bead, R]}}
+loads: {weight: {gravity: g}, spring: {force: {at: bead, along: right, magnitude: -s*x}}}
+measures: {theta: {angle of line from ground.O to bead from down}, x: x of bead}
+start: {theta: theta_0, rate(theta): 0}
+"""
 K_0 = "elliptic_K(sin(theta_0/2))"
 K_W = "elliptic_K(w/2*sqrt(2*L/(3*g)))"
 D = "sqrt(k^2 + 2*m*b*v0^2)"
@@ -111,6 +119,20 @@ ELLIPTIC = {
     "hard, struck": (HARD_STRUCK, "period of x", f"4*sqrt(m/{D})*elliptic_K(sqrt(({D} - k)/(2*{D})))"),
     # m u^2 = (a^2 - x^2) (k - b (a^2 + x^2)/2): x = a sin(phi)
     "soft": (SOFT, "period of x", "4*sqrt(2*m/(2*k - b*a^2))*elliptic_K(a*sqrt(b/(2*k - b*a^2)))"),
+    # R u^2/2 = (cos q - C)(g + k R/(2 m) (cos q + C)): a bead between a spring and its weight. Goldstein, ch. 2, hoop
+    "sprung bead": (
+        SPRUNG,
+        "period of theta",
+        "4*sqrt(2)/sqrt(2*g/R + 2*s/m*cos(theta_0))"
+        "*elliptic_K(sqrt((1 - cos(theta_0))*(2*g/R + s/m*cos(theta_0) - s/m)/(4*g/R + 4*s/m*cos(theta_0))))",
+    ),
+    "stiff bead": (
+        SPRUNG.replace("s: 8", "s: 400"),
+        "time when theta = 0",
+        "2/sqrt((1 + cos(theta_0))*(2*g/R + s/m*cos(theta_0) + s/m))"
+        "*elliptic_K(sqrt((1 - cos(theta_0))*(s/m - 2*g/R - s/m*cos(theta_0))"
+        "/((1 + cos(theta_0))*(2*g/R + s/m*cos(theta_0) + s/m))))",
+    ),
     # harmonic and damped
     "harmonic": (LINEAR, "period of x", "2*pi*sqrt(m/k)"),
     "damped": (DAMPED, "period of the motion", "2*pi/sqrt(k/m - c^2/(4*m^2))"),

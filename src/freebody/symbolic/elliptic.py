@@ -143,7 +143,11 @@ class _Finder:
             return None
         if parts[2].is_zero():
             return self._wave(angle, n, constant, parts[1], sines)
-        return self._in_tangents(angle, n, constant, parts[1], parts[2]) if sines.is_zero() else None
+        if sines.is_zero():
+            return self._in_tangents(angle, n, constant, parts[1], parts[2])
+        if parts[1].is_zero():  # counted from a quarter turn on: sin = cos', cos^2 = 1 - cos'^2
+            return self._in_tangents(angle - f.pi / 2, n, constant + parts[2], sines, -parts[2])
+        return None
 
     def _wave(self, angle: Ratio, n: Ratio, a: Ratio, cosines: Ratio, sines: Ratio) -> EllipticTime | None:
         """a + b cos(angle) + c sin(angle) = a + r cos(psi)."""
@@ -208,11 +212,45 @@ class _Finder:
             at, b = self._placed(psi), -b
 
         def tangent(place: Ratio) -> Ratio:
-            c, s = cos_sin(f, at(place) / 2)
-            return f.lowest_terms(s / c)
+            c, s = cos_sin(f, at(place))
+            return f.lowest_terms(s / (1 + c))
 
+        if self.starts_at_rest:
+            found = self._from_rest(b, c, cos_sin(f, at(self.q0))[0], tangent, 2 / n)
+            if found is not None:
+                return found
         parts = (a + b + c, 2 * a - 2 * c, a - b + c)
         return self._quartic(parts, tangent, 2 / n, tangent(self.q0))
+
+    def _from_rest(
+        self, b: Ratio, c: Ratio, first: Ratio, y: Callable[[Ratio], Ratio], per: Ratio
+    ) -> EllipticTime | None:
+        """W = (cos(psi) - C)(b + c C + c cos(psi)) with C = cos(psi_0): in y the product of 1 - C - (1 + C) y^2 and
+        p + m y^2 with p, m = b + c C +- c, and a^2 = (1 - C)/(1 + C)."""
+        f, half = self.field, self.field.pi / 2
+        plus, minus = (f.lowest_terms(b + c * first + sign * c) for sign in (1, -1))
+        begin = y(self.q0)
+        if self._sign(plus) <= 0 or not self._sign(begin):
+            return None
+        top = self._sign(begin) * begin
+        side = self._sign(minus)
+        if side > 0:
+            square = f.lowest_terms(2 * (b + 2 * c * first))
+            k = self._root((1 - first) * minus / square)
+            ends = (f.pi, f.zero)
+            return self._time(
+                -per / self._root(square), k, lambda p: self._arc("acos", f.lowest_terms(y(p) / top)), ends
+            )
+        if side < 0:
+            square = f.lowest_terms((1 + first) * plus)
+            k = self._root(-(1 - first) * minus / square)
+            if not self._sign(f.lowest_terms(1 - k * k)) > 0:
+                return None
+            ends = (-half, half)
+            return self._time(
+                per / self._root(square), k, lambda p: self._arc("asin", f.lowest_terms(y(p) / top)), ends
+            )
+        return None
 
     def _near(self, angle: Ratio) -> Ratio | None:
         """An angle without whole turns, so that it is within half a turn of zero at the start."""
