@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from enum import StrEnum
 from inspect import Parameter, Signature
 from typing import Annotated, Any
 
@@ -12,7 +13,19 @@ from freebody.cli.options import Effort, Json, ModelFile, ReportFile
 from freebody.cli.output import check_out, print_result, print_written
 from freebody.studies import Option, Study
 
+
+class FormulaLength(StrEnum):
+    """How much of a formula is shown that nobody reads at a glance."""
+
+    SHORT = "short"
+    LONG = "long"
+
+
 Full = Annotated[bool, typer.Option("--full", help="Show formulas in full, however long they are.")]
+Formulas = Annotated[
+    FormulaLength,
+    typer.Option("--formula", help="short: very long formulas by their size, the number first; long: as with --full."),
+]
 Latex = Annotated[bool, typer.Option("--latex", help="Print LaTeX.")]
 
 
@@ -21,7 +34,7 @@ def command_of(study: Study) -> Callable[..., None]:
     is_file = any(option.parameter == "path" for option in study.options)
     own = [_parameter(option) for option in study.options]
     report = [_of("as_json", Json, False), _of("out", ReportFile, None), _of("latex", Latex, False)]
-    full = [_of("is_full", Full, False)] if study.is_short else []
+    full = [_of("is_full", Full, False), _of("formula", Formulas, FormulaLength.SHORT)] if study.is_short else []
     parameters = [*own] if is_file else [*report, *own, *full, _of("effort", Effort, 1.0)]
 
     def run(file: Any, **words: Any) -> None:
@@ -68,7 +81,7 @@ def _report(study: Study, file: Any, words: dict[str, Any]) -> None:
         as_json=words["as_json"],
         as_latex=words["latex"],
         out=words["out"],
-        is_short=study.is_short and not words["is_full"],
+        is_short=study.is_short and not words["is_full"] and words["formula"] is not FormulaLength.LONG,
     )
     if not found.is_complete:
         raise typer.Exit(1)

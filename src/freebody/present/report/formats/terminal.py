@@ -40,8 +40,8 @@ _SIGNS = {"": " ", "right": "✓", "wrong": "✗"}
 _NO_BREAK = "\u00a0"
 # of summaries: columns of labels, and from where on something is told by its size
 _LABEL, _LONGEST_RULE, _WIDEST = 12, 78, 100  # characters; a formula that is wider stands on one line
-_LONGEST_FORMULA, _LONGEST_TEXT, _SHOWN = 300, 600, 120  # operations, some six lines; characters
-_WHERE_IT_IS = "--full shows it, --json has it for Python and LaTeX"
+_LONGEST_FORMULA, _LONGEST_TEXT, _SHOWN = 70, 600, 120  # operations, some twelve terms; characters
+_WHERE_IT_IS = "--full or --formula long shows it, --json has it, too"
 _SHORT_BRACKETS = re.compile(r"\([^()]{1,30}\)")
 
 
