@@ -17,7 +17,7 @@ import numpy as np
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
-from freebody.numeric.instant import check_inertia, each_force, forces, roundings
+from freebody.numeric.instant import RANK_CUT, each_force, forces, roundings
 from freebody.numeric.jets import Array, Branch
 from freebody.numeric.placing import PoseEquation
 from freebody.numeric.start import start_velocities
@@ -37,8 +37,6 @@ def linearised(reference: NumericSystem, q: Array, branches: Mapping[Branch, flo
     k = int(N.shape[1])
     back = N.T / D**2  # N = D V with V^T V = 1, so back @ N = 1
     mass = N.T @ (reference.masses[:, None] * N)
-    if k:
-        check_inertia(reference, N, mass)
 
     def force(z: Array) -> Array:
         pinned = [PoseEquation.along(back[i], q, float(z[i])) for i in range(k)]
@@ -78,13 +76,42 @@ def linearised(reference: NumericSystem, q: Array, branches: Mapping[Branch, flo
     return mass, K
 
 
+def condensed(mass: Array, K: Array) -> tuple[Array, Array]:
+    """(M, K) without directions that have no mass: there the springs balance, K_ll z_l + K_lh z_h = 0 (static
+    condensation). Along orthonormal directions. Raises CannotAnswer where nothing holds such a direction."""
+    values, vectors = np.linalg.eigh(mass)
+    light = values <= RANK_CUT
+    if not light.any():
+        return mass, K
+    turned = vectors.T @ K @ vectors
+    held = turned[np.ix_(light, light)]
+    if np.linalg.svd(held, compute_uv=False)[-1] <= ROUND_OFF * float(np.abs(turned).max()):
+        raise CannotAnswer(
+            Message("something moves with neither mass nor stiffness, so that its motion is not determined")
+        )
+    across = turned[np.ix_(~light, light)]
+    stiff = turned[np.ix_(~light, ~light)] - across @ np.linalg.solve(held, turned[np.ix_(light, ~light)])
+    return np.diag(values[~light]), stiff
+
+
+def generalized_modes(mass: Array, K: Array) -> tuple[Array, Array]:
+    """Finite roots s of (K - s M) v = 0, ascending [1/s^2], and v as columns. M may have directions without mass, which
+    follow the springs: with sigma large, (K + sigma M)^-1 M v = v/(s + sigma) has 0 for these."""
+    sigma = 10.0 * float(np.abs(K).max(initial=0.0)) / (float(np.abs(mass).max(initial=0.0)) or 1.0) or 1.0
+    inverse, vectors = np.linalg.eig(np.linalg.solve(K + sigma * mass, mass))
+    found = np.asarray(np.real(inverse), dtype=np.float64)
+    kept = [k for k in np.argsort(-found) if abs(found[k]) > ROUND_OFF * float(np.abs(found).max())]
+    return 1.0 / found[kept] - sigma, np.asarray(np.real(vectors), dtype=np.float64)[:, kept]
+
+
 def frequencies(mass: Array, K: Array) -> Array:
     """Natural angular frequencies [rad/s], ascending; 0 for a direction without stiffness. Raises CannotAnswer
     if the equilibrium is unstable."""
+    mass, stiffness = condensed(mass, K)
     if not len(mass):
         return np.zeros(0)
     root = np.linalg.inv(np.linalg.cholesky(mass))
-    A = root @ K @ root.T
+    A = root @ stiffness @ root.T
     largest = float(np.abs(A).max())
     if np.abs(A - A.T).max() <= _BY_DIFFERENCES * largest:
         squares = np.linalg.eigvalsh((A + A.T) / 2.0)

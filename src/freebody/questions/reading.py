@@ -114,6 +114,20 @@ def read_quantity(names: Names, text: str, path: Path) -> Quantity | None:
     return None
 
 
+def read_calculation(names: Names, text: str, path: Path) -> Quantity | None:
+    """A quantity, or what is calculated from several at one instant."""
+    operands = operands_of(names, text)
+    if operands is None:
+        return read_quantity(names, text, path)
+    read: dict[int, Quantity] = {}
+    for k, operand in operands.phrases.items():
+        quantity = read_quantity(names, operand.phrase, path)
+        if quantity is None:
+            return None
+        read[k] = quantity
+    return read_calculated(names, text, read, path, operands.runs)
+
+
 def read_event(names: Names, text: str, path: Path) -> AskedEvent | None:
     """The event that a condition states: x = d, theta' = 0, t = 2 s."""
     time = None if "t" in names.measures else time_asked(text)

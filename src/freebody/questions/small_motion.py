@@ -1,16 +1,26 @@
-"""Questions about equilibrium and small oscillations about it."""
+"""Questions about equilibrium and small oscillations about it, free ones and forced ones.
+
+natural frequencies      period of small oscillations      mode shapes      mode 2      equilibrium of MEASURE
+stability of equilibrium      damping ratio      damped frequency      logarithmic decrement
+steady amplitude of QUANTITY      phase lag of QUANTITY [behind QUANTITY]      resonance frequency of QUANTITY
+transmissibility [from QUANTITY] to QUANTITY      critical damping of PARAMETER
+"""
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
-from freebody.language.expression import Symbol
-from freebody.language.sentences import Sentence
+from freebody.language.expression import Symbol, number
+from freebody.language.sentences import Message, Sentence
 from freebody.language.units import ANGULAR_VELOCITY, DIMENSIONLESS, TIME, Dimension
 from freebody.measures.base import Measure
+from freebody.model.names import did_you_mean
 from freebody.model.phrases import measure_of
-from freebody.questions.base import Described, Found, Path, Quantity, angular_unit, asked
+from freebody.questions.base import NAME, Described, Found, Path, Quantity, angular_unit, asked
+from freebody.questions.reading import read_calculation
+from freebody.questions.turned_round import ValueFor
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -79,6 +89,183 @@ questions: {it: equilibrium of theta}
         return Sentence("what.equilibrium", {"of": Symbol(self.name) if self.name in system.measures else self.name})
 
 
+class OfSmallMotion(Quantity):
+    """What is asked of small motions of the whole system about its equilibrium."""
+
+    scope = "small motion"
+    is_about_stable = True
+
+    @property
+    def is_of_whole(self) -> bool:
+        return True
+
+
+@dataclass(frozen=True)
+class ModeShapes(OfSmallMotion, kind="mode shapes"):
+    """The components of a natural mode along the coordinates, the first that moves being 1; of all modes one after the
+    other, the slowest first."""
+
+    number: int | None = None
+
+    example = """
+parameters: {m: 1 kg, k: 100 N/m}
+bodies: {A: {particle: {mass: m}}, B: {particle: {mass: m}}}
+connections: {a: {slider: {body: A, along: right}}, b: {slider: {body: B, along: right}}}
+measures: {x1: x of A, x2: x of B}
+loads: {l: {law: {measure: x1, force: -k*x1}}, m: {law: {measure: {expression: x2 - x1}, force: -k*(x2 - x1)}}}
+start: {x1: 0, x2: 0}
+questions: {it: mode shapes}
+"""
+
+    def sentence(self, system: Described) -> Sentence:
+        return Sentence("what.modes") if self.number is None else Sentence("what.mode", {"k": self.number})
+
+
+@dataclass(frozen=True)
+class EquilibriumStability(OfSmallMotion, kind="stability of equilibrium"):
+    """Whether the system stays near its equilibrium: the squares of the exponents of small disturbances."""
+
+    example = """
+parameters: {m: 2 kg, L: 1 m, k: 30 N m, g: 9.81 m/s^2}
+bodies: {rod: {rod: {mass: m, length: L}, angle: 90 deg}}
+connections: {hinge: {pin: [ground.O, rod.start]}}
+loads: {weight: {gravity: g}, spring: {torsional_spring: {body: rod, stiffness: k, angle: 90 deg}}}
+measures: {theta: angle of rod from up}
+start: {theta: 0}
+questions: {it: stability of equilibrium}
+"""
+    measured_in = DIMENSIONLESS / TIME**2
+    is_verdict = True
+    is_about_stable = False
+
+    def sentence(self, system: Described) -> Sentence:
+        return Sentence("what.stability")
+
+
+Damped = Literal["ratio", "ratios", "frequency", "frequencies", "period", "decrement", "decrements"]
+
+
+@dataclass(frozen=True)
+class Damping(OfSmallMotion, kind="damping"):
+    """How small oscillations die away: damping ratio, damped frequency or period, logarithmic decrement."""
+
+    what: Damped
+
+    example = """
+parameters: {m: 2 kg, k: 200 N/m, c: 4 N s/m}
+bodies: {block: {particle: {mass: m}}}
+connections: {guide: {slider: {body: block, along: right}}}
+measures: {x: x of block}
+loads: {spring: {law: {measure: x, force: -k*x}}, damper: {law: {measure: x, force: -c*rate(x)}}}
+start: {x: 0.1 m}
+questions: {it: damping ratio}
+"""
+
+    @property
+    def dimension(self) -> Dimension:
+        return {"period": TIME}.get(self.what, ANGULAR_VELOCITY if self.what.startswith("freq") else DIMENSIONLESS)
+
+    @property
+    def unit(self) -> str:
+        return "1" if self.dimension == DIMENSIONLESS else angular_unit(self.dimension)
+
+    @property
+    def is_of_all(self) -> bool:
+        """Whether it is asked of every mode."""
+        return self.what in ("ratios", "frequencies", "decrements")
+
+    def sentence(self, system: Described) -> Sentence:
+        return Sentence(f"what.damping_{self.what}")
+
+
+class Forced(OfSmallMotion):
+    """What is asked of the steady motion under harmonic loads or drives, cos(Omega t) or sin(Omega t)."""
+
+
+@dataclass(frozen=True)
+class SteadyAmplitude(Forced, kind="steady amplitude"):
+    """How far a quantity swings about its mean in forced oscillation, when free motions have died away."""
+
+    of: Quantity
+    name: str
+
+    example = """
+parameters: {m: 2 kg, k: 200 N/m, c: 4 N s/m, F0: 10 N, Omega: 5 rad/s}
+bodies: {block: {particle: {mass: m}}}
+connections: {guide: {slider: {body: block, along: right}}}
+measures: {x: x of block}
+loads:
+  spring: {law: {measure: x, force: -k*x}}
+  damper: {law: {measure: x, force: -c*rate(x)}}
+  shaker: {force: {at: block, along: right, magnitude: F0*cos(Omega*t)}}
+start: {x: 0}
+questions: {it: steady amplitude of x}
+"""
+
+    @property
+    def dimension(self) -> Dimension:
+        return self.of.dimension
+
+    @property
+    def unit(self) -> str:
+        return self.of.unit
+
+    @property
+    def inner(self) -> tuple[Quantity, ...]:
+        return (self.of,)
+
+
+@dataclass(frozen=True)
+class PhaseLag(Forced, kind="phase lag"):
+    """By which angle a quantity lags behind another one, or behind what excites the system, in forced oscillation:
+    between -pi and pi."""
+
+    of: Quantity
+    behind: Quantity | None = None
+
+    example = SteadyAmplitude.example.replace("steady amplitude of x", "phase lag of x")
+
+    @property
+    def unit(self) -> str:
+        return angular_unit(DIMENSIONLESS)
+
+    @property
+    def inner(self) -> tuple[Quantity, ...]:
+        return (self.of,) if self.behind is None else (self.of, self.behind)
+
+
+@dataclass(frozen=True)
+class Transmissibility(Forced, kind="transmissibility"):
+    """The ratio of two amplitudes in forced oscillation: of a quantity, and of another one or of the excitation."""
+
+    of: Quantity
+    source: Quantity | None = None
+
+    example = SteadyAmplitude.example.replace("steady amplitude of x", "transmissibility to acceleration of x")
+
+    @property
+    def inner(self) -> tuple[Quantity, ...]:
+        return (self.of,) if self.source is None else (self.of, self.source)
+
+
+@dataclass(frozen=True)
+class ResonanceFrequency(Forced, kind="resonance frequency"):
+    """The angular frequency of the excitation at which the steady amplitude of a quantity is largest."""
+
+    of: Quantity
+
+    measured_in = ANGULAR_VELOCITY
+    example = SteadyAmplitude.example.replace("steady amplitude of x", "resonance frequency of x")
+
+    @property
+    def unit(self) -> str:
+        return angular_unit(self.dimension)
+
+    @property
+    def inner(self) -> tuple[Quantity, ...]:
+        return (self.of,)
+
+
 # -- words ------------------------------------------------------------------------------------
 @asked("natural frequencies | period of small oscillations", r"natural (?P<f>frequency|frequencies)", rank=70)
 def _frequencies(names: Names, found: Found, path: Path) -> Quantity | None:
@@ -94,3 +281,106 @@ def _period(names: Names, found: Found, path: Path) -> Quantity | None:
 def _equilibrium(names: Names, found: Found, path: Path) -> Quantity | None:
     measure = measure_of(names, found["of"], *path)
     return None if measure is None else Equilibrium(measure, str(found["of"]))
+
+
+ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth")
+
+
+@asked(
+    "mode shapes | mode K | mode shape K",
+    rf"(?P<all>(?:natural |normal )?modes|(?:natural |normal )?mode shapes?)"
+    rf"|mode (?:shape )?(?P<k>[1-9]\d?)|(?P<th>{'|'.join(ORDINALS)}) (?:natural |normal )?mode(?: shape)?",
+    rank=70,
+)
+def _shapes(names: Names, found: Found, path: Path) -> Quantity | None:
+    if found["all"]:
+        return ModeShapes()
+    return ModeShapes(int(found["k"]) if found["k"] else ORDINALS.index(found["th"]) + 1)
+
+
+@asked("stability of equilibrium", r"stability of (?:the )?equilibrium|is (?:the )?equilibrium stable\??", rank=85)
+def _is_stable(names: Names, found: Found, path: Path) -> Quantity | None:
+    return EquilibriumStability()
+
+
+_DAMPED: dict[str, tuple[Damped, Damped]] = {
+    "damping ratio": ("ratio", "ratios"),
+    "degree of damping": ("ratio", "ratios"),
+    "damped frequency": ("frequency", "frequencies"),
+    "damped period": ("period", "period"),
+    "logarithmic decrement": ("decrement", "decrements"),
+}
+
+
+@asked(
+    "damping ratio | damped frequency | damped period | logarithmic decrement",
+    r"(?P<what>damping ratio|degree of damping|damped (?:natural |angular )?frequency|damped period"
+    r"|logarithmic decrement)|(?P<all>damping ratio|damped (?:natural |angular )?frequencie|logarithmic decrement)s",
+    rank=75,
+)
+def _damping(names: Names, found: Found, path: Path) -> Quantity | None:
+    words = re.sub("natural |angular ", "", str(found["what"] or found["all"].replace("cie", "cy")))
+    return Damping(_DAMPED[words][0 if found["what"] else 1])
+
+
+@asked("critical damping of PARAMETER", rf"critical (?:damping|value) of (?P<of>{NAME})", rank=75)
+def _critical(names: Names, found: Found, path: Path) -> Quantity | None:
+    """The value of a damper's parameter for which the damping ratio is one."""
+    parameter = names.parameters.get(found["of"])
+    if parameter is None or parameter.form is not None:
+        told = Message(
+            "{name} is no parameter.{hint}", name=found["of"], hint=did_you_mean(found["of"], names.parameters)
+        )
+        names.unknown(found["of"], told, *path)
+        return None
+    unit = str(parameter.dimension)
+    return ValueFor(parameter.name, Damping("ratio"), number(1), parameter.dimension, unit, "damping ratio")
+
+
+def _swinging(names: Names, text: str | None, path: Path) -> Quantity | None:
+    """A quantity that swings: a property of an instant."""
+    of = None if text is None else read_calculation(names, text, path)
+    if of is None or of.scope == "instant":
+        return of
+    names.problem(
+        Message("'{text}' is no property of one instant; ask for a measure, a velocity or a force", text=text or ""),
+        *path,
+    )
+    return None
+
+
+@asked(
+    "steady amplitude of QUANTITY",
+    r"(?:steady(?:[- ]state)? amplitude|amplitude of (?:the )?(?:forced|steady)(?:[- ]state)? oscillations?)"
+    r" of (?:the )?(?P<of>.+)",
+    rank=90,
+)
+def _amplitude(names: Names, found: Found, path: Path) -> Quantity | None:
+    of = _swinging(names, found["of"], path)
+    return None if of is None else SteadyAmplitude(of, str(found["of"]))
+
+
+@asked(
+    "phase lag of QUANTITY [behind QUANTITY]",
+    r"phase(?: lag| angle)? of (?:the )?(?P<of>.+?)(?: behind (?:the )?(?P<behind>.+))?",
+    rank=90,
+)
+def _lag(names: Names, found: Found, path: Path) -> Quantity | None:
+    of, behind = (_swinging(names, found[key], path) for key in ("of", "behind"))
+    return None if of is None or (found["behind"] and behind is None) else PhaseLag(of, behind)
+
+
+@asked(
+    "transmissibility [from QUANTITY] to QUANTITY",
+    r"transmissibility(?: from (?:the )?(?P<source>.+?))?(?: to| of) (?:the )?(?P<of>.+)",
+    rank=90,
+)
+def _transmitted(names: Names, found: Found, path: Path) -> Quantity | None:
+    of, source = (_swinging(names, found[key], path) for key in ("of", "source"))
+    return None if of is None or (found["source"] and source is None) else Transmissibility(of, source)
+
+
+@asked("resonance frequency of QUANTITY", r"reson(?:ance|ant) frequency of (?:the )?(?P<of>.+)", rank=90)
+def _resonance(names: Names, found: Found, path: Path) -> Quantity | None:
+    of = _swinging(names, found["of"], path)
+    return None if of is None else ResonanceFrequency(of)

@@ -232,6 +232,11 @@ class Samples:
         # what does not vanish shows it at the first of them, nearly always
         return all(self._vanishes_at(x, k) for k in general or range(len(self.points)))
 
+    def vanishes_at_starts(self, x: Ratio) -> bool:
+        """Whether the terms of an element cancel at every start."""
+        starts = self._starts
+        return bool(starts) and all(self._vanishes_at(x, k) for k in starts)
+
     def _vanishes_at(self, x: Ratio, k: int) -> bool:
         """Whether the terms of an element cancel at a sample: beside their own sizes, so in all units."""
         try:

@@ -21,10 +21,11 @@ from freebody.questions.clock import Clock
 from freebody.questions.reading import Question
 from freebody.questions.small_motion import Equilibrium, SmallOscillations
 from freebody.study.setup import Setup
-from freebody.symbolic.equilibrium import find_equilibrium, small_oscillations
+from freebody.symbolic.equilibrium import find_equilibrium
 from freebody.symbolic.field import Generator, Ratio
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.motion import SmoothMotion
+from freebody.symbolic.small_motion import free_oscillations
 from freebody.symbolic.start import StartState
 from freebody.symbolic.state import SymbolicState
 from freebody.system.system import System
@@ -147,7 +148,7 @@ class Marked:
     @_form.register(SmallOscillations)
     def _frequencies(self, q: SmallOscillations, question: Question, start: StartState) -> Elements:
         model = self.model
-        found = small_oscillations(model, start)
+        found = free_oscillations(model, start)
         squares = found.squares if q.what == "frequencies" else [found.squares[k] for k in found.swinging]
         roots = [model.field.sqrt(s, model.samples.is_negative) for s in squares]
         if q.what == "period":

@@ -1,280 +1,258 @@
-"""Small oscillations and equilibria: where the generalized forces vanish at rest, and what is linear beside it.
+"""What is asked of small motions, step by step: rest, frequencies, modes, damping, stability, forced oscillations.
 
-With q = q_e + x and F(q) the generalized forces at rest,
+    free        (K - w^2 M) v = 0
+    damped      M x'' + C x' + K x = 0:    zeta = C/(2 sqrt(K M)),  w_d^2 = K/M - (C/2M)^2,  delta = pi C/(M w_d)
+    disturbed   x = a e^(lambda t):        lambda^2 = -w^2
+    forced      (K - W^2 M + i W C) X = f_c - i f_s
 
-    F(q_e) = 0,    M x'' + K x = 0,    K = -dF/dq,    det(K - w^2 M) = 0.
-
-Source: Goldstein, Poole & Safko, Classical Mechanics, 3rd ed. 2002, ch. 6.
+Sources: Goldstein, Poole & Safko, Classical Mechanics, 3rd ed. 2002, ch. 6; Rao, Mechanical Vibrations, 5th ed. 2011,
+ch. 2 and 3.
 """
 
 from __future__ import annotations
 
 import math
-import re
-from collections.abc import Mapping
-from dataclasses import dataclass
-from functools import singledispatchmethod
+from functools import singledispatch
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import Expr, Symbol, add, multiply, number, power, substitute
+from freebody.language.expression import Call, Expr, Symbol, add, divide, multiply, number, power, substitute
 from freebody.language.sentences import Message
+from freebody.measures.base import Measure
 from freebody.narrative.context import Context, Method, refuse
 from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.naming import asked_as, asked_entry, fresh, named
-from freebody.narrative.lines.script import Argument, DerivationStage, Script, Sentence
-from freebody.narrative.principles.analytic import by_lagrange
-from freebody.narrative.principles.elimination import EliminationRow
-from freebody.narrative.principles.motion_equations import motion_equations
-from freebody.narrative.principles.sides import balanced
-from freebody.narrative.questions.small_readers import SmallMotions
+from freebody.narrative.lines.script import Argument, DerivationStage, Sentence
+from freebody.narrative.questions.small_telling import SmallTelling
 from freebody.questions.base import Quantity
-from freebody.questions.motion import rates_of
 from freebody.questions.reading import Question
-from freebody.questions.small_motion import Equilibrium
-from freebody.questions.small_motion import SmallOscillations as SmallQuantity
+from freebody.questions.small_motion import (
+    Damping,
+    Equilibrium,
+    EquilibriumStability,
+    Forced,
+    ModeShapes,
+    SmallOscillations,
+    SteadyAmplitude,
+)
 from freebody.study.answering.answer import Answer
-from freebody.study.eom import primitive_part
-from freebody.symbolic.equilibrium import find_equilibrium, linearised, small_oscillations
+from freebody.study.small_motion.forced import forced_number
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.routh import determinant
+from freebody.symbolic.forced import forced_oscillation
 from freebody.symbolic.tidy import tidy
+
+Shown = Expr | tuple[Expr, ...]
 
 
 def derive(context: Context, question: Question, answer: Answer, method: Method) -> list[DerivationStage]:
-    """Equations of motion, the equilibrium, what is linear beside it, the frequencies. Raises CannotAnswer where the
-    solver has no formula."""
+    """Equations of motion, the equilibrium, what is linear beside it, and what is asked of it. Raises CannotAnswer
+    where the solver has no formula."""
     refuse(method, ("newton", "lagrange"), Message("small motion"))
     if answer.expression is None:
         raise CannotAnswer(answer.reason or Message("there is no closed form"))
-    telling = _SmallTelling(context, question, answer, method)
+    telling = SmallTelling(context, question, answer, method)
     telling.equations()
     telling.equilibrium()
-    telling.asked(question.quantity)
+    _tell(question.quantity, telling)
     return telling.script.stages
 
 
-@dataclass(frozen=True)
-class _Equation:
-    """M q'' = F of one coordinate, and the line it stands in."""
-
-    force: Ratio
-    line: int
+@singledispatch
+def _tell(q: Quantity, telling: SmallTelling) -> None:
+    """By the kind of question."""
+    raise CannotAnswer(Message("this is no question about small motion"))
 
 
-class _SmallTelling:
-    """Writes one derivation."""
-
-    def __init__(self, context: Context, question: Question, answer: Answer, method: Method) -> None:
-        self.context, self.question, self.answer, self.method = context, question, answer, method
-        self.model, self.field = context.setup.model, context.setup.model.field
-        self.script: Script = context.script()
-        is_small = question.quantity.is_about_stable
-        self.values: Mapping[int, Ratio]
-        self.squares: tuple[Ratio, ...] = ()
-        self.swinging: tuple[int, ...] = ()  # which of them are not zero
-        if is_small:
-            found = small_oscillations(self.model, context.setup.start)
-            self.values, self.squares, self.swinging = found.equilibrium, found.squares, found.swinging
-        else:
-            self.values = find_equilibrium(self.model, context.setup.start, stable_first=False).values
-        self.readers = SmallMotions(context.setup, self.values)
-        self.at_rest: dict[str, Expr] = {}  # coordinates by their symbols at the equilibrium
-        self.found: list[_Equation] = []
-        self.places: list[int] = []  # lines of the equilibrium
-
-    # -- equations ----------------------------------------------------------------------------
-    def equations(self) -> None:
-        """M q'' = F, by momentum where one coordinate in the plane is enough."""
-        rows = self._rows()
-        f = self.field
-        still = {c.speed: f.zero for c in self.model.coordinates} | {f.index(f.time): f.zero}
-        for row in rows:
-            self.found.append(_Equation(f.lowest_terms(f.follow(row.rest, still)), row.number))
-
-    def _rows(self) -> list[EliminationRow]:
-        accelerations = self.model.accelerations
-        if self.method == "lagrange":
-            values = by_lagrange(self.context, self.script, accelerations)
-            return [EliminationRow({a: self.field.one}, *values[a]) for a in accelerations]
-        if len(accelerations) == 1 and not self.context.system.space and not self.model.dependent:
-            newton = self.context.newton
-            values = newton.write(self.script, newton.plan(accelerations), accelerations)
-            return [EliminationRow({a: self.field.one}, *values[a]) for a in accelerations]
-        with self.script.stage("unclosed.equations", "unclosed.equations_hint"):
-            return motion_equations(self.context, self.script)
-
-    # -- the equilibrium ----------------------------------------------------------------------
-    def equilibrium(self) -> None:
-        """Speeds and accelerations vanish; what is left determines the coordinates."""
-        script = self.script
-        with script.stage("small.equilibrium", "small.equilibrium_hint"):
-            meanings: list[Meaning] = []
-            for k, c in enumerate(self.model.coordinates):
-                symbol = Symbol(fresh(self.context, *_rest_names(c.name)))
-                self.at_rest[c.name] = symbol
-                what = Sentence("small.at_rest", {"name": Symbol(c.name)})
-                meanings.append(Meaning(symbol, what, self.readers.value(k)))
-            named(self.context, script, *meanings)
-            script.say("small.rest")
-            lines: list[int] = []
-            for e in self.found:
-                if not e.force.is_zero():
-                    sides = balanced(substitute(tidy(primitive_part(e.force)), self.at_rest))
-                    args: dict[str, Argument] = {"line": e.line}
-                    lines.append(script.line(*sides, why="small.balance", args=args, uses=(e.line,), when="never"))
-            for k, c in enumerate(self.model.coordinates):
-                value = tidy(self.values[c.index])
-                given: dict[str, Argument] = {"lines": tuple(lines)}
-                key = "small.solved" if lines else "small.indifferent"
-                symbol = meanings[k].symbol
-                self.places.append(script.line(symbol, value, why=key, args=given, uses=tuple(lines), when="never"))
-
-    @singledispatchmethod
-    def asked(self, q: Quantity) -> None:
-        """By the kind of question."""
-        raise CannotAnswer(Message("this is no question about small motion"))
-
-    @asked.register(Equilibrium)
-    def _place(self, q: Equilibrium) -> None:
-        """What was asked of the equilibrium."""
-        script = self.script
-        c = next((c for c in self.model.coordinates if self.model.measure_of(c) == q.measure), None)
-        if c is not None:
-            k = self.model.coordinates.index(c)
-            if tidy(self.values[c.index]) == self.answer.expression:
-                asked_as(self.context, self.question, self.readers.value(k))
-                return
-        with script.stage("stage.value"):
-            value = self.model.value_of(q.measure)
-            shown = substitute(tidy(value), self.at_rest)
-            measure = q.measure
-
-            def read(world: World) -> float:
-                pose = self.readers.pose(world.draw)
-                return world.draw.reference.snapshot(pose, 0 * pose).value(measure)
-
-            symbol = asked_as(self.context, self.question, read)
-            script.add(asked_entry(symbol, self.question))
-            lines = tuple(self.places)
-            expression = self.answer.expression
-            assert expression is not None
-            script.line(symbol, shown, expression, why="value.follows", args={"lines": lines}, uses=lines, when="never")
-
-    # -- beside it ----------------------------------------------------------------------------
-    def beside(self) -> tuple[list[Symbol], tuple[int, ...]]:
-        """What is linear beside the equilibrium, and the squares of the frequencies: their symbols and lines."""
-        names = [f"omega_{k + 1}" for k in range(len(self.squares))] if len(self.squares) > 1 else ["omega_0"]
-        symbols = [Symbol(fresh(self.context, name, f"{name}_n")) for name in names]
-        if len(self.model.coordinates) == 1:
-            return symbols, self._one(symbols[0])
-        return symbols, self._several(symbols)
-
-    def _frequency(self, k: int, symbol: Symbol) -> Meaning:
-        what = Sentence("small.frequency" if len(self.squares) == 1 else "small.frequency_k", {"k": k + 1})
-        return Meaning(symbol, what, self.readers.frequency(k), "rad/s")
-
-    def _one(self, symbol: Symbol) -> tuple[int, ...]:
-        """x'' = -c x"""
-        script, (c,) = self.script, self.model.coordinates
-        slope = Symbol(fresh(self.context, "c_0", "c_x"))
-        value = tidy(self.field.lowest_terms(self.squares[0]))
-        uses = (*(e.line for e in self.found), *self.places)
-        with script.stage("small.linear", "small.linear_hint"):
-            what = Sentence("small.slope", {"name": rates_of(c.name, 2)})
-            named(self.context, script, Meaning(slope, what, self.readers.slope))
-            args: dict[str, Argument] = {"name": Symbol(c.name), "slope": slope, "second": rates_of(c.name, 2)}
-            script.say("small.beside_one", **args)
-            line = script.line(slope, value, why="small.slope_is", args={"lines": uses}, uses=uses, when="never")
-        with script.stage("small.characteristic", "small.characteristic_hint"):
-            named(self.context, script, self._frequency(0, symbol))
-            square = power(symbol, number(2))
-            return (
-                script.line(
-                    square, slope, value, why="small.harmonic", args={"line": line}, uses=(line,), when="never"
-                ),
-            )
-
-    def _several(self, symbols: list[Symbol]) -> tuple[int, ...]:
-        """det(K - w^2 M) = 0"""
-        M, K = linearised(self.model, dict(self.values))
-        lines = self._matrices(M, K)
-        script = self.script
-        with script.stage("small.characteristic", "small.characteristic_hint"):
-            named(self.context, script, *(self._frequency(k, s) for k, s in enumerate(symbols)))
-            script.say("small.determinant")
-            sides = balanced(self._polynomial(M, K, power(symbols[0], number(2))))
-            line = script.line(*sides, why="small.polynomial", args={"lines": lines}, uses=lines, when="never")
-            roots: list[int] = []
-            for symbol, value in zip(symbols, self.squares, strict=True):
-                shown, square = tidy(self.field.lowest_terms(value)), power(symbol, number(2))
-                args: dict[str, Argument] = {"line": line}
-                roots.append(script.line(square, shown, why="small.root", args=args, uses=(line,), when="never"))
-            return tuple(roots)
-
-    def _matrices(self, M: list[list[Ratio]], K: list[list[Ratio]]) -> tuple[int, ...]:
-        """Both matrices, row by row."""
-        script, n, f = self.script, len(M), self.field
-        uses, lines = (*(e.line for e in self.found), *self.places), list[int]()
-        with script.stage("small.linear", "small.linear_hint"):
-            script.say("small.beside", names=tuple(Symbol(c.name) for c in self.model.coordinates))
-            for letter, values, read in (("M", M, self.readers.mass), ("K", K, self.readers.stiffness)):
-                entries = [
-                    [Symbol(fresh(self.context, f"{letter}_{j + 1}{k + 1}")) for k in range(n)] for j in range(n)
-                ]
-                what = Sentence(f"small.entry_{letter}")
-                meanings = [Meaning(entries[j][k], what, read(j, k)) for j in range(n) for k in range(n)]
-                named(self.context, script, *meanings)
-                for j in range(n):
-                    shown = tuple(tidy(f.lowest_terms(x)) for x in values[j])
-                    why = f"small.row_{letter}"
-                    args: dict[str, Argument] = {"k": j + 1}
-                    lines.append(script.line(tuple(entries[j]), shown, why=why, args=args, uses=uses, when="never"))
-        return tuple(lines)
-
-    def _polynomial(self, M: list[list[Ratio]], K: list[list[Ratio]], square: Expr) -> Expr:
-        """det(K - s M) in s = w^2, without factors that do not contain s."""
-        f, n, s = self.field, len(M), self.field.parameter("@s")
-        entries = [[K[j][k] - s * M[j][k] for k in range(n)] for j in range(n)]
-        plain = f.one
-        for base, exponent in f.factor(determinant(entries).num)[1]:
-            if f.index(s) in base.generators():
-                plain = plain * base**exponent
-        coefficients = plain.coefficients(f.index(s))
-        terms = [multiply(tidy(c), power(square, number(k))) for k, c in enumerate(coefficients) if not c.is_zero()]
-        return add(*reversed(terms))
-
-    # -- what is asked ------------------------------------------------------------------------
-    @asked.register(SmallQuantity)
-    def _frequencies(self, q: SmallQuantity) -> None:
-        """Frequency, frequencies or period from their squares."""
-        symbols, roots = self.beside()
-        script = self.script
-        expression = self.answer.expression
-        assert expression is not None
-        k = self.swinging[0] if self.swinging else 0
-        if q.what != "frequencies":  # the one that is not zero
-            symbols, roots = [symbols[k]], roots if len(roots) == 1 else (roots[k],)
-        args: dict[str, Argument] = {"lines": roots}
-        with script.stage("stage.value"):
-            if q.what == "period":
-                omega = self.readers.frequency(k)
-
-                def period(world: World) -> float:
-                    return 2 * math.pi / omega(world)
-
-                symbol = asked_as(self.context, self.question, period)
-                script.add(asked_entry(symbol, self.question, "s"))
-                turn = 2 * Symbol("pi") / symbols[0]
-                script.line(symbol, turn, expression, why="small.period", args=args, uses=roots, when="never")
-                return
-            left: Expr | tuple[Expr, ...] = symbols[0] if len(symbols) == 1 else tuple(symbols)
-            if isinstance(expression, tuple) != isinstance(left, tuple):
-                raise CannotAnswer(Message("the solver shows another number of frequencies"))
-            script.line(left, expression, why="small.take_root", args=args, uses=roots, when="never")
+def _expression(telling: SmallTelling) -> Shown:
+    found = telling.answer.expression
+    assert found is not None
+    return found
 
 
-def _rest_names(name: str) -> tuple[str, str]:
-    """y_e of y, x_1e of x1."""
-    letters, digits = re.fullmatch(r"(.*?)_?(\d*)", name).groups()  # type: ignore[union-attr]
-    first = f"{letters}_{digits}e" if digits or "_" not in name else f"{name}e"
-    return first, f"{name}_eq"
+@_tell.register(Equilibrium)
+def _place(q: Equilibrium, telling: SmallTelling) -> None:
+    """What was asked of the equilibrium."""
+    script = telling.script
+    c = next((c for c in telling.model.coordinates if telling.model.measure_of(c) == q.measure), None)
+    if c is not None:
+        k = telling.model.coordinates.index(c)
+        if tidy(telling.values[c.index]) == telling.answer.expression:
+            asked_as(telling.context, telling.question, telling.readers.value(k))
+            return
+    with script.stage("stage.value"):
+        value = telling.model.value_of(q.measure)
+        shown = substitute(tidy(value), telling.at_rest)
+        measure = q.measure
+
+        def read(world: World) -> float:
+            pose = telling.readers.pose(world.draw)
+            return world.draw.reference.snapshot(pose, 0 * pose).value(measure)
+
+        symbol = asked_as(telling.context, telling.question, read)
+        script.add(asked_entry(symbol, telling.question))
+        lines = tuple(telling.places)
+        expression = _expression(telling)
+        script.line(symbol, shown, expression, why="value.follows", args={"lines": lines}, uses=lines, when="never")
+
+
+@_tell.register(SmallOscillations)
+def _frequencies(q: SmallOscillations, telling: SmallTelling) -> None:
+    """Frequency, frequencies or period from their squares."""
+    symbols, roots = telling.beside()
+    script = telling.script
+    expression = _expression(telling)
+    k = next(iter(telling.free.swinging), 0)
+    if q.what != "frequencies":  # the one that is not zero
+        symbols, roots = [symbols[k]], roots if len(roots) == 1 else (roots[k],)
+    args: dict[str, Argument] = {"lines": roots}
+    with script.stage("stage.value"):
+        if q.what == "period":
+            omega = telling.readers.frequency(k)
+
+            def period(world: World) -> float:
+                return 2 * math.pi / omega(world)
+
+            symbol = asked_as(telling.context, telling.question, period)
+            script.add(asked_entry(symbol, telling.question, "s"))
+            turn = 2 * Symbol("pi") / symbols[0]
+            script.line(symbol, turn, expression, why="small.period", args=args, uses=roots, when="never")
+            return
+        left: Expr | tuple[Expr, ...] = symbols[0] if len(symbols) == 1 else tuple(symbols)
+        if isinstance(expression, tuple) != isinstance(left, tuple):
+            raise CannotAnswer(Message("the solver shows another number of frequencies"))
+        script.line(left, expression, why="small.take_root", args=args, uses=roots, when="never")
+
+
+@_tell.register(ModeShapes)
+def _shapes(q: ModeShapes, telling: SmallTelling) -> None:
+    """The ratios of the parts of each mode."""
+    if len(telling.model.coordinates) == 1:
+        raise CannotAnswer(Message("one coordinate has no mode shape: it swings as it is"))
+    symbols, roots = telling.beside()
+    script, n = telling.script, len(telling.model.coordinates)
+    parts = _expression(telling)
+    assert isinstance(parts, tuple)
+    wanted = range(len(symbols)) if q.number is None else (q.number - 1,)
+    with script.stage("small.shape", "small.shape_hint"):
+        script.say("small.ratios")
+        for row, k in enumerate(wanted):
+            names = [Symbol(fresh(telling.context, f"v_{j + 1}{k + 1}")) for j in range(n)]
+            what = Sentence("small.part", {"k": k + 1})
+            named(telling.context, script, *(Meaning(v, what, telling.readers.part(k, j)) for j, v in enumerate(names)))
+            uses = (roots[k],)
+            args: dict[str, Argument] = {"k": k + 1, "line": roots[k]}
+            shown = parts[row * n : (row + 1) * n]
+            script.line(tuple(names), shown, why="small.shape_is", args=args, uses=uses, when="never")
+
+
+@_tell.register(Damping)
+def _damping(q: Damping, telling: SmallTelling) -> None:
+    """How one coordinate dies away; of several, each mode by itself."""
+    script, what = telling.script, q.what.removesuffix("s") if q.what != "frequencies" else "frequency"
+    lines = telling.matrices(with_damping=True)
+    n = len(telling.model.coordinates)
+    expression = _expression(telling)
+    with script.stage("small.damping", "small.damping_hint"):
+        if n > 1:
+            script.say("small.proportional")
+            asked = expression if isinstance(expression, tuple) else (expression,)
+            names = [Symbol(fresh(telling.context, f"d_{k + 1}")) for k in range(len(asked))]
+            read = [telling.readers.damped(what, k) for k in range(len(asked))]
+            meanings = [Meaning(x, Sentence(f"small.each_{what}"), r) for x, r in zip(names, read, strict=True)]
+            named(telling.context, script, *meanings)
+            left: Shown = names[0] if len(names) == 1 else tuple(names)
+            script.line(left, expression, why="small.each", args={"lines": lines}, uses=lines, when="never")
+            return
+        M, C, K = (telling.entries(letter)[0][0] for letter in "MCK")
+        script.say("small.dies_away")
+        symbol = asked_as(telling.context, telling.question, telling.readers.damped(what, 0))
+        script.add(asked_entry(symbol, telling.question, q.unit if q.unit != "1" else ""))
+        swing = _root(add(divide(K, M), multiply(number(-1), power(divide(C, multiply(number(2), M)), number(2)))))
+        told: dict[str, Expr] = {
+            "ratio": divide(C, multiply(number(2), _root(multiply(K, M)))),
+            "frequency": swing,
+            "period": divide(multiply(number(2), Symbol("pi")), swing),
+            "decrement": divide(multiply(Symbol("pi"), C), multiply(M, swing)),
+        }
+        args: dict[str, Argument] = {"lines": lines}
+        script.line(symbol, told[what], expression, why=f"small.damped_{what}", args=args, uses=lines, when="never")
+
+
+def _root(x: Expr) -> Expr:
+    return Call("sqrt", x)
+
+
+@_tell.register(EquilibriumStability)
+def _stability(q: EquilibriumStability, telling: SmallTelling) -> None:
+    """The squares of the exponents."""
+    squares = [s for s in telling.squares[::-1] if not s.is_zero()]
+    expression = _expression(telling)
+    asked = expression if isinstance(expression, tuple) else (expression,)
+    if len(asked) != len(squares):
+        raise CannotAnswer(Message("the solver shows another number of frequencies"))
+    lines, script = telling.matrices(), telling.script
+    with script.stage("small.stability", "small.stability_hint"):
+        names = [Symbol(fresh(telling.context, f"Lambda_{k + 1}")) for k in range(len(asked))]
+        meanings = [
+            Meaning(x, Sentence("small.exponent"), telling.readers.exponent(k, len(asked)), "1/s²")
+            for k, x in enumerate(names)
+        ]
+        named(telling.context, script, *meanings)
+        script.say("small.disturbed")
+        left: Shown = names[0] if len(names) == 1 else tuple(names)
+        script.line(left, expression, why="small.exponents", args={"lines": lines}, uses=lines, when="never")
+        script.say("small.stable_if")
+
+
+@singledispatch
+def _amplitude_of(q: Quantity) -> tuple[Measure, int] | None:
+    """The measure whose amplitude is asked for, and the order of its derivative."""
+    return None
+
+
+@_amplitude_of.register(SteadyAmplitude)
+def _(q: SteadyAmplitude) -> tuple[Measure, int] | None:
+    return q.of.watched
+
+
+@_tell.register(Forced)
+def _forced(q: Forced, telling: SmallTelling) -> None:
+    """The steady motion under harmonic loads."""
+    script, context = telling.script, telling.context
+    lines: tuple[int, ...] = telling.matrices(with_damping=True)
+    forced = forced_oscillation(telling.model, telling.linear)
+    w = tidy(forced.swing.frequency)
+    n, expression = len(forced.force), _expression(telling)
+    with script.stage("small.forced", "small.forced_hint"):
+        forces: list[Symbol] = []
+        for j, f in enumerate(forced.force):
+            swings: tuple[tuple[str, Ratio, int], ...] = (("c", f.re, 0), ("s", -f.im, 1))
+            for letter, value, phase in swings:
+                if value.is_zero():
+                    continue
+                name = Symbol(fresh(context, f"f_{letter}" if n == 1 else f"f_{letter}{j + 1}"))
+                named(
+                    context, script, Meaning(name, Sentence(f"small.force_{letter}"), telling.readers.swing(j, phase))
+                )
+                lines += (script.line(name, tidy(value), why=f"small.force_{letter}_is", when="never"),)
+                forces.append(name)
+        script.say("small.complex" if n == 1 else "small.complex_many")
+    with script.stage("stage.value"):
+        setup, question = context.setup, telling.question
+
+        def read(world: World) -> float:
+            return forced_number(setup, question, world.draw)
+
+        symbol = asked_as(context, question, read)
+        script.add(asked_entry(symbol, question, "" if question.quantity.unit == "1" else question.quantity.unit))
+        sides: list[Expr] = [symbol]
+        c = telling.model.coordinates[0]
+        if n == 1 and _amplitude_of(q) == (telling.model.measure_of(c), 0):
+            M, C, K = (telling.entries(letter)[0][0] for letter in "MCK")
+            stiff = add(K, multiply(number(-1), power(w, number(2)), M))
+            below = add(power(stiff, number(2)), power(multiply(w, C), number(2)))
+            size = Call("abs", forces[0]) if len(forces) == 1 else _root(add(*(power(x, number(2)) for x in forces)))
+            sides.append(divide(size, _root(below)))
+        args: dict[str, Argument] = {"lines": lines}
+        assert not isinstance(expression, tuple)
+        why = f"small.forced_{q.kind.replace(' ', '_')}"
+        script.line(*sides, expression, why=why, args=args, uses=lines, when="never")

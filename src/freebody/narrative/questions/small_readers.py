@@ -7,7 +7,7 @@ With e_j the velocities in which coordinate j changes at unit rate and no other 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
 
@@ -16,6 +16,8 @@ from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.narrative.lines.glossary import World
 from freebody.numeric.jets import Array
+from freebody.numeric.linearised import generalized_modes
+from freebody.study.answering.at_equilibrium import frequencies_at, instants
 from freebody.study.answering.crosscheck import element_at
 from freebody.study.answering.draws import Draw
 from freebody.study.setup import Setup
@@ -44,12 +46,11 @@ class SmallMotions:
                 )
             self.measures.append(measure)
         draw = setup.draws[0]
-        if draw.reference.velocities(draw.q, [(m, 0.0) for m in self.measures], with_start=False).any():
-            raise CannotAnswer(
-                Message(
-                    "a driver keeps the system moving; small motions beside a driven one are not derived step by step"
-                )
-            )
+        self._is_driven = bool(draw.reference.velocities(draw.q, self._rates(-1), with_start=False).any())
+
+    def _rates(self, j: int) -> list[tuple[Measure, float]]:
+        """Rates of the coordinates of which one is 1."""
+        return [(m, 1.0 if i == j else 0.0) for i, m in enumerate(self.measures)]
 
     # -- readers ------------------------------------------------------------------------------
     def value(self, k: int) -> Callable[[World], float]:
@@ -62,6 +63,64 @@ class SmallMotions:
     def stiffness(self, j: int, k: int) -> Callable[[World], float]:
         return lambda world: float(self._linear(world.draw)[1][j, k])
 
+    def damping(self, j: int, k: int) -> Callable[[World], float]:
+        return lambda world: float(self._dampings(world.draw)[j, k])
+
+    def swing(self, j: int, quarter: int) -> Callable[[World], float]:
+        """What the force along a coordinate swings by: its cosine (0), its sine (1)."""
+
+        def read(world: World) -> float:
+            draw = world.draw
+            start, half = instants(self.setup, draw)
+            there = [self._forces_at(draw, self._at(draw), t)[j] for t in (start, half / 2 if quarter else start, half)]
+            return float(there[1] - (there[0] + there[2]) / 2)
+
+        return read
+
+    def part(self, k: int, j: int) -> Callable[[World], float]:
+        """A part of a mode, the first that moves being 1."""
+
+        def read(world: World) -> float:
+            mass, stiffness = self._linear(world.draw)
+            v = generalized_modes(mass, stiffness)[1][:, k]
+            first = next(x for x in v if abs(x) > SETTLED * np.abs(v).max())
+            return float(v[j] / first)
+
+        return read
+
+    def exponent(self, k: int, n: int) -> Callable[[World], float]:
+        """The squares of the exponents that are not zero, ascending: the n largest by size."""
+
+        def read(world: World) -> float:
+            mass, stiffness = self._linear(world.draw)
+            squares: list[float] = generalized_modes(mass, stiffness)[0].tolist()
+            return sorted(-x for x in sorted(squares, key=abs)[-n:])[k]
+
+        return read
+
+    def damped(self, what: str, k: int) -> Callable[[World], float]:
+        """Damping ratio, damped frequency or period, decrement of the k-th motion that swings."""
+
+        def read(world: World) -> float:
+            mass, stiffness = self._linear(world.draw)
+            n = len(mass)
+            turned = [-np.linalg.solve(mass, x) for x in (stiffness, self._dampings(world.draw))]
+            A = np.block([[np.zeros((n, n)), np.eye(n)], turned])
+            rates = np.linalg.eigvals(A)
+            swinging = sorted((s for s in rates.tolist() if s.imag > 0), key=abs)
+            if not swinging and what == "ratio":
+                a, b = sorted(rates.real)[:2]
+                return float(-(a + b) / (2 * np.sqrt(a * b)))
+            s = swinging[k]
+            return {
+                "ratio": -s.real / abs(s),
+                "frequency": s.imag,
+                "period": 2 * np.pi / s.imag,
+                "decrement": -2 * np.pi * s.real / s.imag,
+            }[what]
+
+        return read
+
     def slope(self, world: World) -> float:
         """K/M of one coordinate."""
         mass, stiffness = self._linear(world.draw)
@@ -69,7 +128,10 @@ class SmallMotions:
 
     def frequency(self, k: int) -> Callable[[World], float]:
         """The natural frequencies of the full system about the equilibrium, ascending."""
-        return lambda world: float(np.sort(world.draw.reference.frequencies(self.pose(world.draw)))[k])
+        return lambda world: float(np.sort(self._frequencies(world.draw))[k])
+
+    def _frequencies(self, draw: Draw) -> Array:
+        return frequencies_at(self.setup, draw, list(zip(self.measures, map(float, self._at(draw)), strict=True)))
 
     def pose(self, draw: Draw) -> Array:
         return self._pose(draw, self._at(draw))
@@ -79,21 +141,49 @@ class SmallMotions:
         wanted = [(m, float(x)) for m, x in zip(self.measures, values, strict=True)]
         return draw.reference.pose_near(draw.q, wanted)
 
-    def _velocity(self, draw: Draw, q: Array, j: int) -> Array:
-        wanted = [(m, 1.0 if i == j else 0.0) for i, m in enumerate(self.measures)]
-        return draw.reference.velocities(q, wanted, with_start=False)
+    def _velocity(self, draw: Draw, q: Array, j: int, t: float = 0.0) -> Array:
+        """In which coordinate j alone changes, at unit rate, and nothing is driven."""
+        moving, driven = (draw.reference.velocities(q, self._rates(k), t, with_start=False) for k in (j, -1))
+        return moving - driven
 
     def _forces(self, draw: Draw, values: Array) -> Array:
-        """Q_j at rest."""
-        reference, q = draw.reference, self._pose(draw, values)
-        rest = reference.snapshot(q, np.zeros_like(q))
-        laws = [rest.law(push) for push in self.setup.system.applied_loads]
+        """Q_j at rest, of what swings the mean."""
+        times = instants(self.setup, draw)
+        return sum((self._forces_at(draw, values, t) for t in times), start=np.zeros(len(values))) / len(times)
+
+    def _forces_at(self, draw: Draw, values: Array, t: float, u: Array | None = None) -> Array:
+        """F_j of M u' = F, the coordinates having the rates u: the loads, and what is driven by M times the
+        accelerations."""
+        reference, n = draw.reference, len(self.measures)
+        q = reference.pose_near(draw.q, [(m, float(x)) for m, x in zip(self.measures, values, strict=True)], t)
+        moves = [self._velocity(draw, q, j, t) for j in range(n)]
+        v = reference.velocities(q, self._rates(-1), t, with_start=False)
+        v = v + sum((x * move for x, move in zip([] if u is None else u, moves, strict=False)), start=0.0 * v)
+        here = reference.snapshot(q, v, t)
+        if self._is_driven:
+            seen = draw.seen(here)
+            accelerations = np.array([seen.acceleration(m) for m in self.measures])
+            return self._inertia(draw, moves) @ accelerations
+        laws = [here.law(push) for push in self.setup.system.applied_loads]
         found: list[float] = []
-        for j in range(len(self.measures)):
-            moving = reference.snapshot(q, self._velocity(draw, q, j))
+        for move in moves:
+            moving = reference.snapshot(q, move, t)
             rates = [moving.rate(push.measure) for push in self.setup.system.applied_loads]
             found.append(float(sum(law * rate for law, rate in zip(laws, rates, strict=True))))
         return np.array(found)
+
+    @staticmethod
+    def _inertia(draw: Draw, moves: Sequence[Array]) -> Array:
+        """M_jk = e_j . m e_k"""
+        N = np.array(moves)
+        return N @ (draw.reference.masses[:, None] * N.T)
+
+    def _dampings(self, draw: Draw) -> Array:
+        """-dQ_j/du_k at the equilibrium; laws are linear in small speeds."""
+        values = self._at(draw)
+        unit = np.eye(len(values))
+        columns = [self._forces_at(draw, values, 0.0, e * row) for row in unit for e in (STEP, -STEP)]
+        return np.array([(b - a) / (2 * STEP) for a, b in zip(columns[::2], columns[1::2], strict=True)]).T
 
     def _slopes(self, draw: Draw, values: Array) -> Array:
         """dQ_j/dq_k by differences of fourth order."""
@@ -133,6 +223,6 @@ class SmallMotions:
             values = self._at(draw)
             q = self._pose(draw, values)
             moves = np.array([self._velocity(draw, q, j) for j in range(len(values))])
-            mass = moves @ (draw.reference.masses[:, None] * moves.T)
+            mass = self._inertia(draw, list(moves))
             self._matrices[key] = mass, -self._slopes(draw, values)
         return self._matrices[key]

@@ -24,6 +24,7 @@ from freebody.study.small_motion.equilibrium import nearest_equilibrium
 from freebody.symbolic.conditions import Condition
 from freebody.symbolic.equilibrium import GYROSCOPIC, find_equilibrium
 from freebody.symbolic.field import Ratio
+from freebody.symbolic.linearised import swing_of
 from freebody.symbolic.state import SymbolicState
 from freebody.tolerances import ROUND_OFF
 
@@ -48,15 +49,14 @@ def small_oscillations(
         if not all(holds(setup, c, draw, draw.start()) for c in (*rest, *swings)):
             return
         exact = np.sort(element_at(setup, x, draw, draw.start()))
-        q, v = resting(draw, places_at(setup, equilibrium, draw))
-        found = frequencies_about(draw, q, v) if v.any() else draw.reference.frequencies(q)
+        found = frequencies_at(setup, draw, places_at(setup, equilibrium, draw))
         if quantity.what != "frequencies":
             found = found[found > 0.0]  # beside what nothing drives back
         numeric = 2 * np.pi / found if quantity.what == "period" else np.sort(found)
         check.compare(draw, tuple(map(float, exact)), tuple(map(float, numeric)))
 
     check.gather(setup.draw_stream(), compare)
-    _insist_on_rest(setup, check, rest)
+    insist_on_rest(setup, check, rest)
     if len(check.pairs) < MIN_DRAWS and setup.has_values and (missed := broken(setup, swings)):
         raise CannotAnswer(
             Message("it does not oscillate at the model's own values: that needs {needs}", needs=", ".join(missed))
@@ -64,7 +64,7 @@ def small_oscillations(
     return check.evidence()
 
 
-def _insist_on_rest(setup: Setup, check: CrossCheck, rest: Sequence[Condition]) -> None:
+def insist_on_rest(setup: Setup, check: CrossCheck, rest: Sequence[Condition]) -> None:
     """Raises CannotAnswer where too little was compared because the equilibrium is none at the model's own values."""
     if len(check.pairs) < MIN_DRAWS and setup.has_values and (missed := broken(setup, rest)):
         raise CannotAnswer(
@@ -85,29 +85,16 @@ def at_rest(
     def compare(draw: Draw) -> None:
         if not all(holds(setup, c, draw, draw.start()) for c in conditions):
             return
-        wanted = places_at(setup, equilibrium, draw)
-        q, v = resting(draw, wanted)
-        check.compare(draw, (1.0,), (1.0 + unrest(draw, wanted, q, v),))
+        check.compare(draw, (1.0,), (1.0 + unrest(setup, draw, places_at(setup, equilibrium, draw)),))
 
-    _insist_on_rest(setup, check.gather(setup.draw_stream(), compare), conditions)
+    insist_on_rest(setup, check.gather(setup.draw_stream(), compare), conditions)
     return check.evidence()
 
 
 def small_number(quantity: SmallOscillations, setup: Setup, draw: Draw) -> float | tuple[float, ...]:
     """Natural frequencies, or the one period, about the equilibrium that formulas give, else the one nearest to the
     start. Raises CannotAnswer where there is none, where it is not stable, or where there are several periods."""
-    try:
-        places = places_at(setup, find_equilibrium(setup.model, setup.start).values, draw)
-        q, v = resting(draw, places)
-        if unrest(draw, places, q, v) > AT_REST:  # the formula takes something to be positive that is not so there
-            raise CannotAnswer(Message("this is no equilibrium"))
-    except CannotAnswer:
-        q = nearest_equilibrium(setup.system)[0].q
-        v = np.zeros_like(q)
-    there = draw.reference.snapshot(q, v)
-    if not all(holds(setup, c, draw, there) for c in setup.clearances(setup.state, ">")):
-        raise CannotAnswer(Message("there is no room to move about the equilibrium"))
-    found = [float(w) for w in frequencies_about(draw, q, v)]
+    found = [float(w) for w in _numbers_about(setup, draw)]
     if not found:
         raise CannotAnswer(Message("nothing can move, so nothing oscillates"))
     if quantity.what == "frequencies":
@@ -120,27 +107,78 @@ def small_number(quantity: SmallOscillations, setup: Setup, draw: Draw) -> float
     return 2.0 * math.pi / swinging[0] if quantity.what == "period" else swinging[0]
 
 
-def resting(draw: Draw, places: Sequence[tuple[Measure, float]]) -> tuple[Array, Array]:
+def _numbers_about(setup: Setup, draw: Draw) -> Array:
+    """Natural frequencies about the equilibrium that formulas give, else the one nearest to the start."""
+    try:
+        places = places_at(setup, find_equilibrium(setup.model, setup.start).values, draw)
+        if unrest(setup, draw, places) > AT_REST:  # the formula takes something to be positive that is not so there
+            raise CannotAnswer(Message("this is no equilibrium"))
+        q, v = resting(draw, places)
+        found = frequencies_at(setup, draw, places)
+    except CannotAnswer:
+        if swing_of(setup.model) is not None:
+            raise
+        q = nearest_equilibrium(setup.system)[0].q
+        v = np.zeros_like(q)
+        found = draw.reference.frequencies(q)
+    if not all(holds(setup, c, draw, draw.reference.snapshot(q, v)) for c in setup.clearances(setup.state, ">")):
+        raise CannotAnswer(Message("there is no room to move about the equilibrium"))
+    return found
+
+
+def resting(draw: Draw, places: Sequence[tuple[Measure, float]], t: float = 0.0) -> tuple[Array, Array]:
     """The pose in which measures have values, and the velocities of what is driven, all else at rest beside it."""
-    q = draw.reference.pose_near(draw.q, places)
-    return q, draw.reference.velocities(q, [(measure, 0.0) for measure, _value in places], with_start=False)
+    q = draw.reference.pose_near(draw.q, places, t)
+    return q, draw.reference.velocities(q, [(measure, 0.0) for measure, _value in places], t, with_start=False)
 
 
-def unrest(draw: Draw, places: Sequence[tuple[Measure, float]], q: Array, v: Array) -> float:
+def instants(setup: Setup, draw: Draw) -> tuple[float, ...]:
+    """At which forces have their mean: half a period apart where loads or drives swing."""
+    swing = swing_of(setup.model)
+    if swing is None:
+        return (0.0,)
+    (frequency,) = element_at(setup, (swing.frequency,), draw, draw.start())
+    return 0.0, math.pi / frequency
+
+
+def unrest(setup: Setup, draw: Draw, places: Sequence[tuple[Measure, float]]) -> float:
     """The largest acceleration of the full system at rest; beside what is driven, that of the measures alone."""
-    still = draw.seen(draw.reference.snapshot(q, v))
-    if v.any():
+    times = instants(setup, draw)
+    if len(times) == 1:
+        q, v = resting(draw, places)
+        still = draw.seen(draw.reference.snapshot(q, v))
+        if not v.any():
+            return float(np.abs(still.accelerations).max(initial=0.0))
         return max((abs(still.acceleration(measure)) for measure, _value in places), default=0.0)
-    return float(np.abs(still.accelerations).max(initial=0.0))
+    seen = [draw.seen(draw.reference.snapshot(*resting(draw, places, t), t)) for t in times]
+    means = [sum(s.acceleration(measure) for s in seen) / len(seen) for measure, _value in places]
+    return max(map(abs, means), default=0.0)
 
 
-def frequencies_about(draw: Draw, q: Array, v: Array) -> Array:
-    """Natural angular frequencies [rad/s] of the undamped system at rest, or at rest beside what is driven. Raises
-    CannotAnswer where forces that are linear in the speeds, and do no work, mix the motions."""
-    small = SmallMotion(draw.reference, LinearisationPoint(q, v, 0.0, draw.start().branches, frozen=not v.any()))
+def small_motions_at(setup: Setup, draw: Draw, places: Sequence[tuple[Measure, float]]) -> SmallMotion:
+    """The numeric linearisation about an equilibrium, of the mean of what swings. Raises CannotAnswer where forces that
+    are linear in the speeds, and do no work, mix the motions."""
+    found: list[SmallMotion] = []
+    for t in instants(setup, draw):
+        q, v = resting(draw, places, t)
+        at = LinearisationPoint(q, v, t, draw.start().branches, frozen=not v.any())
+        found.append(SmallMotion(draw.reference, at))
+    small = found[0]
+    if len(found) > 1:
+        small.K, small.C = ((getattr(small, A) + getattr(found[1], A)) / 2.0 for A in "KC")
     if float(np.abs(small.C - small.C.T).max(initial=0.0)) > ROUND_OFF * float(np.abs(small.C).max(initial=1.0)):
         raise CannotAnswer(GYROSCOPIC)
-    return frequencies(small.M, small.K)
+    return small
+
+
+def frequencies_at(setup: Setup, draw: Draw, places: Sequence[tuple[Measure, float]]) -> Array:
+    """Natural angular frequencies [rad/s] of the undamped system about an equilibrium, or beside what is driven."""
+    q, v = resting(draw, places)
+    if not v.any() and len(instants(setup, draw)) == 1:
+        return draw.reference.frequencies(q)
+    small = small_motions_at(setup, draw, places)
+    mass, K = small.orthonormal.T @ small.M @ small.orthonormal, small.stiffness
+    return frequencies(mass, K)
 
 
 def places_at(setup: Setup, equilibrium: dict[int, Ratio], draw: Draw) -> list[tuple[Measure, float]]:

@@ -21,7 +21,7 @@ from freebody.questions.extent import Extent
 from freebody.questions.freedom import DegreesOfFreedom
 from freebody.questions.period import Period
 from freebody.questions.reading import AskedEvent, Question, QuestionEvent
-from freebody.questions.small_motion import Equilibrium, SmallOscillations
+from freebody.questions.small_motion import Equilibrium, OfSmallMotion, SmallOscillations
 from freebody.study.answering import evidence as proof
 from freebody.study.answering import loops
 from freebody.study.answering.answer import Answer, Evidence, Value, made
@@ -35,10 +35,11 @@ from freebody.study.answering.passage import smooth_passage
 from freebody.study.answering.scope import for_all
 from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition, require
-from freebody.symbolic.equilibrium import ClosedFormRest, find_equilibrium, lies_in_family, small_oscillations
+from freebody.symbolic.equilibrium import ClosedFormRest, find_equilibrium, lies_in_family
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.motion import Reached
 from freebody.symbolic.signs import Sign, sign_of
+from freebody.symbolic.small_motion import free_oscillations
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.unknowns import Coordinate
@@ -265,11 +266,12 @@ class QuestionSolver:
     def _small(self, q: SmallOscillations) -> Finding:
         from freebody.study.answering import at_equilibrium
 
-        found = small_oscillations(self.model, self.setup.start)
+        found = free_oscillations(self.model, self.setup.start)
         f = self.model.field
         resting, swings = self._at_rest(found.rest, ">"), list[Condition]()
         squares, notes = [found.squares[k] for k in found.swinging], list(found.notes)
-        for square in squares:
+        wanted = [x for k in found.swinging for x in found.positive(found.modes[k])]
+        for square in dict.fromkeys(wanted):
             condition, possible = require(square, ">", Message("oscillates"))
             if not possible:
                 raise CannotAnswer(further(*found.notes, Message("there is no oscillation about it: it is unstable")))
@@ -293,7 +295,13 @@ class QuestionSolver:
         evidence = at_equilibrium.small_oscillations(
             self.setup, self.question.text, q, element, found.equilibrium, resting, swings
         )
-        return Finding(element, evidence, [*resting, *swings], notes)
+        return Finding(element, evidence, [*resting, *swings], notes, may_be_complex=found.are_real_by_symmetry)
+
+    @_found.register(OfSmallMotion)
+    def _of_small_motion(self, q: OfSmallMotion) -> Finding:
+        from freebody.study.small_motion.ask import find
+
+        return find(self.setup, self.question, self._at_rest)
 
     @_found.register(Equilibrium)
     def _equilibrium(self, q: Equilibrium) -> Finding:
@@ -323,6 +331,10 @@ class QuestionSolver:
         if rest.is_stable is None:
             return [Message("whether this equilibrium is stable does not follow from the linearised equations")]
         where = joined(texts([replace(c, purpose="") for c in rest.stable]))
+        if rest.neutral and rest.is_stable and not where:
+            return [
+                Message("apart from {names}, along which equilibria go on, it is stable", names=", ".join(rest.neutral))
+            ]
         if not where:
             return [] if rest.is_stable else [Message("this equilibrium is not stable")]
         if not self.setup.has_values:

@@ -15,7 +15,7 @@ from freebody.questions.extent import Extent
 from freebody.questions.loads import Power
 from freebody.questions.period import Period
 from freebody.questions.reading import AskedEvent
-from freebody.questions.small_motion import SmallOscillations
+from freebody.questions.small_motion import OfSmallMotion, SmallOscillations
 from freebody.study.answering.crosscheck import as_parts
 from freebody.study.answering.draws import Draw
 from freebody.study.answering.passage import smooth_numbers
@@ -91,6 +91,15 @@ def _extent_number(quantity: Extent, setup: Setup, event: AskedEvent | None, dra
     from freebody.study.answering.extent import extent_in_numbers
 
     return extent_in_numbers(draw, quantity.measure, quantity.side)
+
+
+@_number.register(OfSmallMotion)
+def _of_small_motion(
+    quantity: OfSmallMotion, setup: Setup, event: AskedEvent | None, draw: Draw
+) -> float | tuple[float, ...]:
+    from freebody.study.small_motion.numbers import small_quantity
+
+    return small_quantity(quantity, setup, draw)
 
 
 def _rests(setup: Setup) -> bool:

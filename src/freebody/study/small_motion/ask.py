@@ -1,0 +1,53 @@
+"""Who answers which question about small motion."""
+
+from __future__ import annotations
+
+from functools import singledispatch
+
+from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
+from freebody.questions.base import Quantity
+from freebody.questions.reading import Question
+from freebody.questions.small_motion import Damping, EquilibriumStability, Forced, ModeShapes
+from freebody.study.answering.finding import Finding
+from freebody.study.setup import Setup
+from freebody.study.small_motion.resting import AtRest
+
+
+def find(setup: Setup, question: Question, at_rest: AtRest) -> Finding:
+    """The closed form with its evidence. at_rest: what an equilibrium needs. Raises CannotAnswer with the reason where
+    there is none."""
+    return _find(question.quantity, setup, question, at_rest)
+
+
+@singledispatch
+def _find(q: Quantity, setup: Setup, question: Question, at_rest: AtRest) -> Finding:
+    raise CannotAnswer(Message("this is no question about small motion"))
+
+
+@_find.register(ModeShapes)
+def _shapes(q: ModeShapes, setup: Setup, question: Question, at_rest: AtRest) -> Finding:
+    from freebody.study.small_motion.shapes import mode_shapes
+
+    return mode_shapes(setup, question, q, at_rest)
+
+
+@_find.register(Damping)
+def _damping(q: Damping, setup: Setup, question: Question, at_rest: AtRest) -> Finding:
+    from freebody.study.small_motion.damping import damping
+
+    return damping(setup, question, q, at_rest)
+
+
+@_find.register(EquilibriumStability)
+def _stability(q: EquilibriumStability, setup: Setup, question: Question, at_rest: AtRest) -> Finding:
+    from freebody.study.small_motion.stability import equilibrium_stability
+
+    return equilibrium_stability(setup, question, at_rest)
+
+
+@_find.register(Forced)
+def _forced(q: Forced, setup: Setup, question: Question, at_rest: AtRest) -> Finding:
+    from freebody.study.small_motion.forced import forced
+
+    return forced(setup, question, q, at_rest)

@@ -1,0 +1,90 @@
+"""The numeric route to forced oscillations: accelerations of the full system near the equilibrium, no formulas.
+
+With z the coordinates as measures, their accelerations a(z, z', t) by the full system, z_e the equilibrium of the mean,
+
+    a_c - i a_s = a(z_e, 0, 0) - a_m - i (a(z_e, 0, T/4) - a_m),        a_m = (a(z_e, 0, 0) + a(z_e, 0, T/2))/2,
+    (-Omega^2 - da/dz - i Omega da/dz') Z = a_c - i a_s,
+
+slopes by central differences, their mean over the same instants; a quantity swings by the same expansion.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from freebody.measures.base import Measure
+from freebody.numeric.jets import Array
+from freebody.numeric.snapshot import Snapshot
+from freebody.questions.base import Quantity
+from freebody.study.answering.draws import Draw
+from freebody.system.system import System
+
+_STEP = 1e-4  # rad, m, and by Omega of rates
+
+Complex = NDArray[np.complex128]
+
+
+@dataclass(frozen=True)
+class ForcedNumbers:
+    """One draw, its measures at the equilibrium of the mean, and the frequency of the excitation [rad/s]."""
+
+    system: System
+    draw: Draw
+    places: Sequence[tuple[Measure, float]]
+    frequency: float
+
+    def seen(self, z: Array, rates: Array, phase: float) -> Snapshot:
+        """The full system where the coordinates have given places and rates, at a part of the period."""
+        reference, t = self.draw.reference, phase * math.tau / self.frequency
+        measures = [measure for measure, _value in self.places]
+        q = reference.pose_near(self.draw.q, list(zip(measures, map(float, z), strict=True)), t)
+        v = reference.velocities(q, list(zip(measures, map(float, rates), strict=True)), t, with_start=False)
+        return self.draw.seen(reference.snapshot(q, v, t))
+
+    def _accelerations(self, s: Snapshot) -> Array:
+        return np.array([s.acceleration(measure) for measure, _value in self.places], dtype=np.float64)
+
+    @cached_property
+    def rest(self) -> Array:
+        return np.array([value for _measure, value in self.places], dtype=np.float64)
+
+    def _swing(self, read: Callable[[Snapshot], Array]) -> tuple[Array, Complex, Complex]:
+        """Of what is read off a state: its mean at the equilibrium, its own swing, and its slopes along Z."""
+        n, w = len(self.places), self.frequency
+        zero: Array = np.zeros(n)
+        start, quarter, half = (read(self.seen(self.rest, zero, phase)) for phase in (0.0, 0.25, 0.5))
+        mean = (start + half) / 2.0
+        columns: list[Complex] = []
+        for k in range(n):
+            e = np.zeros(n)
+            e[k] = _STEP
+            slopes = [self._slope(read, z, u) for z, u in ((e, zero), (zero, w * e))]
+            columns.append(slopes[0] + 1j * slopes[1])
+        return mean, (start - mean) - 1j * (quarter - mean), np.array(columns).T
+
+    def _slope(self, read: Callable[[Snapshot], Array], z: Array, u: Array) -> Array:
+        """By a step _STEP, the mean of two instants half a period apart."""
+        found = [read(self.seen(self.rest + e * z, e * u, phase)) for phase in (0.0, 0.5) for e in (1.0, -1.0)]
+        return (found[0] - found[1] + found[2] - found[3]) / (4.0 * _STEP)
+
+    @cached_property
+    def motion(self) -> Complex:
+        """Z."""
+        _mean, forced, slopes = self._swing(self._accelerations)
+        found = np.linalg.solve(-(self.frequency**2) * np.eye(len(self.places)) - slopes, forced)
+        return np.asarray(found, dtype=np.complex128)
+
+    def of(self, quantity: Quantity) -> complex:
+        """A quantity's swing, re cos(Omega t) - im sin(Omega t)."""
+
+        def read(s: Snapshot) -> Array:
+            return np.array([float(quantity.value(self.system, s))])
+
+        _mean, own, slopes = self._swing(read)
+        return complex((slopes @ self.motion + own)[0])

@@ -1,0 +1,78 @@
+"""What is asked about small motions from the numeric route alone, where there is no formula."""
+
+from __future__ import annotations
+
+from functools import singledispatch
+
+from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
+from freebody.numeric.small_motion import LinearisationPoint, SmallMotion
+from freebody.questions.base import Quantity
+from freebody.questions.reading import Question
+from freebody.questions.small_motion import Damping, EquilibriumStability, Forced, ModeShapes
+from freebody.study.answering.at_equilibrium import AT_REST, places_at, small_motions_at, unrest
+from freebody.study.answering.draws import Draw
+from freebody.study.setup import Setup
+from freebody.study.small_motion.damping import damped_values
+from freebody.study.small_motion.equilibrium import nearest_equilibrium
+from freebody.study.small_motion.forced import forced_number
+from freebody.study.small_motion.shapes import ModeReader, undamped_modes
+from freebody.study.small_motion.stability import exponents
+from freebody.symbolic.equilibrium import find_equilibrium
+from freebody.symbolic.linearised import swing_of
+
+Numbers = float | tuple[float, ...]
+
+
+def small_quantity(quantity: Quantity, setup: Setup, draw: Draw) -> Numbers:
+    """About the equilibrium that formulas give, else the one nearest to the start. Raises CannotAnswer where there is
+    none, or where it has no such value."""
+    return _number(quantity, setup, draw)
+
+
+@singledispatch
+def _number(q: Quantity, setup: Setup, draw: Draw) -> Numbers:
+    raise CannotAnswer(Message("this is no question about small motion"))
+
+
+@_number.register(Forced)
+def _forced(q: Forced, setup: Setup, draw: Draw) -> Numbers:
+    return forced_number(setup, Question("it", "", q), draw)
+
+
+@_number.register(Damping)
+def _damping(q: Damping, setup: Setup, draw: Draw) -> Numbers:
+    return _one_or_more(damped_values(_small(setup, draw), q))
+
+
+@_number.register(ModeShapes)
+def _shapes(q: ModeShapes, setup: Setup, draw: Draw) -> Numbers:
+    small = _small(setup, draw)
+    n = len(undamped_modes(small)[0])
+    if q.number is not None and q.number > n:
+        raise CannotAnswer(Message("there are {n} modes only", n=n))
+    return tuple(ModeReader(setup, range(n) if q.number is None else [q.number - 1])(small))
+
+
+@_number.register(EquilibriumStability)
+def _stability(q: EquilibriumStability, setup: Setup, draw: Draw) -> Numbers:
+    return _one_or_more(exponents(_small(setup, draw)))
+
+
+def _one_or_more(found: list[float]) -> Numbers:
+    if not found:
+        raise CannotAnswer(Message("nothing can move, so nothing oscillates"))
+    return found[0] if len(found) == 1 else tuple(found)
+
+
+def _small(setup: Setup, draw: Draw) -> SmallMotion:
+    try:
+        places = places_at(setup, find_equilibrium(setup.model, setup.start).values, draw)
+        if unrest(setup, draw, places) > AT_REST:
+            raise CannotAnswer(Message("this is no equilibrium"))
+        return small_motions_at(setup, draw, places)
+    except CannotAnswer:
+        if swing_of(setup.model) is not None:
+            raise
+    rest = nearest_equilibrium(setup.system)[0].pose
+    return SmallMotion(draw.reference, LinearisationPoint(rest.q, 0.0 * rest.q, 0.0, rest.branches, frozen=True))

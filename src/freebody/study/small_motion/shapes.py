@@ -1,0 +1,85 @@
+"""Mode shapes in closed form."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from freebody.errors import CannotAnswer
+from freebody.language.expression import Symbol
+from freebody.language.notation import to_text
+from freebody.language.sentences import Message
+from freebody.numeric.jets import Array
+from freebody.numeric.linearised import generalized_modes
+from freebody.numeric.small_motion import SmallMotion
+from freebody.questions.reading import Question
+from freebody.questions.small_motion import ModeShapes
+from freebody.study.answering.crosscheck import SaysNothing
+from freebody.study.answering.finding import Finding
+from freebody.study.setup import Setup
+from freebody.study.small_motion.resting import NONE, TOLERANCE, AtRest, compared, oscillates
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.small_motion import FreeOscillations, Mode, free_oscillations
+
+
+def mode_shapes(setup: Setup, question: Question, q: ModeShapes, at_rest: AtRest) -> Finding:
+    free = free_oscillations(setup.model, setup.start)
+    modes = free.modes
+    if q.number is not None and q.number > len(modes):
+        raise CannotAnswer(Message("there are {n} modes only", n=len(modes)))
+    wanted = range(len(modes)) if q.number is None else [q.number - 1]
+    swinging = [mode for mode in modes if not mode.square.is_zero()]
+    conditions = [*at_rest(free.rest, ">"), *oscillates(free, swinging)]
+    coordinates = setup.model.coordinates
+    parts: list[Ratio] = []
+    notes = list(free.notes)
+    for k in wanted:
+        shape = free.shape(modes[k])
+        parts += [modes[k].residues.at(x, modes[k].square) for x in shape]
+        notes.append(_mode_told(k, free, modes[k], len(parts) - len(shape)))
+    evidence = compared(setup, question, parts, free.equilibrium, conditions, ModeReader(setup, wanted))
+    if len({str(m.dimension) for c in coordinates if (m := setup.model.measure_of(c)) is not None}) > 1:
+        notes.append(Message("components of unlike coordinates are in SI units, angles in rad"))
+    return Finding(tuple(parts), evidence, conditions, notes, may_be_complex=free.are_real_by_symmetry)
+
+
+def _mode_told(k: int, free: FreeOscillations, mode: Mode, before: int) -> str:
+    """Which components are those of a mode."""
+    names = ", ".join(to_text(Symbol(c.name)) for c in free.model.coordinates)
+    n = len(free.model.coordinates)
+    places = f"[{before + 1}]" if n == 1 else f"[{before + 1}]-[{before + n}]"
+    told = Message("mode {k}: {places} are the parts of {names}", k=k + 1, places=places, names=names)
+    if mode.square.is_zero():
+        told = Message(
+            "mode {k}: {places} are the parts of {names}; nothing drives it back", k=k + 1, places=places, names=names
+        )
+    return told
+
+
+class ModeReader:
+    """Components of modes from the numeric linearisation, the first that moves being 1."""
+
+    def __init__(self, setup: Setup, wanted: Sequence[int]) -> None:
+        self.setup, self.wanted = setup, wanted
+
+    def __call__(self, small: SmallMotion) -> Sequence[float]:
+        measures = [self.setup.model.measure_of(c) for c in self.setup.model.coordinates]
+        if any(m is None for m in measures):
+            raise CannotAnswer(Message("a coordinate is no measure of the model, so the mode cannot be checked"))
+        g = small.at.geometry(small.reference, small.at.q, small.at.v)
+        squares, shapes = undamped_modes(small)
+        found: list[float] = []
+        for k in self.wanted:
+            if any(abs(squares[k] - x) <= TOLERANCE * max(squares) for j, x in enumerate(squares) if j != k):
+                raise SaysNothing(Message("two modes have nearly one frequency"))
+            rows = [small.reference.jet(g, m).row(len(small.at.q)) for m in measures if m is not None]
+            parts = [float(row @ shapes[k]) for row in rows]
+            largest = max(map(abs, parts))
+            first = next(x for x in parts if abs(x) > TOLERANCE * largest)
+            found += [x / first if abs(x) > NONE * largest else 0.0 for x in parts]
+        return found
+
+
+def undamped_modes(small: SmallMotion) -> tuple[list[float], list[Array]]:
+    """Squared frequencies, ascending, and motions of the absolute coordinates; what has no mass follows the springs."""
+    squares, vectors = generalized_modes(small.M, small.K)
+    return squares.tolist(), [small.unit_speeds @ v for v in vectors.T]

@@ -1,0 +1,145 @@
+"""Whether an equilibrium is stable, in closed form: by the roots of det(K - s M), or by the signs of its coefficients.
+
+Dissipative damping does not change the verdict: a minimum of the energy stays stable, and where the stiffness has a
+negative direction the equilibrium stays unstable (Kelvin, Tait and Chetaev).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+import numpy as np
+
+from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
+from freebody.numeric.linearised import condensed
+from freebody.numeric.small_motion import SmallMotion
+from freebody.questions.reading import Question
+from freebody.study.answering.answer import Evidence
+from freebody.study.answering.at_equilibrium import NOTHING_DRIVES_BACK, insist_on_rest, places_at, small_motions_at
+from freebody.study.answering.crosscheck import CrossCheck, element_at, holds
+from freebody.study.answering.draws import Draw
+from freebody.study.answering.finding import Finding
+from freebody.study.setup import Setup
+from freebody.study.small_motion.resting import LINEARISED, NONE, TOLERANCE, AtRest
+from freebody.study.steady.verdict import stable_if
+from freebody.symbolic.conditions import Condition
+from freebody.symbolic.equilibrium import find_equilibrium
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.linearised import Linearised
+from freebody.symbolic.small_motion import FreeOscillations
+
+_SQUARES = Message(
+    "the squares of the exponents λ of small disturbances e^(λ t): stable where all are real and negative"
+)
+_Read = Callable[[SmallMotion, tuple[float, ...]], tuple[tuple[float, ...], tuple[float, ...]]]
+_SIGNS = Message("what has to be positive so that small disturbances stay small (Descartes' rule of signs)")
+
+
+def equilibrium_stability(setup: Setup, question: Question, at_rest: AtRest) -> Finding:
+    """The squares -s of the exponents, or what has to be positive where these have no closed form."""
+    model = setup.model
+    if not model.coordinates:
+        raise CannotAnswer(Message("nothing can move, so nothing oscillates"))
+    rest = find_equilibrium(model, setup.start, stable_first=False)
+    linear = Linearised(model, rest.values)
+    linear.check_is_steady()
+    if not linear.is_symmetric(linear.stiffness) or linear.is_gyroscopic:
+        raise CannotAnswer(
+            Message(
+                "forces without a potential act, or gyroscopic ones, so stability is no matter of the stiffness alone"
+            )
+        )
+    free = FreeOscillations(model, rest)
+    signs = [x for factor in free.factors for x in free.signs(factor)]
+    if not signs:
+        raise CannotAnswer(NOTHING_DRIVES_BACK)
+    conditions = at_rest(rest, ">=")
+    notes = [*_what_is_zero(free), *_at_own_values(setup, signs)]
+    try:
+        squares = [-mode.square for mode in free.modes if not mode.square.is_zero()]
+    except CannotAnswer:
+        evidence = _compared(setup, question, free, signs, conditions, _verdict)
+        return _finding(signs, evidence, conditions, [_SIGNS, *notes], stable_if(signs), unit="")
+    ordered = squares[::-1]
+    evidence = _compared(setup, question, free, ordered, conditions, _roots)
+    if linear.is_damped:
+        notes.append(Message("without damping; dissipative damping leaves the verdict as it is"))
+    return _finding(ordered, evidence, conditions, [_SQUARES, *notes], stable_if(signs))
+
+
+def _finding(
+    x: Sequence[Ratio],
+    evidence: Evidence,
+    conditions: list[Condition],
+    notes: list[str],
+    says: str,
+    unit: str | None = None,
+) -> Finding:
+    element = x[0] if len(x) == 1 else tuple(x)
+    return Finding(element, evidence, conditions, notes, [says], may_be_complex=True, unit=unit)
+
+
+def _what_is_zero(free: FreeOscillations) -> list[str]:
+    """What is to be said of motions that nothing drives back."""
+    n_zero = sum(factor.times for factor in free.factors if factor.is_zero)
+    if not n_zero:
+        return []
+    if free.rest.neutral:
+        names = ", ".join(free.rest.neutral)
+        return [Message("neutral along {names}: equilibria go on there, which is no instability", names=names)]
+    return [Message("{n} more exponents are zero: there the linear equations do not decide", n=n_zero)]
+
+
+def _at_own_values(setup: Setup, signs: Sequence[Ratio]) -> list[str]:
+    if not setup.has_values:
+        return []
+    draw = setup.draws[0]
+    is_stable = all(v > 0 for v in element_at(setup, tuple(signs), draw, draw.start()))
+    return [
+        Message("stable at the model's own values") if is_stable else Message("not stable at the model's own values")
+    ]
+
+
+# -- evidence ---------------------------------------------------------------------------------
+def _roots(small: SmallMotion, exact: tuple[float, ...]) -> tuple[tuple[float, ...], tuple[float, ...]]:
+    """Exact and numeric squares of exponents, in one order."""
+    return tuple(sorted(exact)), tuple(exponents(small))
+
+
+def _verdict(small: SmallMotion, exact: tuple[float, ...]) -> tuple[tuple[float, ...], tuple[float, ...]]:
+    return (float(all(x > 0 for x in exact)),), (float(all(x > 0 for x in _eigenvalues(small))),)
+
+
+def exponents(small: SmallMotion) -> list[float]:
+    """The squares of the exponents of small disturbances, ascending, but for zeros [1/s^2]."""
+    return sorted(-float(x) for x in _eigenvalues(small))
+
+
+def _eigenvalues(small: SmallMotion) -> list[float]:
+    """Of K by the masses, but for zeros."""
+    mass, K = condensed(small.orthonormal.T @ small.M @ small.orthonormal, small.stiffness)
+    found = np.linalg.eigvals(np.linalg.solve(mass, K)).real
+    largest = float(np.abs(found).max())
+    return [float(x) for x in found if abs(x) > NONE * largest]
+
+
+def _compared(
+    setup: Setup,
+    question: Question,
+    free: FreeOscillations,
+    x: Sequence[Ratio],
+    conditions: Sequence[Condition],
+    read: _Read,
+) -> Evidence:
+    check = CrossCheck(question.text, LINEARISED, TOLERANCE)
+
+    def compare(draw: Draw) -> None:
+        start = draw.start()
+        if all(holds(setup, c, draw, start) for c in conditions):
+            exact = element_at(setup, tuple(x), draw, start)
+            small = small_motions_at(setup, draw, places_at(setup, free.equilibrium, draw))
+            check.compare(draw, *read(small, exact))
+
+    insist_on_rest(setup, check.gather(setup.draw_stream(), compare), conditions)
+    return check.evidence()
