@@ -187,3 +187,38 @@ def test_terms_that_cancel_are_added_with_more_digits() -> None:
     (answer,) = fb.System.from_text(GEARED).solve().answers
     assert "defect" not in answer.reason
     assert answer.evidence is not None
+
+
+GEARS = """
+parameters: {{rs: 0.1 m, rp: 0.05 m, w: 12 rad/s}}
+bodies:
+  sun: {{disk: {{radius: rs}}}}
+  planet: {{disk: {{radius: rp}}, at: [{place}, 0]}}
+  ring: {{ring: {{radius: rs + 2*rp}}, fixed: true}}
+  arm: {{rod: {{length: {place}}}}}
+connections:
+  a: {{pin: [ground.O, sun]}}
+  b: {{pin: [ground.O, arm.start]}}
+  c: {{pin: [arm.end, planet]}}
+  first: {{gear_mesh: [sun, planet]}}
+  second: {{gear_mesh: {outer}}}
+  d: {{driver: {{measure: angle of sun, follows: w*t}}}}
+"""
+
+
+def test_a_gear_inside_a_ring_gear_is_not_taken_to_mesh_with_its_outside() -> None:
+    """Willis: the arm turns at w rs/(2 (rs + rp)); with the ring's teeth outside it would be -w."""
+    with pytest.raises(fb.ModelError, match="one pitch circle lies inside the other"):
+        fb.System.from_text(GEARS.format(place="rs + rp", outer="[planet, ring]"))
+    outer = "{first: ring, second: planet, internal: true}"
+    solution = fb.System.from_text(GEARS.format(place="rs + rp", outer=outer)).solve("angular velocity of arm")
+    assert solution.answers[0].value == pytest.approx(12 * 0.1 / (2 * 0.15))
+    assert not solution.assumptions
+
+
+def test_gears_that_do_not_touch_where_they_are_put_are_said_to_count_by_their_radii() -> None:
+    outer = "{first: ring, second: planet, internal: true}"
+    solution = fb.System.from_text(GEARS.format(place="0.2 m", outer=outer)).solve("angular velocity of arm")
+    told = [text for text in solution.assumptions if "do not touch where these are put" in text]
+    assert len(told) == 2
+    assert "0.2 m between the centres instead of 0.15 m" in told[0]

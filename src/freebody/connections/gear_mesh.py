@@ -7,10 +7,11 @@ from typing import TYPE_CHECKING, ClassVar
 
 from freebody.connections.base import Connection
 from freebody.connections.circles import own_radius, touching
-from freebody.language.expression import Expr, negate
+from freebody.connections.standing import distance_between, is_near, number_of
+from freebody.language.expression import Expr, add, negate
 from freebody.language.sentences import Message
 from freebody.model import glyphs
-from freebody.model.elements import ConstraintRow
+from freebody.model.elements import ConstraintRow, RigidBody
 from freebody.model.glyphs import Glyph
 from freebody.model.spec import Formula
 
@@ -47,10 +48,43 @@ connections: {p: {pin: [ground.A, a]}, q: {pin: [ground.B, b]}, it: {gear_mesh: 
             return []
         r1, r2 = self._radii(names)
         distance, total, rolled = touching(first.center, r1, second.center, r2, internal=self.internal)
+        self._look_at_distance(names, (first, second), (r1, r2), total)
         return [
             ConstraintRow("teeth", "tooth force", rolled, sign=-1),
             ConstraintRow("centers", "radial force", distance, total, if_needed=True),
         ]
+
+    def _look_at_distance(
+        self, names: Names, gears: tuple[RigidBody, RigidBody], radii: tuple[Expr, Expr], total: Expr
+    ) -> None:
+        """What is put where its pitch circles do not touch is not passed over in silence: what lies inside the other is
+        refused, of the rest it is said that only the radii count."""
+        apart = distance_between(names, gears[0].center, gears[1].center)
+        if apart is None or is_near(apart, needed := abs(number_of(names, total))):
+            return
+        first, second = (gear.name for gear in gears)
+        if not self.internal and is_near(apart, abs(number_of(names, add(radii[0], negate(radii[1]))))):
+            names.problem(
+                Message(
+                    "where {first} and {second} are put, one pitch circle lies inside the other, as in a ring gear. "
+                    "Write internal: true, with the ring gear first",
+                    first=first,
+                    second=second,
+                )
+            )
+            return
+        me = next((name for name, other in names.connections.items() if other is self), "")
+        names.assumptions.append(
+            Message(
+                "{connection}: the pitch circles of {first} and {second} do not touch where these are put ({apart:.4g} "
+                "m between the centres instead of {needed:.4g} m); only the ratio of the radii counts",
+                connection=me,
+                first=first,
+                second=second,
+                apart=apart,
+                needed=needed,
+            )
+        )
 
     def _radii(self, names: Names) -> tuple[Expr, Expr]:
         return own_radius(names, self, "first"), own_radius(names, self, "second")

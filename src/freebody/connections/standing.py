@@ -7,6 +7,7 @@ read from the model alone, in its parameters.
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING
 
 from freebody.language.expression import Expr, add, evaluate, multiply
@@ -17,6 +18,7 @@ from freebody.tolerances import ROUND_OFF
 if TYPE_CHECKING:
     from freebody.model.names import Names
 
+_AS_WRITTEN = 1e-2  # of a length: with three digits it is meant to be the same
 _TRIALS = (0.3, 0.7)  # what parameters without a value are taken to be, where directions and places are compared
 
 
@@ -65,6 +67,19 @@ def place_of(names: Names, point: Point) -> tuple[float, float] | None:
         return number_of(names, place[0]), number_of(names, place[1])
     x, y = stands_at(names, point, RIGHT), stands_at(names, point, UP)
     return None if x is None or y is None else (number_of(names, x), number_of(names, y))
+
+
+def distance_between(names: Names, first: Point, second: Point) -> float | None:
+    """How far two points are apart at the start in numbers [m], if the model says so and no parameter is open."""
+    if any(p.value is None and p.form is None for p in names.parameters.values()):
+        return None
+    places = place_of(names, first), place_of(names, second)
+    return None if places[0] is None or places[1] is None else math.dist(places[0], places[1])
+
+
+def is_near(length: float, other: float) -> bool:
+    """Whether two lengths that people have written are meant to be the same."""
+    return abs(length - other) <= _AS_WRITTEN * max(abs(length), abs(other))
 
 
 def is_parallel(names: Names, first: Direction, second: Direction) -> bool:
