@@ -115,7 +115,10 @@ class SmoothMotion:
             return Reached(time, None, time, f.one, conditions=[(time, ">=")])
         found, latest = dict[int, Ratio](), f.zero
         for c in self.model.coordinates:
+            taken = list(self.model.samples.assumed)
             law = None if self.stands_still else self.law_of(c, takes_side=True)
+            if law is not None and law.tends_alike:
+                self.model.samples.assumed[:] = taken  # on which side a sign is that chooses the law says nothing here
             limit = None if law is None else law.limit
             if self.stands_still:
                 found |= {c.index: self.start.of(c.index), c.speed: f.zero}
@@ -437,7 +440,7 @@ class SmoothMotion:
                 else [Message("of a damped motion it is the time from a turn to the next but one")]
             )
             return Reached(self.field.lowest_terms(law.period), c, q0, u0, notes)
-        way = self._way(c)
+        way = self.way_of(c)
         found = way.period()
         if found is None:
             raise CannotAnswer(
@@ -455,7 +458,7 @@ class SmoothMotion:
             self.integrals.speed_squared(c, self.field.variable(c.index))
         except CannotAnswer:
             return self._extent_by_law(c, side)
-        at, needs, says = self._way(c).extent(side)
+        at, needs, says = self.way_of(c).extent(side)
         return Reached(None, c, at, self.field.zero, [], needs, says=says)
 
     def _extent_by_law(self, c: Coordinate, side: int) -> Reached:
@@ -472,7 +475,7 @@ class SmoothMotion:
     # -- first integral -----------------------------------------------------------------------
     def _place_by_energy(self, c: Coordinate, at: Ratio, event: QuestionEvent) -> Reached:
         """The speed at a place, from M u^2/2 + V = const, with the sign of the way there."""
-        way = self._way(c)
+        way = self.way_of(c)
         speed, needs, says = way.to(at)
         if (timed := way.time_to(at)) is not None:
             return Reached(timed[0], c, at, speed, [], needs, says=says, integral=way.integral, timed=timed[1])
@@ -485,7 +488,7 @@ class SmoothMotion:
 
     def _rate_by_energy(self, c: Coordinate, wanted: Ratio) -> Reached:
         """The place at which the speed has a value: a zero of u(q)^2 - u^2 = 0, the first on the way."""
-        way = self._way(c)
+        way = self.way_of(c)
         at, needs, says = way.where(wanted)
         if (timed := way.time_until(at, wanted)) is not None:
             return Reached(timed[0], c, at, wanted, [], needs, says=says, integral=way.integral, timed=timed[1])
@@ -495,7 +498,8 @@ class SmoothMotion:
         )
         return Reached(None, c, at, wanted, [], needs, why, says)
 
-    def _way(self, c: Coordinate) -> EnergyPath:
+    def way_of(self, c: Coordinate) -> EnergyPath:
+        """The way of a coordinate by energy."""
         square = self.speed_squared(c, self.field.variable(c.index))
         a0 = self.field.follow(self.acceleration(c), self.start.values)
         start = self.start.of(c.index), self.start.of(c.speed), a0

@@ -68,9 +68,10 @@ def _is_never(c: Condition) -> bool:
     return not kinds & {"parameter", *_MOVING} and decide(c.element, c.relation) is False
 
 
-def texts(conditions: Sequence[Condition]) -> list[str]:
-    """The range in words and formulas, one line for each condition."""
-    return [_text(c) for c in validity(conditions)]
+def texts(conditions: Sequence[Condition], *, until_event: bool = False) -> list[str]:
+    """The range in words and formulas, one line for each condition. until_event: what changes with the motion must hold
+    from the start to the event."""
+    return [_text(c, until_event) for c in validity(conditions)]
 
 
 # -- taking apart -----------------------------------------------------------------------------
@@ -172,20 +173,23 @@ def _shorter(c: Condition, others: Sequence[Condition]) -> Condition:
 
 
 # -- words ------------------------------------------------------------------------------------
-def _text(c: Condition) -> str:
+def _text(c: Condition, until_event: bool) -> str:
     shown = shortest(c)
     if _is_never(c):
         return reworded(
             Message("for no values of the parameters: {purpose}", purpose=c.purpose) if c.purpose else NEVER, shown
         )
-    return reworded(_placed(c.element, with_purposes(shown, [c.purpose] if c.purpose else [])), shown)
+    told = with_purposes(shown, [c.purpose] if c.purpose else [])
+    return reworded(_placed(c.element, told, until_event), shown)
 
 
-def _placed(x: Ratio, condition: str) -> str:
+def _placed(x: Ratio, condition: str, until_event: bool) -> str:
     """A condition with what is said before it where it is not one on parameters alone."""
     kinds = {x.field.generators[g].kind for g in x.field.ingredients(x)} & set(_MOVING)
     if not kinds:
         return condition
+    if until_event:
+        return Message("from the start to the event {condition}", condition=condition)
     if kinds == {"coordinate"}:
         return Message("at every pose of the motion with {condition}", condition=condition)
     if kinds == {"time"}:

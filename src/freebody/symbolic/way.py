@@ -162,6 +162,15 @@ class EnergyPath:
         turn, others, words = back._turning
         return turn, [*needs, *more, *others], [*says, *words]
 
+    def covered(self, at: Ratio) -> tuple[Ratio, Ratio]:
+        """The ends of what the coordinate goes through until it comes to a place first after the start: where it turns
+        before, that is an end."""
+        distance = self.field.lowest_terms(at - self.q0)
+        side = 0 if distance.is_zero() else self._side(distance)
+        if side == self._way[0]:
+            return self.q0, at
+        return self._turning[0], at
+
     # -- the direction and the end ------------------------------------------------------------
     @cached_property
     def _way(self) -> tuple[int, list[Need]]:

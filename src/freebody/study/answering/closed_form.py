@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import replace
 from fractions import Fraction
-from functools import singledispatchmethod
+from functools import cached_property, singledispatchmethod
 from typing import NoReturn
 
 from freebody.assess.verdict import Judgement
@@ -15,6 +15,7 @@ from freebody.errors import CannotAnswer, NeverHappens
 from freebody.language.expression import Expr, number
 from freebody.language.notation import joined, reworded
 from freebody.language.sentences import Message, further
+from freebody.numeric.snapshot import Snapshot
 from freebody.questions.base import Quantity, Wanted
 from freebody.questions.clock import Clock
 from freebody.questions.extent import Extent
@@ -27,23 +28,26 @@ from freebody.study.answering import loops
 from freebody.study.answering.answer import Answer, Evidence, Value, made
 from freebody.study.answering.conditions import as_written, at_instant, is_kinematic, real
 from freebody.study.answering.crosscheck import element_at, holds
+from freebody.study.answering.draws import Draw
 from freebody.study.answering.finding import Elements, Finding, Otherwise, answered, judged
 from freebody.study.answering.integrals import has_integrals, integrals_named
 from freebody.study.answering.magnitude import magnitude
-from freebody.study.answering.numbers import number_of
+from freebody.study.answering.numbers import LONGEST, number_of
 from freebody.study.answering.passage import smooth_passage
 from freebody.study.answering.scope import for_all
+from freebody.study.answering.witness import motion_to
 from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition, require
 from freebody.symbolic.equilibrium import ClosedFormRest, find_equilibrium, lies_in_family
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.motion import Reached
+from freebody.symbolic.on_the_way import MOVING, kept_until
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.small_motion import free_oscillations
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.unknowns import Coordinate
-from freebody.symbolic.validity import texts
+from freebody.symbolic.validity import texts, validity
 from freebody.system.system import System
 
 _ROUND_OFF = 1e-12  # of an assembled pose, by the size of what is added up
@@ -59,6 +63,7 @@ class QuestionSolver:
         self.question = question
         self.otherwise = otherwise
         self._state: SymbolicState | None = None  # in which it was found, where that is one instant
+        self._reached: Reached | None = None  # the event that the motion is followed to
 
     def answer(self) -> Answer:
         with self.model.samples.apart():  # what one question takes to be positive is no condition of the next
@@ -188,7 +193,7 @@ class QuestionSolver:
     def _at_event(self, q: Quantity) -> Finding:
         event = self.question.event
         assert event is not None
-        reached = self._reached(event)
+        self._reached = reached = self._reach(event)
         conditions: list[Condition] = []
         for x, relation in reached.conditions:
             condition, possible = require(x, relation, Message("{event} is reached", event=event.text))
@@ -216,7 +221,7 @@ class QuestionSolver:
         )
         return Finding(x, evidence, conditions + ends, reached.notes, says=reached.says)
 
-    def _reached(self, event: AskedEvent) -> Reached:
+    def _reach(self, event: AskedEvent) -> Reached:
         if isinstance(event, QuestionEvent):
             return self.setup.motion.reach(event)
         time = None if event.time is None else self.model.geometry.scalar(event.time)
@@ -366,7 +371,8 @@ class QuestionSolver:
             value = None if broken else value
             parts = element if isinstance(element, tuple) else (element,)
             found.notes += integrals_named(parts)
-            conditions = found.says + texts(needed) or [for_all(self.system, parts)]
+            told = texts(needed, until_event=self._reached is not None)
+            conditions = found.says + told or [for_all(self.system, parts)]
         judgement = self._judge(found.element) if q.options else None
         return made(
             q,
@@ -391,7 +397,11 @@ class QuestionSolver:
         state = self.setup.start_instant if at_start else self.setup.state
         if q.is_of_state:
             judges_contacts = bool(self.system.applied_loads) or not is_kinematic(self.setup, q)
-            conditions += at_instant(self.setup, self.question, state, with_contacts=judges_contacts)
+            needed = at_instant(self.setup, self.question, state, with_contacts=judges_contacts)
+            if self._reached is not None:
+                free = self.setup.in_free_coordinates(needed, state)
+                needed = kept_until(self.setup.motion, self._reached, free)
+            conditions += needed
             if not judges_contacts and any(row.unilateral for row in self.system.constraint_rows):
                 found.notes.append(Message("no load acts, so it is not judged whether contacts and strings hold"))
         else:
@@ -402,14 +412,38 @@ class QuestionSolver:
         """Conditions that the model's own numbers break at the start; the answer is not true of that model."""
         if not self.setup.has_values:
             return []
+        broken = [c for c in conditions if self._is_broken(c)]
+        if not broken:
+            return []
+        parts = [c for c in validity(broken) if self._is_broken(c)] or broken  # a product is broken by one factor
+        told = texts(parts, until_event=self._reached is not None)
+        return [reworded(Message("Not valid for the given numbers: {text}", text=text), text) for text in told]
+
+    def _is_broken(self, c: Condition) -> bool:
+        """Whether the model's own numbers break a condition: at the start, or on the way to the event."""
         draw = self.setup.draws[0]
-        start = draw.start()
-        broken: list[Condition] = []
-        for c in conditions:
+        for here in self._instants(c, draw):
             with suppress(CannotAnswer, ArithmeticError, ValueError):
-                if not holds(self.setup, c, draw, start, round_off=_ROUND_OFF):
-                    broken.append(c)
-        return [reworded(Message("Not valid for the given numbers: {text}", text=text), text) for text in texts(broken)]
+                if not holds(self.setup, c, draw, here, round_off=_ROUND_OFF):
+                    return True
+        return False
+
+    def _instants(self, c: Condition, draw: Draw) -> Sequence[Snapshot]:
+        """At which a condition is judged in numbers: at the start, and what changes with the motion up to the event."""
+        changes = any(c.element.field.generators[g].kind in MOVING for g in c.element.field.ingredients(c.element))
+        return self._way_in_numbers if changes else [draw.start()]
+
+    @cached_property
+    def _way_in_numbers(self) -> Sequence[Snapshot]:
+        """The motion at the model's own numbers, from the start to the event that is asked for."""
+        draw, event = self.setup.draws[0], self.question.event
+        start = draw.start()
+        if event is None or self._reached is None:
+            return [start]
+        try:
+            return [start, *motion_to(draw.reference, start, LONGEST, event).links]
+        except (CannotAnswer, ArithmeticError, ValueError):
+            return [start]
 
     def _judge(self, element: Elements | Fraction) -> Judgement | None:
         if isinstance(element, Fraction) and self.question.quantity.scope == "structure":

@@ -106,6 +106,7 @@ class MotionLaw:
 
     laws: ClassVar[list[type[MotionLaw]]] = []
     key: ClassVar[str] = ""  # of the sentence that tells it
+    tends_alike: ClassVar[bool] = False  # whether the laws among which a sign decides all tend to the same
 
     model: SymbolicModel
     q0: Ratio

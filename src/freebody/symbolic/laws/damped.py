@@ -26,6 +26,8 @@ _Zero = tuple[Ratio, Ratio | None]  # a time, and its key
 class Damped(MotionLaw):
     """What the three cases have in common."""
 
+    tends_alike = True
+
     center: Ratio
     delta: Ratio
     square: Ratio  # w0^2
@@ -70,17 +72,13 @@ class Damped(MotionLaw):
         return 1 / self.delta
 
     @property
-    def slowest(self) -> Ratio:
-        """By how much per second it loses at least, where both roots of the characteristic equation are negative."""
-        return self.delta
-
-    @property
     def limit(self) -> Limit | None:
         if self.is_still:
             return Limit(self.q0, self.u0, self.u0.field.one)
         if self.is_negative(self.delta) or self.is_negative(self.square):
             return None
-        return Limit(self.center, self.u0.field.zero, SETTLED / self.slowest)
+        # the slower root is d - k = w0^2/(d + k) >= w0^2/(2 d), or has the real part d
+        return Limit(self.center, self.u0.field.zero, SETTLED * (1 / self.delta + 2 * self.delta / self.square))
 
     def places(self, value: Ratio) -> Instants:
         return self._instants(self.center_passed()) if (value - self.center).is_zero() else None
@@ -152,10 +150,6 @@ class Overdamped(Damped):
     def k(self) -> Ratio:
         return self.root(self.model.field.lowest_terms(self.delta * self.delta - self.square))
 
-    @property
-    def slowest(self) -> Ratio:
-        return self.delta - self.k
-
     def at(self, t: Ratio) -> tuple[Ratio, Ratio]:
         k, e = self.k, self.decayed(t)
         c, s = self.function("cosh", k * t), self.function("sinh", k * t)
@@ -184,10 +178,6 @@ class CriticallyDamped(Damped):
     @classmethod
     def of(cls, moving: Freely) -> Self | None:
         return cls.among(moving, Sign.ZERO)
-
-    @property
-    def slowest(self) -> Ratio:
-        return self.delta / 2
 
     def at(self, t: Ratio) -> tuple[Ratio, Ratio]:
         e = self.decayed(t)

@@ -1,0 +1,137 @@
+"""What must hold from the start to an event, as conditions on parameters.
+
+Energy, and momenta that stay, give all speeds of a motion in its one coordinate q (u^2 = W(q)), and a drive gives
+everything in the time. So f >= 0 on the state becomes f(q) >= 0 from where the motion begins to where it ends, and that
+is so if and only if the least value is not negative: at an end, or where f'(q) = 0 between them.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+from freebody.errors import CannotAnswer
+from freebody.symbolic.conditions import Condition, require
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.motion import Reached, SmoothMotion
+from freebody.symbolic.signs import Sign, sign_of
+from freebody.symbolic.unknowns import Coordinate
+from freebody.symbolic.zeros import Indexed, zeros_of
+
+MOVING = ("coordinate", "speed", "acceleration", "time")
+_TURNS = range(-2, 3)  # by which a place of an angle may differ from the formula's
+_N_STEPS = 64  # of a way, on which it is looked at whether there is a lower value
+_ROUND_OFF = 1e-9  # of the largest value on the way
+
+
+class _NotOne(Exception):
+    """More than one thing changes on the way, or it changes with the sense of the motion."""
+
+
+class _Time:
+    """The time, where it stands for the coordinate."""
+
+    def __init__(self, index: int) -> None:
+        self.index = index
+
+
+def kept_until(motion: SmoothMotion, reached: Reached, conditions: Sequence[Condition]) -> list[Condition]:
+    """Conditions on the state from the start to an event, on parameters where the least value on the way is told; the
+    others as they are."""
+    found: list[Condition] = []
+    for c in conditions:
+        on_parameters = _least(motion, reached, c) if _moves(c.element) else None
+        found += [c] if on_parameters is None else on_parameters
+    return found
+
+
+def _moves(x: Ratio) -> bool:
+    return any(x.field.generators[g].kind in MOVING for g in x.field.ingredients(x))
+
+
+def _least(motion: SmoothMotion, reached: Reached, c: Condition) -> list[Condition] | None:
+    """What a condition comes to at its least values on the way; None where these are not told."""
+    if c.relation == "!=" or reached.limits is not None:
+        return None
+    try:
+        variable, x, ends = _on_one_variable(motion, reached, c.element)
+        places = _places_of_least(motion, variable, x, *ends)
+        if places is None:
+            return None
+        f = motion.field
+        least = [f.lowest_terms(f.follow(x, {variable.index: place})) for place in places]
+    except (_NotOne, CannotAnswer, ZeroDivisionError):
+        return None
+    told = [condition for value in least if (condition := require(value, c.relation, c.purpose)[0]) is not None]
+    return told if _is_all(motion, variable, x, ends, told) else None
+
+
+def _on_one_variable(motion: SmoothMotion, reached: Reached, x: Ratio) -> tuple[Indexed, Ratio, tuple[Ratio, Ratio]]:
+    """The one thing that changes on the way, the element in it, and between what it changes. Raises _NotOne."""
+    f, c = motion.field, reached.coordinate
+    time = f.index(f.time)
+    if c is None or not {c.index, c.speed} & f.ingredients(x):
+        if reached.time is None or _changing(x) - {time}:
+            raise _NotOne
+        return _Time(time), x, (f.zero, reached.time)
+    x = f.lowest_terms(_by_integrals(motion, c, x))
+    if _changing(x) - {c.index}:
+        raise _NotOne
+    return c, x, motion.way_of(c).covered(reached.at)
+
+
+def _by_integrals(motion: SmoothMotion, c: Coordinate, x: Ratio) -> Ratio:
+    """An element that knows of no speeds: those of the other coordinates follow from momenta, u^2 from energy."""
+    f = motion.field
+    if len(motion.model.coordinates) > 1:
+        x = f.follow(x, {k: speed for k, speed in motion.integrals.speeds(c).items() if k != c.speed})
+    parts = x.numerator().coefficients(c.speed)
+    if c.speed in f.ingredients(x.denominator()) or any(not p.is_zero() for p in parts[1::2]):
+        raise _NotOne
+    square, total = motion.speed_squared(c, f.variable(c.index)), f.zero
+    for k, part in enumerate(parts[::2]):
+        total = total + part * square**k
+    return total / x.denominator()
+
+
+def _changing(x: Ratio) -> set[int]:
+    return {g for g in x.field.ingredients(x) if x.field.generators[g].kind in (*MOVING, "function")}
+
+
+def _places_of_least(motion: SmoothMotion, variable: Indexed, x: Ratio, begin: Ratio, end: Ratio) -> list[Ratio] | None:
+    """The ends of a way, and the places between them at which the slope vanishes; None where the order of these depends
+    on the parameters."""
+    f = motion.field
+    slope, span = f.derivative(x, variable.index), end - begin
+    turn = 2 * f.pi
+    is_periodic = f.follow(x, {variable.index: f.variable(variable.index) + turn}) == x
+    found = [begin, end]
+    for zero in zeros_of(motion.model, slope.numerator(), variable, quadratic=True):
+        for n in _TURNS if is_periodic else (0,):
+            place = f.lowest_terms(zero + n * turn)
+            sides = [sign_of(f.lowest_terms(d * span)) for d in (place - begin, end - place)]
+            if Sign.NEGATIVE in sides or Sign.ZERO in sides:
+                continue
+            if not all(s in (Sign.POSITIVE, Sign.NONNEGATIVE) for s in sides):
+                return None
+            found.append(place)
+    return found
+
+
+def _is_all(
+    motion: SmoothMotion, variable: Indexed, x: Ratio, ends: tuple[Ratio, Ratio], told: Sequence[Condition]
+) -> bool:
+    """Whether at every sample at which the conditions hold the element is nowhere lower on the way."""
+    samples = motion.model.samples
+    begins, stops = (samples.at_starts(e) for e in ends)
+    held = [samples.at_starts(c.element) for c in told]
+    is_seen = False
+    for s, (a, b) in enumerate(zip(begins, stops, strict=True)):
+        if math.isnan(a) or math.isnan(b) or not all(values[s] >= 0 for values in held):
+            continue
+        steps = [a + (b - a) * k / _N_STEPS for k in range(_N_STEPS + 1)]
+        heights = [samples.at_start_with(x, s, {variable.index: v}) for v in steps]
+        if not all(h >= -_ROUND_OFF * max(map(abs, heights)) for h in heights):
+            return False
+        is_seen = True
+    return is_seen

@@ -1,0 +1,96 @@
+"""What must hold from the start to an event: as conditions on the parameters, and judged on the whole way.
+
+Problem families: Meriam & Kraige, Dynamics, sec. 3/6 and 6/6; Beer & Johnston, Dynamics, ch. 13 and 17.
+"""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+import freebody as fb
+
+G = 9.81
+LOOP = """
+parameters: {{m: 1 kg, r: 0.1 m, R: 0.8 m, g: 9.81 m/s^2, v: {v} m/s}}
+bodies: {{pipe: {{ring: {{radius: R}}, fixed: true}}, disk: {{disk: {{mass: m, radius: r}}, at: [0, r - R]}}}}
+connections: {{contact: {{rolling: {{body: disk, inside: pipe}}}}}}
+loads: {{weight: {{gravity: g}}}}
+measures: {{phi: {{angle of line from ground.origin to disk from down}}}}
+start: {{phi: 0, rate(phi): v/(R - r)}}
+"""
+BOB = """
+parameters: {{m: 1 kg, L: 1 m, g: 9.81 m/s^2, w: {w} rad/s}}
+bodies: {{bob: {{particle: {{mass: m}}, at: [0, -L]}}}}
+connections: {{cord: {{string: {{from: ground.O, to: bob, swings: true}}}}}}
+loads: {{weight: {{gravity: g}}}}
+measures: {{th: {{angle of line from ground.O to bob from down}}}}
+start: {{th: 0, rate(th): w}}
+"""
+CRANK = """
+parameters: {r: 0.1 m, l: 0.4 m, w: 3 rad/s}
+bodies: {crank: {rod: {length: r}}, rod: {rod: {length: l}, near: {angle: 0}}, piston: {particle: {}}}
+connections:
+  main: {pin: [ground.O, crank.start]}
+  crankpin: {pin: [crank.end, rod.start]}
+  wristpin: {pin: [rod.end, piston]}
+  cylinder: {slider: {body: piston, along: right, through: ground.O}}
+  motor: {driver: {measure: angle of crank, follows: w*t}}
+measures: {x: x of piston, theta: angle of crank}
+"""
+
+
+def asked(text: str, question: str) -> fb.Answer:
+    return fb.System.from_text(text).solve(question).answers[0]
+
+
+def test_a_wheel_comes_to_the_top_of_a_loop_only_where_it_is_pressed_on_all_the_way() -> None:
+    """N = m (g cos phi + (R - r) phi'^2) with phi'^2 by energy is least at the top: 3 v^2 >= 11 g (R - r)."""
+    least = math.sqrt(11 * G * 0.7 / 3)
+    for v, is_so in ((0.95 * least, False), (1.05 * least, True)):
+        answer = asked(LOOP.format(v=v), "velocity of phi when phi = 180 deg")
+        assert "11·r·g + 3·v² ≥ 11·R·g (contact keeps touching)" in answer.conditions
+        assert not any("start to the event" in text for text in answer.conditions)
+        told = [note for note in answer.notes if "Not valid for the given numbers" in note]
+        assert bool(told) is not is_so
+        right = math.sqrt((3 * v * v - 8 * G * 0.7) / 3) / 0.7
+        assert answer.value == (pytest.approx(right) if is_so else None)
+
+
+@pytest.mark.parametrize("degrees", [40, 130, 170])
+def test_a_bob_on_a_string_gets_no_further_than_the_string_is_taut(degrees: int) -> None:
+    """T = m (L w^2 - 2 g + 3 g cos th) falls all the way up: slack at cos th = (2 g - L w^2)/(3 g), 140 deg."""
+    assert math.degrees(math.acos((2 * G - 6.5**2) / (3 * G))) == pytest.approx(140.3, abs=0.1)
+    answer = asked(BOB.format(w=6.5), f"velocity of th when th = {degrees} deg")
+    right = math.sqrt(6.5**2 - 2 * G * (1 - math.cos(math.radians(degrees))))
+    assert answer.value == (pytest.approx(right) if degrees < 140 else None)
+
+
+def test_a_bob_on_its_way_back_has_been_where_it_turns() -> None:
+    """Back at the bottom after a swing beyond the level of the hook the string has been slack; below it has not."""
+    for w, is_so in ((4.2, True), (5.0, False)):
+        answer = asked(BOB.format(w=w), "velocity of th when th = 0")
+        assert (answer.value is not None) is is_so
+        if is_so:
+            assert answer.value == pytest.approx(-w)
+
+
+def test_a_loop_needs_to_close_up_to_the_event_only() -> None:
+    assert asked(CRANK, "velocity of x when theta = 60 deg").conditions == ("4·l² > 3·r² (can be assembled)",)
+    assert asked(CRANK, "x when theta = 150 deg").conditions == ("l ≥ r (can be assembled)",)
+
+
+def test_the_limit_of_a_damped_oscillation_is_that_of_all_dampings() -> None:
+    text = """
+parameters: {{m: 2 kg, c: {c} N s/m, k: 50 N/m, F: 7 N}}
+bodies: {{b: {{particle: {{mass: m}}}}}}
+connections: {{guide: {{slider: {{body: b, along: right}}}}}}
+measures: {{x: x of b}}
+loads: {{pull: {{law: {{measure: x, force: F - k*x - c*rate(x)}}}}}}
+start: {{x: 0.1 m, rate(x): 0}}
+"""
+    for c in (3, 20, 90):  # below, at and above the critical one
+        answer = asked(text.format(c=c), "x as t grows")
+        assert answer.value == pytest.approx(7 / 50)
+        assert answer.conditions == ("for all positive parameters",)
