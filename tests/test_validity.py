@@ -275,3 +275,20 @@ def test_a_measure_that_may_have_any_value_at_rest_is_said_to_be_one_of_a_family
     answer = fb.System.from_text(CARTS).solve(f"equilibrium of {name}").answers[0]
     assert expected is None or answer.value == expected
     assert any("one of a family" in note and note.endswith(f"along {name}") for note in answer.notes) is is_one_of_many
+
+
+def test_a_start_that_another_measure_gives_is_data_and_no_symbol_of_its_own() -> None:
+    """A bar between two walls: x = -L cos(th), so a start value of x is one of the angle, th' = v/(L sin th)."""
+    text = """
+parameters: {L: 0.8 m, a: 0.5 m, v: 0.5 m/s}
+bodies: {bar: {rod: {mass: 2 kg, length: L}, near: {angle: 120 deg}}}
+connections: {low: {slot: {pin: bar.start, along: right, through: ground.O}},
+  high: {slot: {pin: bar.end, along: up, through: ground.O}}}
+measures: {x: x of bar.start, th: angle of bar}
+start: {x: a, rate(x): v}
+"""
+    solution = fb.System.from_text(text).solve("angular velocity of bar at start")
+    assert not solution.assumptions
+    (answer,) = solution.answers
+    assert answer.value == pytest.approx(0.5 / math.sqrt(0.8**2 - 0.5**2))
+    assert answer.conditions == ("L > a (divisor, under the root)",)

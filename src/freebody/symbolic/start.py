@@ -7,6 +7,7 @@ kinetic energy (Gauss), p(u) = A^T lambda with the momenta p = dT/du.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
@@ -21,7 +22,9 @@ from freebody.symbolic.geometry import AnyPose, FieldGeometry, straight_tangent
 from freebody.symbolic.linear import RHS, Row, solve
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.unknowns import Coordinate
-from freebody.symbolic.zeros import solve_linear
+from freebody.symbolic.zeros import solve_linear, zeros_of
+
+_SAME = 1e-9  # of a start value: less is round-off
 
 
 @dataclass(frozen=True)
@@ -223,9 +226,36 @@ def _start_of(model: SymbolicModel, c: Coordinate, known: dict[str, Expr]) -> Ra
     if given is not None:
         return given
     numbers = model.samples.start_numbers(c.index)
-    if all(abs(v) < 1e-9 for v in numbers):
+    if all(abs(v) < _SAME for v in numbers):
         return f.zero
-    return model.samples.start_parameter(c, numbers)
+    solved = _start_by_another(model, c, known, numbers)
+    return model.samples.start_parameter(c, numbers) if solved is None else solved
+
+
+def _start_by_another(
+    model: SymbolicModel, c: Coordinate, known: dict[str, Expr], numbers: Sequence[float]
+) -> Ratio | None:
+    """The start value of a coordinate from another named measure that knows of no other: of the places at which that
+    has its value the one that is assembled."""
+    f = model.field
+    others = {k.index for k in (*model.coordinates, *model.dependent)} - {c.index}
+    for name, expr in known.items():
+        gap = model.value_of(model.system.measures[name]) - model.geometry.scalar(expr)
+        if f.ingredients(gap) & others:
+            continue
+        for zero in zeros_of(model, gap.numerator(), c, quadratic=True):
+            turns = {round((v - x) / math.tau) if c.is_angle else 0 for v, x in _pairs(model, zero, numbers)}
+            place = zero + 2 * f.pi * turns.pop() if len(turns) == 1 else zero
+            pairs = _pairs(model, place, numbers)
+            if pairs and all(abs(v - x) < _SAME * max(1.0, abs(v)) for v, x in pairs):
+                return f.lowest_terms(place)
+    return None
+
+
+def _pairs(model: SymbolicModel, x: Ratio, numbers: Sequence[float]) -> list[tuple[float, float]]:
+    """Start values with an element at the same samples; none where it is not real at one of them."""
+    pairs = list(zip(numbers, model.samples.at_starts(x), strict=True))
+    return pairs if all(map(math.isfinite, (x for pair in pairs for x in pair))) else []
 
 
 def _start_speed(model: SymbolicModel, c: Coordinate, known: dict[str, Expr], values: dict[int, Ratio]) -> Ratio:

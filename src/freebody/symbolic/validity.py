@@ -40,7 +40,7 @@ def validity(conditions: Sequence[Condition]) -> list[Condition]:
         return parts
     while True:  # what one loses may make another one idle, or shorter; conditions only become fewer and shorter
         before = [(c.element, c.relation) for c in parts]
-        parts = _shortened(_without_idle(parts))
+        parts = _merged([part for c in _shortened(_without_idle(parts)) for part in _parts(c)])
         if [(c.element, c.relation) for c in parts] == before:
             return parts
 
