@@ -222,3 +222,18 @@ def test_gears_that_do_not_touch_where_they_are_put_are_said_to_count_by_their_r
     told = [text for text in solution.assumptions if "do not touch where these are put" in text]
     assert len(told) == 2
     assert "0.2 m between the centres instead of 0.15 m" in told[0]
+
+
+def test_a_line_of_the_ground_is_not_taken_for_the_direction_of_that_name() -> None:
+    """What is put on an incline called left would move level."""
+    text = """
+ground: {lines: {left: {along: 30 deg}}}
+bodies: {block: {particle: {mass: 2 kg}}}
+connections: {on: {slider: {body: block, along: left}}}
+loads: {weight: {gravity: 9.81 m/s^2}}
+measures: {s: travel of block along left}
+"""
+    with pytest.raises(fb.ModelError, match="left is a direction and a line of the ground"):
+        fb.System.from_text(text)
+    answer = fb.System.from_text(text.replace("left", "ramp")).solve("acceleration of s").answers[0]
+    assert answer.value == pytest.approx(-9.81 / 2)

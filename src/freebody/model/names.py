@@ -436,6 +436,11 @@ class Names:
                 return self.direction(parts, *path, body=body)
             compass = self.compass
             if text in compass:
+                if text in self.bodies[GROUND].lines:
+                    told = Message(
+                        "{name} is a direction and a line of the ground; call the line something else", name=text
+                    )
+                    self.problem(told, *path)
                 return self.fixed_in(body, compass[text].components, text)
             line, plane = self.line(text), self.plane(text)
             if line is not None:
