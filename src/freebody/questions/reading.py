@@ -16,16 +16,16 @@ from typing import Any, Literal, cast
 from freebody.language.expression import ZERO, Expr
 from freebody.language.plain_text import plain
 from freebody.language.sentences import Message
-from freebody.language.units import TIME
-from freebody.measures.base import Measure
 from freebody.model.elements import Parameter
 from freebody.model.names import Names, did_you_mean
-from freebody.model.phrases import PHRASES, measure_of, phrase_text, read_measure
+from freebody.model.phrases import PHRASES, phrase_text, read_measure
 from freebody.questions import turned_round
 from freebody.questions.arithmetic import AtStart, read_calculated
 from freebody.questions.base import FORMS, Path, Quantity
-from freebody.questions.clock import ENDLESS, Clock, by_the_clock, time_asked
+from freebody.questions.clock import by_the_clock, time_asked
 from freebody.questions.course import Counted, Transition, When, as_condition, read_transition
+from freebody.questions.event import AskedEvent, QuestionEvent, read_event
+from freebody.questions.happening import Happening, read_happening
 from freebody.questions.linkages import TURNS_FULLY, full_turn
 from freebody.questions.motion import OfMeasure
 from freebody.questions.operands import (
@@ -36,33 +36,25 @@ from freebody.questions.operands import (
     ratio_as_quotient,
     without_start,
 )
+from freebody.questions.rest import asks_for_rest
 from freebody.questions.spoken.understanding import understood
 from freebody.questions.sudden import by_blows
 from freebody.questions.turned_round import (
     EXTREME_FOR,
     REACHED,
+    SO,
     VALUE_FOR,
     RangeFor,
+    RangeForAtRest,
     RangeForOnTheWay,
+    RangeForSmallMotion,
     ValueFor,
     ValueForOnTheWay,
     inequality_of,
     reached_in,
     relation_of,
+    without_just,
 )
-
-
-@dataclass(frozen=True)
-class QuestionEvent:
-    """A measure (or its rate) reaches a value."""
-
-    measure: Measure
-    order: Literal[0, 1]
-    value: Expr
-    text: str
-
-
-AskedEvent = QuestionEvent | Clock
 
 
 @dataclass(frozen=True)
@@ -112,35 +104,6 @@ def read_quantity(names: Names, text: str, path: Path) -> Quantity | None:
             text, Message("cannot read '{text}'. One can ask for\n    {askable}", text=text, askable=askable), *path
         )
     return None
-
-
-def read_event(names: Names, text: str, path: Path) -> AskedEvent | None:
-    """The event that a condition states: x = d, theta' = 0, t = 2 s."""
-    time = None if "t" in names.measures else time_asked(text)
-    if time == "":
-        return Clock(None, ENDLESS)
-    if time is not None:
-        return Clock(names.formula(time, TIME, *path), text)
-    turning = re.match(r"^(?P<what>.+?) (?:turns (?:back|round|around)|reverses)$", text)
-    if turning is not None:
-        turned = measure_of(names, turning["what"], *path)
-        return None if turned is None else QuestionEvent(turned, 1, ZERO, text)
-    found = re.match(r"^(?P<what>.+?)\s*(?:=| reaches | is | equals )\s*(?P<value>.+)$", text)
-    if found is None:
-        names.problem(Message("cannot read the condition '{text}'; write for example x = h", text=text), *path)
-        return None
-    what = found["what"].strip()
-    order: Literal[0, 1] = 0
-    for pattern in (r"rate\((.+)\)", r"(?:rate|velocity|speed) of (.+)", r"(.+)'", r"(.+)_dot"):
-        inner = re.fullmatch(pattern, what)
-        if inner and what not in names.measures:
-            order, what = 1, inner[1].strip()
-            break
-    measure = measure_of(names, what, *path)
-    if measure is None:
-        return None
-    dimension = measure.dimension / TIME**order
-    return QuestionEvent(measure, order, names.formula(found["value"].strip(), dimension, *path), text)
 
 
 def read_questions(names: Names, given: Any) -> tuple[Question, ...]:
@@ -226,9 +189,6 @@ def _timed(phrase: str) -> str:
     return by_the_clock(by_blows(phrase))
 
 
-_SIGN = re.compile(r"[<>=≤≥]|\b(?:is|exceeds|exceed|stays below)\b")
-
-
 @dataclass(frozen=True)
 class _Asked:
     """A quantity, and when it is meant."""
@@ -242,10 +202,8 @@ class _Asked:
 def _asked(names: Names, phrase: str, when: object) -> _Asked | None:
     """What a phrase asks for. when: what the file says of it beside the phrase."""
     extreme = EXTREME_FOR.match(phrase)
-    if extreme is not None and not _is_relation(extreme["relation"]):
-        extreme = None  # of a state, such as that it stays at rest
     turned = extreme or VALUE_FOR.match(phrase)
-    if turned is not None:
+    if turned is not None and not asks_for_rest(phrase):
         least = extreme is not None and extreme["least"] is not None
         end = "" if extreme is None else "least" if least else "largest"
         return _turned_round(names, turned["parameter"], turned["relation"], when, end)
@@ -281,17 +239,24 @@ def _turned_round(
         told = Message("{name} is no parameter.{hint}", name=name, hint=did_you_mean(name, names.parameters))
         names.unknown(name, told, "find")
         return None
-    relation = _timed(relation)
+    relation, is_just = without_just(_timed(relation))
     inequality = inequality_of(relation)
     if inequality is not None:
         return _range(names, parameter, inequality, when, end)
     turns = re.fullmatch(TURNS_FULLY, relation)
     if turns is not None and when is None:
         return _turning(names, parameter, str(turns["of"]), relation, end)
+    happening = read_happening(names, relation, ("find",)) if when is None else None
+    if happening is not None:
+        return _happening(parameter, happening, end)
     if (event := reached_in(relation)) is not None and when is None:
         return _reaching(names, parameter, event, end)
-    if end:
-        told = Message("write an inequality: {end} {name} so that acceleration of x >= 0", end=end, name=name)
+    if end or is_just:
+        told = (
+            Message("write an inequality: {end} {name} so that acceleration of x >= 0", end=end, name=name)
+            if end
+            else Message("say what is just so: value of {name} for which x just reaches d", name=name)
+        )
         names.problem(told, "find")
         return None
     head, condition = (relation, None) if when is not None else event_at_end(names, relation)
@@ -368,6 +333,16 @@ def _reaching(names: Names, parameter: Parameter, event: str, end: Literal["", "
         parameter.name, of, placed.event.value, parameter.dimension, unit, event, relation=REACHED, end=end
     )
     return replace(placed, quantity=quantity)
+
+
+def _happening(parameter: Parameter, happening: Happening, end: Literal["", "least", "largest"]) -> _Asked:
+    """The values of a parameter for which something is so of the motion."""
+    unit = "rad" if parameter.is_angle else str(parameter.dimension)
+    kinds = {"rest": RangeForAtRest, "small motion": RangeForSmallMotion}
+    kind = kinds.get(happening.scope, RangeFor)
+    return _Asked(
+        kind(parameter.name, happening, ZERO, parameter.dimension, unit, happening.text, relation=SO, end=end)
+    )
 
 
 def _calculated(

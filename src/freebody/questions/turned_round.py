@@ -18,7 +18,11 @@ from freebody.questions.base import NAME, Described, Quantity, Wanted
 FORM = """value of PARAMETER for which QUANTITY = EXPRESSION [at start | when EVENT]
     range of PARAMETER for which QUANTITY > | < | >= | <= EXPRESSION [at start | when EVENT]
     least | largest PARAMETER so that QUANTITY > | < | >= | <= EXPRESSION [at start | when EVENT]
-    range of PARAMETER for which MEASURE reaches VALUE | for which BODY turns fully"""
+    range of PARAMETER for which MEASURE reaches VALUE | for which BODY turns fully
+    range of PARAMETER for which NAME stays taut | stays on NAME | rolls without slipping
+    range of PARAMETER for which EVENT [before EVENT | at once], or the equilibrium is stable
+    range of PARAMETER for which it tips before it slides as PARAMETER grows
+    value of PARAMETER for which MEASURE just reaches VALUE"""
 _SO_THAT = "(?:for which|so that|such that|with which|at which)"
 VALUE_FOR = re.compile(rf"^(?:the )?(?:values?|range) of (?P<parameter>{NAME}) {_SO_THAT} (?P<relation>.+)$")
 _LEAST = r"(?P<least>least|smallest|minimum|minimal|lowest|shortest)"
@@ -127,6 +131,13 @@ def inequality_of(relation: str) -> tuple[str, str, str] | None:
     return None if found is None else (found["left"].strip(), found["sign"], found["right"].strip())
 
 
+def without_just(relation: str) -> tuple[str, bool]:
+    """Words without `just`, and whether it was among them: x just reaches d, it is about to slip."""
+    plain = re.sub(r"\bis (?:just )?about to (?P<verb>\w+)", lambda m: f"just {m['verb']}s", relation)
+    plain, n = re.subn(r"\b(?:only |but )?just (?:barely )?", "", plain)
+    return " ".join(plain.split()), n > 0
+
+
 def reached_in(relation: str) -> str | None:
     """That a measure reaches a value, as an event; None where nothing of the kind is said."""
     found = _REACHES.match(relation)
@@ -154,13 +165,14 @@ questions: {it: range of F for which acceleration of x > a}
 
     def sentence(self, system: Described) -> Sentence | None:
         what = self.of.sentence(system)
-        if what is None or self.relation == REACHED:
+        if what is None or self.relation in (REACHED, SO):
             return None
         args: dict[str, Argument] = {"parameter": Symbol(self.parameter), "what": what, "target": self.target}
         return Sentence(f"what.range_{self.end or 'all'}_{_KEYS[self.relation]}", args)
 
 
 REACHED = "is reached"  # instead of a relation: the event of the question comes
+SO = "is so"  # the same: what is said of the motion, or of a state, is so
 _KEYS = {">": "above", ">=": "from", "<": "below", "<=": "up_to"}
 
 
@@ -169,3 +181,17 @@ class RangeForOnTheWay(RangeFor):
     """The same of what is counted from the start to an event."""
 
     scope = "course"
+
+
+@dataclass(frozen=True)
+class RangeForAtRest(RangeFor):
+    """The same of a state of rest."""
+
+    scope = "rest"
+
+
+@dataclass(frozen=True)
+class RangeForSmallMotion(RangeFor):
+    """The same of an equilibrium."""
+
+    scope = "small motion"

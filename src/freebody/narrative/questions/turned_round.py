@@ -8,7 +8,7 @@ from contextlib import suppress
 from dataclasses import dataclass, replace
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import FLOAT_FUNCTIONS, Expr, evaluate, substitute
+from freebody.language.expression import FLOAT_FUNCTIONS, Expr, Symbol, evaluate, substitute
 from freebody.language.sentences import Message
 from freebody.narrative.contact.settings import has_phases
 from freebody.narrative.context import Context, Method
@@ -17,6 +17,7 @@ from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.script import DerivationStage, Legend, NumberedFormula, Script, Sentence
 from freebody.numeric.reference import Reference
 from freebody.questions.base import Quantity, Wanted
+from freebody.questions.happening import Happening
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
 from freebody.study.answering.draws import Draw
@@ -37,6 +38,10 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
     assert quantity is not None
     if answer.expression is None:
         raise CannotAnswer(answer.reason or Message("there is no closed form"))
+    if isinstance(quantity.of, Happening):
+        from freebody.narrative.questions.happening import derive as derive_happening
+
+        return derive_happening(context, question, answer, method)
     id = f"Q_{question.id}" if question.id.isidentifier() else "Q"
     asked = replace(question, id=id, text=quantity.text, quantity=quantity.of, options={}, key=None)
     if quantity.of.scope == "linkage":
@@ -48,7 +53,7 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
     values = answer.expression if isinstance(answer.expression, tuple) else (answer.expression,)
     if quantity.relation != "=" and not _are_roots(there, quantity, formula, values):
         raise CannotAnswer(Message("the ends of the range are where the formula of the quantity stops to be true"))
-    glossary = there.glossary.where(lambda world: _has(world, values))
+    glossary = there.glossary.where(lambda world: has_values(world, values))
     script = Script(glossary, max([context.next_number - 1, *numbers]) + 1)
     with script.stage("stage.turned", "hint.turned", name=quantity.parameter):
         _solved(there, script, question, formula, values)
@@ -83,7 +88,7 @@ def _reached(context: Context, asked: Question, name: str) -> tuple[Context, Ans
     raise CannotAnswer(why or Message("there is no closed form"))
 
 
-def _has(world: World, values: Sequence[Expr]) -> bool:
+def has_values(world: World, values: Sequence[Expr]) -> bool:
     """Whether all values are real numbers there."""
     try:
         return all(math.isfinite(x) for value in values for x in world.of(value))
@@ -96,14 +101,7 @@ def _solved(context: Context, script: Script, question: Question, formula: Expr,
     quantity = question.quantity.wanted
     assert quantity is not None
     when = "event" if question.event is not None else "start" if question.at_start else "always"
-    ends = [""] if len(values) == 1 else [str(k + 1) for k in range(len(values))]
-    names = [context.symbol(f"{quantity.parameter}_req{end}", f"{quantity.parameter}_asked{end}") for end in ends]
-    what = Sentence("symbol.asked", {"question": question.text})
-    number = _Refined(context.system, question, quantity)
-    for name, value in zip(names, values, strict=True):
-        meaning = Meaning(name, what, number.reader(value), question.quantity.unit)
-        script.glossary.redefine(meaning)
-        script.add(Legend(((name, what, question.quantity.unit),)))
+    names = introduced(context, script, question, values, _Refined(context.system, question, quantity).reader)
     lines: list[int] = []
     for name in names:
         put_in = substitute(formula, {quantity.parameter: name})
@@ -112,6 +110,25 @@ def _solved(context: Context, script: Script, question: Question, formula: Expr,
         lines.append(script.line(put_in, quantity.target, why=why, args=args, when=when))
     sides = (names[0], values[0]) if len(names) == 1 else (tuple(names), tuple(values))
     script.line(*sides, why="turned.solved", args={"lines": tuple(lines)}, uses=tuple(lines), when=when)
+
+
+def introduced(
+    context: Context,
+    script: Script,
+    question: Question,
+    values: Sequence[Expr],
+    reader: Callable[[Expr], Callable[[World], float]],
+) -> list[Symbol]:
+    """Symbols for the values that are asked for. reader: how the numeric route finds one."""
+    quantity = question.quantity.wanted
+    assert quantity is not None
+    ends = [""] if len(values) == 1 else [str(k + 1) for k in range(len(values))]
+    names = [context.symbol(f"{quantity.parameter}_req{end}", f"{quantity.parameter}_asked{end}") for end in ends]
+    what = Sentence("symbol.asked", {"question": question.text})
+    for name, value in zip(names, values, strict=True):
+        script.glossary.redefine(Meaning(name, what, reader(value), question.quantity.unit))
+        script.add(Legend(((name, what, question.quantity.unit),)))
+    return names
 
 
 @dataclass(frozen=True)
