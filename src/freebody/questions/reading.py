@@ -41,9 +41,13 @@ from freebody.questions.spoken.understanding import understood
 from freebody.questions.sudden import by_blows
 from freebody.questions.turned_round import (
     EXTREME_FOR,
+    INFINITE,
+    LIMIT,
     REACHED,
     SO,
     VALUE_FOR,
+    LimitOf,
+    LimitOfOnTheWay,
     RangeFor,
     RangeForAtRest,
     RangeForOnTheWay,
@@ -207,6 +211,9 @@ def _asked(names: Names, phrase: str, when: object) -> _Asked | None:
         least = extreme is not None and extreme["least"] is not None
         end = "" if extreme is None else "least" if least else "largest"
         return _turned_round(names, turned["parameter"], turned["relation"], when, end)
+    limit = LIMIT.match(phrase)
+    if limit is not None and limit["parameter"] in names.parameters and not phrase.lower().startswith("does "):
+        return _limit(names, limit, when)
     if when is not None:
         path: Path = ("when",)
         phrase, condition = _timed(phrase), _timed(f" {when}").removeprefix(" when ").strip()
@@ -333,6 +340,25 @@ def _reaching(names: Names, parameter: Parameter, event: str, end: Literal["", "
         parameter.name, of, placed.event.value, parameter.dimension, unit, event, relation=REACHED, end=end
     )
     return replace(placed, quantity=quantity)
+
+
+def _limit(names: Names, found: re.Match[str], when: object) -> _Asked | None:
+    """A quantity as a parameter tends to a value."""
+    parameter = names.parameters[found["parameter"]]
+    if parameter.form is not None:
+        names.problem(Message("{name} is no parameter.{hint}", name=parameter.name, hint=""), "find")
+        return None
+    value = "0" if found["small"] else (found["value"] or "").strip()
+    grows = found["large"] is not None or value in INFINITE
+    text = found["of"] + (found["timed"] or "")
+    asked = _asked(names, text, when)
+    if asked is None:
+        return None
+    target = ZERO if grows or value == "0" else names.formula(value, parameter.dimension, "find")
+    of = asked.quantity
+    kind = LimitOfOnTheWay if of.scope == "course" else LimitOf
+    end = "grows" if grows else ""
+    return replace(asked, quantity=kind(parameter.name, of, target, of.dimension, of.unit, text, end=end))
 
 
 def _happening(parameter: Parameter, happening: Happening, end: Literal["", "least", "largest"]) -> _Asked:

@@ -21,6 +21,7 @@ FORM = """value of PARAMETER for which QUANTITY = EXPRESSION [at start | when EV
     range of PARAMETER for which MEASURE reaches VALUE | for which BODY turns fully
     range of PARAMETER for which NAME stays taut | stays on NAME | rolls without slipping
     range of PARAMETER for which EVENT [before EVENT | at once], or the equilibrium is stable
+    QUANTITY as PARAMETER -> EXPRESSION | grows
     range of PARAMETER for which it tips before it slides as PARAMETER grows
     value of PARAMETER for which MEASURE just reaches VALUE"""
 _SO_THAT = "(?:for which|so that|such that|with which|at which)"
@@ -30,6 +31,15 @@ _LARGEST = r"(?P<largest>largest|greatest|maximum|maximal|highest|longest)"
 EXTREME_FOR = re.compile(
     rf"^(?:the )?(?:{_LEAST}|{_LARGEST}) (?:value of )?(?P<parameter>{NAME}) {_SO_THAT} (?P<relation>.+)$"
 )
+_TO = r"(?:->|→|tends? to|goes? to|approach(?:es)?)"
+_BEYOND = r"(?:without (?:bound|limit|end)|very large|large|infinite|beyond all bounds)"
+_LARGE = rf"(?:(?:grows?|increases?)(?: {_BEYOND})?|(?:becomes?|gets?|is) {_BEYOND})"
+LIMIT = re.compile(
+    rf"^(?:the )?(?:limit(?:ing value)? of (?:the )?)?(?P<of>.+?) (?:as|for|when|where|in the limit) (?:the )?"
+    rf"(?P<parameter>{NAME}) ?(?:{_TO} ?(?P<value>.+?)|(?P<large>{_LARGE})|(?P<small>vanishes|becomes (?:very )?small))"
+    rf"(?P<timed> at (?:the )?start| when .+| at t ?= ?.+| after .+)?$"
+)
+INFINITE = ("oo", "∞", "infinity", "inf", "+oo", "+∞")
 _WORDS = {
     "is positive": "> 0",
     "is negative": "< 0",
@@ -69,7 +79,7 @@ class ValueFor(Quantity, kind="value for"):
     shown_unit: str
     text: str = ""  # the quantity in words, with its event
     relation: str = "="
-    end: Literal["", "least", "largest"] = ""
+    end: Literal["", "least", "largest", "grows"] = ""
 
     example = """
 parameters: {m: 2 kg, F: 5 N, a: 3 m/s^2}
@@ -172,12 +182,38 @@ questions: {it: range of F for which acceleration of x > a}
 
 
 REACHED = "is reached"  # instead of a relation: the event of the question comes
+TENDS = "tends"  # the same: the quantity is asked for as the parameter tends to the target
 SO = "is so"  # the same: what is said of the motion, or of a state, is so
 _KEYS = {">": "above", ">=": "from", "<": "below", "<=": "up_to"}
 
 
 @dataclass(frozen=True)
 class RangeForOnTheWay(RangeFor):
+    """The same of what is counted from the start to an event."""
+
+    scope = "course"
+
+
+@dataclass(frozen=True)
+class LimitOf(ValueFor, kind="limit of"):
+    """To what a quantity tends as a parameter tends to the target, or (end: grows) grows without bound."""
+
+    relation: str = TENDS
+
+    example = """
+parameters: {m: 2 kg, M: 3 kg, F: 5 N}
+bodies: {ball: {particle: {mass: m + M}}}
+loads: {push: {force: {at: ball, along: right, magnitude: F}}}
+measures: {x: x of ball}
+questions: {it: acceleration of x as M -> 0}
+"""
+
+    def sentence(self, system: Described) -> Sentence | None:
+        return None
+
+
+@dataclass(frozen=True)
+class LimitOfOnTheWay(LimitOf):
     """The same of what is counted from the start to an event."""
 
     scope = "course"

@@ -6,9 +6,10 @@ import math
 from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
+from fractions import Fraction
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import FLOAT_FUNCTIONS, Expr, Symbol, evaluate, substitute
+from freebody.language.expression import FLOAT_FUNCTIONS, Expr, Symbol, evaluate, number, substitute
 from freebody.language.sentences import Message
 from freebody.narrative.contact.settings import has_phases
 from freebody.narrative.context import Context, Method
@@ -19,6 +20,7 @@ from freebody.numeric.reference import Reference
 from freebody.questions.base import Quantity, Wanted
 from freebody.questions.happening import Happening
 from freebody.questions.reading import Question
+from freebody.questions.turned_round import TENDS
 from freebody.study.answering.answer import Answer
 from freebody.study.answering.draws import Draw
 from freebody.study.answering.numbers import LONGEST, at_event, number_at
@@ -28,6 +30,7 @@ from freebody.study.answering.turned_round import with_others
 from freebody.system.system import System
 
 _ROOT = 1e-6  # of what the quantity changes by nearby: it has the wanted value
+_BESIDE = 1e-4  # of its own value: a parameter that is near its limit
 _STEP = 1e-4  # of the value: by so much it is changed to see how the quantity changes
 
 
@@ -51,6 +54,11 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
     stages = derivation_of(there.system, asked)(there, asked, given, method)
     numbers = [item.number for stage in stages for item in stage.items if isinstance(item, NumberedFormula)]
     values = answer.expression if isinstance(answer.expression, tuple) else (answer.expression,)
+    if quantity.relation == TENDS:
+        script = Script(there.glossary, max([context.next_number - 1, *numbers]) + 1)
+        with script.stage("stage.limit", "hint.limit", name=quantity.parameter):
+            _tends(there, script, question, formula, values[0])
+        return [*stages, *script.stages]
     if quantity.relation != "=" and not _are_roots(there, quantity, formula, values):
         raise CannotAnswer(Message("the ends of the range are where the formula of the quantity stops to be true"))
     glossary = there.glossary.where(lambda world: has_values(world, values))
@@ -58,6 +66,30 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
     with script.stage("stage.turned", "hint.turned", name=quantity.parameter):
         _solved(there, script, question, formula, values)
     return [*stages, *script.stages]
+
+
+def _tends(context: Context, script: Script, question: Question, formula: Expr, value: Expr) -> None:
+    """The limit of the formula; its second opinion is the formula at two parameters near it, extrapolated."""
+    quantity = question.quantity.wanted
+    assert quantity is not None
+    name, parameter = context.symbol("Q_lim", "Q_limit"), quantity.parameter
+
+    def near(world: World) -> float:
+        own = abs(world.draw.values[parameter]) or 1.0
+        at = float(world.of(quantity.target)[0])
+        found: list[float] = []
+        for share in (_BESIDE, _BESIDE / 2):
+            way = -1.0 if at and context.system.parameters[parameter].acute else 1.0
+            x = own / share if quantity.end == "grows" else at + way * share * own
+            found.append(float(world.of(substitute(formula, {parameter: number(Fraction(x))}))[0]))
+        return 2.0 * found[1] - found[0]
+
+    what = Sentence("symbol.asked", {"question": question.text})
+    script.glossary.redefine(Meaning(name, what, near, question.quantity.unit))
+    script.add(Legend(((name, what, question.quantity.unit),)))
+    when = "event" if question.event is not None else "start" if question.at_start else "always"
+    key = "turned.limit_grows" if quantity.end == "grows" else "turned.limit"
+    script.line(name, value, why=key, args={"name": f"@{parameter}", "target": quantity.target}, when=when)
 
 
 def _are_roots(context: Context, quantity: Wanted, formula: Expr, values: Sequence[Expr]) -> bool:

@@ -31,7 +31,9 @@ _SOON = 1e-7  # [s] in which what is there at once shows
 
 
 def is_seen(system: System, happening: Happening, touching: frozenset[str], values: Mapping[str, float]) -> bool:
-    """Whether it is so at values of the parameters. touching: bounds that touch at the start. Raises CannotAnswer where the simulated motion does not tell: it ends too early, or two things
+    """Whether it is so at values of the parameters. touching: bounds that touch at the start.
+
+    Raises CannotAnswer where the simulated motion does not tell: it ends too early, or two things
     come so close together that the looks do not tell them apart."""
     if happening.at_once:
         if isinstance(happening.what, Transition) and happening.what.kind == "rolls":
