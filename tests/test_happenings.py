@@ -98,7 +98,7 @@ start: {x: 0, y: 0, rate(x): v0*cos(theta), rate(y): v0*sin(theta)}
 
 # model, question, ends, the range in words
 CASES = {
-    # S = m (L w^2 + g cos), w^2 = w0^2 - 2 g (1 - cos)/L: either it does not pass the horizontal, or it is taut at the top
+    # S = m (L w^2 + g cos), w^2 = w0^2 - 2 g (1 - cos)/L: it stays below the horizontal, or is taut at the top
     "string": (STRING, "range of w0 for which rope stays taut", ["sqrt(2*g/L)", "sqrt(5*g/L)"], "≤ √(2·g/L) or w₀ ≥"),
     "string, length": (STRING, "range of L for which rope never goes slack", ["2*g/w0^2", "5*g/w0^2"], "≤"),
     # 3 cos(phi) = 2 + v0^2/(g R), at phi = 30 deg

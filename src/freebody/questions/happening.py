@@ -89,7 +89,9 @@ _STATES: tuple[tuple[str, LastingKind], ...] = (
     (r"(?:does not|never) (?:slips?|slides?)(?: (?:as|while) it rolls)?", "rolls"),
     (rf"{_STAYS} rolling(?: without (?:slip|slipping|sliding))?", "rolls"),
 )
-_LASTING = tuple((re.compile(rf"^{_SUBJECT} {pattern}$"), kind) for pattern, kind in _STATES)
+_LASTING: list[tuple[re.Pattern[str], LastingKind]] = [
+    (re.compile(rf"^{_SUBJECT} {pattern}$"), kind) for pattern, kind in _STATES
+]
 _NO_SLIP = re.compile(r"^(?:there is no slip(?:ping)?|no slip(?:ping)?|without slip(?:ping)?)$")
 _NEVER = re.compile(
     rf"^(?P<who>it|the motion|(?:the )?{NAME}) (?:does not|do not|never|will not) (?P<verb>\w+)(?P<rest>.*)$"
