@@ -42,10 +42,14 @@ from freebody.questions.sudden import by_blows
 from freebody.questions.turned_round import (
     EXTREME_FOR,
     INFINITE,
+    IS_EXTREMAL,
     LIMIT,
+    OVER_PARAMETER,
     REACHED,
     SO,
     VALUE_FOR,
+    ExtremalFor,
+    ExtremalForOnTheWay,
     LimitOf,
     LimitOfOnTheWay,
     RangeFor,
@@ -211,6 +215,9 @@ def _asked(names: Names, phrase: str, when: object) -> _Asked | None:
         least = extreme is not None and extreme["least"] is not None
         end = "" if extreme is None else "least" if least else "largest"
         return _turned_round(names, turned["parameter"], turned["relation"], when, end)
+    over = OVER_PARAMETER.match(phrase)
+    if over is not None and over["parameter"] in names.parameters:
+        return _extremal(names, names.parameters[over["parameter"]], over, when, asks_place=False)
     limit = LIMIT.match(phrase)
     if limit is not None and limit["parameter"] in names.parameters and not phrase.lower().startswith("does "):
         return _limit(names, limit, when)
@@ -247,6 +254,9 @@ def _turned_round(
         names.unknown(name, told, "find")
         return None
     relation, is_just = without_just(_timed(relation))
+    extremal = IS_EXTREMAL.match(relation)
+    if extremal is not None and not end:
+        return _extremal(names, parameter, extremal, when, asks_place=True)
     inequality = inequality_of(relation)
     if inequality is not None:
         return _range(names, parameter, inequality, when, end)
@@ -340,6 +350,22 @@ def _reaching(names: Names, parameter: Parameter, event: str, end: Literal["", "
         parameter.name, of, placed.event.value, parameter.dimension, unit, event, relation=REACHED, end=end
     )
     return replace(placed, quantity=quantity)
+
+
+def _extremal(
+    names: Names, parameter: Parameter, found: re.Match[str], when: object, *, asks_place: bool
+) -> _Asked | None:
+    """The value of a parameter for which a quantity is largest or least, or the quantity there."""
+    text = found["of"] + (found["timed"] or "")
+    asked = _asked(names, text, when)
+    if asked is None:
+        return None
+    of, end = asked.quantity, "largest" if found["largest"] else "least"
+    kind = ExtremalForOnTheWay if of.scope == "course" else ExtremalFor
+    unit = "rad" if parameter.is_angle else str(parameter.dimension)
+    measured, shown = (parameter.dimension, unit) if asks_place else (of.dimension, of.unit)
+    quantity = kind(parameter.name, of, ZERO, measured, shown, text, end=end, asks_place=asks_place)
+    return replace(asked, quantity=quantity)
 
 
 def _limit(names: Names, found: re.Match[str], when: object) -> _Asked | None:

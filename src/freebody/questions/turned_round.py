@@ -22,6 +22,7 @@ FORM = """value of PARAMETER for which QUANTITY = EXPRESSION [at start | when EV
     range of PARAMETER for which NAME stays taut | stays on NAME | rolls without slipping
     range of PARAMETER for which EVENT [before EVENT | at once], or the equilibrium is stable
     QUANTITY as PARAMETER -> EXPRESSION | grows
+    value of PARAMETER for which QUANTITY is largest | least      largest | least QUANTITY over PARAMETER
     range of PARAMETER for which it tips before it slides as PARAMETER grows
     value of PARAMETER for which MEASURE just reaches VALUE"""
 _SO_THAT = "(?:for which|so that|such that|with which|at which)"
@@ -38,6 +39,17 @@ LIMIT = re.compile(
     rf"^(?:the )?(?:limit(?:ing value)? of (?:the )?)?(?P<of>.+?) (?:as|for|when|where|in the limit) (?:the )?"
     rf"(?P<parameter>{NAME}) ?(?:{_TO} ?(?P<value>.+?)|(?P<large>{_LARGE})|(?P<small>vanishes|becomes (?:very )?small))"
     rf"(?P<timed> at (?:the )?start| when .+| at t ?= ?.+| after .+)?$"
+)
+_WHICH = (
+    r"(?:(?P<largest>largest|greatest|maximum|maximal|highest|longest)|(?P<least>least|smallest|minimum|minimal|lowest"
+    r"|shortest))"
+)
+IS_EXTREMAL = re.compile(
+    rf"^(?P<of>.+?) (?:is|becomes) (?:the |a |at (?:its|a) )?{_WHICH}(?P<timed> at (?:the )?start| when .+)?$"
+)
+OVER_PARAMETER = re.compile(
+    rf"^(?:the )?{_WHICH}(?: value)?(?: of)? (?:the )?(?P<of>.+?) over (?:all )?(?:the )?(?P<parameter>{NAME})"
+    r"(?P<timed> at (?:the )?start| when .+)?$"
 )
 INFINITE = ("oo", "∞", "infinity", "inf", "+oo", "+∞")
 _WORDS = {
@@ -183,12 +195,40 @@ questions: {it: range of F for which acceleration of x > a}
 
 REACHED = "is reached"  # instead of a relation: the event of the question comes
 TENDS = "tends"  # the same: the quantity is asked for as the parameter tends to the target
+EXTREMAL = "is extremal"  # the same: the quantity is largest, or least, at the value that is asked for
 SO = "is so"  # the same: what is said of the motion, or of a state, is so
 _KEYS = {">": "above", ">=": "from", "<": "below", "<=": "up_to"}
 
 
 @dataclass(frozen=True)
 class RangeForOnTheWay(RangeFor):
+    """The same of what is counted from the start to an event."""
+
+    scope = "course"
+
+
+@dataclass(frozen=True)
+class ExtremalFor(ValueFor, kind="extremal for"):
+    """The value of a parameter for which a quantity is largest or least, or (not asks_place) the quantity there."""
+
+    relation: str = EXTREMAL
+    asks_place: bool = True
+
+    example = """
+parameters: {v: 12 m/s, alpha: 40 deg, g: 9.81 m/s^2}
+bodies: {ball: {particle: {mass: 1 kg}}}
+loads: {weight: {gravity: g}}
+measures: {x: x of ball, y: y of ball}
+start: {x: 0, y: 0, rate(x): v*cos(alpha), rate(y): v*sin(alpha)}
+questions: {it: value of alpha for which x when y = 0 is largest}
+"""
+
+    def sentence(self, system: Described) -> Sentence | None:
+        return None
+
+
+@dataclass(frozen=True)
+class ExtremalForOnTheWay(ExtremalFor):
     """The same of what is counted from the start to an event."""
 
     scope = "course"

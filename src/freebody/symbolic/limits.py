@@ -63,7 +63,7 @@ class Approach:
             self._power = power
             self._grown = None
             try:
-                found = self._without_exponentials(self._put(x))
+                found = self._without_exponentials(self.put(x))
             except _RootOfNothing as error:
                 why = error
                 continue
@@ -86,7 +86,7 @@ class Approach:
 
     # -- the parameter put in -----------------------------------------------------------------
     @property
-    def _d(self) -> Ratio:
+    def small(self) -> Ratio:
         """The small number; its rate is one, so that all that is made of it knows its derivative."""
         f = self.model.field
         return f.generator(Generator(Symbol("@near"), "parameter", True), f.one, key=("near",))
@@ -112,18 +112,18 @@ class Approach:
         n = len(top) - len(below)
         return found if n == 0 else Tendency(found.coefficient, -math.inf if n > 0 else math.inf)
 
-    def _put(self, x: Ratio) -> Ratio:
-        f, d = self.model.field, self._d**self._power
+    def put(self, x: Ratio) -> Ratio:
+        f, d = self.model.field, self.small**self._power
         place = 1 / d if self.value is None else self.value + self.way * d
         values: dict[int, Ratio] = {self.index: place}
 
-        def put(part: Ratio) -> Ratio:
+        def followed(part: Ratio) -> Ratio:
             for g in sorted(part.generators()):
                 if g not in values and self.index in f.generators[g].made_of:
-                    values[g] = self._remade(g, put)
+                    values[g] = self._remade(g, followed)
             return f.substitute(part, values)
 
-        return put(x)
+        return followed(x)
 
     def _remade(self, g: int, put: Callable[[Ratio], Ratio]) -> Ratio:
         f = self.model.field
@@ -168,7 +168,7 @@ class Approach:
                 raise CannotAnswer(Message("it has no value there"))
             if found.exponent:
                 n = int(found.exponent)
-                return n * self._log + fn["log"](f.lowest_terms(u / self._d**n))
+                return n * self._log + fn["log"](f.lowest_terms(u / self.small**n))
             return None
         if found is None or found.exponent >= 0:
             return None
@@ -194,7 +194,7 @@ class Approach:
     def _first(self, x: Ratio) -> tuple[Ratio, int]:
         """The first coefficient of the powers of d that does not vanish, and its power."""
         f = self.model.field
-        d = f.index(self._d)
+        d = f.index(self.small)
         if not any(d in f.generators[g].made_of for g in x.generators()):
             parts = x.coefficients(d)
             k = next(k for k, part in enumerate(parts) if not part.is_zero())
@@ -221,3 +221,11 @@ class Approach:
 
 class _RootOfNothing(CannotAnswer):
     """A root has no whole power of d."""
+
+
+def derivative_by(model: SymbolicModel, x: Ratio, index: int) -> Ratio:
+    """The derivative of an element by a parameter, in all functions that stand in it: that of x(P + d) at d = 0."""
+    f = model.field
+    near = Approach(model, index, f.variable(index))
+    d, moved = near.small, near.put(x)
+    return f.lowest_terms(f.follow(f.derivative(moved, f.index(d)), {f.index(d): f.zero}))

@@ -16,17 +16,20 @@ from freebody.narrative.context import Context, Method
 from freebody.narrative.kinds import derivation_of
 from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.script import DerivationStage, Legend, NumberedFormula, Script, Sentence
+from freebody.narrative.principles.sides import parted
 from freebody.numeric.reference import Reference
 from freebody.questions.base import Quantity, Wanted
 from freebody.questions.happening import Happening
 from freebody.questions.reading import Question
-from freebody.questions.turned_round import TENDS
+from freebody.questions.turned_round import TENDS, ExtremalFor
 from freebody.study.answering.answer import Answer
 from freebody.study.answering.draws import Draw
 from freebody.study.answering.numbers import LONGEST, at_event, number_at
 from freebody.study.answering.simulated_numbers import number_with_changes
 from freebody.study.answering.solve import solve
 from freebody.study.answering.turned_round import with_others
+from freebody.symbolic.limits import derivative_by
+from freebody.symbolic.relations import readable
 from freebody.system.system import System
 
 _ROOT = 1e-6  # of what the quantity changes by nearby: it has the wanted value
@@ -59,6 +62,11 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
         with script.stage("stage.limit", "hint.limit", name=quantity.parameter):
             _tends(there, script, question, formula, values[0])
         return [*stages, *script.stages]
+    if isinstance(quantity, ExtremalFor):
+        script = Script(there.glossary, max([context.next_number - 1, *numbers]) + 1)
+        with script.stage("stage.extremal", "hint.extremal", name=quantity.parameter):
+            _stationary(there, script, question, quantity, formula, values[0])
+        return [*stages, *script.stages]
     if quantity.relation != "=" and not _are_roots(there, quantity, formula, values):
         raise CannotAnswer(Message("the ends of the range are where the formula of the quantity stops to be true"))
     glossary = there.glossary.where(lambda world: has_values(world, values))
@@ -66,6 +74,32 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
     with script.stage("stage.turned", "hint.turned", name=quantity.parameter):
         _solved(there, script, question, formula, values)
     return [*stages, *script.stages]
+
+
+def _stationary(
+    context: Context, script: Script, question: Question, quantity: ExtremalFor, formula: Expr, value: Expr
+) -> None:
+    """The slope of the formula, and where it vanishes."""
+    name, place = quantity.parameter, value
+    if not quantity.asks_place:
+        where = replace(question, quantity=replace(quantity, asks_place=True), options={}, key=None)
+        (found,) = solve(replace(context.system, questions=(where,))).answers
+        if not isinstance(found.expression, Expr):
+            raise CannotAnswer(found.reason or Message("there is no closed form"))
+        place = found.expression
+    model = context.setup.model
+    slope = derivative_by(model, model.geometry.scalar(formula), model.field.index(model.parameters[name]))
+    unit = "rad" if context.system.parameters[name].is_angle else str(context.system.parameters[name].dimension)
+    symbol, what = context.symbol(f"{name}_req", f"{name}_asked"), Sentence("symbol.asked", {"question": question.text})
+    script.glossary.redefine(Meaning(symbol, what, lambda world: float(world.of(place)[0]), unit))
+    script.add(Legend(((symbol, what, unit),)))
+    left, right = parted(substitute(readable(slope.numerator()), {name: symbol}))
+    when = "event" if question.event is not None else "start" if question.at_start else "always"
+    line = script.line(left, right, why="turned.stationary", args={"name": f"@{name}"}, when=when)
+    solved = script.line(symbol, place, why="turned.solved", args={"lines": (line,)}, uses=(line,), when=when)
+    if not quantity.asks_place:
+        there = substitute(formula, {name: symbol})
+        script.line(there, value, why="turned.there", args={"lines": (solved,)}, uses=(solved,), when=when)
 
 
 def _tends(context: Context, script: Script, question: Question, formula: Expr, value: Expr) -> None:

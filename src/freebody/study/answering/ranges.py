@@ -25,7 +25,7 @@ from freebody.numeric.reference import Reference
 from freebody.questions.base import Wanted
 from freebody.questions.happening import FailsFirst, Happening
 from freebody.questions.reading import Question
-from freebody.questions.turned_round import REACHED, SO, TENDS
+from freebody.questions.turned_round import EXTREMAL, REACHED, SO, TENDS
 from freebody.study.answering.answer import Evidence
 from freebody.study.answering.conditions import real
 from freebody.study.answering.crosscheck import INSTANT_TOLERANCE, MIN_DRAWS, MOTION_TOLERANCE, CrossCheck, element_at
@@ -91,6 +91,10 @@ def solved_for(setup: Setup, question: Question, formulas: Sequence[Formula]) ->
     assert wanted is not None
     if wanted.relation == TENDS:
         return find_limit(setup, question, formulas)
+    if wanted.relation == EXTREMAL:
+        from freebody.study.answering.extremal import find_extremal
+
+        return find_extremal(setup, question, formulas)
     return (find if wanted.relation == "=" else find_range)(setup, question, formulas)
 
 
@@ -99,10 +103,12 @@ def find_range(setup: Setup, question: Question, formulas: Sequence[Formula]) ->
     form, NoneFound where there is no such value."""
     wanted = question.quantity.wanted
     assert wanted is not None
-    return _Search(setup, question, wanted, formulas).finding()
+    return RangeSearch(setup, question, wanted, formulas).finding()
 
 
-class _Search:
+class RangeSearch:
+    """Where the truth can change, and what it is in between."""
+
     def __init__(self, setup: Setup, question: Question, wanted: Wanted, formulas: Sequence[Formula]) -> None:
         self.setup, self.question, self.wanted = setup, question, wanted
         self.model, self.field = setup.model, setup.model.field
@@ -142,13 +148,13 @@ class _Search:
             return
         equation, _one_side = without_roots(x, self.index)
         for base, _exponent in f.factor(equation.num)[1]:
-            if self.index not in f.ingredients(base):
+            if self.index not in f.ingredients(base) or _has_one_sign(base):
                 continue
             places = zeros_of(self.model, base, self, quadratic=True)
             places = places or [values[self.index] for values in solutions(f, base, self.index)]
             degree = len(base.coefficients(self.index)) - 1
             made = [g for g in base.generators() if self.index in f.generators[g].made_of]
-            if not places and not _has_one_sign(base):
+            if not places:
                 zero = compared(tidy(base), "=", tidy(f.zero))
                 why = Message(
                     "the equation {equation} is not solved for {name} in closed form",
