@@ -20,10 +20,11 @@ from freebody.questions.reading import Question
 from freebody.questions.turned_round import ExtremalFor
 from freebody.study.answering.answer import Evidence
 from freebody.study.answering.conditions import real
-from freebody.study.answering.crosscheck import MOTION_TOLERANCE, CrossCheck, element_at, holds
+from freebody.study.answering.crosscheck import MOTION_TOLERANCE, CrossCheck, as_parts, element_at, holds
 from freebody.study.answering.draws import Draw
 from freebody.study.answering.finding import Finding
 from freebody.study.answering.magnitude import magnitude
+from freebody.study.answering.numbers import number_at
 from freebody.study.answering.ranges import RangeSearch
 from freebody.study.answering.turned_round import Formula, PutBack, domain_of, quantity_with
 from freebody.study.setup import Setup
@@ -35,6 +36,7 @@ from freebody.symbolic.tidy import tidy
 
 _WAVES = {"acos": "cos", "asin": "sin", "atan": "tan"}
 _TWELFTHS = (2, 3, 4, 1, 5, 0)  # of pi: angles of the first quadrant
+_LINEARISED = 1e-5  # relative: what is found by a numerical linearisation
 _BESIDE = 0.02  # of the value: beside it the quantity is less
 
 
@@ -158,13 +160,15 @@ def _evidence(
     wanted = question.quantity.wanted
     assert wanted is not None
     route = Message("the value put in for the parameter, and values beside it, each by the numeric route")
-    check = CrossCheck(question.text, route, MOTION_TOLERANCE)
+    check = CrossCheck(question.text, route, MOTION_TOLERANCE if wanted.of.is_of_state else _LINEARISED)
 
     def numeric(draw: Draw, k: int, value: float) -> tuple[PutBack, float]:
         values = draw.values | {wanted.parameter: value}
         reference = Reference(setup.system, values)
         made = PutBack(k, Draw(values, reference, reference.assemble(guess=draw.q, n_starts=2)), 1.0)
-        return made, float(quantity_with(setup, question, wanted.of, formula, made))
+        if wanted.of.is_of_state:
+            return made, float(quantity_with(setup, question, wanted.of, formula, made))
+        return made, as_parts(number_at(setup, wanted.of, question.event, made.draw))[0]
 
     def compare(item: tuple[int, Draw]) -> None:
         k, draw = item
