@@ -7,10 +7,10 @@ range of v0 for which tension of rope >= 0 when theta = 180 deg        least v0 
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
-from freebody.language.expression import Expr, Symbol
+from freebody.language.expression import ZERO, Expr, Symbol
 from freebody.language.sentences import Argument, Sentence
 from freebody.language.units import Dimension
 from freebody.questions.base import NAME, Described, Quantity, Wanted
@@ -92,6 +92,7 @@ class ValueFor(Quantity, kind="value for"):
     text: str = ""  # the quantity in words, with its event
     relation: str = "="
     end: Literal["", "least", "largest", "grows"] = ""
+    asks_place: bool = True  # whether it is the parameter that is asked for, and not the quantity there
 
     example = """
 parameters: {m: 2 kg, F: 5 N, a: 3 m/s^2}
@@ -112,6 +113,12 @@ questions: {it: value of F for which acceleration of x = a}
     @property
     def wanted(self) -> Wanted:
         return self
+
+    def asking(self, *, relation: str | None = None, asks_place: bool = True) -> ValueFor:
+        """The same quantity asked about in another way: with a relation to zero, or for the place."""
+        if relation is None:
+            return replace(self, asks_place=asks_place)
+        return replace(self, target=ZERO, relation=relation, end="")
 
     @property
     def inner(self) -> tuple[Quantity, ...]:
@@ -212,7 +219,6 @@ class ExtremalFor(ValueFor, kind="extremal for"):
     """The value of a parameter for which a quantity is largest or least, or (not asks_place) the quantity there."""
 
     relation: str = EXTREMAL
-    asks_place: bool = True
 
     example = """
 parameters: {v: 12 m/s, alpha: 40 deg, g: 9.81 m/s^2}

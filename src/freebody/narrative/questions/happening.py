@@ -141,8 +141,7 @@ def _at(system: System, question: Question, event: Transition | AskedEvent | Las
     its_own = event.measure if isinstance(event, QuestionEvent) else None
     others = [(name, measure) for name, measure in system.measures.items() if measure != its_own]
     places = [(name, OfMeasure(measure, 0, name)) for name, measure in others]
-    for name, quantity in (("time", When()), *places):
-        id = "Q" if isinstance(quantity, When) else f"{name}_event"
+    for id, name, quantity in (("Q", "time", When()), *((f"{name}_event", name, place) for name, place in places)):
         asked = replace(question, id=id, quantity=quantity, text=f"{name} when {event.text}", options={}, key=None)
         if isinstance(event, Transition):
             yield replace(asked, transition=event, event=None)

@@ -21,7 +21,7 @@ from freebody.numeric.reference import Reference
 from freebody.questions.base import Quantity, Wanted
 from freebody.questions.happening import Happening
 from freebody.questions.reading import Question
-from freebody.questions.turned_round import TENDS, ExtremalFor
+from freebody.questions.turned_round import EXTREMAL, TENDS
 from freebody.study.answering.answer import Answer
 from freebody.study.answering.draws import Draw
 from freebody.study.answering.numbers import LONGEST, at_event, number_at
@@ -62,7 +62,7 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
         with script.stage("stage.limit", "hint.limit", name=quantity.parameter):
             _tends(there, script, question, formula, values[0])
         return [*stages, *script.stages]
-    if isinstance(quantity, ExtremalFor):
+    if quantity.relation == EXTREMAL:
         script = Script(there.glossary, max([context.next_number - 1, *numbers]) + 1)
         with script.stage("stage.extremal", "hint.extremal", name=quantity.parameter):
             _stationary(there, script, question, quantity, formula, values[0])
@@ -77,12 +77,12 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
 
 
 def _stationary(
-    context: Context, script: Script, question: Question, quantity: ExtremalFor, formula: Expr, value: Expr
+    context: Context, script: Script, question: Question, quantity: Wanted, formula: Expr, value: Expr
 ) -> None:
     """The slope of the formula, and where it vanishes."""
     name, place = quantity.parameter, value
     if not quantity.asks_place:
-        where = replace(question, quantity=replace(quantity, asks_place=True), options={}, key=None)
+        where = replace(question, quantity=quantity.asking(), options={}, key=None)
         (found,) = solve(replace(context.system, questions=(where,))).answers
         if not isinstance(found.expression, Expr):
             raise CannotAnswer(found.reason or Message("there is no closed form"))

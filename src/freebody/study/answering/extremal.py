@@ -11,13 +11,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import ZERO, Symbol
+from freebody.language.expression import Symbol
 from freebody.language.notation import compared, reworded
 from freebody.language.sentences import Message
 from freebody.numeric.reference import Reference
 from freebody.questions.base import Wanted
 from freebody.questions.reading import Question
-from freebody.questions.turned_round import ExtremalFor
 from freebody.study.answering.answer import Evidence
 from freebody.study.answering.conditions import real
 from freebody.study.answering.crosscheck import MOTION_TOLERANCE, CrossCheck, as_parts, element_at, holds
@@ -96,7 +95,6 @@ def find_extremal(setup: Setup, question: Question, formulas: Sequence[Formula])
     notes = [reworded(told, shown)]
     if setup.system.parameters[wanted.parameter].value is not None:
         notes.append(Message("the number that the file gives for {name} is left out", name=wanted.parameter))
-    assert isinstance(wanted, ExtremalFor)
     element = place if wanted.asks_place else there
     return Finding(
         element, evidence, [*conditions, *real(element)], notes, has_value=setup.has_values, is_complete=True
@@ -121,8 +119,7 @@ def _plain(place: Ratio) -> Ratio:
 def _search(
     setup: Setup, question: Question, wanted: Wanted, formula: Formula, slope: Ratio, relation: str
 ) -> RangeSearch:
-    assert isinstance(wanted, ExtremalFor)
-    side = replace(wanted, target=ZERO, relation=relation, end="")
+    side: Wanted = wanted.asking(relation=relation)
     return RangeSearch(setup, question, side, [replace(formula, element=slope)])
 
 
