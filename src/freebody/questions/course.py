@@ -190,7 +190,7 @@ def read_transition(names: Names, text: str, path: Path) -> Transition | None:
     sided = side_of_blow(text)
     if sided is not None:
         side, name = sided
-        of = () if name is None else (name,) if name in names.impulses else _connections(names, name, path)
+        of = () if name is None else (name,) if name in names.impulses else connections_of(names, name, path)
         return Transition("before" if side == "before" else "after", of, text)
     for pattern, kind in _TRANSITIONS:
         found = pattern.match(text.strip())

@@ -238,11 +238,6 @@ def _asked(names: Names, phrase: str, when: object) -> _Asked | None:
     return _meant(names, phrase, condition, at_start, path)
 
 
-def _is_relation(text: str) -> bool:
-    """Whether a text says something of a quantity, an event or a link that can be so for values of a parameter."""
-    return bool(_SIGN.search(text) or re.fullmatch(TURNS_FULLY, text)) or reached_in(text) is not None
-
-
 def _turned_round(
     names: Names, name: str, relation: str, when: object, end: Literal["", "least", "largest"]
 ) -> _Asked | None:
