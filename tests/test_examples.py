@@ -263,6 +263,14 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
         "strength": "R*(S - m*g)/(2*m*g)",
         "top": "m*g*(2*h - 5*R)/R",
     },
+    # x = v0^2 sin(2 theta)/g, y = v0^2 sin(theta)^2/(2 g)
+    "farthest_throw": {"angle": "pi/4", "farthest": "v0**2/g", "upright": "0", "height": "v0**2/(2*g)"},
+    # S = m (L w^2 + g cos(theta)), w^2 = w0^2 - 2 g (1 - cos(theta))/L: slack between the side and the top
+    "ball_on_string_stays_taut": {
+        "taut": ["sqrt(2*g/L)", "sqrt(5*g/L)"],
+        "length": ["2*g/w0**2", "5*g/w0**2"],
+        "strength": "sqrt((S - m*g)/(m*L))",
+    },
     # tan(psi_2) = cos(alpha) tan(psi), differentiated (exercise sheet 7.8)
     "cardan_joint": {
         "omega_2": "rate(psi)*cos(alpha)/(cos(alpha)**2 + sin(alpha)**2*cos(psi)**2)",

@@ -292,3 +292,39 @@ def test_german() -> None:
     assert "Nach theta aufgelöst" in words
     assert "die Zahl, die in der Datei für theta steht, bleibt außer Betracht" in words
     assert "left out" not in words
+
+
+RESISTED = """
+parameters: {m: 2 kg, g: 9.81 m/s^2, k: 0.05 kg/m, v0: 25 m/s, h: 20 m}
+bodies: {ball: {particle: {mass: m}}}
+loads: {weight: {gravity: g}, air: {force: {at: ball, along: up, magnitude: -k*rate(y)*abs(rate(y))}}}
+measures: {y: y of ball}
+start: {y: 0, rate(y): v0}
+"""
+FALLING = """
+parameters: {m: 2 kg, g: 9.81 m/s^2, c: 0.8 kg/s, T: 2 s, v1: 5 m/s}
+bodies: {ball: {particle: {mass: m}}}
+loads: {weight: {gravity: g}, air: {force: {at: ball, along: up, magnitude: -c*rate(y)}}}
+measures: {y: y of ball}
+start: {y: 0, rate(y): 0}
+"""
+
+
+@pytest.mark.parametrize(
+    ("model", "find", "formula"),
+    [
+        # m v dv/dy = -m g - k v^2: h = m/(2 k) log(1 + k v0^2/(m g))
+        (RESISTED, "value of v0 for which y = h when velocity of y = 0", "sqrt(m*g/k*(exp(2*k*h/m) - 1))"),
+        (RESISTED, "value of v0 for which y when velocity of y = 0 is 20 m", "sqrt(m*g/k*(exp(2*k*20/m) - 1))"),
+        # v1 = (m g/c) (1 - exp(-c T/m))
+        (FALLING, "value of T for which velocity of y = -v1 at t = T", "m/c*log(m*g/(m*g - c*v1))"),
+    ],
+)
+def test_a_value_inside_of_a_logarithm_or_an_exponential_function(model: str, find: str, formula: str) -> None:
+    """Also that the sign of a logarithm is that of what its argument is beyond one, whatever the divisor in it."""
+    answer = _answer(model, find)
+    assert not isinstance(answer.expression, tuple)
+    assert _value(System.from_text(model), answer.expression) == pytest.approx(
+        _value(System.from_text(model), formula), rel=1e-12
+    )
+    assert answer.value is not None, answer.conditions

@@ -127,8 +127,17 @@ class Wanted(Protocol):
         ...
 
     @property
+    def asks_place(self) -> bool:
+        """Of a largest or least value: whether the parameter is asked for, and not the quantity there."""
+        ...
+
+    @property
     def text(self) -> str:
         """The quantity in words, with its event."""
+        ...
+
+    def asking(self, *, relation: str | None = None, asks_place: bool = True) -> Any:
+        """The same quantity asked about in another way: with a relation to zero, or for the place."""
         ...
 
 

@@ -190,7 +190,7 @@ def read_transition(names: Names, text: str, path: Path) -> Transition | None:
     sided = side_of_blow(text)
     if sided is not None:
         side, name = sided
-        of = () if name is None else (name,) if name in names.impulses else _connections(names, name, path)
+        of = () if name is None else (name,) if name in names.impulses else connections_of(names, name, path)
         return Transition("before" if side == "before" else "after", of, text)
     for pattern, kind in _TRANSITIONS:
         found = pattern.match(text.strip())
@@ -201,10 +201,10 @@ def read_transition(names: Names, text: str, path: Path) -> Transition | None:
             return Transition(kind, (), text)
         if name in names.measures:
             return None
-        of, on = _connections(names, name, path), found.groupdict().get("on")
+        of, on = connections_of(names, name, path), found.groupdict().get("on")
         is_line = on is not None and any(on in body.lines for body in names.bodies.values())
         if on is not None and not is_line:
-            both = _connections(names, on, path)
+            both = connections_of(names, on, path)
             if both and not set(of) & set(both):
                 told = Message("{name} and {other} have no contact with each other", name=name, other=on)
                 names.problem(told, *path)
@@ -213,7 +213,7 @@ def read_transition(names: Names, text: str, path: Path) -> Transition | None:
     return None
 
 
-def _connections(names: Names, name: str, path: Path) -> tuple[str, ...]:
+def connections_of(names: Names, name: str, path: Path) -> tuple[str, ...]:
     """The connection of a name, or those that touch the body of that name."""
     if name in names.connections:
         return (name,)

@@ -16,16 +16,16 @@ from typing import Any, Literal, cast
 from freebody.language.expression import ZERO, Expr
 from freebody.language.plain_text import plain
 from freebody.language.sentences import Message
-from freebody.language.units import TIME
-from freebody.measures.base import Measure
 from freebody.model.elements import Parameter
 from freebody.model.names import Names, did_you_mean
-from freebody.model.phrases import PHRASES, measure_of, phrase_text, read_measure
+from freebody.model.phrases import PHRASES, phrase_text, read_measure
 from freebody.questions import turned_round
 from freebody.questions.arithmetic import AtStart, read_calculated
 from freebody.questions.base import FORMS, Path, Quantity
-from freebody.questions.clock import ENDLESS, Clock, by_the_clock, time_asked
+from freebody.questions.clock import by_the_clock, time_asked
 from freebody.questions.course import Counted, Transition, When, as_condition, read_transition
+from freebody.questions.event import AskedEvent, QuestionEvent, read_event
+from freebody.questions.happening import Happening, read_happening
 from freebody.questions.linkages import TURNS_FULLY, full_turn
 from freebody.questions.motion import OfMeasure
 from freebody.questions.operands import (
@@ -36,33 +36,33 @@ from freebody.questions.operands import (
     ratio_as_quotient,
     without_start,
 )
+from freebody.questions.rest import asks_for_rest
 from freebody.questions.spoken.understanding import understood
 from freebody.questions.sudden import by_blows
 from freebody.questions.turned_round import (
     EXTREME_FOR,
+    INFINITE,
+    IS_EXTREMAL,
+    LIMIT,
+    OVER_PARAMETER,
     REACHED,
+    SO,
     VALUE_FOR,
+    ExtremalFor,
+    ExtremalForOnTheWay,
+    LimitOf,
+    LimitOfOnTheWay,
     RangeFor,
+    RangeForAtRest,
     RangeForOnTheWay,
+    RangeForSmallMotion,
     ValueFor,
     ValueForOnTheWay,
     inequality_of,
     reached_in,
     relation_of,
+    without_just,
 )
-
-
-@dataclass(frozen=True)
-class QuestionEvent:
-    """A measure (or its rate) reaches a value."""
-
-    measure: Measure
-    order: Literal[0, 1]
-    value: Expr
-    text: str
-
-
-AskedEvent = QuestionEvent | Clock
 
 
 @dataclass(frozen=True)
@@ -126,35 +126,6 @@ def read_calculation(names: Names, text: str, path: Path) -> Quantity | None:
             return None
         read[k] = quantity
     return read_calculated(names, text, read, path, operands.runs)
-
-
-def read_event(names: Names, text: str, path: Path) -> AskedEvent | None:
-    """The event that a condition states: x = d, theta' = 0, t = 2 s."""
-    time = None if "t" in names.measures else time_asked(text)
-    if time == "":
-        return Clock(None, ENDLESS)
-    if time is not None:
-        return Clock(names.formula(time, TIME, *path), text)
-    turning = re.match(r"^(?P<what>.+?) (?:turns (?:back|round|around)|reverses)$", text)
-    if turning is not None:
-        turned = measure_of(names, turning["what"], *path)
-        return None if turned is None else QuestionEvent(turned, 1, ZERO, text)
-    found = re.match(r"^(?P<what>.+?)\s*(?:=| reaches | is | equals )\s*(?P<value>.+)$", text)
-    if found is None:
-        names.problem(Message("cannot read the condition '{text}'; write for example x = h", text=text), *path)
-        return None
-    what = found["what"].strip()
-    order: Literal[0, 1] = 0
-    for pattern in (r"rate\((.+)\)", r"(?:rate|velocity|speed) of (.+)", r"(.+)'", r"(.+)_dot"):
-        inner = re.fullmatch(pattern, what)
-        if inner and what not in names.measures:
-            order, what = 1, inner[1].strip()
-            break
-    measure = measure_of(names, what, *path)
-    if measure is None:
-        return None
-    dimension = measure.dimension / TIME**order
-    return QuestionEvent(measure, order, names.formula(found["value"].strip(), dimension, *path), text)
 
 
 def read_questions(names: Names, given: Any) -> tuple[Question, ...]:
@@ -240,9 +211,6 @@ def _timed(phrase: str) -> str:
     return by_the_clock(by_blows(phrase))
 
 
-_SIGN = re.compile(r"[<>=≤≥]|\b(?:is|exceeds|exceed|stays below)\b")
-
-
 @dataclass(frozen=True)
 class _Asked:
     """A quantity, and when it is meant."""
@@ -256,13 +224,17 @@ class _Asked:
 def _asked(names: Names, phrase: str, when: object) -> _Asked | None:
     """What a phrase asks for. when: what the file says of it beside the phrase."""
     extreme = EXTREME_FOR.match(phrase)
-    if extreme is not None and not _is_relation(extreme["relation"]):
-        extreme = None  # of a state, such as that it stays at rest
     turned = extreme or VALUE_FOR.match(phrase)
-    if turned is not None:
+    if turned is not None and not asks_for_rest(phrase):
         least = extreme is not None and extreme["least"] is not None
         end = "" if extreme is None else "least" if least else "largest"
         return _turned_round(names, turned["parameter"], turned["relation"], when, end)
+    over = OVER_PARAMETER.match(phrase)
+    if over is not None and over["parameter"] in names.parameters:
+        return _extremal(names, names.parameters[over["parameter"]], over, when, asks_place=False)
+    limit = LIMIT.match(phrase)
+    if limit is not None and limit["parameter"] in names.parameters and not phrase.lower().startswith("does "):
+        return _limit(names, limit, when)
     if when is not None:
         path: Path = ("when",)
         phrase, condition = _timed(phrase), _timed(f" {when}").removeprefix(" when ").strip()
@@ -280,11 +252,6 @@ def _asked(names: Names, phrase: str, when: object) -> _Asked | None:
     return _meant(names, phrase, condition, at_start, path)
 
 
-def _is_relation(text: str) -> bool:
-    """Whether a text says something of a quantity, an event or a link that can be so for values of a parameter."""
-    return bool(_SIGN.search(text) or re.fullmatch(TURNS_FULLY, text)) or reached_in(text) is not None
-
-
 def _turned_round(
     names: Names, name: str, relation: str, when: object, end: Literal["", "least", "largest"]
 ) -> _Asked | None:
@@ -295,17 +262,27 @@ def _turned_round(
         told = Message("{name} is no parameter.{hint}", name=name, hint=did_you_mean(name, names.parameters))
         names.unknown(name, told, "find")
         return None
-    relation = _timed(relation)
+    relation, is_just = without_just(_timed(relation))
+    extremal = IS_EXTREMAL.match(relation)
+    if extremal is not None and not end:
+        return _extremal(names, parameter, extremal, when, asks_place=True)
     inequality = inequality_of(relation)
     if inequality is not None:
         return _range(names, parameter, inequality, when, end)
     turns = re.fullmatch(TURNS_FULLY, relation)
     if turns is not None and when is None:
         return _turning(names, parameter, str(turns["of"]), relation, end)
+    happening = read_happening(names, relation, ("find",)) if when is None else None
+    if happening is not None:
+        return _happening(parameter, happening, end)
     if (event := reached_in(relation)) is not None and when is None:
         return _reaching(names, parameter, event, end)
-    if end:
-        told = Message("write an inequality: {end} {name} so that acceleration of x >= 0", end=end, name=name)
+    if end or is_just:
+        told = (
+            Message("write an inequality: {end} {name} so that acceleration of x >= 0", end=end, name=name)
+            if end
+            else Message("say what is just so: value of {name} for which x just reaches d", name=name)
+        )
         names.problem(told, "find")
         return None
     head, condition = (relation, None) if when is not None else event_at_end(names, relation)
@@ -382,6 +359,51 @@ def _reaching(names: Names, parameter: Parameter, event: str, end: Literal["", "
         parameter.name, of, placed.event.value, parameter.dimension, unit, event, relation=REACHED, end=end
     )
     return replace(placed, quantity=quantity)
+
+
+def _extremal(
+    names: Names, parameter: Parameter, found: re.Match[str], when: object, *, asks_place: bool
+) -> _Asked | None:
+    """The value of a parameter for which a quantity is largest or least, or the quantity there."""
+    text = found["of"] + (found["timed"] or "")
+    asked = _asked(names, text, when)
+    if asked is None:
+        return None
+    of, end = asked.quantity, "largest" if found["largest"] else "least"
+    kind = ExtremalForOnTheWay if of.scope == "course" else ExtremalFor
+    unit = "rad" if parameter.is_angle else str(parameter.dimension)
+    measured, shown = (parameter.dimension, unit) if asks_place else (of.dimension, of.unit)
+    quantity = kind(parameter.name, of, ZERO, measured, shown, text, end=end, asks_place=asks_place)
+    return replace(asked, quantity=quantity)
+
+
+def _limit(names: Names, found: re.Match[str], when: object) -> _Asked | None:
+    """A quantity as a parameter tends to a value."""
+    parameter = names.parameters[found["parameter"]]
+    if parameter.form is not None:
+        names.problem(Message("{name} is no parameter.{hint}", name=parameter.name, hint=""), "find")
+        return None
+    value = "0" if found["small"] else (found["value"] or "").strip()
+    grows = found["large"] is not None or value in INFINITE
+    text = found["of"] + (found["timed"] or "")
+    asked = _asked(names, text, when)
+    if asked is None:
+        return None
+    target = ZERO if grows or value == "0" else names.formula(value, parameter.dimension, "find")
+    of = asked.quantity
+    kind = LimitOfOnTheWay if of.scope == "course" else LimitOf
+    end = "grows" if grows else ""
+    return replace(asked, quantity=kind(parameter.name, of, target, of.dimension, of.unit, text, end=end))
+
+
+def _happening(parameter: Parameter, happening: Happening, end: Literal["", "least", "largest"]) -> _Asked:
+    """The values of a parameter for which something is so of the motion."""
+    unit = "rad" if parameter.is_angle else str(parameter.dimension)
+    kinds = {"rest": RangeForAtRest, "small motion": RangeForSmallMotion}
+    kind = kinds.get(happening.scope, RangeFor)
+    return _Asked(
+        kind(parameter.name, happening, ZERO, parameter.dimension, unit, happening.text, relation=SO, end=end)
+    )
 
 
 def _calculated(

@@ -6,6 +6,7 @@ does it tip or slide as F grows         does it hold        range of normal forc
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
@@ -131,9 +132,10 @@ questions: {it: range of normal force of wall}
 
 # -- the grammar ------------------------------------------------------------------------------
 _REST = (
-    r"(?:(?:so )?that|for which|with which|such that)? ?(?:it|the system|everything|the [a-z]+)? ?"
+    r"(?:(?:so )?that|for which|with which|such that|at which)? ?(?:it|the system|everything|the [a-z]+)? ?"
     r"(?:(?:stays?|remains?|is|keeps?|can stay)(?: (?:it|the system))? (?:at rest|in equilibrium|in place)"
-    r"|holds?|does not (?:slip|slide|tip|move|fall)|neither slips nor tips|(?:keeps|holds) (?:it|the system) at rest)"
+    r"|holds?|does not (?:slip|slide|tip|move|fall)|neither slips nor tips|(?:keeps|holds) (?:it|the system) at rest"
+    r"|nothing (?:moves|slips|slides))"
 )
 _KIND = (
     r"(?:(?:coefficient of (?:static )?friction|friction coefficient|force|torque|mass|angle|value|distance) )?(?:of )?"
@@ -144,9 +146,19 @@ _WHICH: dict[str, Which] = {
 }
 
 
+_RANGE = rf"(?:range|interval|values) of {_KIND}(?P<of>{NAME})"
+_END = rf"(?P<which>{'|'.join(_WHICH)}) {_KIND}(?P<of>{NAME}) {_REST}"
+_STAYS = re.compile(rf"^(?:the )?(?:{_RANGE} {_REST}|{_END.replace('(?P<of>', '(?:')})$")
+
+
+def asks_for_rest(phrase: str) -> bool:
+    """Whether it is rest for which values of a parameter are asked for."""
+    return _STAYS.match(phrase) is not None
+
+
 @asked(
     "range of PARAMETER that keeps it at rest",
-    rf"(?:range|interval|values) of {_KIND}(?P<of>{NAME})(?: {_REST})?",
+    rf"{_RANGE}(?: {_REST})?",
     rank=RANK,
 )
 def _range(names: Names, found: Found, path: Path) -> Quantity | None:
@@ -155,7 +167,7 @@ def _range(names: Names, found: Found, path: Path) -> Quantity | None:
 
 @asked(
     "least | largest PARAMETER so that it stays at rest",
-    rf"(?P<which>{'|'.join(_WHICH)}) {_KIND}(?P<of>{NAME}) {_REST}",
+    _END,
     rank=RANK,
 )
 def _end(names: Names, found: Found, path: Path) -> Quantity | None:

@@ -7,10 +7,10 @@ range of v0 for which tension of rope >= 0 when theta = 180 deg        least v0 
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
-from freebody.language.expression import Expr, Symbol
+from freebody.language.expression import ZERO, Expr, Symbol
 from freebody.language.sentences import Argument, Sentence
 from freebody.language.units import Dimension
 from freebody.questions.base import NAME, Described, Quantity, Wanted
@@ -18,7 +18,13 @@ from freebody.questions.base import NAME, Described, Quantity, Wanted
 FORM = """value of PARAMETER for which QUANTITY = EXPRESSION [at start | when EVENT]
     range of PARAMETER for which QUANTITY > | < | >= | <= EXPRESSION [at start | when EVENT]
     least | largest PARAMETER so that QUANTITY > | < | >= | <= EXPRESSION [at start | when EVENT]
-    range of PARAMETER for which MEASURE reaches VALUE | for which BODY turns fully"""
+    range of PARAMETER for which MEASURE reaches VALUE | for which BODY turns fully
+    range of PARAMETER for which NAME stays taut | stays on NAME | rolls without slipping
+    range of PARAMETER for which EVENT [before EVENT | at once], or the equilibrium is stable
+    QUANTITY as PARAMETER -> EXPRESSION | grows
+    value of PARAMETER for which QUANTITY is largest | least      largest | least QUANTITY over PARAMETER
+    range of PARAMETER for which it tips before it slides as PARAMETER grows
+    value of PARAMETER for which MEASURE just reaches VALUE"""
 _SO_THAT = "(?:for which|so that|such that|with which|at which)"
 VALUE_FOR = re.compile(rf"^(?:the )?(?:values?|range) of (?P<parameter>{NAME}) {_SO_THAT} (?P<relation>.+)$")
 _LEAST = r"(?P<least>least|smallest|minimum|minimal|lowest|shortest)"
@@ -26,6 +32,26 @@ _LARGEST = r"(?P<largest>largest|greatest|maximum|maximal|highest|longest)"
 EXTREME_FOR = re.compile(
     rf"^(?:the )?(?:{_LEAST}|{_LARGEST}) (?:value of )?(?P<parameter>{NAME}) {_SO_THAT} (?P<relation>.+)$"
 )
+_TO = r"(?:->|→|tends? to|goes? to|approach(?:es)?)"
+_BEYOND = r"(?:without (?:bound|limit|end)|very large|large|infinite|beyond all bounds)"
+_LARGE = rf"(?:(?:grows?|increases?)(?: {_BEYOND})?|(?:becomes?|gets?|is) {_BEYOND})"
+LIMIT = re.compile(
+    rf"^(?:the )?(?:limit(?:ing value)? of (?:the )?)?(?P<of>.+?) (?:as|for|when|where|in the limit) (?:the )?"
+    rf"(?P<parameter>{NAME}) ?(?:{_TO} ?(?P<value>.+?)|(?P<large>{_LARGE})|(?P<small>vanishes|becomes (?:very )?small))"
+    rf"(?P<timed> at (?:the )?start| when .+| at t ?= ?.+| after .+)?$"
+)
+_WHICH = (
+    r"(?:(?P<largest>largest|greatest|maximum|maximal|highest|longest)|(?P<least>least|smallest|minimum|minimal|lowest"
+    r"|shortest))"
+)
+IS_EXTREMAL = re.compile(
+    rf"^(?P<of>.+?) (?:is|becomes) (?:the |a |at (?:its|a) )?{_WHICH}(?P<timed> at (?:the )?start| when .+)?$"
+)
+OVER_PARAMETER = re.compile(
+    rf"^(?:the )?{_WHICH}(?: value)?(?: of)? (?:the )?(?P<of>.+?) over (?:all )?(?:the )?(?P<parameter>{NAME})"
+    r"(?P<timed> at (?:the )?start| when .+)?$"
+)
+INFINITE = ("oo", "∞", "infinity", "inf", "+oo", "+∞")
 _WORDS = {
     "is positive": "> 0",
     "is negative": "< 0",
@@ -65,7 +91,8 @@ class ValueFor(Quantity, kind="value for"):
     shown_unit: str
     text: str = ""  # the quantity in words, with its event
     relation: str = "="
-    end: Literal["", "least", "largest"] = ""
+    end: Literal["", "least", "largest", "grows"] = ""
+    asks_place: bool = True  # whether it is the parameter that is asked for, and not the quantity there
 
     example = """
 parameters: {m: 2 kg, F: 5 N, a: 3 m/s^2}
@@ -86,6 +113,12 @@ questions: {it: value of F for which acceleration of x = a}
     @property
     def wanted(self) -> Wanted:
         return self
+
+    def asking(self, *, relation: str | None = None, asks_place: bool = True) -> ValueFor:
+        """The same quantity asked about in another way: with a relation to zero, or for the place."""
+        if relation is None:
+            return replace(self, asks_place=asks_place)
+        return replace(self, target=ZERO, relation=relation, end="")
 
     @property
     def inner(self) -> tuple[Quantity, ...]:
@@ -127,6 +160,13 @@ def inequality_of(relation: str) -> tuple[str, str, str] | None:
     return None if found is None else (found["left"].strip(), found["sign"], found["right"].strip())
 
 
+def without_just(relation: str) -> tuple[str, bool]:
+    """Words without `just`, and whether it was among them: x just reaches d, it is about to slip."""
+    plain = re.sub(r"\bis (?:just )?about to (?P<verb>\w+)", lambda m: f"just {m['verb']}s", relation)
+    plain, n = re.subn(r"\b(?:only |but )?just (?:barely )?", "", plain)
+    return " ".join(plain.split()), n > 0
+
+
 def reached_in(relation: str) -> str | None:
     """That a measure reaches a value, as an event; None where nothing of the kind is said."""
     found = _REACHES.match(relation)
@@ -154,13 +194,16 @@ questions: {it: range of F for which acceleration of x > a}
 
     def sentence(self, system: Described) -> Sentence | None:
         what = self.of.sentence(system)
-        if what is None or self.relation == REACHED:
+        if what is None or self.relation in (REACHED, SO):
             return None
         args: dict[str, Argument] = {"parameter": Symbol(self.parameter), "what": what, "target": self.target}
         return Sentence(f"what.range_{self.end or 'all'}_{_KEYS[self.relation]}", args)
 
 
 REACHED = "is reached"  # instead of a relation: the event of the question comes
+TENDS = "tends"  # the same: the quantity is asked for as the parameter tends to the target
+EXTREMAL = "is extremal"  # the same: the quantity is largest, or least, at the value that is asked for
+SO = "is so"  # the same: what is said of the motion, or of a state, is so
 _KEYS = {">": "above", ">=": "from", "<": "below", "<=": "up_to"}
 
 
@@ -169,3 +212,68 @@ class RangeForOnTheWay(RangeFor):
     """The same of what is counted from the start to an event."""
 
     scope = "course"
+
+
+@dataclass(frozen=True)
+class ExtremalFor(ValueFor, kind="extremal for"):
+    """The value of a parameter for which a quantity is largest or least, or (not asks_place) the quantity there."""
+
+    relation: str = EXTREMAL
+
+    example = """
+parameters: {v: 12 m/s, alpha: 40 deg, g: 9.81 m/s^2}
+bodies: {ball: {particle: {mass: 1 kg}}}
+loads: {weight: {gravity: g}}
+measures: {x: x of ball, y: y of ball}
+start: {x: 0, y: 0, rate(x): v*cos(alpha), rate(y): v*sin(alpha)}
+questions: {it: value of alpha for which x when y = 0 is largest}
+"""
+
+    def sentence(self, system: Described) -> Sentence | None:
+        return None
+
+
+@dataclass(frozen=True)
+class ExtremalForOnTheWay(ExtremalFor):
+    """The same of what is counted from the start to an event."""
+
+    scope = "course"
+
+
+@dataclass(frozen=True)
+class LimitOf(ValueFor, kind="limit of"):
+    """To what a quantity tends as a parameter tends to the target, or (end: grows) grows without bound."""
+
+    relation: str = TENDS
+
+    example = """
+parameters: {m: 2 kg, M: 3 kg, F: 5 N}
+bodies: {ball: {particle: {mass: m + M}}}
+loads: {push: {force: {at: ball, along: right, magnitude: F}}}
+measures: {x: x of ball}
+questions: {it: acceleration of x as M -> 0}
+"""
+
+    def sentence(self, system: Described) -> Sentence | None:
+        return None
+
+
+@dataclass(frozen=True)
+class LimitOfOnTheWay(LimitOf):
+    """The same of what is counted from the start to an event."""
+
+    scope = "course"
+
+
+@dataclass(frozen=True)
+class RangeForAtRest(RangeFor):
+    """The same of a state of rest."""
+
+    scope = "rest"
+
+
+@dataclass(frozen=True)
+class RangeForSmallMotion(RangeFor):
+    """The same of an equilibrium."""
+
+    scope = "small motion"

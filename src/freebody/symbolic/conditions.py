@@ -146,7 +146,12 @@ def _log_as_difference(base: Ratio) -> Ratio:
         (index,) = base.generators()
         name, argument = field.arguments.get(index, ("", base))
         if name == "log" and base == field.variable(index):
-            return (argument - 1).numerator()
+            beyond = argument - 1
+            below = beyond.denominator()
+            known = sign_given(below)
+            if known.is_strict:
+                return beyond.numerator() if known is Sign.POSITIVE else -beyond.numerator()
+            return beyond.numerator() * below
     return base
 
 

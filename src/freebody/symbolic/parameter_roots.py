@@ -36,7 +36,27 @@ def solutions(field: Field, residual: Ratio, parameter: int) -> list[Values]:
             found += [{parameter: x} for x in _roots(field, factor.coefficients(parameter))]
         elif parameter not in inside and made:
             found += [{parameter: x} for x in _angles(field, factor, parameter, made)]
-            found += _logarithms(field, factor, parameter, made)
+            found += _logarithms(field, factor, parameter, made) or _inverted(field, factor, parameter, made)
+    return found
+
+
+_INVERSES = {"asin": "sin", "acos": "cos", "atan": "tan", "log": "exp", "exp": "log"}
+
+
+def _inverted(field: Field, factor: Ratio, parameter: int, made: Sequence[int]) -> list[Values]:
+    """Roots in one function of the parameter: f(u) = x where u = g(x) with the inverse g. An arc has a bounded range,
+    which whoever uses the roots has to look at."""
+    outer = [g for g in made if g in factor.generators()]
+    if len(outer) != 1 or field.arguments.get(outer[0], ("", factor))[0] not in _INVERSES:
+        return []
+    from freebody.symbolic.functions import functions
+
+    name, u = field.arguments[outer[0]]
+    inverse, found = functions(field)[_INVERSES[name]], list[Values]()
+    for x in _roots(field, factor.coefficients(outer[0])):
+        if parameter not in field.ingredients(x):
+            equation = field.lowest_terms(u - inverse(x)).numerator()
+            found += [{**values, outer[0]: x} for values in solutions(field, equation, parameter)]
     return found
 
 

@@ -27,7 +27,8 @@ from freebody.model.elements import (
 from freebody.model.glyphs import Shown
 from freebody.model.names import Names
 from freebody.model.rotations import Columns
-from freebody.questions.reading import Clock, Question
+from freebody.questions.clock import Clock
+from freebody.questions.reading import Question
 from freebody.system.blows import BlowEvent
 
 

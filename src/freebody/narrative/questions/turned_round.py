@@ -6,27 +6,34 @@ import math
 from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
+from fractions import Fraction
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import FLOAT_FUNCTIONS, Expr, evaluate, substitute
+from freebody.language.expression import FLOAT_FUNCTIONS, Expr, Symbol, evaluate, number, substitute
 from freebody.language.sentences import Message
 from freebody.narrative.contact.settings import has_phases
 from freebody.narrative.context import Context, Method
 from freebody.narrative.kinds import derivation_of
 from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.script import DerivationStage, Legend, NumberedFormula, Script, Sentence
+from freebody.narrative.principles.sides import parted
 from freebody.numeric.reference import Reference
 from freebody.questions.base import Quantity, Wanted
+from freebody.questions.happening import Happening
 from freebody.questions.reading import Question
+from freebody.questions.turned_round import EXTREMAL, TENDS
 from freebody.study.answering.answer import Answer
 from freebody.study.answering.draws import Draw
 from freebody.study.answering.numbers import LONGEST, at_event, number_at
 from freebody.study.answering.simulated_numbers import number_with_changes
 from freebody.study.answering.solve import solve
 from freebody.study.answering.turned_round import with_others
+from freebody.symbolic.limits import derivative_by
+from freebody.symbolic.relations import readable
 from freebody.system.system import System
 
 _ROOT = 1e-6  # of what the quantity changes by nearby: it has the wanted value
+_BESIDE = 1e-4  # of its own value: a parameter that is near its limit
 _STEP = 1e-4  # of the value: by so much it is changed to see how the quantity changes
 
 
@@ -37,6 +44,10 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
     assert quantity is not None
     if answer.expression is None:
         raise CannotAnswer(answer.reason or Message("there is no closed form"))
+    if isinstance(quantity.of, Happening):
+        from freebody.narrative.questions.happening import derive as derive_happening
+
+        return derive_happening(context, question, answer, method)
     id = f"Q_{question.id}" if question.id.isidentifier() else "Q"
     asked = replace(question, id=id, text=quantity.text, quantity=quantity.of, options={}, key=None)
     if quantity.of.scope == "linkage":
@@ -46,13 +57,73 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
     stages = derivation_of(there.system, asked)(there, asked, given, method)
     numbers = [item.number for stage in stages for item in stage.items if isinstance(item, NumberedFormula)]
     values = answer.expression if isinstance(answer.expression, tuple) else (answer.expression,)
+    if quantity.relation == TENDS:
+        script = Script(there.glossary, max([context.next_number - 1, *numbers]) + 1)
+        with script.stage("stage.limit", "hint.limit", name=quantity.parameter):
+            _tends(there, script, question, formula, values[0])
+        return [*stages, *script.stages]
+    if quantity.relation == EXTREMAL:
+        script = Script(there.glossary, max([context.next_number - 1, *numbers]) + 1)
+        with script.stage("stage.extremal", "hint.extremal", name=quantity.parameter):
+            _stationary(there, script, question, quantity, formula, values[0])
+        return [*stages, *script.stages]
     if quantity.relation != "=" and not _are_roots(there, quantity, formula, values):
         raise CannotAnswer(Message("the ends of the range are where the formula of the quantity stops to be true"))
-    glossary = there.glossary.where(lambda world: _has(world, values))
+    glossary = there.glossary.where(lambda world: has_values(world, values))
     script = Script(glossary, max([context.next_number - 1, *numbers]) + 1)
     with script.stage("stage.turned", "hint.turned", name=quantity.parameter):
         _solved(there, script, question, formula, values)
     return [*stages, *script.stages]
+
+
+def _stationary(
+    context: Context, script: Script, question: Question, quantity: Wanted, formula: Expr, value: Expr
+) -> None:
+    """The slope of the formula, and where it vanishes."""
+    name, place = quantity.parameter, value
+    if not quantity.asks_place:
+        where = replace(question, quantity=quantity.asking(), options={}, key=None)
+        (found,) = solve(replace(context.system, questions=(where,))).answers
+        if not isinstance(found.expression, Expr):
+            raise CannotAnswer(found.reason or Message("there is no closed form"))
+        place = found.expression
+    model = context.setup.model
+    slope = derivative_by(model, model.geometry.scalar(formula), model.field.index(model.parameters[name]))
+    unit = "rad" if context.system.parameters[name].is_angle else str(context.system.parameters[name].dimension)
+    symbol, what = context.symbol(f"{name}_req", f"{name}_asked"), Sentence("symbol.asked", {"question": question.text})
+    script.glossary.redefine(Meaning(symbol, what, lambda world: float(world.of(place)[0]), unit))
+    script.add(Legend(((symbol, what, unit),)))
+    left, right = parted(substitute(readable(slope.numerator()), {name: symbol}))
+    when = "event" if question.event is not None else "start" if question.at_start else "always"
+    line = script.line(left, right, why="turned.stationary", args={"name": f"@{name}"}, when=when)
+    solved = script.line(symbol, place, why="turned.solved", args={"lines": (line,)}, uses=(line,), when=when)
+    if not quantity.asks_place:
+        there = substitute(formula, {name: symbol})
+        script.line(there, value, why="turned.there", args={"lines": (solved,)}, uses=(solved,), when=when)
+
+
+def _tends(context: Context, script: Script, question: Question, formula: Expr, value: Expr) -> None:
+    """The limit of the formula; its second opinion is the formula at two parameters near it, extrapolated."""
+    quantity = question.quantity.wanted
+    assert quantity is not None
+    name, parameter = context.symbol("Q_lim", "Q_limit"), quantity.parameter
+
+    def near(world: World) -> float:
+        own = abs(world.draw.values[parameter]) or 1.0
+        at = float(world.of(quantity.target)[0])
+        found: list[float] = []
+        for share in (_BESIDE, _BESIDE / 2):
+            way = -1.0 if at and context.system.parameters[parameter].acute else 1.0
+            x = own / share if quantity.end == "grows" else at + way * share * own
+            found.append(float(world.of(substitute(formula, {parameter: number(Fraction(x))}))[0]))
+        return 2.0 * found[1] - found[0]
+
+    what = Sentence("symbol.asked", {"question": question.text})
+    script.glossary.redefine(Meaning(name, what, near, question.quantity.unit))
+    script.add(Legend(((name, what, question.quantity.unit),)))
+    when = "event" if question.event is not None else "start" if question.at_start else "always"
+    key = "turned.limit_grows" if quantity.end == "grows" else "turned.limit"
+    script.line(name, value, why=key, args={"name": f"@{parameter}", "target": quantity.target}, when=when)
 
 
 def _are_roots(context: Context, quantity: Wanted, formula: Expr, values: Sequence[Expr]) -> bool:
@@ -83,7 +154,7 @@ def _reached(context: Context, asked: Question, name: str) -> tuple[Context, Ans
     raise CannotAnswer(why or Message("there is no closed form"))
 
 
-def _has(world: World, values: Sequence[Expr]) -> bool:
+def has_values(world: World, values: Sequence[Expr]) -> bool:
     """Whether all values are real numbers there."""
     try:
         return all(math.isfinite(x) for value in values for x in world.of(value))
@@ -96,14 +167,7 @@ def _solved(context: Context, script: Script, question: Question, formula: Expr,
     quantity = question.quantity.wanted
     assert quantity is not None
     when = "event" if question.event is not None else "start" if question.at_start else "always"
-    ends = [""] if len(values) == 1 else [str(k + 1) for k in range(len(values))]
-    names = [context.symbol(f"{quantity.parameter}_req{end}", f"{quantity.parameter}_asked{end}") for end in ends]
-    what = Sentence("symbol.asked", {"question": question.text})
-    number = _Refined(context.system, question, quantity)
-    for name, value in zip(names, values, strict=True):
-        meaning = Meaning(name, what, number.reader(value), question.quantity.unit)
-        script.glossary.redefine(meaning)
-        script.add(Legend(((name, what, question.quantity.unit),)))
+    names = introduced(context, script, question, values, _Refined(context.system, question, quantity).reader)
     lines: list[int] = []
     for name in names:
         put_in = substitute(formula, {quantity.parameter: name})
@@ -112,6 +176,25 @@ def _solved(context: Context, script: Script, question: Question, formula: Expr,
         lines.append(script.line(put_in, quantity.target, why=why, args=args, when=when))
     sides = (names[0], values[0]) if len(names) == 1 else (tuple(names), tuple(values))
     script.line(*sides, why="turned.solved", args={"lines": tuple(lines)}, uses=tuple(lines), when=when)
+
+
+def introduced(
+    context: Context,
+    script: Script,
+    question: Question,
+    values: Sequence[Expr],
+    reader: Callable[[Expr], Callable[[World], float]],
+) -> list[Symbol]:
+    """Symbols for the values that are asked for. reader: how the numeric route finds one."""
+    quantity = question.quantity.wanted
+    assert quantity is not None
+    ends = [""] if len(values) == 1 else [str(k + 1) for k in range(len(values))]
+    names = [context.symbol(f"{quantity.parameter}_req{end}", f"{quantity.parameter}_asked{end}") for end in ends]
+    what = Sentence("symbol.asked", {"question": question.text})
+    for name, value in zip(names, values, strict=True):
+        script.glossary.redefine(Meaning(name, what, reader(value), question.quantity.unit))
+        script.add(Legend(((name, what, question.quantity.unit),)))
+    return names
 
 
 @dataclass(frozen=True)

@@ -20,6 +20,7 @@ from freebody.questions.base import Quantity, Wanted
 from freebody.questions.clock import Clock
 from freebody.questions.extent import Extent
 from freebody.questions.freedom import DegreesOfFreedom
+from freebody.questions.happening import Happening, StableEquilibrium
 from freebody.questions.period import Period
 from freebody.questions.reading import AskedEvent, Question, QuestionEvent
 from freebody.questions.small_motion import Equilibrium, OfSmallMotion, SmallOscillations
@@ -70,6 +71,9 @@ class QuestionSolver:
             return self._answer()
 
     def _answer(self) -> Answer:
+        wanted = self.question.quantity.wanted
+        if wanted is not None and isinstance(wanted.of, Happening) and wanted.of.is_of_state:
+            return answered(self.system, self.question, self._of_happening)
         match self.question.quantity.scope:
             case "every motion":
                 return answered(self.system, self.question, self._conserved)
@@ -82,6 +86,13 @@ class QuestionSolver:
 
     def _smooth(self) -> Answer:
         return self.finish(self._find())
+
+    def _of_happening(self) -> Answer:
+        """What happens in a motion is seen in its phases, and be it one."""
+        from freebody.study.phases.ask import answer
+        from freebody.study.phases.tree import tree_of
+
+        return answer(tree_of(self.system), self.question)
 
     def _conserved(self) -> Answer:
         """The rate of the quantity, and whether it vanishes; `study/conservation/conserved.py` has more to say."""
@@ -143,6 +154,10 @@ class QuestionSolver:
             from freebody.study.mobility.loop_answers import is_so
 
             return solved_for(self.setup, self.question, [is_so(q.of, self.setup)])
+        if isinstance(q.of, StableEquilibrium):
+            from freebody.study.answering.at_equilibrium import stability
+
+            return solved_for(self.setup, self.question, stability(self.setup, is_so=q.of.is_so))
 
         def attempt(system: System) -> Finding:
             setup = self.setup if system is self.system else Setup(system)
@@ -470,7 +485,9 @@ class QuestionSolver:
             values = element_at(self.setup, parts, draw, draw.start())
         except (CannotAnswer, ArithmeticError, ValueError):
             return None
-        small = _ROUND_OFF * (magnitude(self.question.quantity.dimension, draw.seen(draw.start())) or 1.0)
+        q = self.question.quantity
+        size = 0.0 if q.wanted is not None else magnitude(q.dimension, draw.seen(draw.start())) or 1.0
+        small = _ROUND_OFF * size  # a parameter is not added up from what moves
         pairs = zip(parts, values, strict=True)
         values = tuple(0.0 if abs(v) < small or self._cancels(part) else v for part, v in pairs)
         return values if isinstance(element, tuple) else values[0]

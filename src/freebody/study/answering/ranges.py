@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
@@ -22,13 +23,15 @@ from freebody.language.sentences import Message
 from freebody.model.elements import Parameter
 from freebody.numeric.reference import Reference
 from freebody.questions.base import Wanted
+from freebody.questions.happening import FailsFirst, Happening
 from freebody.questions.reading import Question
-from freebody.questions.turned_round import REACHED
+from freebody.questions.turned_round import EXTREMAL, REACHED, SO, TENDS
 from freebody.study.answering.answer import Evidence
 from freebody.study.answering.conditions import real
-from freebody.study.answering.crosscheck import INSTANT_TOLERANCE, MOTION_TOLERANCE, CrossCheck, element_at
+from freebody.study.answering.crosscheck import INSTANT_TOLERANCE, MIN_DRAWS, MOTION_TOLERANCE, CrossCheck, element_at
 from freebody.study.answering.draws import Draw
 from freebody.study.answering.finding import Finding
+from freebody.study.answering.limits import find_limit
 from freebody.study.answering.magnitude import magnitude
 from freebody.study.answering.turned_round import (
     Formula,
@@ -82,9 +85,16 @@ class _Truth:
 
 
 def solved_for(setup: Setup, question: Question, formulas: Sequence[Formula]) -> Finding:
-    """What is asked of a parameter: the value for which an equation holds, or all for which an inequality does."""
+    """What is asked of a parameter: the value for which an equation holds, or all for which an inequality does; or of a
+    quantity, as the parameter tends to a value."""
     wanted = question.quantity.wanted
     assert wanted is not None
+    if wanted.relation == TENDS:
+        return find_limit(setup, question, formulas)
+    if wanted.relation == EXTREMAL:
+        from freebody.study.answering.extremal import find_extremal
+
+        return find_extremal(setup, question, formulas)
     return (find if wanted.relation == "=" else find_range)(setup, question, formulas)
 
 
@@ -93,10 +103,12 @@ def find_range(setup: Setup, question: Question, formulas: Sequence[Formula]) ->
     form, NoneFound where there is no such value."""
     wanted = question.quantity.wanted
     assert wanted is not None
-    return _Search(setup, question, wanted, formulas).finding()
+    return RangeSearch(setup, question, wanted, formulas).finding()
 
 
-class _Search:
+class RangeSearch:
+    """Where the truth can change, and what it is in between."""
+
     def __init__(self, setup: Setup, question: Question, wanted: Wanted, formulas: Sequence[Formula]) -> None:
         self.setup, self.question, self.wanted = setup, question, wanted
         self.model, self.field = setup.model, setup.model.field
@@ -104,10 +116,12 @@ class _Search:
         self.index = self.field.index(self.model.geometry.scalar(Symbol(wanted.parameter)))
         self.truths = [self._truth(formula) for formula in formulas]
         self._placed: list[Ratio] = []  # all ends within the range of the parameter, where they were looked at last
+        of = wanted.of  # what is to come before something else comes with it at the ends
+        self.is_open = isinstance(of, FailsFirst) or (isinstance(of, Happening) and of.before is not None)
 
     def _truth(self, formula: Formula) -> _Truth:
-        if self.wanted.relation == REACHED:
-            return _Truth(formula, None, REACHED)
+        if self.wanted.relation in (REACHED, SO):
+            return _Truth(formula, None, self.wanted.relation)
         if not isinstance(formula.element, Ratio):
             raise CannotAnswer(Message("one number must have a value here, and that is none in closed form"))
         element = self.field.lowest_terms(formula.element - self.model.geometry.scalar(self.wanted.target))
@@ -134,13 +148,13 @@ class _Search:
             return
         equation, _one_side = without_roots(x, self.index)
         for base, _exponent in f.factor(equation.num)[1]:
-            if self.index not in f.ingredients(base):
+            if self.index not in f.ingredients(base) or _has_one_sign(base):
                 continue
             places = zeros_of(self.model, base, self, quadratic=True)
             places = places or [values[self.index] for values in solutions(f, base, self.index)]
             degree = len(base.coefficients(self.index)) - 1
             made = [g for g in base.generators() if self.index in f.generators[g].made_of]
-            if not places and not _has_one_sign(base):
+            if not places:
                 zero = compared(tidy(base), "=", tidy(f.zero))
                 why = Message(
                     "the equation {equation} is not solved for {name} in closed form",
@@ -182,9 +196,18 @@ class _Search:
 
     def _is_true(self, numbers: Mapping[int, Any], value: float, *, at_end: bool = False) -> bool:
         """Whether the inequality holds for a value of the parameter, by one of the formulas. at_end: where something
-        vanishes, which then counts as zero."""
+        vanishes, which then counts as zero. Raises CannotAnswer where none of them says whether it is so."""
+        if at_end and self.is_open:
+            return False
         here = self._with(numbers, value)
-        return any(self._holds(truth, here, at_end) for truth in self.truths)
+        found = [truth.formula for truth in self.truths if self._holds(truth, here, at_end)]
+        if self.wanted.relation != SO or at_end or any(formula.says for formula in found):
+            return any(formula.says for formula in found)
+        if not any(formula.says is False for formula in found):
+            why = next((formula.why for formula in found if formula.why), "")
+            told = Message("for some values of {name} it is not known what happens", name=self.parameter.name)
+            raise CannotAnswer(Message("{told}: {why}", told=told, why=why) if why else told)
+        return False
 
     def _holds(self, truth: _Truth, here: Mapping[int, Any], at_end: bool) -> bool:
         checks = [(c.element, c.relation) for c in truth.conditions]
@@ -230,6 +253,8 @@ class _Search:
         begun = _End(None, at_low) if inside[0] else None
         for k, (_value, end) in enumerate(placed):
             before, after = inside[k], inside[k + 1]
+            if before and after and not is_at[k]:
+                is_at[k] = self._is_seen(placed[k][0], draw)
             if before and begun is not None and not (after and is_at[k]):
                 found.append((begun, _End(end, is_at[k])))
                 begun = None
@@ -240,6 +265,16 @@ class _Search:
         if begun is not None:
             found.append((begun, _End(None, False)))
         return found
+
+    def _is_seen(self, value: float, draw: Draw) -> bool:
+        """Whether it is so just on the border of two cases, in both of which it is: by the numeric route."""
+        if self.wanted.relation not in (REACHED, SO):
+            return False
+        values = draw.values | {self.parameter.name: value}
+        with suppress(CannotAnswer, ArithmeticError, ValueError):
+            found = [t.formula.in_numbers for t in self.truths if t.formula.in_numbers is not None][:1]
+            return any(in_numbers(values) not in (None, 0.0) for in_numbers in found)
+        return False
 
     def _between(self, numbers: Mapping[int, Any], a: float, b: float) -> bool:
         """Whether it holds between two ends. Raises CannotAnswer where it does so at some places only."""
@@ -317,8 +352,10 @@ class _Search:
         for end in ends[:1] + ends[-1:]:
             needs += domain_of(self.parameter, end)
         needs += [Condition(_after(a, b), ">", Message("which end is which")) for a, b in pairwise(ends) if a != b]
+        numbers = self._numbers(own)
         for truth in self.truths:  # what does not depend on the parameter, and holds here
-            needs += [c for c in truth.conditions if self.index not in self.field.ingredients(c.element)]
+            free = [c for c in truth.conditions if self.index not in self.field.ingredients(c.element)]
+            needs += [c for c in free if self._is_so(c.element, c.relation, numbers, True)]
         kept: list[Condition] = []
         for c in needs:
             condition, possible = require(c.element, c.relation, c.purpose)
@@ -333,7 +370,12 @@ class _Search:
         """The quantity inside of every interval is compared with the numeric route; and at other numbers that keep to
         the conditions the same ends come out."""
         by_event = self.question.event is not None
-        route = Message("values inside of the range put in for the parameter, each by the numeric route")
+        is_verdict = self.wanted.relation == SO
+        route = (
+            Message("values inside and outside of the range put in for the parameter, each looked at in numbers")
+            if is_verdict
+            else Message("values inside of the range put in for the parameter, each by the numeric route")
+        )
         check = CrossCheck(self.question.text, route, MOTION_TOLERANCE if by_event else INSTANT_TOLERANCE)
         keys = _keys(found)
 
@@ -348,8 +390,12 @@ class _Search:
             for interval in here:
                 for value in self._beside(interval, numbers):
                     self._compare_at(check, k, draw, value)
+            if is_verdict:
+                for value in self._outside(here, numbers):
+                    self._compare_at(check, k, draw, value)
 
-        return check.gather(enumerate(self.setup.draw_stream()), compare).evidence()
+        enough = 2 * MIN_DRAWS if is_verdict else MIN_DRAWS
+        return check.gather(enumerate(self.setup.draw_stream()), compare, enough).evidence()
 
     def _beside(self, interval: _Interval, numbers: Mapping[int, Any]) -> Iterator[float]:
         low, high = self._domain()
@@ -358,11 +404,31 @@ class _Search:
         if values[0] < values[1]:
             yield self._values(*values)[1]
 
+    def _outside(self, found: Sequence[_Interval], numbers: Mapping[int, Any]) -> Iterator[float]:
+        """A value in every gap between the intervals."""
+        low, high = self._domain()
+        ends = [end.value for interval in found for end in interval]
+        values = [None if end is None else self._value(end, numbers)[0] for end in ends]
+        borders = [low, *(x for x in values if x is not None), high]
+        if ends[0] is None:
+            borders = borders[1:]
+        if ends[-1] is None:
+            borders = borders[:-1]
+        for a, b in zip(borders[::2], borders[1::2], strict=True):
+            if a < b:
+                yield self._values(a, b)[-2 if math.isfinite(a) else 1]
+
     def _compare_at(self, check: CrossCheck, number: int, draw: Draw, value: float) -> None:
         values = draw.values | {self.parameter.name: value}
         numbers = self._with(self._numbers(draw), value)
-        truth = next((t for t in self.truths if self._holds(t, numbers, False)), None)
+        said = [t for t in self.truths if t.formula.says is not None and self._holds(t, numbers, False)]
+        truth = max(said, key=lambda t: t.formula.says is True, default=None)
         if truth is None:
+            return
+        if self.wanted.relation == SO:
+            assert truth.formula.in_numbers is not None
+            with suppress(CannotAnswer):
+                check.compare(draw, 1.0 if truth.formula.says else 0.0, truth.formula.in_numbers(values))
             return
         reference = Reference(self.setup.system, values)
         made = PutBack(number, Draw(values, reference, reference.assemble(guess=draw.q, n_starts=2)), 1.0)

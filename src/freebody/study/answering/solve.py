@@ -12,6 +12,7 @@ from freebody.errors import CannotAnswer, ModelError, Problem
 from freebody.language.expression import number
 from freebody.language.sentences import Message, further
 from freebody.questions.course import Transition
+from freebody.questions.happening import Happening
 from freebody.questions.reading import Question
 from freebody.study.answering import evidence as proof
 from freebody.study.answering.answer import Answer, Value, made, refused
@@ -82,7 +83,7 @@ def _in_whole(system: System, questions: Sequence[Question], setup: Setup | None
     if system.bounds or system.dry_friction or system.blows:
         return _in_phases(system, questions)
     lets_go = any(row.unilateral for row in system.constraint_rows)  # ideal strings and rolling contacts do, if asked
-    if lets_go and any(q.transition is not None for q in questions):
+    if lets_go and any(map(_is_of_changes, questions)):
         return _with_changes(system, questions, setup)
     setup = Setup(system) if setup is None else setup
     try:
@@ -120,6 +121,11 @@ def _with_before(system: System, questions: Sequence[Question], setup: Setup | N
     return replace(after, answers=tuple(answers[q.id] for q in questions))
 
 
+def _is_of_changes(q: Question) -> bool:
+    """Whether a question is about what contacts and strings do in the course of the motion."""
+    return q.transition is not None or (q.quantity.wanted is not None and isinstance(q.quantity.wanted.of, Happening))
+
+
 def _by_cases(setup: Setup, question: Question) -> Answer | None:
     """What one formula does not tell of an event a case distinction may: the motion is a sequence of one phase, and
     inequalities tell which of several roots comes first. None where that leads to no closed form either."""
@@ -149,8 +155,8 @@ def _on_one_side(setup: Setup, question: Question) -> Answer | None:
 def _with_changes(system: System, questions: Sequence[Question], setup: Setup | None) -> Solution:
     """Some questions wait until an ideal string goes slack or a wheel lifts off, which only a motion in phases knows.
     The others are answered as if these had not been asked."""
-    rest = _in_whole(system, [q for q in questions if q.transition is None], setup)
-    waiting = [q for q in questions if q.transition is not None]
+    rest = _in_whole(system, [q for q in questions if not _is_of_changes(q)], setup)
+    waiting = [q for q in questions if _is_of_changes(q)]
     try:
         found = _in_phases(system, waiting)
     except ModelError as error:  # of these questions: the others are answered, or refused, by themselves

@@ -48,7 +48,7 @@ from freebody.symbolic.zeros import zeros_of
 from freebody.system.system import System
 
 _NEAR = 1e-6  # of the size of its parts: a quantity that is smaller is zero at the value that was put in
-_TIME = 0.37  # [s] at which drivers are looked at
+TIME = 0.37  # [s] at which drivers are looked at
 _ENOUGH = 2 * MIN_DRAWS  # numbers at which a value is one: some of them may say nothing more
 _WIDE, _BATCHES = 2.5, 6  # draws beyond the usual ones: their spread, and how many lots of them
 _ARCS = {  # the ranges of their values, in half turns
@@ -81,13 +81,16 @@ class PutBack:
 class Formula:
     """What is asked for as a formula, where it is true, and how it was checked. in_numbers: how the quantity comes from
     values of all parameters where it is not looked at in one smooth motion; is_put_back: whether the value is put back
-    into the numeric route, and not into the formula alone."""
+    into the numeric route, and not into the formula alone. says: of what is so, or not so, where the conditions hold;
+    None where that is not known, and `why`."""
 
     element: Elements | Fraction
     needed: Sequence[Condition]
     evidence: Callable[[], Evidence]
     in_numbers: Callable[[dict[str, float]], Value] | None = None
     is_put_back: bool = True
+    says: bool | None = True
+    why: str = ""
 
 
 @dataclass
@@ -269,7 +272,7 @@ def quantity_with(setup: Setup, question: Question, of: Quantity, formula: Formu
         return formula.in_numbers(draw.values)
     if question.event is not None:
         return at_event(setup, of, draw, draw.start(), LONGEST, question.event)
-    here = draw.start() if question.at_start else draw.anywhere(SEED + made.number, _TIME, 0.1)
+    here = draw.start() if question.at_start else draw.anywhere(SEED + made.number, TIME, 0.1)
     return of.value(setup.system, draw.seen(here))
 
 

@@ -5,21 +5,30 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
+from fractions import Fraction
 from functools import lru_cache, singledispatchmethod
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Symbol
 from freebody.language.notation import compared, joined, reworded, to_text
 from freebody.language.sentences import Message, in_turn
+from freebody.numeric.reference import Reference
 from freebody.questions.base import Quantity
+from freebody.questions.happening import FailsFirst
 from freebody.questions.reading import Question
 from freebody.questions.rest import FirstFailure, Holds, ReactionRange, RestLimit
+from freebody.questions.turned_round import RangeForAtRest
 from freebody.study.answering.answer import Answer, AnswerCase, Evidence, made
+from freebody.study.answering.closed_form import QuestionSolver
 from freebody.study.answering.crosscheck import CrossCheck
+from freebody.study.answering.draws import Draw
 from freebody.study.answering.finding import answered, judged
+from freebody.study.answering.ranges import solved_for
 from freebody.study.answering.scope import for_all
+from freebody.study.answering.turned_round import Formula
 from freebody.study.friction.cases import Compared, Ends, FailureCase, HoldingLimit
 from freebody.study.friction.ends import ParameterEnds, ReactionEnds
+from freebody.study.friction.failures import seen
 from freebody.study.friction.touching import TouchingAtRest, touching
 from freebody.study.setup import Setup
 from freebody.symbolic.active_set import Failure
@@ -92,6 +101,42 @@ class _Answerer:
     @answer.register(ReactionRange)
     def _reaction(self, q: ReactionRange) -> Answer:
         return self._ends(self.rest.reaction(self._row(q)), "it", (-1, 1))
+
+    @answer.register(RangeForAtRest)
+    def _which_first(self, q: RangeForAtRest) -> Answer:
+        """For which values of a parameter one failure comes before the other as another parameter grows."""
+        assert isinstance(q.of, FailsFirst)
+        of, ends = q.of, self.rest.parameter(q.of.grows)
+
+        def in_numbers(values: dict[str, float]) -> float:
+            reference = Reference(self.touching.held, values)
+            draw = Draw(values, reference, reference.assemble(guess=self.setup.draws[0].q))
+            edge = ends.edge(draw, 1, None)
+            if edge is None or math.isinf(edge.value):
+                raise CannotAnswer(Message("{x} may grow without limit", x=of.grows))
+            is_so = _is_failure(of, seen(self.touching, edge.problem, edge.optimum, draw).failure)
+            if is_so is None:
+                raise CannotAnswer(Message("it tips and slides at once"))
+            return 1.0 if is_so else 0.0
+
+        def no_formula() -> Evidence:
+            raise CannotAnswer(Message("it has no closed form"))
+
+        cases = ends.limit(1).cases
+        formulas = [
+            Formula(
+                Fraction(1),
+                case.conditions,
+                no_formula,
+                in_numbers,
+                says=_is_failure(of, case.failure) if case.is_complete else None,
+                why=case.words,
+            )
+            for case in cases
+        ]
+        if not formulas:
+            raise CannotAnswer(Message("no limit of {x} was found among the values that were tried", x=of.grows))
+        return QuestionSolver(self.setup, self.question).finish(solved_for(self.setup, self.question, formulas))
 
     @answer.register(Holds)
     def _holds(self, q: Holds) -> Answer:
@@ -284,6 +329,13 @@ class _Answerer:
         notes: list[str] = [Message("first: {words}, at this {x}", words=limit.main.words, x=to_text(Symbol(name)))]
         exact = [self._exact(ends, limit.main)] if self.setup.has_values else []
         return self._finished(ends, [limit.main], (limit.main.element,), exact, notes, [limit])
+
+
+def _is_failure(of: FailsFirst, failure: Failure) -> bool | None:
+    """Whether a failure is the one that is meant; None where it is both."""
+    if bool(failure.opens) == bool(failure.slips):
+        return None
+    return bool(failure.opens) == (of.fails == "tips")
 
 
 def _cases(limits: Sequence[HoldingLimit]) -> tuple[AnswerCase, ...]:

@@ -148,29 +148,32 @@ def _at_transition(
         yield from _beside_blow(tree, question, asked, ways)
         return
     for way in ways:
-        if not way.edges and (at_once := _at_once(tree, asked, way.last)):
-            yield _at_the_start(tree, question, way, at_once)
+        if not way.edges and (begun := begins_with(tree, asked, way.last)):
+            yield _at_the_start(tree, question, way, begun)
             continue
         for edge in way.last.edges:
             if edge.first is None:
                 continue
-            if _is_meant(asked, edge.first.watch) and asked.kind != "rolls":
+            if is_meant(asked, edge.first.watch) and asked.kind != "rolls":
                 yield _piece(tree, question, way, edge.first, edge.conditions, edge.sets)
                 continue
             for node in edge.nodes:
-                ends = asked.kind == "opens" and edge.first.watch.kind == "edge ends"
-                if ends and _is_left(node, asked, edge.first.watch.connection):
-                    conditions = [*edge.conditions, *node.conditions]
-                    yield _piece(tree, question, way, edge.first, conditions, node.sets)
-                    continue
-                sticks = node.phase.mode.states.get(edge.first.watch.name) == 0
-                if asked.kind == "rolls" and sticks and _is_meant(asked, edge.first.watch):
-                    yield _piece(tree, question, way, edge.first, [*edge.conditions, *node.conditions], node.sets)
-                elif asked.kind == "opens" and _rebounds(node, asked):
-                    conditions = [*edge.conditions, *node.conditions]
-                    yield _piece(tree, question, way, edge.first, conditions, node.sets, after=node)
-                else:
+                conditions = [*edge.conditions, *node.conditions]
+                if not comes_behind(asked, edge.first.watch, node):
                     yield from _at_transition(tree, question, asked, [way.on(edge, node)])
+                else:
+                    after = node if asked.kind == "opens" and _rebounds(node, asked) else None
+                    yield _piece(tree, question, way, edge.first, conditions, node.sets, after)
+
+
+def comes_behind(asked: Transition, watch: PhaseWatch, node: PhaseNode) -> bool:
+    """Whether a change of a contact comes with the phase that follows on an event: slip ends and rolling follows, an
+    edge ends and nothing touches behind it, or what is struck parts again."""
+    if asked.kind == "rolls":
+        return node.phase.mode.states.get(watch.name) == 0 and is_meant(asked, watch)
+    if asked.kind != "opens":
+        return False
+    return (watch.kind == "edge ends" and _is_left(node, asked, watch.connection)) or _rebounds(node, asked)
 
 
 def _beside_blow(
@@ -278,7 +281,7 @@ def _rebounds(node: PhaseNode, asked: Transition) -> bool:
     return any(name not in node.phase.mode.closed and _is_named(asked, name.partition(".")[0]) for name in hits)
 
 
-def _at_once(tree: PhaseTree, asked: Transition, node: PhaseNode) -> str:
+def begins_with(tree: PhaseTree, asked: Transition, node: PhaseNode) -> str:
     """Why what is asked for happens at the start: nothing slips and yet friction cannot hold, what touches parts, or it
     begins with an impact."""
     phase = node.phase
@@ -328,7 +331,7 @@ def _is_named(asked: Transition, connection: str) -> bool:
     return not asked.of or connection in asked.of
 
 
-def _is_meant(asked: Transition, watch: PhaseWatch) -> bool:
+def is_meant(asked: Transition, watch: PhaseWatch) -> bool:
     kind = {"rolls": "slip ends"}.get(asked.kind, asked.kind)
     return watch.kind == kind and _is_named(asked, watch.connection)
 
@@ -345,7 +348,7 @@ def _at_event(
     """In every phase up to the event; `met` collects why there is no closed form on some ways."""
     for way in ways:
         try:
-            watches = list(_watches(tree, way, event))
+            watches = list(watches_of(tree, way, event))
         except CannotAnswer as error:
             met.append(str(error))
             continue
@@ -385,7 +388,7 @@ def _in_phase(
                 yield from _at_event(tree, question, event, [way.on(edge, replace(after, sets=later))], met)
 
 
-def _watches(
+def watches_of(
     tree: PhaseTree, way: WayToPhase, event: AskedEvent
 ) -> Iterator[tuple[PhaseWatch, Chosen, list[Condition]]]:
     """The distance from the value, positive when the phase begins (where it is zero, right after that), with the sets

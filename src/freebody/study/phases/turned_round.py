@@ -8,13 +8,16 @@ from fractions import Fraction
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.questions.base import Wanted
+from freebody.questions.happening import Happening
 from freebody.questions.reading import Question
-from freebody.study.answering.answer import Answer, Value
+from freebody.study.answering.answer import Answer, Evidence, Value
 from freebody.study.answering.closed_form import QuestionSolver
 from freebody.study.answering.ranges import solved_for
 from freebody.study.answering.simulated_numbers import number_with_changes
 from freebody.study.answering.turned_round import Formula, first_found
 from freebody.study.phases.evidence import compare
+from freebody.study.phases.happening import happening_cases
+from freebody.study.phases.happening_seen import is_seen
 from freebody.study.phases.pieces import AnswerBranch, pieces
 from freebody.study.phases.tree import PhaseTree
 from freebody.symbolic.field import Ratio
@@ -23,6 +26,8 @@ from freebody.system.system import System
 
 def answer(tree: PhaseTree, question: Question, quantity: Wanted) -> Answer:
     """The formulas of all cases, each with its conditions, are solved for the parameter."""
+    if isinstance(quantity.of, Happening):
+        return _of_happening(tree, question, quantity.of)
     asked = replace(question, quantity=quantity.of, options={}, key=None)
 
     def attempt(system: System) -> Answer:
@@ -32,6 +37,36 @@ def answer(tree: PhaseTree, question: Question, quantity: Wanted) -> Answer:
         return QuestionSolver(there.home, question).finish(found)
 
     return first_found(tree.system, quantity.parameter, attempt)
+
+
+def _of_happening(tree: PhaseTree, question: Question, happening: Happening) -> Answer:
+    """Where something is so of the motion: between the borders of all parts of the space of parameters in which it is
+    so, or is not."""
+
+    touching = tree.closed | tree.moving
+
+    def in_numbers(values: dict[str, float]) -> Value:
+        own = {name: x for name, x in values.items() if name in tree.system.parameters}
+        return 1.0 if is_seen(tree.system, happening, touching, own) else 0.0
+
+    cases = happening_cases(tree, happening)
+    formulas = [
+        Formula(Fraction(1), case.conditions, _no_evidence, in_numbers, says=case.is_so, why=case.why) for case in cases
+    ]
+    if not formulas:
+        raise CannotAnswer(tree.reasons[0] if tree.reasons else Message("no motion was found that begins at the start"))
+    found = solved_for(tree.home, question, formulas)
+    if not all(case.is_proved for case in cases):
+        found.notes.append(
+            Message(
+                "that nothing else ends a phase of the motion before was checked at many parameter values, not proved"
+            )
+        )
+    return QuestionSolver(tree.home, question).finish(found)
+
+
+def _no_evidence() -> Evidence:
+    raise CannotAnswer(Message("one number must have a value here, and that is none in closed form"))
 
 
 def _at_the_start(tree: PhaseTree, asked: Question, found: list[tuple[AnswerBranch, Formula]]) -> list[Formula]:

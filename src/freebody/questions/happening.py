@@ -1,0 +1,209 @@
+"""What may be so of a whole motion: an event comes, comes before another or at once, never comes; a state lasts.
+
+    rope stays taut        ball never leaves the dome        wheel rolls without slipping until x = d
+    contact opens before x = d        x reaches d before rolling begins        rolling begins at once
+
+Questions turned round ask for the values of a parameter for which it is so.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Literal
+
+from freebody.language.sentences import Message
+from freebody.language.units import DIMENSIONLESS, Dimension
+from freebody.model.names import did_you_mean
+from freebody.questions.base import NAME, Path, Quantity
+from freebody.questions.course import Transition, connections_of, read_transition
+from freebody.questions.event import AskedEvent, read_event
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+LastingKind = Literal["touches", "rolls"]
+
+
+@dataclass(frozen=True)
+class Lasting:
+    """A state of connections that is so in every phase: they touch (strings are taut), or nothing slips in them. `of`
+    are the connections that are meant; none means all."""
+
+    kind: LastingKind
+    of: tuple[str, ...]
+    text: str
+
+
+@dataclass(frozen=True)
+class Happening(Quantity):
+    """Whether something happens in a motion, or lasts. before: what must not come first; at_once: whether the start
+    alone is meant; is_so: False where it is not to happen."""
+
+    what: Transition | Lasting | AskedEvent | None
+    text: str
+    before: Transition | AskedEvent | None = None
+    at_once: bool = False
+    is_so: bool = True
+
+    scope = "course"
+    measured_in = DIMENSIONLESS
+
+    @property
+    def dimension(self) -> Dimension:
+        return DIMENSIONLESS
+
+    @property
+    def is_of_whole(self) -> bool:
+        return True
+
+
+@dataclass(frozen=True)
+class FailsFirst(Happening):
+    """Whether a system at rest tips before it slides, or the other way round, as a parameter grows."""
+
+    fails: Literal["tips", "slides"] = "tips"
+    grows: str = ""
+
+    scope = "rest"
+
+
+@dataclass(frozen=True)
+class StableEquilibrium(Happening):
+    """Whether an equilibrium is stable."""
+
+    scope = "small motion"
+
+
+# -- words ------------------------------------------------------------------------------------
+_SUBJECT = rf"(?:it|the motion|the system|(?:the )?(?P<of>{NAME}))"
+_STAYS = r"(?:always )?(?:stays?|remains?|keeps?|is always)(?: always)?"
+_ON = rf"(?: (?:the )?(?P<on>{NAME}))?"
+_STATES: tuple[tuple[str, LastingKind], ...] = (
+    (rf"{_STAYS} (?:taut|tight|stretched|closed|pressed)", "touches"),
+    (rf"{_STAYS} (?:on|upon|in contact(?: with)?|in touch with|touching|contact(?: with)?){_ON}", "touches"),
+    (rf"(?:does not|never) (?:leaves?|(?:loses?|breaks?) contact(?: with)?|(?:lift|take|jump)s? off){_ON}", "touches"),
+    (r"(?:(?:does not|never) (?:goes|go|becomes?|gets?)|is never) slack", "touches"),
+    (r"(?:(?:does not|never) (?:opens?|parts?))", "touches"),
+    (r"rolls (?:on )?without (?:slip|slipping|sliding)", "rolls"),
+    (r"(?:does not|never) (?:slips?|slides?)(?: (?:as|while) it rolls)?", "rolls"),
+    (rf"{_STAYS} rolling(?: without (?:slip|slipping|sliding))?", "rolls"),
+)
+_LASTING: list[tuple[re.Pattern[str], LastingKind]] = [
+    (re.compile(rf"^{_SUBJECT} {pattern}$"), kind) for pattern, kind in _STATES
+]
+_NO_SLIP = re.compile(r"^(?:there is no slip(?:ping)?|no slip(?:ping)?|without slip(?:ping)?)$")
+_NEVER = re.compile(
+    rf"^(?P<who>it|the motion|(?:the )?{NAME}) (?:does not|do not|never|will not) (?P<verb>\w+)(?P<rest>.*)$"
+)
+_BEFORE = re.compile(r"^(?P<what>.+?) (?:before|until|up to(?: where)?|as long as not) (?P<before>.+)$")
+_AT_ONCE = re.compile(
+    r"^(?P<what>.+?),? (?:at once|immediately|straight away|at the (?:very )?(?:start|beginning)|at start|"
+    r"from the (?:very )?(?:start|beginning)(?: on)?|from start|just after the start)$"
+)
+_REACHES = re.compile(r"^(?P<what>.+?) (?:reaches|gets to|comes to|gets as far as|passes) (?P<value>.+)$")
+
+
+_WHO = rf"(?:it|the system|(?:the )?{NAME})"
+_FAILS = re.compile(
+    rf"^{_WHO} (?P<first>tips|slides|slips)(?: over)? (?:before|rather than|earlier than|first,? before) (?:{_WHO} )?"
+    rf"(?P<second>tips|slides|slips|tipping|sliding|slipping)"
+    rf"(?: (?:as|when|while) (?:the )?(?:force |torque |angle )?(?P<grows>{NAME}) (?:grows|increases|is increased))?$"
+)
+_STABLE = re.compile(
+    r"^(?:(?:the |this )?(?:[a-z]+ )?(?:equilibrium|position|pose)(?: at (?:the )?start)?|it|the system) "
+    r"(?:is|is in) (?P<not>un|not )?stable(?: equilibrium)?$"
+)
+
+
+def read_happening(names: Names, text: str, path: Path) -> Happening | None:
+    """What a text states of a motion, or of a state of rest; None if it is nothing of the kind."""
+    whole = text.strip()
+    if (stable := _STABLE.match(whole)) is not None:
+        return StableEquilibrium(None, whole, is_so=stable["not"] is None)
+    if (fails := _FAILS.match(whole)) is not None:
+        return _fails_first(names, whole, fails, path)
+    parts = _BEFORE.match(whole)
+    head, limit = (parts["what"], parts["before"]) if parts is not None else (whole, None)
+    at_once = _AT_ONCE.match(head)
+    head = head if at_once is None else at_once["what"]
+    found = _stated(names, head, path, timed=limit is not None)
+    if found is None:
+        return None
+    what, is_so = found
+    before: Transition | AskedEvent | None = None
+    if limit is not None:
+        before = read_transition(names, limit, path)
+        before = read_event(names, _as_equation(limit), path) if before is None else before
+        if before is None:
+            return None
+    return Happening(what, whole, before, at_once is not None, is_so)
+
+
+def _fails_first(names: Names, text: str, found: re.Match[str], path: Path) -> Happening | None:
+    """Which failure is meant to come first."""
+    tips = [word.startswith("tip") for word in (found["first"], found["second"])]
+    if tips[0] == tips[1]:
+        names.problem(Message("cannot read the condition '{text}'; write for example x = h", text=text), *path)
+        return None
+    if found["grows"] is None:
+        names.problem(Message("say as what grows: {text} as F grows", text=text), *path)
+        return None
+    grows = names.parameters.get(found["grows"])
+    if grows is None or grows.form is not None:
+        known = did_you_mean(found["grows"], names.parameters)
+        names.unknown(found["grows"], Message("{name} is no parameter.{hint}", name=found["grows"], hint=known), *path)
+        return None
+    return FailsFirst(None, text, fails="tips" if tips[0] else "slides", grows=grows.name)
+
+
+def _stated(
+    names: Names, text: str, path: Path, *, timed: bool
+) -> tuple[Transition | Lasting | AskedEvent, bool] | None:
+    """A state that lasts, an event that comes, or (False) does not. timed: whether it is to come before something."""
+    if _NO_SLIP.match(text):
+        return Lasting("rolls", (), text), True
+    for pattern, kind in _LASTING:
+        found = pattern.match(text)
+        if found is not None and found["of"] not in names.measures:
+            return Lasting(kind, _of(names, found.groupdict(), path), text), True
+    never = _NEVER.match(text)
+    if never is not None:
+        stated = f"{never['who']} {_third_person(never['verb'])}{never['rest']}"
+        inner = _stated(names, stated, path, timed=True)
+        return None if inner is None else (inner[0], not inner[1])
+    transition = read_transition(names, text, path)
+    if transition is not None:
+        return transition, True
+    reached = _REACHES.match(text)
+    if timed and reached is not None:
+        event = read_event(names, _as_equation(text), path)
+        return None if event is None else (event, True)
+    return None
+
+
+def _of(names: Names, found: dict[str, str | None], path: Path) -> tuple[str, ...]:
+    """The connections that are meant: those of a name, or between two."""
+    if found["of"] is None:
+        return ()
+    of, on = connections_of(names, found["of"], path), found.get("on")
+    if on is None or any(on in body.lines for body in names.bodies.values()):
+        return of
+    other = connections_of(names, on, path)
+    both = tuple(connection for connection in of if connection in other)
+    if of and other and not both:
+        told = Message("{name} and {other} have no contact with each other", name=found["of"], other=on)
+        names.problem(told, *path)
+    return both
+
+
+def _third_person(verb: str) -> str:
+    """leave: leaves; go: goes; touch: touches."""
+    if verb.endswith("s") and not verb.endswith("ss"):
+        return verb
+    return f"{verb}es" if verb.endswith(("o", "s", "ch", "sh", "x")) else f"{verb}s"
+
+
+def _as_equation(text: str) -> str:
+    found = _REACHES.match(text)
+    return text if found is None else f"{found['what']} = {found['value']}"

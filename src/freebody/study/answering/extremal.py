@@ -1,0 +1,187 @@
+"""For which value of a parameter a quantity is largest or least: where its slope changes sign.
+
+All places at which the slope can change sign are found in closed form (`ranges.py`). Where it is positive up to a value
+and negative behind it, over all values for which the formula is true, the quantity rises to that value and falls behind
+it: it is the largest one, and no comparison of values is needed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+from freebody.errors import CannotAnswer
+from freebody.language.expression import Symbol
+from freebody.language.notation import compared, reworded
+from freebody.language.sentences import Message
+from freebody.numeric.reference import Reference
+from freebody.questions.base import Wanted
+from freebody.questions.reading import Question
+from freebody.study.answering.answer import Evidence
+from freebody.study.answering.conditions import real
+from freebody.study.answering.crosscheck import MOTION_TOLERANCE, CrossCheck, as_parts, element_at, holds
+from freebody.study.answering.draws import Draw
+from freebody.study.answering.finding import Finding
+from freebody.study.answering.magnitude import magnitude
+from freebody.study.answering.numbers import number_at
+from freebody.study.answering.ranges import RangeSearch
+from freebody.study.answering.turned_round import Formula, PutBack, domain_of, quantity_with
+from freebody.study.setup import Setup
+from freebody.symbolic.conditions import Condition, require
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.functions import functions
+from freebody.symbolic.limits import derivative_by
+from freebody.symbolic.tidy import tidy
+
+_WAVES = {"acos": "cos", "asin": "sin", "atan": "tan"}
+_TWELFTHS = (2, 3, 4, 1, 5, 0)  # of pi: angles of the first quadrant
+_LINEARISED = 1e-5  # relative: what is found by a numerical linearisation
+_BESIDE = 0.02  # of the value: beside it the quantity is less
+
+
+@dataclass(frozen=True)
+class _Monotone:
+    """Where the slope has either sign. sign: of what is asked for, 1 the largest."""
+
+    rises: RangeSearch
+    falls: RangeSearch
+    sign: int
+
+    def summit(self, draw: Draw) -> Ratio | None:
+        """The one value up to which it rises and behind which it falls, over all of the range; None where there is no
+        such value."""
+        first, then = (self.rises, self.falls) if self.sign > 0 else (self.falls, self.rises)
+        up, down = first.intervals(draw), then.intervals(draw)
+        if len(up) != 1 or len(down) != 1:
+            return None
+        end, begin = up[0][1].value, down[0][0].value
+        return end if end is not None and begin is not None and end == begin else None
+
+
+def find_extremal(setup: Setup, question: Question, formulas: Sequence[Formula]) -> Finding:
+    """The value of the parameter, or the quantity there. Raises CannotAnswer where there is none inside of its range,
+    or several places compete."""
+    wanted = question.quantity.wanted
+    assert wanted is not None
+    if len(formulas) != 1 or not isinstance(formulas[0].element, Ratio):
+        raise CannotAnswer(Message("the quantity has several formulas, and which is largest is not decided over cases"))
+    (formula,) = formulas
+    assert isinstance(formula.element, Ratio)
+    field, model = setup.model.field, setup.model
+    index = field.index(model.parameters[wanted.parameter])
+    if index not in field.ingredients(formula.element):
+        raise CannotAnswer(Message("that does not depend on {name}", name=wanted.parameter))
+    slope = derivative_by(model, formula.element, index)
+    if slope.is_zero():
+        raise CannotAnswer(Message("that does not depend on {name}", name=wanted.parameter))
+    monotone = _Monotone(
+        *(_search(setup, question, wanted, formula, slope, relation) for relation in (">", "<")),
+        sign=1 if wanted.end == "largest" else -1,
+    )
+    own = setup.draws[0]
+    place = monotone.summit(own)
+    if place is None:
+        raise CannotAnswer(_no_summit(monotone, own, wanted.parameter))
+    place = _plain(place)
+    there = field.lowest_terms(field.follow(formula.element, {index: place}))
+    conditions = _conditions(setup, wanted, formula, place, index)
+    evidence = _evidence(setup, question, formula, monotone, place, conditions)
+    shown = compared(Symbol(wanted.parameter), "=", tidy(place))
+    told = (
+        Message("it rises up to {place} and falls behind it", place=shown)
+        if monotone.sign > 0
+        else Message("it falls up to {place} and rises behind it", place=shown)
+    )
+    notes = [reworded(told, shown)]
+    if setup.system.parameters[wanted.parameter].value is not None:
+        notes.append(Message("the number that the file gives for {name} is left out", name=wanted.parameter))
+    element = place if wanted.asks_place else there
+    return Finding(
+        element, evidence, [*conditions, *real(element)], notes, has_value=setup.has_values, is_complete=True
+    )
+
+
+def _plain(place: Ratio) -> Ratio:
+    """acos(sqrt(2)/2) as pi/4: an arc of a number that is the sine, cosine or tangent of a part of pi."""
+    field = place.field
+    for g in place.generators():
+        name, inside = field.arguments.get(g, ("", place))
+        if name not in _WAVES or place != field.variable(g):
+            continue
+        fn = functions(field)
+        for k in _TWELFTHS:
+            angle = k * field.pi / 12
+            if fn[_WAVES[name]](angle) == inside:
+                return angle
+    return place
+
+
+def _search(
+    setup: Setup, question: Question, wanted: Wanted, formula: Formula, slope: Ratio, relation: str
+) -> RangeSearch:
+    side: Wanted = wanted.asking(relation=relation)
+    return RangeSearch(setup, question, side, [replace(formula, element=slope)])
+
+
+def _no_summit(monotone: _Monotone, own: Draw, name: str) -> Message:
+    up, down = monotone.rises.intervals(own), monotone.falls.intervals(own)
+    if up and not down:
+        return Message("it only rises as {name} grows: no value inside of the range is the one", name=name)
+    if down and not up:
+        return Message("it only falls as {name} grows: no value inside of the range is the one", name=name)
+    return Message("it rises and falls in several parts of the range of {name}: which counts is not decided", name=name)
+
+
+def _conditions(setup: Setup, wanted: Wanted, formula: Formula, place: Ratio, index: int) -> list[Condition]:
+    field, found = setup.model.field, list[Condition]()
+    needed = [replace(c, element=field.lowest_terms(field.follow(c.element, {index: place}))) for c in formula.needed]
+    for c in [*domain_of(setup.system.parameters[wanted.parameter], place), *real(place), *needed]:
+        condition, possible = require(c.element, c.relation, c.purpose)
+        if not possible:
+            raise CannotAnswer(Message("the formula is not true where it would be largest or least"))
+        if condition is not None:
+            found.append(condition)
+    return found
+
+
+def _evidence(
+    setup: Setup,
+    question: Question,
+    formula: Formula,
+    monotone: _Monotone,
+    place: Ratio,
+    conditions: Sequence[Condition],
+) -> Evidence:
+    """At every draw the same place comes out; the quantity by the numeric route is as the formula there, and less (or
+    more) on either side."""
+    wanted = question.quantity.wanted
+    assert wanted is not None
+    route = Message("the value put in for the parameter, and values beside it, each by the numeric route")
+    check = CrossCheck(question.text, route, MOTION_TOLERANCE if wanted.of.is_of_state else _LINEARISED)
+
+    def numeric(draw: Draw, k: int, value: float) -> tuple[PutBack, float]:
+        values = draw.values | {wanted.parameter: value}
+        reference = Reference(setup.system, values)
+        made = PutBack(k, Draw(values, reference, reference.assemble(guess=draw.q, n_starts=2)), 1.0)
+        if wanted.of.is_of_state:
+            return made, float(quantity_with(setup, question, wanted.of, formula, made))
+        return made, as_parts(number_at(setup, wanted.of, question.event, made.draw))[0]
+
+    def compare(item: tuple[int, Draw]) -> None:
+        k, draw = item
+        start = draw.start()
+        if not all(holds(setup, c, draw, start) for c in conditions):
+            return
+        found = monotone.summit(draw)
+        if found is None or _plain(found) != place:
+            raise CannotAnswer(Message("which ends count depends on more than could be told in formulas"))
+        (at,) = element_at(setup, place, draw, start)
+        made, top = numeric(draw, k, at)
+        assert isinstance(formula.element, Ratio)
+        exact = element_at(setup, formula.element, made.draw, made.draw.start())
+        beside = [numeric(draw, k, at * (1 + way * _BESIDE))[1] for way in (1, -1)]
+        if not all(monotone.sign * (top - other) > 0 for other in beside):
+            raise CannotAnswer(Message("the numeric route does not confirm that it is largest or least there"))
+        check.compare(draw, exact, top, lambda: magnitude(wanted.of.dimension, made.draw.seen(made.draw.start())))
+
+    return check.gather(enumerate(setup.draw_stream()), compare).evidence()

@@ -1,0 +1,173 @@
+"""Whether something happens in a motion, or lasts, in every part of the space of parameters, by the phases.
+
+A state lasts if every phase of a way has it; an event comes if the end of one of them is that event, and what it is to
+come before has not come by then. Which of the two is first in a phase is told as it is told what ends the phase.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from itertools import product
+
+import numpy as np
+
+from freebody.questions.clock import Clock
+from freebody.questions.course import Transition
+from freebody.questions.event import QuestionEvent
+from freebody.questions.happening import Happening, Lasting
+from freebody.study.answering.finding import NO_FORM, why
+from freebody.study.phases.events import first_events
+from freebody.study.phases.nodes import PhaseEnd, PhaseNode, WayToPhase
+from freebody.study.phases.numbers import Chosen
+from freebody.study.phases.phase import PhaseWatch
+from freebody.study.phases.pieces import begins_with, comes_behind, is_meant, watches_of
+from freebody.study.phases.tree import PhaseTree
+from freebody.study.phases.words import ROLLING
+from freebody.symbolic.conditions import Condition
+
+
+@dataclass(frozen=True)
+class HappeningCase:
+    """Whether it is so in one part of the space of parameters; None where that is not known, with the reason."""
+
+    is_so: bool | None
+    conditions: tuple[Condition, ...]
+    why: str = ""
+    is_proved: bool = True  # that nothing else ends a phase follows from formulas
+
+
+def happening_cases(tree: PhaseTree, happening: Happening) -> list[HappeningCase]:
+    """All parts, as far as the phases are known."""
+    roots = [WayToPhase((node,), (), (*tree.assumed, *node.conditions)) for node in tree.roots]
+    found = [case for way in roots for case in _Walk(tree, happening).cases(way)]
+    if happening.is_so:
+        return found
+    return [replace(case, is_so=None if case.is_so is None else not case.is_so) for case in found]
+
+
+_Ends = Iterator[tuple[PhaseWatch | PhaseEnd | None, list[Condition], Chosen]]
+
+
+class _Walk:
+    """From the start along all ways."""
+
+    def __init__(self, tree: PhaseTree, happening: Happening) -> None:
+        self.tree, self.what, self.before = tree, happening.what, happening.before
+        self.at_once = happening.at_once
+
+    def cases(self, way: WayToPhase) -> Iterator[HappeningCase]:
+        """Those of the ways that go on from here."""
+        node = way.last
+        if (known := self._in_phase(node, is_first=not way.edges)) is not None:
+            yield HappeningCase(known, way.conditions)
+            return
+        try:
+            ends = list(self._ends(way))
+        except NO_FORM as error:
+            yield HappeningCase(None, way.conditions, why(self.tree.system, error))
+            return
+        if node.reason:
+            yield HappeningCase(None, way.conditions, node.reason)
+            return
+        for end, conditions, sets in ends:
+            here = replace(way, conditions=(*way.conditions, *conditions))
+            if isinstance(end, PhaseWatch):
+                is_so = isinstance(self.what, (QuestionEvent, Clock)) and end.name == self.what.text
+                yield HappeningCase(is_so or isinstance(self.what, Lasting), here.conditions)
+            elif end is None or end.first is None:
+                yield self._at_last(end, here)
+            else:
+                yield from self._behind(here, end, sets)
+
+    def _in_phase(self, node: PhaseNode, *, is_first: bool) -> bool | None:
+        """What is decided by the phase alone."""
+        if isinstance(self.what, Lasting):
+            has = self._has(node, self.what)
+            return has if self.at_once or not has else None
+        if not is_first:
+            return None
+        if isinstance(self.what, Transition):
+            begins = bool(begins_with(self.tree, self.what, node)) or (self.at_once and self._rolls_at_once(node))
+            if begins or self.at_once:
+                return begins
+        if isinstance(self.before, Transition) and begins_with(self.tree, self.before, node):
+            return isinstance(self.what, Lasting)
+        return None
+
+    def _rolls_at_once(self, node: PhaseNode) -> bool:
+        assert isinstance(self.what, Transition)
+        return self.what.kind == "rolls" and self._has(node, Lasting("rolls", self.what.of, ""))
+
+    def _has(self, node: PhaseNode, lasting: Lasting) -> bool:
+        """Whether a phase has a state: of every connection that is meant a place touches, or no slip goes on."""
+        mode = node.phase.mode
+        if lasting.kind == "touches":
+            begun = {name.partition(".")[0] for name in self.tree.closed | self.tree.moving}
+            meant = set(lasting.of) or begun
+            return meant <= {name.partition(".")[0] for name in mode.closed}
+        rubs = [
+            rub
+            for rub in node.phase.base.dry_friction
+            if rub.row.reaction != ROLLING and (not lasting.of or rub.name.partition(".")[0] in lasting.of)
+        ]
+        sticking = {name.partition(".")[0] for name, state in mode.states.items() if state == 0}
+        sliding = {rub.name.partition(".")[0] for rub in rubs if mode.states.get(rub.name)}
+        return not sliding and {rub.name.partition(".")[0] for rub in rubs} <= sticking
+
+    def _ends(self, way: WayToPhase) -> _Ends:
+        """How the last phase of a way ends: by an event that is asked for (its watch), or as the tree knows."""
+        node, tree = way.last, self.tree
+        asked = [e for e in (self.what, self.before) if isinstance(e, (QuestionEvent, Clock))]
+        if not asked:
+            yield from ((edge, list(edge.conditions), edge.sets) for edge in node.edges)
+            return
+        for chosen in product(*(list(watches_of(tree, way, event)) for event in asked)):
+            sets = node.sets
+            for _watch, own, _given in chosen:
+                sets = np.intersect1d(sets, own)
+            if not len(sets):
+                continue
+            watches: Sequence[PhaseWatch] = [watch for watch, _own, _given in chosen]
+            given = [c for _watch, _own, conditions in chosen for c in conditions]
+            for outcome in first_events(node.phase, tree.sets, sets, watches):
+                conditions = [*given, *tree.outcome_conditions(node.phase, outcome)]
+                first = None if outcome.first is None else outcome.first.watch
+                if first is None or any(first is watch for watch in watches):
+                    last = next((edge for edge in node.edges if edge.first is None), None)
+                    yield last if first is None else first, conditions, outcome.sets
+                    continue
+                for edge in node.edges:
+                    if edge.watch is first and len(own := np.intersect1d(outcome.sets, edge.sets)):
+                        yield edge, conditions, own
+
+    def _at_last(self, end: PhaseEnd | None, way: WayToPhase) -> HappeningCase:
+        """The last phase goes on for ever."""
+        if end is not None and end.stops:
+            return HappeningCase(None, way.conditions, end.stops)
+        is_proved = end is None or end.is_proved
+        return HappeningCase(isinstance(self.what, Lasting), way.conditions, is_proved=is_proved)
+
+    def _behind(self, way: WayToPhase, edge: PhaseEnd, sets: Chosen) -> Iterator[HappeningCase]:
+        """What a phase ends by is asked for, or other phases follow."""
+        assert edge.watch is not None
+        for asked, is_so in ((self.what, True), (self.before, isinstance(self.what, Lasting))):
+            if isinstance(asked, Transition) and asked.kind != "rolls" and is_meant(asked, edge.watch):
+                yield HappeningCase(is_so, way.conditions)
+                return
+        for node in edge.nodes:
+            own = np.intersect1d(sets, node.sets)
+            if not len(own):
+                continue
+            nodes = (*way.nodes, replace(node, sets=own))
+            there = WayToPhase(nodes, (*way.edges, edge), (*way.conditions, *node.conditions))
+            known: bool | None = None
+            for asked, is_so in ((self.before, isinstance(self.what, Lasting)), (self.what, True)):
+                if isinstance(asked, Transition) and comes_behind(asked, edge.watch, node):
+                    known = is_so
+            if known is None:
+                yield from self.cases(there)
+            else:
+                yield HappeningCase(known, there.conditions)
+        if not edge.nodes:
+            yield HappeningCase(None, way.conditions, edge.stops)

@@ -1,0 +1,168 @@
+"""Whether something happens in a motion, or lasts, as the engine sees it: states along a simulated motion."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
+from freebody.numeric.contact.record import ABSENT
+from freebody.numeric.engine.course import ContactRecord, Status, Trajectory
+from freebody.numeric.options import SimulationOptions
+from freebody.questions.clock import Clock
+from freebody.questions.course import Transition
+from freebody.questions.event import QuestionEvent
+from freebody.questions.happening import Happening, Lasting
+from freebody.study.phases.words import ROLLING
+from freebody.study.simulation.simulator import Simulator
+from freebody.system.system import System
+
+_LOOKS = 1500  # instants at which states are looked at
+_TIMES = (2.0, 10.0)  # [s] for which it is followed, the longer time where nothing is decided in the shorter one
+_STEPS = 50_000
+_TOLERANCE = 1e-9
+_STILL = 1e-9  # [SI] of a slip that is none
+_SOON = 1e-7  # [s] in which what is there at once shows
+
+
+def is_seen(system: System, happening: Happening, touching: frozenset[str], values: Mapping[str, float]) -> bool:
+    """Whether it is so at values of the parameters. touching: bounds that touch at the start.
+
+    Raises CannotAnswer where the simulated motion does not tell: it ends too early, or two things
+    come so close together that the looks do not tell them apart."""
+    if happening.at_once:
+        if isinstance(happening.what, Transition) and happening.what.kind == "rolls":
+            happening = replace(happening, what=Lasting("rolls", happening.what.of, happening.text))
+        return _Seen(system, happening, _SOON, touching, values).is_so() == happening.is_so
+    for k, until in enumerate(_TIMES):
+        seen = _Seen(system, happening, until, touching, values)
+        if seen.is_decided or k + 1 == len(_TIMES):
+            return seen.is_so() == happening.is_so
+    raise AssertionError
+
+
+class _Seen:
+    """One simulated motion. Times are those of looks, infinite for what does not come."""
+
+    def __init__(
+        self, system: System, happening: Happening, until: float, touching: frozenset[str], values: Mapping[str, float]
+    ) -> None:
+        self.system, self.happening = system, happening
+        self.touching = sorted({name.partition(".")[0] for name in touching})  # connections
+        asked = [e for e in (happening.what, happening.before) if isinstance(e, QuestionEvent)]
+        simulator = Simulator(system, values, events=tuple(e.text for e in asked))
+        looks = np.linspace(0.0, until, 3 if happening.at_once else _LOOKS)
+        options = SimulationOptions(method="dop853", tolerance=_TOLERANCE, max_steps=_STEPS)
+        self.course: Trajectory = simulator.run(until, options, outputs=looks)
+        if self.course.status not in (Status.FINISHED, Status.EVENT):
+            raise CannotAnswer(Message("the simulated motion ends early: {why}", why=self.course.message))
+        self.simulator = simulator
+        self.room = until / (len(looks) - 1)
+        if not happening.at_once and isinstance(happening.what, Lasting):
+            self.time = np.inf
+        else:
+            self.time = self._when(happening.what)
+        self.limit = np.inf if happening.before is None else self._when(happening.before)
+        self.fails = self._fails(happening.what) if isinstance(happening.what, Lasting) else np.inf
+
+    @property
+    def is_decided(self) -> bool:
+        return min(self.time, self.limit, self.fails) < np.inf
+
+    def is_so(self) -> bool:
+        """With the same looks for all that is compared."""
+        mine = self.fails if isinstance(self.happening.what, Lasting) else self.time
+        if self.limit < np.inf and abs(mine - self.limit) <= 2 * self.room:
+            raise CannotAnswer(Message("two events come too close together to be told apart"))
+        return mine > self.limit or mine == np.inf if isinstance(self.happening.what, Lasting) else mine < self.limit
+
+    def _record(self) -> ContactRecord:
+        record = self.course.contact
+        if record is None:
+            raise CannotAnswer(Message("nothing can touch or slip in this system"))
+        return record
+
+    def _when(self, asked: object) -> float:
+        """The first time at which something comes."""
+        match asked:
+            case Clock():
+                return np.inf if asked.time is None else self.simulator.reference.number(asked.time)
+            case QuestionEvent():
+                return min(
+                    (e.time for e in self.course.events if e.name == asked.text and e.kind != "start"), default=np.inf
+                )
+            case Transition():
+                return self._changes(asked)
+            case _:
+                return np.inf
+
+    def _columns(self, names: tuple[str, ...], of: tuple[str, ...]) -> list[int]:
+        return [k for k, name in enumerate(names) if not of or name.partition(".")[0] in of]
+
+    def _first(self, holds: Any) -> float:
+        """The first look at which something is so; (n_looks,)."""
+        places = np.flatnonzero(np.asarray(holds))
+        return float(self.course.times[places[0]]) if len(places) else np.inf
+
+    def _fails(self, lasting: Lasting) -> float:
+        """The first look at which a state is none."""
+        record = self._record()
+        if lasting.kind == "touches":
+            closed = record.states.astype(bool)
+            meant = lasting.of or self.touching
+            groups = [[k for k, name in enumerate(record.bounds) if name.partition(".")[0] == c] for c in meant]
+            lost = [~closed[:, group].any(axis=1) for group in groups]
+            return self._first(np.any(lost, axis=0)) if lost else np.inf
+        rolling = {rub.name for rub in self.system.dry_friction if rub.row.reaction == ROLLING}
+        own = [k for k in self._columns(record.dry_friction, lasting.of) if record.dry_friction[k] not in rolling]
+        connections = dict.fromkeys(record.dry_friction[k].partition(".")[0] for k in own)
+        lost = list[NDArray[np.bool_]]()
+        for connection in connections:
+            states = record.slips[:, [k for k in own if record.dry_friction[k].partition(".")[0] == connection]]
+            lost.append(~(states == 0).any(axis=1) | ((states != 0) & (states != ABSENT)).any(axis=1))
+        return self._first(np.any(lost, axis=0)) if lost else np.inf
+
+    def _changes(self, asked: Transition) -> float:
+        record = self._record()
+        if asked.kind in ("opens", "touches"):
+            own = self._columns(record.bounds, asked.of)
+            closed = record.states[:, own].astype(bool)
+            if asked.kind == "touches":
+                hits = [
+                    c.time
+                    for c in record.collisions
+                    if any(not asked.of or n.partition(".")[0] in asked.of for n in c.before)
+                ]
+                return min([self._first(closed[:, k] & ~closed[0, k]) for k in range(len(own))] + hits, default=np.inf)
+            closed[0] |= [record.bounds[k].partition(".")[0] in self.touching for k in own]
+            was = np.maximum.accumulate(closed, axis=0)
+            return self._first((was & ~closed).any(axis=1))
+        own = self._columns(record.dry_friction, asked.of)
+        states = record.slips[:, own]
+        slides = (states != 0) & (states != ABSENT)
+        if asked.kind == "slips":
+            begins = slides[0:1] | (slides & np.maximum.accumulate(states == 0, axis=0))
+            return (
+                self._first(np.vstack([begins[:1] & self._still_at_start(own), begins[1:]]).any(axis=1))
+                if len(own)
+                else np.inf
+            )
+        before = np.maximum.accumulate(slides, axis=0)
+        if asked.kind == "rolls":
+            return self._first((before & (states == 0)).any(axis=1))
+        turned = np.zeros_like(slides)
+        turned[1:] = slides[:-1] & (states[1:] != states[:-1])
+        return self._first(turned.any(axis=1))
+
+    def _still_at_start(self, own: list[int]) -> NDArray[np.bool_]:
+        """Which frictions have no slip at the start."""
+        reference = self.simulator.reference
+        q, v = map(reference.by_column, self.simulator.engine.coordinates(self.simulator.start))
+        now, rubs = reference.snapshot(q, v), {rub.name: rub for rub in self.system.dry_friction}
+        names = [self._record().dry_friction[k] for k in own]
+        return np.array([[abs(now.rate(rubs[name].row.measure)) < _STILL for name in names]])

@@ -1,0 +1,76 @@
+"""For which value of a parameter a quantity is largest or least.
+
+Every place is found by hand from the slope of the formula. Problem families: Meriam & Kraige, Dynamics, ch. 2 and 3;
+Beer & Johnston, Dynamics, ch. 11 and 19; Irodov, Problems in General Physics, 1.1 and 1.2; Morin, ch. 3.
+"""
+
+from __future__ import annotations
+
+import pytest
+
+import freebody as fb
+from freebody.api import System
+from posed import is_formula, posed
+
+THROW = """
+parameters: {v0: 15 m/s, theta: 50 deg, beta: 20 deg, g: 9.81 m/s^2}
+bodies: {ball: {particle: {mass: 1 kg}}}
+loads: {weight: {gravity: g}}
+measures: {x: x of ball, y: y of ball}
+start: {x: 0, y: 0, rate(x): v0*cos(theta), rate(y): v0*sin(theta)}
+"""
+BOX = """
+parameters: {m: 20 kg, mu: 0.3, F: 120 N, alpha: 20 deg, g: 9.81 m/s^2}
+bodies: {box: {particle: {mass: m}}}
+loads: {push: {force: {at: box, along: right, magnitude: F*(cos(alpha) + mu*sin(alpha)) - mu*m*g}}}
+measures: {x: x of box}
+"""
+ROD = """
+parameters: {m: 2 kg, L: 1 m, b: 0.2 m, g: 9.81 m/s^2}
+bodies: {rod: {rod: {mass: m, length: L}, points: {p: [b, 0]}}}
+connections: {hinge: {pin: [rod.p, ground.O]}}
+loads: {weight: {gravity: g}}
+measures: {phi: {angle of rod from up}}
+start: {phi: 0}
+"""
+ATWOOD = """
+parameters: {m1: 3 kg, m2: 2 kg, g: 9.81 m/s^2}
+bodies:
+  pulley: {disk: {mass: 0, radius: 0.1 m}, fixed: true}
+  left: {particle: {mass: m1}}
+  right: {particle: {mass: m2}}
+connections: {rope: {string: {from: left, over: [pulley], to: right}}}
+loads: {weight: {gravity: g}}
+measures: {x: drop of left}
+"""
+
+CASES = {
+    # x = v0^2 sin(2 theta)/g
+    "range": (THROW, "value of theta for which x when y = 0 is largest", "pi/4"),
+    "range, value": (THROW, "largest x when y = 0 over theta", "v0^2/g"),
+    # F (cos + mu sin) - mu m g: tan = mu
+    "pull": (BOX, "value of alpha for which acceleration of x is greatest", "atan(mu)"),
+    "pull, value": (BOX, "greatest acceleration of x over alpha", "F*sqrt(1 + mu^2)/m - mu*g"),
+    # T = 2 pi sqrt((L^2/12 + b^2)/(g b)): b = L/sqrt(12)
+    "compound pendulum": (ROD, "value of b for which period of small oscillations is least", "L/sqrt(12)"),
+}
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_the_place_is_that_of_a_textbook(name: str) -> None:
+    found = is_formula(*CASES[name])
+    assert any("it rises up to" in note or "it falls up to" in note for note in found.notes)
+
+
+def test_what_only_rises_has_no_largest_value_inside() -> None:
+    assert "only rises" in posed(ATWOOD, "value of m1 for which acceleration of x is largest").reason
+    assert "only falls" in posed(BOX, "least acceleration of x over mu").reason
+    assert "does not depend" in posed(THROW, "value of beta for which x when y = 0 is largest").reason
+
+
+def test_it_is_derived_in_both_languages() -> None:
+    (derivation,) = fb.explain(System.from_text(THROW), CASES["range"][1]).derivations
+    assert not derivation.reason
+    assert derivation.stages[-2].title.key == "stage.extremal"
+    words = fb.explain(System.from_text(BOX), CASES["pull, value"][1], language="de").to_text()
+    assert "wechselt ihr Vorzeichen" in words

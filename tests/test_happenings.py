@@ -1,0 +1,240 @@
+"""For which values of a parameter something is so of a motion or of rest: events, their order, states that last.
+
+Every border is derived by hand from the principle that is named. Problem families: Meriam & Kraige, Engineering
+Mechanics: Dynamics, ch. 3 (particles on circles), 6 (rolling); Statics, ch. 6 (tipping and sliding); Beer & Johnston,
+Dynamics, ch. 13 (leaving a surface), 16, 17; Hibbeler, Statics, ch. 8, 11 (stability); Morin, ch. 5 (leaving a sphere).
+"""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+import freebody as fb
+from freebody.api import System
+from freebody.errors import ModelError
+from freebody.language.expression import FLOAT_FUNCTIONS, evaluate
+from freebody.language.parser import parse
+from freebody.study.answering.answer import Answer
+from posed import posed
+
+STRING = """
+parameters: {m: 2 kg, L: 1.2 m, g: 9.81 m/s^2, w0: 9 1/s}
+bodies: {bob: {particle: {mass: m}}}
+connections: {rope: {string: {from: ground.O, to: bob, swings: true}}}
+loads: {weight: {gravity: g}}
+measures: {theta: {angle of line from ground.O to bob from down}, r: {distance from ground.O to bob}}
+start: {r: L, theta: 0, rate(theta): w0}
+"""
+DOME = """
+parameters: {m: 0.5 kg, R: 2 m, v0: 1 m/s, g: 9.81 m/s^2}
+bodies:
+  dome: {disk: {mass: 1 kg, radius: R}, fixed: true}
+  bead: {particle: {mass: m}, at: [0, R]}
+connections: {contact: {contact: {between: [bead, dome], touching: true}}}
+loads: {weight: {gravity: g}}
+measures: {phi: {angle of line from ground.origin to bead from up clockwise}}
+start: {phi: 0, rate(phi): v0/R}
+"""
+SPHERE = """
+parameters: {m: 1 kg, r: 0.1 m, mu: 0.2, theta: 30 deg, g: 9.81 m/s^2}
+ground: {lines: {incline: {along: -theta}}}
+bodies: {ball: {sphere: {mass: m, radius: r}}}
+connections: {touch: {contact: {between: [ball, incline], friction: mu}}}
+loads: {weight: {gravity: g}}
+measures: {s: {travel of ball along incline}}
+start: {s: 0, rate(s): 0}
+"""
+PULLED = """
+parameters: {m: 10 kg, r: 0.3 m, mu: 0.25, F: 20 N, g: 9.81 m/s^2}
+ground: {lines: {floor: {along: right}}}
+bodies: {wheel: {disk: {mass: m, radius: r}}}
+connections: {touch: {contact: {between: [wheel, floor], friction: mu}}}
+loads: {weight: {gravity: g}, pull: {force: {at: wheel, along: right, magnitude: F}}}
+measures: {x: {travel of wheel along floor}}
+start: {x: 0, rate(x): 0}
+"""
+BALL = """
+parameters: {m: 1 kg, r: 0.1 m, mu: 0.2, v0: 3 m/s, d: 1 m, T: 0.3 s, g: 9.81 m/s^2}
+ground: {lines: {floor: {along: right}}}
+bodies: {ball: {sphere: {mass: m, radius: r}}}
+connections: {touch: {contact: {between: [ball, floor], friction: mu}}}
+loads: {weight: {gravity: g}}
+measures: {x: {travel of ball along floor}, phi: angle of ball}
+start: {x: 0, rate(x): v0, rate(phi): 0}
+"""
+BLOCK = """
+parameters: {m: 2 kg, mu: 0.3, v0: 4 m/s, g: 9.81 m/s^2, d: 1.5 m, alpha: 20 deg}
+ground: {lines: {incline: {along: alpha}}}
+bodies: {block: {particle: {mass: m}}}
+connections: {touch: {contact: {between: [block, incline], friction: mu}}}
+loads: {weight: {gravity: g}}
+measures: {x: {travel of block along incline}}
+start: {x: 0, rate(x): v0}
+"""
+CRATE = """
+parameters: {m: 20 kg, b: 0.6 m, h: 1 m, d: 0.5 m, mu: 0.35, F: 20 N, g: 9.81 m/s^2}
+ground: {lines: {floor: {along: right}}}
+bodies: {block: {rectangle: {mass: m, width: b, height: h}, points: {rope: [0, d - h/2]}}}
+connections: {floor: {contact: {between: [block, ground.floor], friction: mu}}}
+loads: {weight: {gravity: g}, pull: {force: {at: block.rope, along: right, magnitude: F}}}
+"""
+POST = """
+parameters: {m: 2 kg, L: 1.5 m, g: 9.81 m/s^2, c: 30 N*m}
+bodies: {rod: {rod: {mass: m, length: L}}}
+connections: {hinge: {pin: [ground.O, rod.start]}}
+loads: {weight: {gravity: g}, spring: {torque: {on: rod, magnitude: c*theta}}}
+measures: {theta: {angle of rod from up clockwise}}
+start: {theta: 0}
+"""
+THROW = """
+parameters: {v0: 15 m/s, theta: 50 deg, s: 12 m, g: 9.81 m/s^2}
+bodies: {ball: {particle: {mass: 1 kg}}}
+loads: {weight: {gravity: g}}
+measures: {x: x of ball, y: y of ball}
+start: {x: 0, y: 0, rate(x): v0*cos(theta), rate(y): v0*sin(theta)}
+"""
+
+# model, question, ends, the range in words
+CASES = {
+    # S = m (L w^2 + g cos), w^2 = w0^2 - 2 g (1 - cos)/L: it stays below the horizontal, or is taut at the top
+    "string": (STRING, "range of w0 for which rope stays taut", ["sqrt(2*g/L)", "sqrt(5*g/L)"], "≤ √(2·g/L) or w₀ ≥"),
+    "string, length": (STRING, "range of L for which rope never goes slack", ["2*g/w0^2", "5*g/w0^2"], "≤"),
+    # 3 cos(phi) = 2 + v0^2/(g R), at phi = 30 deg
+    "dome": (
+        DOME,
+        "range of v0 for which contact opens before phi = 30 deg",
+        ["sqrt(g*R*(3*sqrt(3)/2 - 2))"],
+        ">",
+    ),
+    "dome, stays": (
+        DOME,
+        "largest v0 so that bead stays on the dome until phi = 30 deg",
+        ["sqrt(g*R*(3*sqrt(3)/2 - 2))"],
+        "<",
+    ),
+    "dome, at once": (DOME, "range of v0 for which bead leaves the dome at once", ["sqrt(g*R)"], ">"),
+    # F = (2/7) m g sin(theta) <= mu m g cos(theta)
+    "sphere": (SPHERE, "least mu so that ball rolls without slipping", ["2*tan(theta)/7"], "≥"),
+    "sphere, angle": (SPHERE, "largest theta so that ball rolls without slipping", ["atan(7*mu/2)"], "≤"),
+    # pulled at the centre: F - R = m a, R r = m r^2 a/(2 r): R = F/3
+    "wheel": (PULLED, "largest F so that wheel rolls without slipping", ["3*mu*m*g"], "≤"),
+    "wheel, at once": (PULLED, "range of mu for which rolling begins at once", ["F/(3*m*g)"], "≥"),
+    # rolling begins at x = 12 v0^2/(49 mu g), t = 2 v0/(7 mu g)
+    "ball, place": (BALL, "range of d for which rolling begins before x = d", ["12*v0^2/(49*mu*g)"], ">"),
+    "ball, order": (BALL, "range of mu for which x reaches d before rolling begins", ["12*v0^2/(49*g*d)"], "<"),
+    "ball, clock": (BALL, "least mu so that rolling begins before t = T", ["2*v0/(7*T*g)"], ">"),
+    # v0^2 = 2 g d (sin(alpha) + mu cos(alpha))
+    "block": (
+        BLOCK,
+        "value of v0 for which x just reaches d",
+        ["sqrt(2*g*d*(sin(alpha) + mu*cos(alpha)))"],
+        ">",
+    ),
+    # F d = m g b/2 against F = mu m g
+    "crate": (CRATE, "range of mu for which it tips before it slides as F grows", ["b/(2*d)"], ">"),
+    "crate, height": (CRATE, "largest d for which block slides before it tips as F grows", ["b/(2*mu)"], "<"),
+    # c > m g L/2
+    "post": (POST, "range of c for which the equilibrium is stable", ["m*g*L/2"], ">"),
+    "post, mass": (POST, "largest m so that the equilibrium is stable", ["2*c/(g*L)"], "<"),
+    "post, unstable": (POST, "range of c for which the equilibrium is unstable", ["m*g*L/2"], "<"),
+    # lands at v0^2 sin(2 theta)/g
+    "throw": (THROW, "range of v0 for which x reaches s before y = 0", ["sqrt(g*s/sin(2*theta))"], ">"),
+}
+
+
+def _value(formula: str, values: dict[str, float]) -> float:
+    return float(evaluate(parse(formula), values, FLOAT_FUNCTIONS))
+
+
+def _told(found: Answer) -> str:
+    (told,) = [note for note in found.notes if note.startswith("so for ")]
+    return str(told)
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_where_something_is_so(name: str) -> None:
+    text, question, formulas, words = CASES[name]
+    found = posed(text, question)
+    assert found.expression is not None, found.reason
+    assert found.evidence is not None
+    ends = found.expression if isinstance(found.expression, tuple) else (found.expression,)
+    assert len(ends) == len(formulas)
+    own = {p.name: p.value for p in System.from_text(text).parameters.values() if p.value is not None}
+    for n, factor in enumerate((1.0, 1.02, 0.99)):
+        values = {key: v * factor ** (1 + 0.3 * (k + n)) for k, (key, v) in enumerate(sorted(own.items()))}
+        for end, formula in zip(ends, formulas, strict=True):
+            assert evaluate(end, values, FLOAT_FUNCTIONS) == pytest.approx(_value(formula, values), rel=1e-9)
+    assert words in _told(found), _told(found)
+    shown = found.value if isinstance(found.value, tuple) else (found.value,)
+    assert shown == pytest.approx([_value(formula, own) for formula in formulas], rel=1e-9)
+
+
+def test_the_ends_are_in_the_json_document_as_formulas() -> None:
+    plain = posed(SPHERE, "least mu so that ball rolls without slipping").to_plain()
+    assert any("mu >= " in str(note) for note in plain["notes"]), plain["notes"]
+
+
+def test_the_string_of_a_simulation_goes_slack_between_the_ends_only() -> None:
+    """The engine as an independent look, a little inside and outside of both ends."""
+    first, second = math.sqrt(2 * 9.81 / 1.2), math.sqrt(5 * 9.81 / 1.2)
+    for w0, stays in ((0.98 * first, True), (1.02 * first, False), (0.98 * second, False), (1.02 * second, True)):
+        run = System.from_text(STRING.replace("w0: 9 1/s", f"w0: {w0} 1/s")).simulate(4.0)
+        assert (not any(event.kind == "goes slack" for event in run.events)) == stays
+
+
+def test_what_does_not_happen_is_the_opposite_of_what_does() -> None:
+    does = posed(BALL, "range of v0 for which x reaches d before rolling begins")
+    does_not = posed(BALL, "range of v0 for which x does not reach d before rolling begins")
+    assert does.expression == does_not.expression
+    assert ">" in _told(does)
+    assert "≤" in _told(does_not) or "<" in _told(does_not)
+
+
+def test_a_border_between_two_cases_in_both_of_which_it_is_so_is_none() -> None:
+    """Faster than sqrt(g R) the bead leaves at once, which is before 30 degrees too."""
+    assert " or " not in _told(posed(DOME, "range of v0 for which contact opens before phi = 30 deg"))
+    assert "for every value" in posed(BALL, "range of v0 for which x reaches d").reason
+
+
+def test_rest_is_asked_for_in_the_same_words() -> None:
+    assert posed(CRATE, "range of F for which nothing moves").value == pytest.approx(
+        (-0.35 * 20 * 9.81, 0.35 * 20 * 9.81)
+    )
+    assert posed(CRATE, "largest F so that the block stays at rest").value == pytest.approx(0.35 * 20 * 9.81)
+
+
+def test_what_is_so_everywhere_or_nowhere_is_said() -> None:
+    assert "no value of v0" in posed(BALL, "range of v0 for which ball rolls without slipping").reason
+    assert "no least value" in posed(STRING, "least w0 so that rope stays taut until theta = 180 deg").reason
+
+
+@pytest.mark.parametrize(
+    ("model", "find", "words"),
+    [
+        (CRATE, "range of mu for which it tips before it slides", "as what grows"),
+        (CRATE, "range of mu for which it tips before it slides as Q grows", "Q is no parameter"),
+        (STRING, "range of w0 for which cord stays taut", "no connection or body cord"),
+        (BALL, "value of v0 for which just x", "just"),
+    ],
+)
+def test_what_cannot_be_read_says_why(model: str, find: str, words: str) -> None:
+    with pytest.raises(ModelError, match=words):
+        System.from_text(model).question(find)
+
+
+@pytest.mark.parametrize("name", ["sphere, angle", "crate", "post", "dome"])
+def test_the_border_is_derived(name: str) -> None:
+    model, find, formulas, _words = CASES[name]
+    (derivation,) = fb.explain(System.from_text(model), find).derivations
+    assert not derivation.reason
+    assert derivation.stages[-2].title.key == "stage.turned"
+    equations = [item for item in derivation.stages[-2].items if hasattr(item, "number")]
+    assert len(equations) == len(formulas) + 1
+
+
+def test_german() -> None:
+    words = fb.explain(System.from_text(SPHERE), CASES["sphere"][1], language="de").to_text()
+    assert "An der Grenze der gesuchten Werte von mu" in words
+    assert "jeder in Zahlen geprüft" in words
