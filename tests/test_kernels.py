@@ -82,8 +82,7 @@ CONFORMING = (
 
 @pytest.mark.parametrize("backend", ["python", pytest.param("numba", marks=pytest.mark.slow)])
 def test_the_library_does_what_its_sources_say(backend: str) -> None:
-    """Uncompiled, or compiled by another compiler, only the elementary functions are others, right to the last digit but
-    one."""
+    """Uncompiled, or by another compiler, only the elementary functions are others, right to the last digit but one."""
     lines = [
         f"r = fb.System.load(r'{ROOT / 'examples' / name}.yaml').simulate({how})\n"
         "print(repr(np.ravel(r.course.poses).tolist()), r.status)"

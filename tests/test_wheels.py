@@ -121,7 +121,8 @@ def test_a_source_distribution_can_be_installed(tmp_path: Path, empty: Path) -> 
     words = [str(empty), "-m", "build", "--sdist", "-o", str(tmp_path), str(ROOT)]
     subprocess.run(words, env=without_paths(), check=True, capture_output=True)
     (made,) = tmp_path.glob("freebody-*.tar.gz")
-    names = {name.partition("/")[2] for name in tarfile.open(made).getnames()}
+    with tarfile.open(made) as archive:
+        names = {name.partition("/")[2] for name in archive.getnames()}
     assert {"hatch_build.py", "tools/build_kernels.py", "tools/kernels_runtime.zig", "README.md", "LICENSE"} <= names
     assert not [name for name in names if Path(name).suffix in (".so", ".dylib", ".dll")]
     pip(empty, "install", "--quiet", str(made))
