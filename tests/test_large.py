@@ -81,13 +81,13 @@ def test_links_of_which_nothing_is_said_are_put_one_after_the_other():
 
 def test_twice_as_many_links_cost_twice_as_much():
     """From data to the packed system at its start; by the calls of functions, which no other process changes."""
-    few, many = (calls_of(lambda n=n: Simulator(System.from_data(chain(n)))) for n in (340, 680))
+    few, many = (calls_of(lambda n=n: Simulator(System.from_data(chain(n)))) for n in (200, 400))
     assert many < 2.2 * few
 
 
 def test_a_long_chain_hanging_from_both_ends_is_closed():
     """The start says only where the links are roughly; the last one is pinned to the ground too."""
-    n = 340
+    n = 150
     roughly = {"near": lambda k: {"angle": f"{60 - 120 * k / (n - 1)} deg"}}
     model = chain(n, **roughly)
     model["ground"] = {"points": {"O": [0, 0], "far": [0.8 * n, 0]}}

@@ -35,7 +35,7 @@ from freebody.numeric.rotation import matrix
 Array = NDArray[np.float64]
 Gradient: TypeAlias = "Array | Entries | None"
 TIME = "t"
-LARGE = 1000  # more coordinates than this: gradients by their entries, and sparse matrices of them
+LARGE = 400  # more coordinates than this: gradients by their entries, and sparse matrices of them
 
 
 class Entries:
