@@ -78,15 +78,17 @@ def assert_same_function(found: str, expected: str, near: Mapping[str, float]) -
             assert abs(x - y) < size / mpmath.mpf(10) ** 20, told
 
 
+def calls_of(action: Callable[[], object]) -> int:
+    """How many functions an action calls."""
+    profile = cProfile.Profile()
+    profile.runcall(action)
+    return sum(entry.callcount for entry in profile.getstats())
+
+
 @pytest.fixture
 def within() -> Within:
     """Asserts that an action takes at most so many calls of functions: a measure of its work that is the same on every
     machine. On an ordinary one a million calls take about half a second."""
-
-    def calls_of(action: Callable[[], object]) -> int:
-        profile = cProfile.Profile()
-        profile.runcall(action)
-        return sum(entry.callcount for entry in profile.getstats())
 
     def check(most: int, action: Callable[[], object]) -> None:
         calls = calls_of(action)

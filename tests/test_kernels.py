@@ -24,7 +24,6 @@ from goldens import FOLDER, WRITE
 ROOT = Path(__file__).parents[1]
 KERNELS = ROOT / "src/freebody/numeric/kernels"
 HASHES = FOLDER / "trajectories.json"
-QUICK = ("falling_hinged_rod", "spinning_top")
 
 
 def run(backend: str, *names: str, **more: str) -> dict[str, str]:
@@ -72,28 +71,37 @@ def test_vectors_of_four_numbers_change_no_bit(copied: Path) -> None:
     assert [x.tobytes() for x in wide] == [x.tobytes() for x in narrow]
 
 
-def test_the_library_does_what_its_sources_say() -> None:
-    """Uncompiled, only the elementary functions are others, right to the last digit but one."""
-    code = (
-        "import freebody as fb, numpy as np, sys\n"
-        "for name in sys.argv[1:]:\n"
-        "    system = fb.System.load(f'{name}.yaml')\n"
-        "    r = system.simulate(0.1, every=0.05) if name != 'bouncing_ball' else system.simulate(0.7, every=0.1)\n"
-        "    print(repr(np.ravel(r.course.poses).tolist()), r.status)"
-    )
+# an example, and how it is followed: the plane, space, contact with events, time stepping
+CONFORMING = (
+    ("falling_hinged_rod", "0.1, every=0.05"),
+    ("spinning_top", "0.1, every=0.05"),
+    ("bouncing_ball", "0.7, every=0.1"),
+    ("bouncing_ball", "0.7, every=0.1, method='moreau', step=2e-3"),
+)
+
+
+@pytest.mark.parametrize("backend", ["python", pytest.param("numba", marks=pytest.mark.slow)])
+def test_the_library_does_what_its_sources_say(backend: str) -> None:
+    """Uncompiled, or by another compiler, only the elementary functions are others, right to the last digit but one."""
+    lines = [
+        f"r = fb.System.load(r'{ROOT / 'examples' / name}.yaml').simulate({how})\n"
+        "print(repr(np.ravel(r.course.poses).tolist()), r.status)"
+        for name, how in CONFORMING
+    ]
+    code = "\n".join(["import freebody as fb, numpy as np", *lines])
     told = [
         subprocess.run(
-            [sys.executable, "-c", code, *(str(ROOT / "examples" / n) for n in (*QUICK, "bouncing_ball"))],
-            env=os.environ | {"FREEBODY_KERNELS": backend},
+            [sys.executable, "-c", code],
+            env=os.environ | {"FREEBODY_KERNELS": run_by},
             capture_output=True,
             text=True,
             check=True,
         ).stdout.splitlines()
-        for backend in ("library", "python")
+        for run_by in ("library", backend)
     ]
-    for compiled, plain in zip(*told, strict=True):
-        assert compiled.rsplit(" ", 1)[1] == plain.rsplit(" ", 1)[1] == "finished"
-        a, b = (np.array(eval(text.rsplit(" ", 1)[0])) for text in (compiled, plain))
+    for compiled, other in zip(*told, strict=True):
+        assert compiled.rsplit(" ", 1)[1] == other.rsplit(" ", 1)[1] == "finished"
+        a, b = (np.array(eval(text.rsplit(" ", 1)[0])) for text in (compiled, other))
         assert np.abs(a - b).max() < 1e-12
 
 

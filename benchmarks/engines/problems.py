@@ -83,7 +83,7 @@ def chain_model(angles: Array, rates: Array) -> dict[str, Any]:
 
 
 def chain_without_start(n: int) -> dict[str, Any]:
-    """The chain without a start: half of the values of a model, so that 2000 links are below the limit of a file."""
+    """The chain without a start: half of the values of a model."""
     model = chain_model(np.zeros(n), np.zeros(n))
     rod = {key: value for key, value in model["bodies"]["link0"].items() if key == "rod"}
     return model | {"bodies": {f"link{k}": rod for k in range(n)}}

@@ -15,6 +15,7 @@ import re
 from dataclasses import dataclass
 from difflib import get_close_matches
 from fractions import Fraction
+from functools import lru_cache
 
 from freebody.errors import ExpressionError
 from freebody.language.expression import (
@@ -94,6 +95,7 @@ class _Token:
     after_space: bool
 
 
+@lru_cache(maxsize=2048)  # a model says the same many times
 def parse(text: str) -> Expr:
     """The expression a text stands for. Raises ExpressionError with the column of the first fault."""
     return _Parser(_tokens(text)).expression()

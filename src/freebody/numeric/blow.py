@@ -67,7 +67,7 @@ def _impulses(reference: NumericSystem, g: JetGeometry) -> Array:
     for push in reference.system.impulses:
         measure = reference.jet(g, push.measure, push.name)
         if measure.gradient is not None:
-            total = total + law(reference, g, push, measure) * measure.gradient
+            total = total + law(reference, g, push, measure) * measure.row(len(total))
     return total
 
 

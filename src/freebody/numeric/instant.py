@@ -127,7 +127,7 @@ def each_force(reference: NumericSystem, g: JetGeometry) -> Iterator[Array]:
     for push in reference.system.applied_loads:
         measure = reference.jet(g, push.measure, push.name)
         if measure.gradient is not None:
-            yield law(reference, g, push, measure) * measure.gradient
+            yield law(reference, g, push, measure) * measure.row(len(reference.masses))
 
 
 def roundings(reference: NumericSystem, g: JetGeometry) -> Array:

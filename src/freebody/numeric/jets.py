@@ -16,9 +16,9 @@ Source: Griewank & Walther, Evaluating Derivatives, 2nd ed. 2008, ch. 3 and 13 (
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any, cast
+from typing import Any, TypeAlias, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -33,7 +33,43 @@ from freebody.numeric import spatial
 from freebody.numeric.rotation import matrix
 
 Array = NDArray[np.float64]
+Gradient: TypeAlias = "Array | Entries | None"
 TIME = "t"
+LARGE = 400  # more coordinates than this: gradients by their entries, and sparse matrices of them
+
+
+class Entries:
+    """A gradient of which few entries are not zero, by coordinate: what the jets of a large system carry."""
+
+    __slots__ = ("of",)
+    __array_ufunc__ = None  # numbers of NumPy leave the product to it
+
+    def __init__(self, of: dict[int, float]) -> None:
+        self.of = of
+
+    def __add__(self, other: Entries) -> Entries:
+        total = dict(self.of)
+        for k, x in other.of.items():
+            total[k] = total.get(k, 0.0) + x
+        return Entries(total)
+
+    def __sub__(self, other: Entries) -> Entries:
+        total = dict(self.of)
+        for k, x in other.of.items():
+            total[k] = total.get(k, 0.0) - x
+        return Entries(total)
+
+    def __neg__(self) -> Entries:
+        return Entries({k: -x for k, x in self.of.items()})
+
+    def __rmul__(self, c: float) -> Entries:
+        return Entries({k: c * x for k, x in self.of.items()})
+
+    def row(self, n: int) -> Array:
+        """All n entries."""
+        found = np.zeros(n)
+        found[list(self.of)] = list(self.of.values())
+        return found
 
 
 class Jet:
@@ -41,9 +77,9 @@ class Jet:
 
     __slots__ = ("bias", "gradient", "rate", "value")
 
-    def __init__(self, value: float, gradient: Array | None = None, rate: float = 0.0, bias: float = 0.0) -> None:
+    def __init__(self, value: float, gradient: Gradient = None, rate: float = 0.0, bias: float = 0.0) -> None:
         self.value = value
-        self.gradient = gradient
+        self.gradient: Any = gradient
         self.rate = rate
         self.bias = bias
 
@@ -56,6 +92,8 @@ class Jet:
 
     def row(self, n: int) -> Array:
         """The gradient with n entries."""
+        if isinstance(self.gradient, Entries):
+            return self.gradient.row(n)
         return np.zeros(n) if self.gradient is None else self.gradient
 
     # -- arithmetic ---------------------------------------------------------------------------
@@ -144,19 +182,20 @@ class Jet:
         return self.chain(y, -y * y, 2.0 * y * y * y)
 
 
-def _sum(a: Array | None, b: Array | None) -> Array | None:
+# of gradients, both of the same kind
+def _sum(a: Any, b: Any) -> Any:
     if a is None:
         return b
     return a if b is None else a + b
 
 
-def _difference(a: Array | None, b: Array | None) -> Array | None:
+def _difference(a: Any, b: Any) -> Any:
     if b is None:
         return a
     return -b if a is None else a - b
 
 
-def _times(c: float, a: Array | None) -> Array | None:
+def _times(c: float, a: Any) -> Any:
     return None if a is None else c * a
 
 
@@ -260,6 +299,15 @@ class Frame:
     def n(self) -> int:
         return sum(map(len, self.columns.values()))
 
+    def only(self, bodies: Iterable[str]) -> tuple[Frame, list[int]]:
+        """The frame of some of the bodies, without the others, and where their coordinates stand in q."""
+        columns: dict[str, tuple[int, ...]] = {}
+        own: list[int] = []
+        for body in bodies:
+            columns[body] = tuple(range(len(own), len(own) + len(self.columns[body])))
+            own += self.columns[body]
+        return replace(self, columns=columns), own
+
     def released(self, body: str) -> Frame:
         """The same frame in which a fixed body may move: its coordinates are the last three."""
         kept = {name: pose for name, pose in self.fixed.items() if name != body}
@@ -297,6 +345,15 @@ class Frame:
         return known[1]
 
 
+def entries_of(columns: Sequence[int], values: Array, n: int) -> Gradient:
+    """A gradient of n entries with those of some coordinates."""
+    if n > LARGE:
+        return Entries(dict(zip(columns, values.tolist(), strict=True)))
+    row = np.zeros(n)
+    row[list(columns)] = values
+    return row
+
+
 class JetGeometry:
     """A `Geometry[Jet]` at the pose q with the velocity v at the time t.
 
@@ -310,7 +367,8 @@ class JetGeometry:
         self.q, self.v = q, v
         self.least = 0.0  # [m] a line must be longer than this to have a direction
         self._q, self._v = q.tolist(), v.tolist()
-        self._unit_rows = np.eye(len(self._q))
+        n = len(self._q)
+        self._unit_rows = None if n > LARGE else np.eye(n)
         self._poses: dict[str, Pose[Jet] | SpatialPose[Jet]] = {}
         self.memory: dict[int, tuple[object, Vector[Jet]]] = {}  # of points and directions
         self._measure, self._n_tangents = -1, 0
@@ -375,6 +433,9 @@ class JetGeometry:
             known = self._poses[body] = self._in_space(body) if self.frame.space else self._pose(body)
         return known
 
+    def _unit_row(self, k: int) -> Gradient:
+        return Entries({k: 1.0}) if self._unit_rows is None else self._unit_rows[k]
+
     def lasting(self, what: Point | Direction, made: Callable[[], Vector[Jet]]) -> Vector[Jet]:
         """Of a fixed body what was made at an earlier instant, unless time is in it."""
         if what.body not in self.frame.fixed:
@@ -400,7 +461,7 @@ class JetGeometry:
             center = Vector(*(Jet(c) for c in place[:3]))
             x, y, z = (Vector(*(Jet(float(c)) for c in axes[:, j])) for j in range(3))
             return SpatialPose(center, (x, y, z))
-        center = Vector(*(Jet(self._q[k], self._unit_rows[k], self._v[k]) for k in columns[:3]))
+        center = Vector(*(Jet(self._q[k], self._unit_row(k), self._v[k]) for k in columns[:3]))
         own = list(columns[3:])
         if not own:
             x, y, z = (Vector(*(Jet(float(c)) for c in row)) for row in spatial.UNIT)
@@ -411,8 +472,7 @@ class JetGeometry:
         for value, slopes, rate, bias in axes:
             parts: list[Jet] = []
             for i in range(3):
-                row = np.zeros(len(self._q))
-                row[own] = slopes[i]
+                row = entries_of(own, slopes[i], len(self._q))
                 parts.append(Jet(float(value[i]), row, float(rate[i]), float(bias[i])))
             vectors.append(Vector(*parts))
         x, y, z = vectors
@@ -423,7 +483,7 @@ class JetGeometry:
         if columns is None:
             x, y, theta = self.frame.fixed[body]
             return Pose(Jet(x), Jet(y), Jet(theta), Jet(math.cos(theta)), Jet(math.sin(theta)))
-        x, y, *turning = (Jet(self._q[k], self._unit_rows[k], self._v[k]) for k in columns)
+        x, y, *turning = (Jet(self._q[k], self._unit_row(k), self._v[k]) for k in columns)
         if not turning:
             return Pose(x, y, Jet(0.0), Jet(1.0), Jet(0.0))
         theta = turning[0]

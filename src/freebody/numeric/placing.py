@@ -5,7 +5,7 @@ Damped Gauss-Newton, with A the gradients of the weighted gaps and D the metric 
     step = -D A^T (A A^T + mu)^(-1) F,        mu in proportion to |F|^2, which keeps convergence quadratic
 
 and where the gaps are small, the smallest step that closes them in a rank-revealing sense, so that equations
-may say the same thing more than once.
+may say the same thing more than once. In a large system A is sparse (`sparse`).
 Source: Levenberg-Marquardt after Yamashita & Fukushima, Computing Suppl. 15, 2001, 239-249.
 """
 
@@ -23,8 +23,9 @@ from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, LENGTH, Dimension
 from freebody.measures.base import Measure
 from freebody.model.elements import NonholonomicForm
-from freebody.numeric.jets import Array, Branch, Frame, Jet, JetGeometry
+from freebody.numeric.jets import LARGE, Array, Branch, Frame, Jet, JetGeometry
 from freebody.numeric.sizes import Sizes
+from freebody.numeric.sparse import SparseRows
 from freebody.numeric.split import Split
 
 TOLERANCE = 4e-13  # at which a pose is good enough to stop, by the size of the system
@@ -70,7 +71,7 @@ class PoseEquation:
 
 
 def _unit(dimension: Dimension) -> str:
-    return {LENGTH: "m", DIMENSIONLESS: "rad"}.get(dimension, str(dimension))
+    return {LENGTH: "m", DIMENSIONLESS: "rad"}.get(dimension) or str(dimension)
 
 
 @dataclass(frozen=True)
@@ -79,7 +80,7 @@ class Fit:
 
     q: Array
     gaps: Array
-    rows: Array
+    rows: Array | SparseRows
     weights: Array  # make the gaps numbers by the size of the system
     extent: float  # how far the system reaches, by its size
     equations: Sequence[PoseEquation]
@@ -138,15 +139,10 @@ class Placing:
         for n_tried in range(n_steps):  # noqa: B007
             if here.error <= TOLERANCE:
                 break
-            A, F = here.weights[:, None] * here.rows * D, here.weights * here.gaps
-            is_close = here.error < _NEWTON
-            if is_close:
-                step = -Split(here.rows, self.sizes.small_moves).least(here.gaps)
-            else:
-                if np.linalg.norm(A.T @ F) <= STATIONARY * np.linalg.norm(F) * np.linalg.norm(A):
-                    break  # a stationary point of the gaps: nearer than this it does not get from here
-                mu = damping * float(F @ F)
-                step = -D * (A.T @ _damped(A @ A.T, mu, F))
+            F, is_close = here.weights * here.gaps, here.error < _NEWTON
+            step = self._newton(here) if is_close else _damped_step(here, D, F, damping)
+            if step is None:
+                break
             step = self.sizes.clipped(step, float(np.abs(F).max(initial=0.0)))
             there = self._gaps(self.frame.moved(here.q, step), equations, t, here.branches)
             if there is not None and np.linalg.norm(there.weights * there.gaps) < np.linalg.norm(F):
@@ -157,6 +153,13 @@ class Placing:
                 damping *= 10.0
         return replace(here, n_steps=n_tried + 1)
 
+    def _newton(self, here: Fit) -> Array:
+        """The smallest step that closes small gaps."""
+        D = self.sizes.small_moves
+        if isinstance(here.rows, SparseRows):
+            return -here.rows.least(D, here.gaps)
+        return -Split(here.rows, D).least(here.gaps)
+
     def _gaps(self, q: Array, equations: Sequence[PoseEquation], t: float, near: Mapping[Branch, float]) -> Fit | None:
         g = JetGeometry(self.frame, q, np.zeros_like(q), t, near)
         try:
@@ -164,12 +167,34 @@ class Placing:
         except (CannotAnswer, ArithmeticError, ValueError):
             return None
         values = np.array([gap.value for gap in gaps])
-        rows = np.array([gap.row(len(q)) for gap in gaps]).reshape(len(gaps), len(q))
-        if not (np.isfinite(values).all() and np.isfinite(rows).all()):
+        rows = rows_of(gaps, len(q))
+        are_finite = rows.are_finite if isinstance(rows, SparseRows) else np.isfinite(rows).all()
+        if not (np.isfinite(values).all() and are_finite):
             return None
         weights = np.array([1.0 / self.sizes.length if equation.unit == "m" else 1.0 for equation in equations])
         extent = max(1.0, self.sizes.relative(q).max(initial=0.0))
         return Fit(q, values, rows, weights, extent, equations, g.angles)
+
+
+def rows_of(jets: Sequence[Jet], n: int) -> Array | SparseRows:
+    """The gradients of some jets by n coordinates."""
+    if n > LARGE:
+        return SparseRows([jet.gradient for jet in jets], n)
+    return np.array([jet.row(n) for jet in jets]).reshape(len(jets), n)
+
+
+def _damped_step(here: Fit, D: Array, F: Array, damping: float) -> Array | None:
+    """A step of Gauss and Newton, damped. None at a stationary point of the gaps: nearer than this it does not get from
+    here."""
+    mu = damping * float(F @ F)
+    if isinstance(here.rows, SparseRows):
+        if here.rows.is_stationary(here.weights, D, F, STATIONARY):
+            return None
+        return -here.rows.damped(here.weights, D, F, mu)
+    A = here.weights[:, None] * here.rows * D
+    if np.linalg.norm(A.T @ F) <= STATIONARY * np.linalg.norm(F) * np.linalg.norm(A):
+        return None
+    return -D * (A.T @ _damped(A @ A.T, mu, F))
 
 
 def _damped(square: Array, mu: float, F: Array) -> Array:

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -42,12 +42,14 @@ def neighbours(
     bodies = system.moving
     arms = [_arm(body, number) for body in bodies]
     found: dict[int, Near] = {}
+    number_of = {body.name: k for k, body in enumerate(bodies)}
     for group in system.groups:
-        part = [k for k, body in enumerate(bodies) if body.name in group]
+        part = sorted(number_of[name] for name in group)
         known = [masses[k] for k in part if masses[k] > 0.0] or [1.0]
         gyration = [math.sqrt(i / masses[k]) for k in part for i in moments[k] if i > 0.0 and masses[k] > 0.0]
         lengths = gyration or [arms[k] for k in part if arms[k] > 0.0] or [typical_length(system, number)]
-        found |= {k: Near(min(known), max(known), arms[k] or min(lengths)) for k in part}
+        lightest, heaviest, shortest = min(known), max(known), min(lengths)
+        found |= {k: Near(lightest, heaviest, arms[k] or shortest) for k in part}
     return [found[k] for k in range(len(bodies))]
 
 
@@ -76,6 +78,13 @@ class Sizes:
             np.where(turning, 1.0, length),
             _small_moves(masses, turning, near),
             turning,
+        )
+
+    def only(self, columns: Sequence[int]) -> Sizes:
+        """Those of some coordinates."""
+        own = list(columns)
+        return replace(
+            self, unit_moves=self.unit_moves[own], small_moves=self.small_moves[own], turning=self.turning[own]
         )
 
     def clipped(self, step: Array, reach: float) -> Array:

@@ -20,6 +20,7 @@ from freebody.language.sentences import Message
 from freebody.numeric.jets import Array
 from freebody.tolerances import ROUNDED
 
+NO_GRADIENT = Message("a measure has no finite gradient in this pose")
 RANK_CUT = 1e-10  # singular values below this part of the largest count as zero
 
 
@@ -27,7 +28,7 @@ def stack(rows: Sequence[Array], n: int) -> Array:
     """Rows of n entries as a matrix, even if there are none. Raises CannotAnswer for infinite entries."""
     J = np.array(rows, dtype=np.float64).reshape(len(rows), n)
     if not np.isfinite(J).all():
-        raise CannotAnswer(Message("a measure has no finite gradient in this pose"))
+        raise CannotAnswer(NO_GRADIENT)
     return J
 
 

@@ -1,7 +1,8 @@
 """The start of a motion: a pose and velocities as the model describes them, and otherwise as small as possible.
 
 A pose is searched from the description of each body, then from disturbed ones. Velocities v solve one linear
-system, J v = wanted rates, by the least kinetic energy.
+system, J v = wanted rates, by the least kinetic energy. In a large system bodies are placed outward from the ground
+first, unless the description fits, and J is sparse (`sparse`).
 """
 
 from __future__ import annotations
@@ -23,12 +24,13 @@ from freebody.measures.geometry import GROUND, Point, SpatialPose
 from freebody.model.elements import Attitude, NonholonomicForm, RigidBody, Start
 from freebody.numeric import spatial
 from freebody.numeric.described import axes_of, start_pose
-from freebody.numeric.jets import Array, Branch, Jet, JetGeometry
+from freebody.numeric.jets import LARGE, Array, Branch, Gradient, Jet, JetGeometry, entries_of
 from freebody.numeric.outward import placed_outward
 from freebody.numeric.placing import ACCEPTED, N_STEPS, TOLERANCE, Fit, PoseEquation
 from freebody.numeric.rotation import matrix, rotation_vector
 from freebody.numeric.senses import turned_over, turned_to_face
-from freebody.numeric.split import Split, stack
+from freebody.numeric.sparse import SparseRows
+from freebody.numeric.split import NO_GRADIENT, Split, stack
 from freebody.numeric.system import NumericSystem
 from freebody.tolerances import ROUND_OFF, ROUNDED
 
@@ -96,6 +98,8 @@ def _carried(reference: NumericSystem, extra: Wanted) -> set[str]:
         for body in system.moving
         if body.start == Start() and not body.chain and reference.masses[reference.columns(body.name)[0]] == 0.0
     } - said
+    if not light:
+        return light
     rows = [reference.frame.columns.keys() & set(row.measure.bodies()) for row in system.constraint_rows]
     found: set[str] = set()
     while True:
@@ -125,6 +129,12 @@ def _assembled_whole(reference: NumericSystem, extra: Wanted, guess: Array | Non
     # keeps also without that
     guides, near = _guided(reference, described), _body_equations(reference, _guessed)
     wishes = [wish for wish in ([*guides, *near] if near else [], guides) if wish]
+    if len(guess) > LARGE:  # a body far away is not reached by small steps of all
+        as_given = reference.placing.fit(guess, equations, 0.0, {}, n_steps=0)
+        if as_given is not None and as_given.error <= TOLERANCE and not wishes and _stands(reference, as_given):
+            return as_given
+        if as_given is None or as_given.error > ACCEPTED:
+            guess = placed_outward(reference, guess, equations)
     for wish in wishes:
         fit = reference.placing.fit(guess, [*equations, *wish], 0.0, {})
         if fit is not None and _stands(reference, fit):
@@ -323,11 +333,10 @@ def start_velocities(reference: NumericSystem, g: JetGeometry, extra: Wanted, *,
     b = np.array([rate - jet.rate for _name, jet, rate in wanted])
     if not b.any():
         return np.zeros(n)
-    J = stack([jet.row(n) for _name, jet, _rate in wanted], n)
     v = _given(reference, g.q) if with_start else None
+    J: Array | SparseRows = _rates_matrix([jet for _name, jet, _rate in wanted], n)
     if v is None or np.abs(J @ v - b).max() > ROUNDED * np.abs(b).max():
-        split = Split(J, reference.sizes.small_moves)
-        v = _of_least_energy(reference.masses, split.null, split.least(b))
+        v = _least_velocities(reference, J, b)
     gaps = np.abs(J @ v - b)
     if gaps.size and gaps.max() > ROUND_OFF * max(1.0, float(np.abs(b).max())):
         k = int(gaps.argmax())
@@ -340,6 +349,25 @@ def start_velocities(reference: NumericSystem, g: JetGeometry, extra: Wanted, *,
             )
         )
     return v
+
+
+def _rates_matrix(jets: Sequence[Jet], n: int) -> Array | SparseRows:
+    """The coefficients of velocities in some rates. Raises CannotAnswer for infinite ones."""
+    if n <= LARGE:
+        return stack([jet.row(n) for jet in jets], n)
+    J = SparseRows([jet.gradient for jet in jets], n)
+    if not J.are_finite:
+        raise CannotAnswer(NO_GRADIENT)
+    return J
+
+
+def _least_velocities(reference: NumericSystem, J: Array | SparseRows, b: Array) -> Array:
+    """The velocities of least kinetic energy with J v = b, or the nearest to that."""
+    D = reference.sizes.small_moves
+    if isinstance(J, SparseRows) and reference.masses.all():
+        return J.least(D, b)
+    split = Split(J.whole if isinstance(J, SparseRows) else J, D)
+    return _of_least_energy(reference.masses, split.null, split.least(b))
 
 
 def _of_least_energy(masses: Array, free: Array, v: Array) -> Array:
@@ -397,14 +425,11 @@ def _body_rates(reference: NumericSystem, body: RigidBody, q: Array) -> Iterator
         P = reference.frame.principal[body.name]
         axes = P if start.rates_in_body else matrix(q[own])  # of the components, along the principal axes
         for along, expr in zip(axes, start.rates, strict=True):
-            row = np.zeros(len(reference.masses))
-            row[own] = along
+            row = entries_of(own, along, len(reference.masses))
             yield f"angular_velocity of {body.name}", Jet(0.0, row), reference.number(expr)
 
-    def unit_row(k: int) -> Array:
-        row = np.zeros(len(reference.masses))
-        row[columns[k]] = 1.0
-        return row
+    def unit_row(k: int) -> Gradient:
+        return entries_of((columns[k],), np.ones(1), len(reference.masses))
 
     for k, expr in enumerate(start.velocity or ()):
         yield f"velocity of {body.name}", Jet(0.0, unit_row(k)), reference.number(expr)

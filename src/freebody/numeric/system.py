@@ -42,9 +42,10 @@ class NumericSystem:
         numbers = _numbers(system, values or {})
         columns: dict[str, tuple[int, ...]] = {}
         n_places, n_turns = (3, 3) if system.space else (2, 1)
+        n = 0
         for body in system.moving:
-            n = sum(map(len, columns.values()))
             columns[body.name] = tuple(range(n, n + n_places + (n_turns if body.turns else 0)))
+            n += len(columns[body.name])
         self.frame = Frame(columns, {}, numbers)
         self._moments = {body.name: self._moments_of(body) for body in system.moving}
         principal = {name: axes for name, (_moments, axes) in self._moments.items()} if system.space else {}
@@ -124,10 +125,10 @@ class NumericSystem:
     def by_rows(self) -> list[str]:
         """Moving bodies in an order that neither the file nor units change: by how many rows hold them, the most
         first, by mass, then by name."""
-        n_rows = {
-            b.name: sum(b.name in row.measure.bodies() for row in self.system.constraint_rows)
-            for b in self.system.moving
-        }
+        n_rows = dict.fromkeys(self.frame.columns, 0)
+        for row in self.system.constraint_rows:
+            for name in n_rows.keys() & set(row.measure.bodies()):
+                n_rows[name] += 1
 
         def rank(name: str) -> tuple[object, ...]:
             return -n_rows[name], float(f"{self.masses[self.columns(name)[0]]:.9g}"), natural(name)

@@ -192,9 +192,15 @@ class SystemDescription:
 
 def merged(groups: Iterable[frozenset[str]], ties: Iterable[set[str]]) -> tuple[frozenset[str], ...]:
     """Groups of bodies, those made one that a tie joins. ties: sets of bodies, of which some may be in no group."""
-    found = list(groups)
-    for tie in ties:
-        touched = [group for group in found if group & tie]
+    members = dict(enumerate(map(set[str], groups)))
+    group_of = {name: k for k, group in members.items() for name in group}
+    last = {k: k for k in members}  # when a group was joined, so that what is joined last comes last
+    for n, tie in enumerate(ties, len(members)):
+        touched = {group_of[name] for name in tie if name in group_of}
         if len(touched) > 1:
-            found = [group for group in found if not group & tie] + [frozenset[str]().union(*touched)]
-    return tuple(found)
+            largest = max(touched, key=lambda k: len(members[k]))  # takes in the others: no body is moved often
+            for k in touched - {largest}:
+                group_of |= dict.fromkeys(members[k], largest)
+                members[largest] |= members.pop(k)
+            last[largest] = n
+    return tuple(frozenset(members[k]) for k in sorted(members, key=last.__getitem__))

@@ -15,8 +15,8 @@ from typing import Any
 from freebody.errors import InputError, ModelError, Problem
 from freebody.language.document.composer import compose
 from freebody.language.document.file import text_of
-from freebody.language.document.plain import checked, with_value
-from freebody.language.document.tree import DocumentNode, DocumentStep, Place, kind_of
+from freebody.language.document.plain import checked, copied, is_ordinary, with_value
+from freebody.language.document.tree import MAX_BYTES, DocumentNode, DocumentStep, Place, kind_of
 from freebody.language.document.writer import block_lines, flow_text, scalar_text
 from freebody.messages import Message
 
@@ -27,11 +27,15 @@ class Document:
     Made by `read`, `load` or `from_plain`; each raises ModelError with every problem found.
     """
 
-    __slots__ = ("_has_places", "_root", "_text", "file")
+    __slots__ = ("_composed", "_has_places", "_plain", "_text", "file")
 
-    def __init__(self, text: str, file: str | None, root: DocumentNode, has_places: bool) -> None:
+    def __init__(
+        self, text: str, file: str | None, root: DocumentNode | None, has_places: bool, plain: Any = None
+    ) -> None:
+        """Without a root it is known what the text says (`plain`), and it is read when places in it are needed."""
         self._text = text
-        self._root = root
+        self._composed = root
+        self._plain = plain
         self._has_places = has_places
         self.file = file
 
@@ -48,18 +52,27 @@ class Document:
 
     @classmethod
     def from_plain(cls, data: Mapping[Any, Any]) -> Document:
-        """Writes plain data (mappings, lists, texts, finite numbers, true, false, None) as a new document."""
-        text = "\n".join(block_lines(checked(data, ()), 0)) + "\n" if data else "{}\n"
+        """A new document of plain data (mappings, lists, texts, finite numbers, true, false, None)."""
+        plain = checked(data, ())
+        text = "\n".join(block_lines(plain, 0)) + "\n" if plain else "{}\n"
+        if len(text) <= MAX_BYTES and is_ordinary(plain):  # read back, it says the same
+            return cls(text, None, None, False, plain)
         try:
             return cls(text, None, compose(text, None), False)
         except ModelError as error:
             raise ModelError([Problem(p.path, p.message) for p in error.problems]) from None
 
+    @property
+    def _root(self) -> DocumentNode:
+        if self._composed is None:
+            self._composed = compose(self._text, None)
+        return self._composed
+
     # -- asking -------------------------------------------------------------------------------
     @property
     def data(self) -> dict[str, Any]:
         """Plain Python data, made anew on each call; an empty value is None."""
-        return self._root.plain()
+        return self._root.plain() if self._plain is None else copied(self._plain)
 
     def place(self, path: Place) -> tuple[int, int] | None:
         """Line and column, from 1, of the value at `path`, or of its deepest parent that exists.

@@ -9,8 +9,11 @@ from collections.abc import Mapping
 from typing import Any, cast
 
 from freebody.errors import ModelError, Problem
-from freebody.language.document.tree import MAX_DEPTH, MAX_KEY, Place
+from freebody.language.document.tree import MAX_DEPTH, MAX_KEY, MAX_VALUES, Place
 from freebody.messages import Message
+
+_SHORT = 200  # characters of a text that no line of a file is too long for
+_LARGE = 10**18
 
 
 def checked(data: Any, path: Place) -> Any:
@@ -74,6 +77,36 @@ def _key_text(key: Any, path: Place, problems: list[Problem]) -> str:
     if re.search("[\ud800-\udfff]", name):
         problems.append(Problem(path, Message("a key with half a character (a surrogate) cannot be written")))
     return name
+
+
+def is_ordinary(data: Any) -> bool:
+    """Whether a text that is written of checked data is certainly within the limits of a file, so that it need not be
+    read to know: not too many values, and every key and text short and of printable characters."""
+    n_values, waiting = 0, [data]
+    while waiting:
+        value = waiting.pop()
+        n_values += 1
+        if isinstance(value, dict):
+            entries = cast("dict[str, Any]", value)
+            waiting += (*entries, *entries.values())
+            n_values -= len(entries)  # keys are none
+        elif isinstance(value, list):
+            waiting += cast("list[Any]", value)
+        elif isinstance(value, str):
+            if len(value) > _SHORT or not value.isprintable():
+                return False
+        elif isinstance(value, int) and abs(value) > _LARGE:
+            return False
+    return n_values <= MAX_VALUES
+
+
+def copied(data: Any) -> Any:
+    """The same plain data, made anew."""
+    if isinstance(data, dict):
+        return {key: copied(value) for key, value in cast("dict[str, Any]", data).items()}
+    if isinstance(data, list):
+        return [copied(value) for value in cast("list[Any]", data)]
+    return data
 
 
 def with_value(data: Any, path: Place, value: Any) -> Any:

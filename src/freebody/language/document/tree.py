@@ -12,7 +12,7 @@ from freebody.messages import Message
 
 MAX_BYTES = 1_000_000
 MAX_LINE = 10_000
-MAX_VALUES = 20_000
+MAX_VALUES = 50_000
 MAX_DEPTH = 30
 MAX_KEY = 1000
 

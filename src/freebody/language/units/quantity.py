@@ -7,6 +7,7 @@ import re
 from collections.abc import Container
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import lru_cache
 from itertools import count
 
 from freebody.errors import NoQuantity, UnitError
@@ -76,6 +77,7 @@ def quantities_within(text: str, taken: Container[str]) -> tuple[str, dict[str, 
     return _PART.sub(named, text), found
 
 
+@lru_cache(maxsize=2048)
 def _quantity_of_text(text: str) -> Quantity:
     if len(text) > MAX_CHARACTERS:
         raise NoQuantity(

@@ -24,15 +24,13 @@ from freebody.study.answering.answer import Answer
 from freebody.study.answering.crosscheck import holds
 from freebody.study.answering.finding import Elements
 from freebody.study.steady.extremes import ExtremaSearch, angle_of, at_start_but_for, told
-from freebody.study.steady.round_turn import FullTurn
+from freebody.study.steady.round_turn import STEP, FullTurn
 from freebody.study.steady.turning import Extremum, TurningAngle
 from freebody.symbolic.closure import explicit
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.unknowns import Coordinate
 
-N_POSES = 24  # round the turn, from which the numeric route looks for the extremes
-STEP = math.tau / N_POSES  # to either side of the best of them
 _PLACE = 1e-9  # [rad] the place of an extreme; its value is far better
 
 
@@ -141,10 +139,13 @@ class _Sweep:
     def _found(self, way: int, world: World) -> tuple[float, float]:
         """(angle, value)"""
         turn, poses = self._round(world)
-        _best, middle, near = min(poses, key=lambda p: way * p[0])
+        _best, middle, pose = min(poses, key=lambda p: way * p[0])
+        seen = [(middle, pose)]
 
         def at(away: float) -> float:
-            return way * turn.value(turn.pose(near, away))
+            near = min(seen, key=lambda known: abs(known[0] - away))[1]
+            seen.append((away, turn.pose(near, away)))
+            return way * turn.value(seen[-1][1])
 
         around = (middle - STEP, middle + STEP)
         found: Any = cast("Any", optimize).minimize_scalar(
@@ -158,12 +159,6 @@ class _Sweep:
             turn = FullTurn(self.context.setup, world.draw, self.c, self.q.of)
             if not all(holds(self.context.setup, k, world.draw, turn.start) for k in self.search.conditions):
                 raise CannotAnswer(Message("these numbers do not meet the conditions of the answer"))
-            poses: list[tuple[float, float, Array]] = []
-            for sense in (1.0, -1.0):
-                pose = world.draw.q
-                for k in range(N_POSES // 2):
-                    away = sense * (k + 0.5) * STEP
-                    pose = turn.pose(pose, away)
-                    poses.append((turn.value(pose), away, pose))
+            poses = [(turn.value(pose), away, pose) for away, pose in turn.poses()]
             self._known[id(world)] = world, turn, poses
         return self._known[id(world)][1:]

@@ -72,6 +72,8 @@ def _number(setup: Setup, symbol: Ratio) -> float:
 def rates_not_given(reference: Reference, q: Array, v: Array) -> tuple[str, ...]:
     """The same for a start in numbers: named measures that run, though neither connections nor the start decide how
     fast."""
+    if not reference.system.measures:
+        return ()
     n = len(q)
     g = reference.geometry(q, np.zeros_like(q), 0.0)
     rows = [jet.row(n) for _name, jet, _rate in wanted_rates(reference, g, (), True)]

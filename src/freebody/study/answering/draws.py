@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 import random
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -18,6 +18,7 @@ import numpy as np
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, LENGTH
+from freebody.measures.base import Measure
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference, Snapshot
 from freebody.symbolic.sample import Sample
@@ -39,6 +40,10 @@ class Draw:
     values: dict[str, float]
     reference: Reference
     q: Array
+    # by the measure that turns: (angle from the start, pose) round a full turn, where somebody has gone round
+    turns: dict[Measure, list[tuple[float, Array]]] = field(
+        default_factory=dict["Measure", "list[tuple[float, Array]]"]
+    )
 
     def start(self) -> Snapshot:
         """The start, with its velocities."""

@@ -21,6 +21,7 @@ from freebody.symbolic.conditions import Condition
 from freebody.symbolic.unknowns import Coordinate
 
 N_POSES = 24
+STEP = math.tau / N_POSES
 _NEARLY_HALF = math.pi - 1e-6  # angles count from the start, by less than half a turn to either side
 _STEP = 0.07  # [rad] from pose to pose
 _RATE = 0.83  # of the angle, where the quantity depends on it
@@ -87,14 +88,20 @@ class FullTurn:
 
     def values(self) -> list[float]:
         """At poses all round the turn."""
-        found: list[float] = []
-        step = math.tau / N_POSES
-        for way in (1.0, -1.0):
-            q = self.draw.q
-            for k in range(N_POSES // 2):
-                q = self.pose(q, way * step * (k + 0.5))
-                found.append(self.value(q))
-        return found
+        return [self.value(q) for _away, q in self.poses()]
+
+    def poses(self) -> list[tuple[float, Array]]:
+        """(angle from the start, pose) all round the turn, found once for each draw."""
+        if self.measure not in self.draw.turns:
+            found: list[tuple[float, Array]] = []
+            for way in (1.0, -1.0):
+                q = self.draw.q
+                for k in range(N_POSES // 2):
+                    away = way * STEP * (k + 0.5)
+                    q = self.pose(q, away)
+                    found.append((away, q))
+            self.draw.turns[self.measure] = found
+        return self.draw.turns[self.measure]
 
     def pose(self, q: Array, away: float) -> Array:
         """At an angle from the start, from another pose in small steps: where a lever turns fast, its other assembly is
