@@ -435,7 +435,7 @@ def test_billiard_ball_rolls_at_once_if_struck_at_two_fifths_of_its_radius() -> 
         ("time when ball rolls without slipping", "rolls"),
         ("time when slip of contact = 0", "slip ends"),
         ("time when sliding ends", "slip ends"),
-        ("time until the ball comes to rest", "slip ends"),
+        ("time until the ball stops slipping", "slip ends"),
         ("when does contact slip?", "slips"),
         ("time when slipping begins", "slips"),
         ("where does the ball leave the incline?", "opens"),

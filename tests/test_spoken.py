@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
+from typing import cast
 
 import pytest
+from typer.testing import CliRunner
 
 import freebody as fb
+from freebody.cli import commands
 from freebody.errors import InputError, ModelError
 from freebody.questions.reading import Question
 from freebody.system.system import System
@@ -202,8 +206,14 @@ SPOKEN: dict[str, list[tuple[str, str]]] = {
         ("Mit welcher Geschwindigkeit trifft die Kugel auf den Boden?", "velocity of ball when ball hits floor"),
     ],
 }
+TYPED = [  # a longer list, many of which are to be refused
+    cast("tuple[str, str, str]", tuple(line.split("\t")))
+    for line in (Path(__file__).parent / "spoken.tsv").read_text("utf-8").splitlines()
+    if not line.startswith("#")
+]
 CASES = [
-    pytest.param(name, said, meant, id=f"{name}-{said}") for name, pairs in SPOKEN.items() for said, meant in pairs
+    pytest.param(name, said, meant, id=f"{name}-{said}")
+    for name, said, meant in [*((name, *pair) for name, pairs in SPOKEN.items() for pair in pairs), *TYPED]
 ]
 
 
@@ -286,3 +296,54 @@ def test_questions_are_shown_as_they_were_understood() -> None:
 def test_hostile_questions_are_refused(text: str) -> None:
     with pytest.raises(InputError):
         example("atwood_machine").question(text)
+
+
+ROLLS_UP = """
+freebody: 1
+title: wheel that rolls up a slope
+parameters: {m: 1 kg, R: 0.2 m, v0: 2 m/s, mu: 0.5, g: 9.81 m/s^2}
+ground: {lines: {slope: {along: 20 deg}}}
+bodies: {wheel: {disk: {mass: m, radius: R}}}
+connections: {touch: {contact: {between: [wheel, slope], friction: mu}}}
+loads: {weight: {gravity: g}}
+measures: {x: {travel of wheel along slope}}
+start: {x: 0, rate(x): v0}
+"""
+
+
+@pytest.mark.parametrize("text", ["time when wheel stops", "When does the wheel stop?", "x when it comes to rest"])
+def test_a_wheel_that_no_longer_slips_has_not_stopped(text: str) -> None:
+    with pytest.raises(ModelError, match="wheel may roll on when it no longer slips"):
+        fb.System.from_text(ROLLS_UP).question(text)
+
+
+def test_kinetic_energy_that_is_lost_is_more_than_the_heat_of_friction() -> None:
+    # up the slope m v0^2/2 is lost, of which mu m g cos(theta) x turns into heat
+    system = example("block_on_rough_incline")
+    [lost] = fb.solve(system, question="kinetic energy lost by the time it stops").answers
+    [heat] = fb.solve(system, question="energy lost until it stops").answers
+    m, v0, theta, mu = 3.0, 4.0, math.radians(25.0), 0.3
+    assert lost.value == pytest.approx(m * v0**2 / 2)
+    share = mu * math.cos(theta) / (mu * math.cos(theta) + math.sin(theta))
+    assert heat.value == pytest.approx(share * m * v0**2 / 2)
+
+
+def test_a_body_leaves_the_surface_that_is_named() -> None:
+    system = example("sliding_ladder")
+    for name, contact in (("wall", "head"), ("floor", "foot")):
+        assert meaning(system.question(f"When does the ladder leave the {name}?")) == meaning(
+            system.question(f"time when {contact} opens")
+        )
+
+
+def test_a_question_reads_the_same_in_the_file_on_the_command_line_and_in_python(tmp_path: Path) -> None:
+    said = "How fast is the left block going once x1 reaches 1 m?"
+    text = (EXAMPLES / "atwood_machine.yaml").read_text("utf-8")
+    file = tmp_path / "asked.yaml"
+    file.write_text(f'{text[: text.index("questions:")]}questions: [{{find: "{said}"}}]\n', "utf-8")
+    [written] = fb.System.load(file).questions
+    in_python = example("atwood_machine").question(said)
+    found = CliRunner().invoke(commands(), ["solve", str(EXAMPLES / "atwood_machine.yaml"), "--find", said])
+    assert written.understood == in_python.understood
+    assert meaning(written) == meaning(in_python)
+    assert f"understood  {in_python.understood}" in found.output

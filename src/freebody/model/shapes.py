@@ -221,7 +221,7 @@ class Cylinder(Shape, kind="cylinder"):
     """A homogeneous cylinder about its `axis` (z): I = m R^2/2 about it, m (3 R^2 + L^2)/12 across. Points `start`,
     `end`: the middles of its ends. For models in space."""
 
-    called: ClassVar[tuple[str, ...]] = ("roller", "drum", "disk", "disc", "wheel")
+    called: ClassVar[tuple[str, ...]] = ("roller", "drum", "disk", "disc", "wheel", "shaft")
 
     mass: Formula = 0
     radius: Formula
@@ -454,7 +454,7 @@ class Body(Shape, kind="body"):
 
     called: ClassVar[tuple[str, ...]] = (
         *("block", "cart", "car", "disk", "disc", "wheel", "cylinder", "drum"),
-        *("pulley", "gear", "plate", "platform", "crate"),
+        *("pulley", "gear", "plate", "platform", "crate", "shaft"),
     )
 
     mass: Formula = 0

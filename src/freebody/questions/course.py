@@ -9,12 +9,13 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, ClassVar, Literal
+from typing import TYPE_CHECKING, Any, ClassVar, Literal, cast
 
 from freebody.language.expression import Symbol
 from freebody.language.sentences import Message, Sentence
 from freebody.language.units import DIMENSIONLESS, ENERGY, TIME, Dimension
 from freebody.measures.base import Measure
+from freebody.measures.geometry import GROUND
 from freebody.model.names import did_you_mean
 from freebody.model.phrases import read_measure
 from freebody.questions.base import Described, Found, Passage, Path, Quantity, angular_unit, asked
@@ -170,11 +171,12 @@ _WORDS: tuple[tuple[str, TransitionKind], ...] = (
     ),
     (rf"(?:slip|slipping|sliding)(?: of {_NAME})? {_ENDS}", "slip ends"),
     (rf"slip of {_NAME} ?= ?0", "slip ends"),
-    (rf"{_SUBJECT} (?:stops|comes to rest|stops (?:slipping|sliding))", "slip ends"),
+    (rf"{_SUBJECT} stops (?:slipping|sliding)", "slip ends"),
+    (rf"{_SUBJECT} (?P<rests>stops|comes to rest)", "slip ends"),
     (rf"(?:slip|slipping|sliding)(?: of {_NAME})? (?:begins|starts)", "slips"),
     (rf"{_SUBJECT} (?:slips?|slides?|(?:begins?|starts?) {_SLIDING})", "slips"),
     (rf"{_SUBJECT} (?:opens?|parts?|lifts? off|takes? off|loses? contact)", "opens"),
-    (rf"{_SUBJECT} leaves?(?: (?:the )?[A-Za-z_]\w*)?", "opens"),
+    (rf"{_SUBJECT} leaves?(?: (?:the )?(?:surface|(?P<on>[A-Za-z_]\w*)))?", "opens"),
     (rf"{_SUBJECT} (?:goes?|becomes?|is) slack", "opens"),
     (rf"contact(?: of {_NAME})? is lost", "opens"),
     (rf"{_SUBJECT} (?:touch(?:es)?|hits?|strikes?|lands?){_ON}", "touches"),
@@ -198,19 +200,38 @@ def read_transition(names: Names, text: str, path: Path) -> Transition | None:
             continue
         name = found.groupdict().get("of")
         if name is None:
+            if found.groupdict().get("rests") is not None:
+                _refuse_rolling(names, (), path)
             return Transition(kind, (), text)
         if name in names.measures:
             return None
         of, on = connections_of(names, name, path), found.groupdict().get("on")
-        is_line = on is not None and any(on in body.lines for body in names.bodies.values())
-        if on is not None and not is_line:
-            both = connections_of(names, on, path)
-            if both and not set(of) & set(both):
+        if on is not None:
+            both = tuple(connection for connection in of if connection in _touching(names, on, path))
+            if of and not both:
                 told = Message("{name} and {other} have no contact with each other", name=name, other=on)
                 names.problem(told, *path)
-            of = tuple(connection for connection in of if connection in both)
+            of = both
+        if found.groupdict().get("rests") is not None:
+            _refuse_rolling(names, of, path)
         return Transition(kind, of, text)
     return None
+
+
+def _refuse_rolling(names: Names, of: tuple[str, ...], path: Path) -> None:
+    """A round body that no longer slips has not come to rest: it rolls on."""
+    touching = [row for row in names.constraint_rows if not of or row.connection in of]
+    rough = {row.connection for row in touching if row.reaction == "friction force"}
+    pressed = [row for row in touching if row.reaction == "normal force" and row.connection in rough]
+    ends = {end.partition(".")[0] for row in pressed for end in (*row.ends, *row.measure.bodies())}
+    for body in (names.bodies[end] for end in sorted(ends & names.bodies.keys())):
+        if body.turns and not body.fixed and (body.radius is not None or body.round):
+            told = Message(
+                "{body} may roll on when it no longer slips; say 'slipping ends', or which rate is zero: rate(x) = 0",
+                body=body.name,
+            )
+            names.problem(told, *path)
+            return
 
 
 def connections_of(names: Names, name: str, path: Path) -> tuple[str, ...]:
@@ -227,21 +248,42 @@ def connections_of(names: Names, name: str, path: Path) -> tuple[str, ...]:
     return ()
 
 
+def _touching(names: Names, name: str, path: Path) -> tuple[str, ...]:
+    """The connections of a name, or those that touch the body or the line of the ground of that name."""
+    if name not in names.connections and name in names.bodies[GROUND].lines:
+        return tuple(connection for connection in names.connections if names_line(names, connection, name))
+    return connections_of(names, name, path)
+
+
+def names_line(names: Names, connection: str, line: str) -> bool:
+    """Whether a connection is told to be with a line of the ground."""
+    fields: dict[str, Any] = vars(names.connections[connection])
+    lists = (cast("list[Any]", [*value] if isinstance(value, (list, tuple)) else [value]) for value in fields.values())
+    return any(isinstance(value, str) and value.removeprefix(f"{GROUND}.") == line for one in lists for value in one)
+
+
 def as_condition(names: Names, text: str) -> str:
     """'when does the block slip' and 'where does it leave the surface' in the words of the grammar."""
     found = re.match(r"^(?:[Ww]hen|at what time) (?:does|do|will) (?P<event>.+?)\??$", text)
     if found is not None and not re.match(r"the (?:loop|linkage|mechanism) (?:assemble|close)", found["event"]):
         return f"time when {found['event']}"
     found = re.match(r"^[Ww]here (?:does|do|will) (?P<event>.+?)\??$", text)
-    if found is not None and names.measures:
-        return f"{next(iter(names.measures))} when {found['event']}"
+    if found is not None and (place := _place(names)) is not None:
+        return f"{place} when {found['event']}"
     return text
+
+
+def _place(names: Names) -> str | None:
+    """The only measure that says where something is, if it is the only one."""
+    lengths = [name for name, measure in names.measures.items() if measure.dimension != DIMENSIONLESS]
+    places = lengths or list(names.measures)
+    return places[0] if len(places) == 1 else None
 
 
 # -- quantities -------------------------------------------------------------------------------
 @asked(
     "energy lost until EVENT",
-    r"(?:energy (?:lost|dissipated)|loss of (?:kinetic |mechanical )?energy|heat)(?: by friction)?",
+    r"(?:energy (?:lost|dissipated)|loss of (?:mechanical )?energy|heat)(?: by friction)?",
     rank=RANK,
 )
 def _lost(names: Names, found: Found, path: Path) -> Quantity | None:

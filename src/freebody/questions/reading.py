@@ -203,7 +203,8 @@ def _question(names: Names, name: str, value: Any) -> Question | None:
 
 def _understood(names: Names, text: str, when: object) -> tuple[_Asked, str] | None:
     """What a text asks for, and the words of the grammar in which it does."""
-    return understood(names, text, lambda words: _asked(names, as_condition(names, words), when))
+    found = understood(names, text, lambda words: _asked(names, as_condition(names, words), when))
+    return None if found is None else (found[0], as_condition(names, found[1]))
 
 
 def _timed(phrase: str) -> str:

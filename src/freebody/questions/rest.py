@@ -134,7 +134,7 @@ questions: {it: range of normal force of wall}
 _REST = (
     r"(?:(?:so )?that|for which|with which|such that|at which)? ?(?:it|the system|everything|the [a-z]+)? ?"
     r"(?:(?:stays?|remains?|is|keeps?|can stay)(?: (?:it|the system))? (?:at rest|in equilibrium|in place)"
-    r"|holds?|does not (?:slip|slide|tip|move|fall)|neither slips nor tips|(?:keeps|holds) (?:it|the system) at rest"
+    r"|holds?|does not (?:slip|slide|move|fall)|neither slips nor tips|(?:keeps|holds) (?:it|the system) at rest"
     r"|nothing (?:moves|slips|slides))"
 )
 _KIND = (

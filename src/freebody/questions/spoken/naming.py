@@ -26,6 +26,7 @@ _LONGEST = 4  # words of a name
 _TOKEN = re.compile(r"’\w+|[^\W\d]\w*(?:\.[^\W\d]\w*)?|\d[\w.]*|\s+|.", re.DOTALL)
 _BODY_WORDS = ("body", "mass", "element", "member", "part")
 _JOINT_WORDS = ("joint", "connection", "support")
+_LINE_WORDS = ("surface", "slope", "incline", "plane")
 _POINT_WORDS = ("point", "end")
 
 # how far what is meant is from what is written
@@ -82,7 +83,9 @@ def elements_of(names: Names) -> Elements:
         found.add(name, (*names.called.get(name, ()), *_JOINT_WORDS))
     for name in names.loads:
         found.add(name, names.called.get(name, ()))
-    for name in (*names.measures, *names.parameters, *names.bodies[GROUND].lines):
+    for name in names.bodies[GROUND].lines:
+        found.add(name, _LINE_WORDS)
+    for name in (*names.measures, *names.parameters):
         found.add(name)
     return found
 
@@ -128,7 +131,7 @@ def _readings(elements: Elements, tokens: Sequence[str], k: int) -> Iterator[tup
 def _named(elements: Elements, written: Sequence[str]) -> Iterator[tuple[str, int]]:
     """Elements that all of some words name, and how far they are from it."""
     words = tuple(word.lower() for word in written)
-    meant = elements.spoken.get(words, [])
+    meant = elements.spoken.get(words) or elements.spoken.get(("".join(words),), [])  # `wrist pin` for wristpin
     as_written = [found for found in meant if found[1] == " ".join(written)]
     for element, text, distance in as_written or meant:
         yield element.name, distance + (WRITTEN if text == " ".join(written) else ALIKE)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import difflib
 import re
 from collections.abc import Callable, Iterator
+from itertools import permutations
 from typing import TYPE_CHECKING
 
 from freebody.language.units import DIMENSIONLESS
@@ -14,12 +15,42 @@ if TYPE_CHECKING:
     from freebody.model.names import Names
 
 MOST = 5
+# words for where something turns back, or is at its largest: a rate is zero there
+_FARTHEST = re.compile(
+    r"\b(?:max|highest|lowest|farthest|furthest|largest|how (?:far|high)|turn(?:s|ed)?\b|range|amplitude|swing|"
+    r"höchst|tiefst|größt|umkehr|wie (?:weit|hoch)|amplitude|ausschlag|wurfweite)",
+    re.IGNORECASE,
+)
+_COMMON = frozenset(  # words that say nothing of what is meant
+    {
+        "a",
+        "an",
+        "the",
+        "of",
+        "in",
+        "at",
+        "on",
+        "to",
+        "is",
+        "are",
+        "it",
+        "its",
+        "does",
+        "do",
+        "has",
+        "have",
+        "what",
+        "how",
+    }
+)
+_RATIO = re.compile(r"ratio|übersetzung|verhältnis", re.IGNORECASE)
 
 
 def suggestions(names: Names, text: str, is_read: Callable[[str], bool]) -> list[str]:
     """At most five questions that can be read, by how many of their words are those of the text."""
     typed = _words(text)
     near = sorted(dict.fromkeys(_askable(names)), key=lambda question: -_likeness(typed, _words(question)))
+    near = [*_turning_points(names, text), *_ratios(names, text), *near]
     found: list[str] = []
     for question in near:
         if len(found) < MOST and is_read(question):
@@ -53,8 +84,25 @@ def _askable(names: Names) -> Iterator[str]:
     yield from ("is total energy conserved", "does it hold")
 
 
+def _turning_points(names: Names, text: str) -> Iterator[str]:
+    """Where measures have their turning points, if that is what a text is about."""
+    if _FARTHEST.search(text) is not None:
+        measures = list(names.measures)[: MOST // 2]
+        yield from (f"{name} when rate({name}) = 0" for name in measures)
+
+
+def _ratios(names: Names, text: str) -> Iterator[str]:
+    """Ratios of how bodies turn, if that is what a text is about: of those that it names first."""
+    if _RATIO.search(text) is not None:
+        typed = _words(text)
+        turning = [name for name, body in names.bodies.items() if name != GROUND and body.turns and not body.fixed]
+        turning.sort(key=lambda name: name.lower() not in typed)
+        pairs = permutations(turning[:2], 2)
+        yield from (f"ratio of angular velocity of {a} to angular velocity of {b}" for a, b in pairs)
+
+
 def _words(text: str) -> list[str]:
-    return re.findall(r"\w+", text.lower())
+    return [word for word in re.findall(r"\w+", text.lower()) if word not in _COMMON]
 
 
 def _likeness(typed: list[str], question: list[str]) -> float:

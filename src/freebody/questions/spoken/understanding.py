@@ -64,9 +64,10 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
         several = Message("'{text}' can be meant in several ways. Ask for\n    {ways}", text=text, ways=ways)
         names.problem(several, "find")
     elif _is_specific(told) or instead or _has_form(told):
-        names.problems += told if _is_specific(told) else instead or told
+        names.problems += told if _is_specific(told) and not (_is_of_words(told) and instead) else instead or told
     else:
-        fits = suggestions(names, text, lambda question: not isinstance(_read_quietly(names, question, read), Unread))
+        said = " ".join((text, *_in_english(names, text)))
+        fits = suggestions(names, said, lambda question: not isinstance(_read_quietly(names, question, read), Unread))
         askable = "\n    ".join(fits)
         none = Message("cannot read '{text}'. One can ask for\n    {askable}", text=text, askable=askable)
         names.unknown(text, none, "find")
@@ -108,6 +109,11 @@ def _is_specific(problems: list[Problem]) -> bool:
     return any(not (isinstance(p.message, Message) and _GENERAL & p.message.arguments.keys()) for p in problems)
 
 
+def _is_of_words(problems: list[Problem]) -> bool:
+    """Whether they are about words that are no names or conditions as they stand: the way to mean them says more."""
+    return any(isinstance(p.message, Message) and {"hint", "text"} & p.message.arguments.keys() for p in problems)
+
+
 def _has_form(problems: list[Problem]) -> bool:
     """Whether they say which form of the grammar a text is like."""
     return any(isinstance(p.message, Message) and "form" in p.message.arguments for p in problems)
@@ -122,6 +128,13 @@ def _meanings(names: Names, text: str) -> list[Meaning]:
         ways = linked(elements, in_english_nouns(text, language))
         found += [Meaning(_texts(names, _WORD.sub(_lowered, way.text), language), way.distance) for way in ways]
     return sorted(found, key=lambda meaning: meaning.distance)
+
+
+def _in_english(names: Names, text: str) -> Iterator[str]:
+    """What the rules of other languages make of a text, as far as they know its words."""
+    for language in languages()[1:]:
+        way = linked(elements_of(names), in_english_nouns(text, language))[0]
+        yield plain_names(next(said_in_grammar(_WORD.sub(_lowered, way.text), language)))
 
 
 def _texts(names: Names, text: str, language: str) -> Iterator[list[str]]:
