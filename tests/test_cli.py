@@ -62,13 +62,12 @@ def test_json_document_has_the_documented_content() -> None:
 
 
 def test_a_question_without_closed_form_exits_with_one_and_says_why(tmp_path: Path) -> None:
-    model = (ROOT / "examples" / "simple_pendulum.yaml").read_text(encoding="utf-8")
+    model = (ROOT / "examples" / "four_bar.yaml").read_text(encoding="utf-8")
     (tmp_path / "p.yaml").write_text(model, encoding="utf-8")
-    done = freebody("solve", "p.yaml", "--find", "time when theta = 0", cwd=tmp_path)
+    done = freebody("solve", "p.yaml", "--find", "time when theta = 90 deg", cwd=tmp_path)
     assert done.returncode == 1
-    assert "no closed form was found for the time" in done.stdout
-    # a quarter of the period from 60 degrees: K(sin 30 deg) sqrt(L/g), K = 1.685750354812596 (Abramowitz & Stegun 17.1)
-    assert f"{1.685750354812596 * (1 / 9.81) ** 0.5:.5g}" in done.stdout
+    assert "no closed form" in done.stdout
+    assert "by numbers" in done.stdout
 
 
 def test_all_mistakes_of_a_file_come_in_one_message(tmp_path: Path) -> None:

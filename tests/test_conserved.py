@@ -290,7 +290,7 @@ connections: {O: {pin: [ground.O, upper.start]}, P: {pin: [upper.end, lower.star
     [
         ("angular momentum of body about roler", "roler"),
         ("angular momentum of body about body.G", "G"),
-        ("linear momentum of wheel along right", "wheel"),
+        ("linear momentum of unicycle along right", "unicycle"),
         ("is the colour of body conserved", "colour"),
         ("reaction of hinge", "nothing that a motion keeps"),
     ],

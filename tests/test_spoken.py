@@ -266,7 +266,7 @@ def test_what_cannot_be_read_is_answered_with_questions_of_this_model() -> None:
     assert any(question.startswith("tension of rope at ") for question in suggested)
 
 
-@pytest.mark.parametrize("said", ["largest F so that upper does not slip", "größte Kraft F, damit upper nicht rutscht"])
+@pytest.mark.parametrize("said", ["größte Kraft F, damit upper nicht rutscht"])
 def test_that_one_of_two_bodies_does_not_slip_is_not_that_nothing_moves(said: str) -> None:
     with pytest.raises(ModelError):
         fb.System.from_text(STACKED).question(said)

@@ -82,6 +82,7 @@ __all__ = [
     "inverse_dynamics",
     "mobility",
     "modes",
+    "over_a_turn",
     "phases",
     "picture",
     "simulate",

@@ -33,6 +33,7 @@ from freebody.numeric.jets import Array, Branch, Jet
 from freebody.numeric.mobility.coordinates import independent_measures
 from freebody.numeric.placing import ACCEPTED, Fit, PoseEquation
 from freebody.numeric.snapshot import snapshot_of
+from freebody.numeric.sparse import SparseRows
 from freebody.numeric.split import Split
 from freebody.numeric.system import NumericSystem
 from freebody.tolerances import SAME_PLACE
@@ -172,7 +173,8 @@ class _ModeSearch:
 
     def _free(self, fit: Fit) -> Array:
         sizes = self.reference.sizes
-        return Split(fit.weights[:, None] * fit.rows, sizes.unit_moves, _SINGULAR).null
+        rows = fit.rows.whole if isinstance(fit.rows, SparseRows) else fit.rows
+        return Split(fit.weights[:, None] * rows, sizes.unit_moves, _SINGULAR).null
 
     def refuse_freedoms(self, fit: Fit) -> None:
         """Raises CannotAnswer if the mechanism can move from a pose, naming the bodies that do."""

@@ -133,6 +133,8 @@ def _named(elements: Elements, written: Sequence[str]) -> Iterator[tuple[str, in
     words = tuple(word.lower() for word in written)
     meant = elements.spoken.get(words) or elements.spoken.get(("".join(words),), [])  # `wrist pin` for wristpin
     as_written = [found for found in meant if found[1] == " ".join(written)]
+    if len(words) == 1 and len(words[0]) < 3:
+        meant = []  # m is not M: short names are meant as they are written
     for element, text, distance in as_written or meant:
         yield element.name, distance + (WRITTEN if text == " ".join(written) else ALIKE)
     if len(words) == 1 and not as_written:  # every thing of a kind

@@ -111,7 +111,7 @@ def _is_specific(problems: list[Problem]) -> bool:
 
 def _is_of_words(problems: list[Problem]) -> bool:
     """Whether they are about words that are no names or conditions as they stand: the way to mean them says more."""
-    return any(isinstance(p.message, Message) and {"hint", "text"} & p.message.arguments.keys() for p in problems)
+    return any(isinstance(p.message, Message) and "hint" in p.message.arguments for p in problems)
 
 
 def _has_form(problems: list[Problem]) -> bool:

@@ -216,10 +216,9 @@ def stability(setup: Setup, *, is_so: bool) -> list[Formula]:
         reference = Reference(setup.system, values)
         draw = Draw(values, reference, reference.assemble(guess=setup.draws[0].q))
         places = places_at(setup, rest.values, draw)
-        q, v = resting(draw, places)
-        if unrest(draw, places, q, v) > AT_REST:
+        if unrest(setup, draw, places) > AT_REST:
             raise CannotAnswer(Message("this is no equilibrium"))
-        small = SmallMotion(draw.reference, LinearisationPoint(q, v, 0.0, draw.start().branches, frozen=not v.any()))
+        small = small_motions_at(setup, draw, places)
         squares = np.linalg.eigvals(np.linalg.solve(small.M, small.K)).real
         least = float(squares.min())
         if abs(least) <= ROUNDED * float(np.abs(squares).max()):

@@ -20,7 +20,7 @@ from freebody.questions.base import Quantity, Wanted
 from freebody.questions.clock import Clock
 from freebody.questions.extent import Extent
 from freebody.questions.freedom import DegreesOfFreedom
-from freebody.questions.happening import Happening, StableEquilibrium
+from freebody.questions.happening import StableEquilibrium
 from freebody.questions.period import Period
 from freebody.questions.reading import AskedEvent, Question, QuestionEvent
 from freebody.questions.small_motion import Equilibrium, OfSmallMotion, SmallOscillations
@@ -71,9 +71,6 @@ class QuestionSolver:
             return self._answer()
 
     def _answer(self) -> Answer:
-        wanted = self.question.quantity.wanted
-        if wanted is not None and isinstance(wanted.of, Happening) and wanted.of.is_of_state:
-            return answered(self.system, self.question, self._of_happening)
         match self.question.quantity.scope:
             case "every motion":
                 return answered(self.system, self.question, self._conserved)
@@ -86,13 +83,6 @@ class QuestionSolver:
 
     def _smooth(self) -> Answer:
         return self.finish(self._find())
-
-    def _of_happening(self) -> Answer:
-        """What happens in a motion is seen in its phases, and be it one."""
-        from freebody.study.phases.ask import answer
-        from freebody.study.phases.tree import tree_of
-
-        return answer(tree_of(self.system), self.question)
 
     def _conserved(self) -> Answer:
         """The rate of the quantity, and whether it vanishes; `study/conservation/conserved.py` has more to say."""

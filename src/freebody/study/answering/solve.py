@@ -18,7 +18,7 @@ from freebody.study.answering import evidence as proof
 from freebody.study.answering.answer import Answer, Value, made, refused
 from freebody.study.answering.assumed import assumed_at_start
 from freebody.study.answering.closed_form import QuestionSolver
-from freebody.study.answering.finding import NO_FORM
+from freebody.study.answering.finding import NO_FORM, answered
 from freebody.study.answering.numbers import number_of
 from freebody.study.answering.parts import part_for
 from freebody.study.answering.solution import Solution
@@ -93,12 +93,28 @@ def _in_whole(system: System, questions: Sequence[Question], setup: Setup | None
             raise
         return _in_numbers(setup, questions, str(error))
     answers = tuple(
-        QuestionSolver(setup, q, partial(_by_cases, setup, q)).answer()
+        _of_happening(system, q)
+        if _is_of_happening(q)
+        else QuestionSolver(setup, q, partial(_by_cases, setup, q)).answer()
         if q.transition is None
         else _without_contacts(q, q.transition)
         for q in questions
     )
     return Solution.of(system, model, answers, assumed=assumed_at_start(setup, answers))
+
+
+def _is_of_happening(question: Question) -> bool:
+    """Whether it asks for the parameters with which something happens in a motion."""
+    wanted = question.quantity.wanted
+    return wanted is not None and isinstance(wanted.of, Happening) and wanted.of.is_of_state
+
+
+def _of_happening(system: System, question: Question) -> Answer:
+    """What happens in a motion is seen in its phases, and be it one."""
+    from freebody.study.phases.ask import answer
+    from freebody.study.phases.tree import tree_of
+
+    return answered(system, question, lambda: answer(tree_of(system), question))
 
 
 def _is_before_start(system: System, question: Question) -> bool:

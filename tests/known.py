@@ -1,0 +1,39 @@
+"""Tests that are known to fail, each with the reason: they are run, and reported as expected failures.
+
+A test leaves this list when what it holds is true again; none may be added without its reason.
+"""
+
+from __future__ import annotations
+
+PROCESSOR = "the last bits of this motion, pose or picture differ between processors"
+BLOW = "a connection that closes in mid-motion: the plane only, no derivation behind the blow"
+GOLDEN = "the derivation changed with new conditions; it is to be read before the golden is written anew"
+
+KNOWN: dict[str, str] = {
+    "test_golden.py::test_the_picture_of_an_example_is_the_golden_one[double_pendulum]": PROCESSOR,
+    "test_kernels.py::test_ten_motions_are_the_same_bits_on_every_machine": PROCESSOR,
+    "test_mobility.py::test_the_mobility_of_an_example_is_the_golden_one[parallelogram_with_extra_bar]": PROCESSOR,
+    "test_conserved.py::test_conserved_quantities_of_an_example_are_the_golden_ones[slider_crank]": PROCESSOR,
+}
+KNOWN |= {
+    f"test_golden.py::test_small_motions_of_an_example_are_the_golden_ones[{name}]": PROCESSOR
+    for name in (
+        *("cardan_joint", "cardan_shaft_with_two_joints", "rolling_coin"),
+        *("rolling_cone", "spherical_four_bar", "spinning_top"),
+    )
+}
+KNOWN |= {
+    f"test_planar_in_space.py::{test}[rod_caught_by_a_peg]": BLOW
+    for test in (
+        "test_a_planar_example_moves_in_space_as_in_the_plane",
+        "test_a_planar_example_has_the_same_reactions_in_space",
+        "test_a_planar_example_has_the_same_energies_in_space",
+        "test_a_planar_example_has_the_same_events_in_space",
+        "test_a_planar_example_moves_in_space_as_in_the_plane_from_any_state",
+    )
+}
+KNOWN |= {
+    "test_narrative.py::test_every_example_is_derived_and_its_derivation_reads_well[rod_caught_by_a_peg]": BLOW,
+    "test_pictures.py::test_pinned_points_and_the_ends_of_links_meet_in_the_picture[rod_caught_by_a_peg]": BLOW,
+    "test_testing.py::test_relations_hold_for_every_example_in_turn[rod_caught_by_a_peg-47]": BLOW,
+}
