@@ -11,6 +11,8 @@ import re
 from collections.abc import Mapping
 from xml.etree import ElementTree
 
+from scipy.special import ellipk, ellipkinc
+
 Known = Mapping[str, float]
 _FUNCTIONS = {
     **{
@@ -19,6 +21,7 @@ _FUNCTIONS = {
     },
     **{"arcsin": math.asin, "arccos": math.acos, "arctan": math.atan, "exp": math.exp, "sqrt": math.sqrt, "abs": abs},
     **{"sign": lambda x: math.copysign(1.0, x)},
+    **{"elliptic_K": lambda k: ellipk(k * k), "elliptic_F": lambda phi, k: ellipkinc(phi, k * k)},
 }
 _RAISED = {c: str(k) for k, c in enumerate("⁰¹²³⁴⁵⁶⁷⁸⁹")} | {"⁻": "-"}
 

@@ -629,11 +629,26 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
         "long": "g*T/(2*sin(theta))",
         "height": "sqrt(2*g*h)/sin(theta)",
     },
+    # sin(theta/2) = k sin(phi), k = sin(theta_0/2): t = sqrt(2 L/(3 g)) times the integral of 1/sqrt(1 - k^2 sin^2)
+    "large_swing": {
+        "period": "4*sqrt(2*L/(3*g))*elliptic_K(sin(theta_0/2))",
+        "small": "2*pi*sqrt(2*L/(3*g))",
+        "quarter": "sqrt(2*L/(3*g))*elliptic_K(sin(theta_0/2))",
+        "half_way": "sqrt(2*L/(3*g))*(elliptic_K(sin(theta_0/2))"
+        " - elliptic_F(asin(sin(theta_0/4)/sin(theta_0/2)), sin(theta_0/2)))",
+    },
+}
+# whose formulas are worked out by hand in tests of their own
+ELSEWHERE = {
+    "bead_on_turning_hoop": "test_first_integrals.py",
+    "isolated_machine": "test_small_motion.py",
+    "rod_caught_by_a_peg": "test_blows_on_the_way.py",
 }
 
 
 def test_every_question_of_every_example_has_its_textbook_formula() -> None:
     asked = {name: {q.id for q in fb.System.load(FOLDER / f"{name}.yaml").questions} for name in EXAMPLES}
+    asked = {name: ids for name, ids in asked.items() if name not in ELSEWHERE}
     assert {name: set(known) for name, known in TEXTBOOK.items()} == asked
 
 

@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from freebody.study.friction.report import Statics, statics
     from freebody.study.inverse_dynamics import inverse_dynamics
     from freebody.study.mobility.mobility import Mobility, mobility
+    from freebody.study.over_a_turn import over_a_turn
     from freebody.study.phases.result import phases
     from freebody.study.pictures.picture import draw, free_body, picture
     from freebody.study.simulation.simulate import Simulation, simulate

@@ -163,7 +163,7 @@ def inequality_of(relation: str) -> tuple[str, str, str] | None:
 def without_just(relation: str) -> tuple[str, bool]:
     """Words without `just`, and whether it was among them: x just reaches d, it is about to slip."""
     plain = re.sub(r"\bis (?:just )?about to (?P<verb>\w+)", lambda m: f"just {m['verb']}s", relation)
-    plain, n = re.subn(r"\b(?:only |but )?just (?:barely )?", "", plain)
+    plain, n = re.subn(r"\b(?:only |but )?just (?:barely )?(?!before\b|after\b)", "", plain)
     return " ".join(plain.split()), n > 0
 
 

@@ -20,7 +20,7 @@ from freebody.narrative.kinds import derivation_of
 from freebody.narrative.lines.glossary import World
 from freebody.narrative.lines.script import DerivationStage, NumberedFormula, Script
 from freebody.narrative.principles.sides import parted
-from freebody.narrative.questions.turned_round import has_values, introduced
+from freebody.narrative.questions.wanted import has_values, introduced
 from freebody.questions.clock import Clock
 from freebody.questions.course import Transition, When
 from freebody.questions.energy import Energy

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import FLOAT_FUNCTIONS, Expr, Symbol, evaluate, number, substitute
+from freebody.language.expression import FLOAT_FUNCTIONS, Expr, evaluate, number, substitute
 from freebody.language.sentences import Message
 from freebody.narrative.contact.settings import has_phases
 from freebody.narrative.context import Context, Method
@@ -17,6 +16,7 @@ from freebody.narrative.kinds import derivation_of
 from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.script import DerivationStage, Legend, NumberedFormula, Script, Sentence
 from freebody.narrative.principles.sides import parted
+from freebody.narrative.questions.wanted import has_values, introduced
 from freebody.numeric.reference import Reference
 from freebody.questions.base import Quantity, Wanted
 from freebody.questions.happening import Happening
@@ -154,14 +154,6 @@ def _reached(context: Context, asked: Question, name: str) -> tuple[Context, Ans
     raise CannotAnswer(why or Message("there is no closed form"))
 
 
-def has_values(world: World, values: Sequence[Expr]) -> bool:
-    """Whether all values are real numbers there."""
-    try:
-        return all(math.isfinite(x) for value in values for x in world.of(value))
-    except (CannotAnswer, ArithmeticError, ValueError):
-        return False
-
-
 def _solved(context: Context, script: Script, question: Question, formula: Expr, values: Sequence[Expr]) -> None:
     """The equation, and its solutions."""
     quantity = question.quantity.wanted
@@ -176,25 +168,6 @@ def _solved(context: Context, script: Script, question: Question, formula: Expr,
         lines.append(script.line(put_in, quantity.target, why=why, args=args, when=when))
     sides = (names[0], values[0]) if len(names) == 1 else (tuple(names), tuple(values))
     script.line(*sides, why="turned.solved", args={"lines": tuple(lines)}, uses=tuple(lines), when=when)
-
-
-def introduced(
-    context: Context,
-    script: Script,
-    question: Question,
-    values: Sequence[Expr],
-    reader: Callable[[Expr], Callable[[World], float]],
-) -> list[Symbol]:
-    """Symbols for the values that are asked for. reader: how the numeric route finds one."""
-    quantity = question.quantity.wanted
-    assert quantity is not None
-    ends = [""] if len(values) == 1 else [str(k + 1) for k in range(len(values))]
-    names = [context.symbol(f"{quantity.parameter}_req{end}", f"{quantity.parameter}_asked{end}") for end in ends]
-    what = Sentence("symbol.asked", {"question": question.text})
-    for name, value in zip(names, values, strict=True):
-        script.glossary.redefine(Meaning(name, what, reader(value), question.quantity.unit))
-        script.add(Legend(((name, what, question.quantity.unit),)))
-    return names
 
 
 @dataclass(frozen=True)

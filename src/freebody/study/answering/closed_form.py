@@ -74,10 +74,6 @@ class QuestionSolver:
         match self.question.quantity.scope:
             case "every motion":
                 return answered(self.system, self.question, self._conserved)
-            case "rest":
-                from freebody.study.friction.answers import answer
-
-                return answer(self.system, self.question)
             case _:
                 return answered(self.system, self.question, self._smooth, self._number_instead, self.otherwise)
 

@@ -92,15 +92,21 @@ def _in_whole(system: System, questions: Sequence[Question], setup: Setup | None
         if not system.space:
             raise
         return _in_numbers(setup, questions, str(error))
-    answers = tuple(
-        _of_happening(system, q)
-        if _is_of_happening(q)
-        else QuestionSolver(setup, q, partial(_by_cases, setup, q)).answer()
-        if q.transition is None
-        else _without_contacts(q, q.transition)
-        for q in questions
-    )
+    answers = tuple(_in_smooth_motion(setup, q) for q in questions)
     return Solution.of(system, model, answers, assumed=assumed_at_start(setup, answers))
+
+
+def _in_smooth_motion(setup: Setup, question: Question) -> Answer:
+    """Where no contact or friction changes the law of motion."""
+    from freebody.study.friction.answers import answer as at_rest
+
+    if _is_of_happening(question):
+        return _of_happening(setup.system, question)
+    if question.quantity.scope == "rest":
+        return at_rest(setup.system, question)
+    if question.transition is not None:
+        return _without_contacts(question, question.transition)
+    return QuestionSolver(setup, question, partial(_by_cases, setup, question)).answer()
 
 
 def _is_of_happening(question: Question) -> bool:

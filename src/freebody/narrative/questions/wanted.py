@@ -1,0 +1,40 @@
+"""Values of a parameter that are asked for: their symbols, and where they are numbers."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+
+from freebody.errors import CannotAnswer
+from freebody.language.expression import Expr, Symbol
+from freebody.narrative.context import Context
+from freebody.narrative.lines.glossary import Meaning, World
+from freebody.narrative.lines.script import Legend, Script, Sentence
+from freebody.questions.reading import Question
+
+
+def has_values(world: World, values: Sequence[Expr]) -> bool:
+    """Whether all values are real numbers there."""
+    try:
+        return all(math.isfinite(x) for value in values for x in world.of(value))
+    except (CannotAnswer, ArithmeticError, ValueError):
+        return False
+
+
+def introduced(
+    context: Context,
+    script: Script,
+    question: Question,
+    values: Sequence[Expr],
+    reader: Callable[[Expr], Callable[[World], float]],
+) -> list[Symbol]:
+    """Symbols for the values that are asked for. reader: how the numeric route finds one."""
+    quantity = question.quantity.wanted
+    assert quantity is not None
+    ends = [""] if len(values) == 1 else [str(k + 1) for k in range(len(values))]
+    names = [context.symbol(f"{quantity.parameter}_req{end}", f"{quantity.parameter}_asked{end}") for end in ends]
+    what = Sentence("symbol.asked", {"question": question.text})
+    for name, value in zip(names, values, strict=True):
+        script.glossary.redefine(Meaning(name, what, reader(value), question.quantity.unit))
+        script.add(Legend(((name, what, question.quantity.unit),)))
+    return names
