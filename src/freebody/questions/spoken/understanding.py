@@ -111,7 +111,8 @@ def _is_specific(problems: list[Problem]) -> bool:
 
 def _is_of_words(problems: list[Problem]) -> bool:
     """Whether they are about words that are no names or conditions as they stand: the way to mean them says more."""
-    return any(isinstance(p.message, Message) and "hint" in p.message.arguments for p in problems)
+    messages = [p.message for p in problems if isinstance(p.message, Message)]
+    return any("hint" in m.arguments or m.startswith("cannot read the condition") for m in messages)
 
 
 def _has_form(problems: list[Problem]) -> bool:
