@@ -8,7 +8,6 @@ from __future__ import annotations
 
 PROCESSOR = "the last bits of this motion, pose or picture differ between processors"
 BLOW = "a connection that closes in mid-motion: the plane only, no derivation behind the blow"
-GOLDEN = "the derivation changed with new conditions; it is to be read before the golden is written anew"
 
 KNOWN: dict[str, str] = {
     "test_golden.py::test_the_picture_of_an_example_is_the_golden_one[double_pendulum]": PROCESSOR,
@@ -52,7 +51,6 @@ KNOWN |= {
     "time of the first fall has its number only",
     "test_testing.py::test_relations_hold_for_every_example_in_turn[belt_drive-10]": "renaming the belt renames the word in "
     "'belt force' as well, which is read as another question now",
-    "test_circles.py::test_no_modules_import_each_other_in_a_circle": "study.answering.ranges and extremal name each other",
     "test_phases_start.py::test_a_fast_disk_flies_off_the_corner_and_a_slow_one_stays_on_it": NOT_UNDERSTOOD,
 }
 KNOWN |= {

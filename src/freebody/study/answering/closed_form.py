@@ -132,7 +132,7 @@ class QuestionSolver:
 
     def _turned_round(self, q: Wanted) -> Finding:
         """The formula of what is to have a value, solved for a parameter."""
-        from freebody.study.answering.ranges import solved_for
+        from freebody.study.answering.of_parameter import solved_for
         from freebody.study.answering.turned_round import Formula, first_found
 
         asked = replace(self.question, quantity=q.of, options={}, key=None)

@@ -25,13 +25,12 @@ from freebody.numeric.reference import Reference
 from freebody.questions.base import Wanted
 from freebody.questions.happening import FailsFirst, Happening
 from freebody.questions.reading import Question
-from freebody.questions.turned_round import EXTREMAL, REACHED, SO, TENDS
+from freebody.questions.turned_round import REACHED, SO
 from freebody.study.answering.answer import Evidence
 from freebody.study.answering.conditions import real
 from freebody.study.answering.crosscheck import INSTANT_TOLERANCE, MIN_DRAWS, MOTION_TOLERANCE, CrossCheck, element_at
 from freebody.study.answering.draws import Draw
 from freebody.study.answering.finding import Finding
-from freebody.study.answering.limits import find_limit
 from freebody.study.answering.magnitude import magnitude
 from freebody.study.answering.turned_round import (
     Formula,
@@ -39,7 +38,6 @@ from freebody.study.answering.turned_round import (
     PutBack,
     above,
     domain_of,
-    find,
     quantity_with,
     without_roots,
 )
@@ -82,20 +80,6 @@ class _Truth:
     @property
     def conditions(self) -> Sequence[Condition]:
         return self.formula.needed
-
-
-def solved_for(setup: Setup, question: Question, formulas: Sequence[Formula]) -> Finding:
-    """What is asked of a parameter: the value for which an equation holds, or all for which an inequality does; or of a
-    quantity, as the parameter tends to a value."""
-    wanted = question.quantity.wanted
-    assert wanted is not None
-    if wanted.relation == TENDS:
-        return find_limit(setup, question, formulas)
-    if wanted.relation == EXTREMAL:
-        from freebody.study.answering.extremal import find_extremal
-
-        return find_extremal(setup, question, formulas)
-    return (find if wanted.relation == "=" else find_range)(setup, question, formulas)
 
 
 def find_range(setup: Setup, question: Question, formulas: Sequence[Formula]) -> Finding:

@@ -12,7 +12,7 @@ from freebody.questions.happening import Happening
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer, Evidence, Value
 from freebody.study.answering.closed_form import QuestionSolver
-from freebody.study.answering.ranges import solved_for
+from freebody.study.answering.of_parameter import solved_for
 from freebody.study.answering.simulated_numbers import number_with_changes
 from freebody.study.answering.turned_round import Formula, first_found
 from freebody.study.phases.evidence import compare

@@ -1,0 +1,24 @@
+"""What is asked of a parameter, by what is to be so of the formula of a quantity."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from freebody.questions.reading import Question
+from freebody.questions.turned_round import EXTREMAL, TENDS
+from freebody.study.answering.extremal import find_extremal
+from freebody.study.answering.finding import Finding
+from freebody.study.answering.limits import find_limit
+from freebody.study.answering.ranges import find_range
+from freebody.study.answering.turned_round import Formula, find
+from freebody.study.setup import Setup
+
+_FINDERS = {TENDS: find_limit, EXTREMAL: find_extremal, "=": find}
+
+
+def solved_for(setup: Setup, question: Question, formulas: Sequence[Formula]) -> Finding:
+    """The value for which an equation holds, or all for which an inequality does; or the quantity as the parameter
+    tends to a value, or where it is largest. Raises CannotAnswer where there is no closed form."""
+    wanted = question.quantity.wanted
+    assert wanted is not None
+    return _FINDERS.get(wanted.relation, find_range)(setup, question, formulas)
