@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import replace
-from fractions import Fraction
 
 import numpy as np
 
@@ -16,13 +14,11 @@ from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, RIGHT, UP, Point
 from freebody.numeric.jets import Array
 from freebody.numeric.linearised import frequencies
-from freebody.numeric.reference import Reference
 from freebody.numeric.small_motion import LinearisationPoint, SmallMotion
 from freebody.questions.small_motion import SmallOscillations
 from freebody.study.answering.answer import Evidence
 from freebody.study.answering.crosscheck import MIN_DRAWS, CrossCheck, broken, element_at, holds
 from freebody.study.answering.draws import Draw
-from freebody.study.answering.turned_round import Formula
 from freebody.study.setup import Setup
 from freebody.study.small_motion.equilibrium import nearest_equilibrium
 from freebody.symbolic.conditions import Condition
@@ -30,7 +26,7 @@ from freebody.symbolic.equilibrium import GYROSCOPIC, find_equilibrium
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.linearised import swing_of
 from freebody.symbolic.state import SymbolicState
-from freebody.tolerances import ROUND_OFF, ROUNDED
+from freebody.tolerances import ROUND_OFF
 
 AT_REST = 1e-7  # [SI] that an acceleration may differ from zero at an equilibrium
 NOTHING_DRIVES_BACK = Message("there is no period of small oscillations: to first order nothing drives it back")
@@ -197,39 +193,3 @@ def places_at(setup: Setup, equilibrium: dict[int, Ratio], draw: Draw) -> list[t
             of, ground = body.point(body.default_point), Point(GROUND)
             wanted += [(place, there.value(place)) for place in (Displacement(of, ground, d) for d in (RIGHT, UP))]
     return [(measure, element_at(setup, x, draw, start)[0]) for measure, x in wanted]
-
-
-# -- for which parameters it is stable ----------------------------------------------------------
-def stability(setup: Setup, *, is_so: bool) -> list[Formula]:
-    """Where the equilibrium at the start, else the one that formulas find, is stable, or (not is_so) unstable: all
-    leading minors of the stiffness are positive, or one of them is negative. Raises CannotAnswer where the linearised
-    equations do not tell."""
-    rest = find_equilibrium(setup.model, setup.start, stable_first=False)
-    if rest.is_stable is None or not (rest.stable or rest.is_stable):
-        raise CannotAnswer(
-            Message("whether this equilibrium is stable does not follow from the linearised equations")
-            if rest.is_stable is None
-            else Message("this equilibrium is not stable")
-        )
-
-    def in_numbers(values: dict[str, float]) -> float:
-        reference = Reference(setup.system, values)
-        draw = Draw(values, reference, reference.assemble(guess=setup.draws[0].q))
-        places = places_at(setup, rest.values, draw)
-        if unrest(setup, draw, places) > AT_REST:
-            raise CannotAnswer(Message("this is no equilibrium"))
-        small = small_motions_at(setup, draw, places)
-        squares = np.linalg.eigvals(np.linalg.solve(small.M, small.K)).real
-        least = float(squares.min())
-        if abs(least) <= ROUNDED * float(np.abs(squares).max()):
-            raise CannotAnswer(Message("to first order nothing drives it back"))
-        return float((least > 0.0) == is_so)
-
-    def no_formula() -> Evidence:
-        raise CannotAnswer(Message("whether this equilibrium is stable does not follow from the linearised equations"))
-
-    def where(conditions: Sequence[Condition], stable: bool) -> Formula:
-        return Formula(Fraction(1), [*rest.exists, *conditions], no_formula, in_numbers, says=stable == is_so)
-
-    opposite = [replace(c, element=-c.element, relation=">", purpose="") for c in rest.stable]
-    return [where(rest.stable, True), *(where([c], False) for c in opposite)]

@@ -141,7 +141,7 @@ class QuestionSolver:
 
             return solved_for(self.setup, self.question, [is_so(q.of, self.setup)])
         if isinstance(q.of, StableEquilibrium):
-            from freebody.study.answering.at_equilibrium import stability
+            from freebody.study.small_motion.stable_for import stability
 
             return solved_for(self.setup, self.question, stability(self.setup, is_so=q.of.is_so))
 
