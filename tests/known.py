@@ -49,8 +49,6 @@ KNOWN |= {
     "grows-Q is no parameter]": "the refusal names the form of the question, not the parameter that is missing",
     "test_testing.py::test_a_relation_that_was_broken_holds[bouncing_ball-unrelated measure]": "with a further measure the "
     "time of the first fall has its number only",
-    "test_testing.py::test_relations_hold_for_every_example_in_turn[belt_drive-10]": "renaming the belt renames the word in "
-    "'belt force' as well, which is read as another question now",
     "test_phases_start.py::test_a_fast_disk_flies_off_the_corner_and_a_slow_one_stays_on_it": NOT_UNDERSTOOD,
 }
 KNOWN |= {

@@ -114,7 +114,9 @@ def renamed(system: System, rng: random.Random) -> list[Changed]:
         for question in data["questions"]:
             question.pop("options", None)
             question.pop("key", None)
-    taken = documents.reserved_words()
+    # a belt that is called belt transmits a belt force, whatever its name
+    reactions = {word for row in system.rows for word in row.reaction.split()}
+    taken = documents.reserved_words() | reactions
     names = [n for part in documents.NAMED for n in section(data, part) if n.lower() not in taken]
     letters = rng.sample("abcdefhklnquvw", 14)
     new = {n: f"{letters[k % 14]}qx{k}" for k, n in enumerate(dict.fromkeys(names))}
