@@ -34,7 +34,6 @@ KNOWN |= {
 }
 GERMAN = "conditions on a motion and limits of a parameter have no German phrase yet"
 DEFINES = "the note that defines the elliptic integral has no expression for machines"
-NOT_UNDERSTOOD = "not understood yet; the answer of before is not known to be wrong"
 KNOWN |= {
     "test_examples.py::test_every_statement_of_the_json_document_is_for_people_and_for_machines[large_swing]": DEFINES,
     "test_examples.py::test_every_statement_of_the_json_document_is_for_people_and_for_machines"
@@ -49,7 +48,6 @@ KNOWN |= {
     "grows-Q is no parameter]": "the refusal names the form of the question, not the parameter that is missing",
     "test_testing.py::test_a_relation_that_was_broken_holds[bouncing_ball-unrelated measure]": "with a further measure the "
     "time of the first fall has its number only",
-    "test_phases_start.py::test_a_fast_disk_flies_off_the_corner_and_a_slow_one_stays_on_it": NOT_UNDERSTOOD,
 }
 KNOWN |= {
     "test_narrative.py::test_every_example_is_derived_and_its_derivation_reads_well[rod_caught_by_a_peg]": BLOW,

@@ -337,11 +337,14 @@ def test_a_particle_that_slides_off_a_table_falls(agrees: Callable[[str, str, st
     agrees(EDGE, "x when y = -h", "L + v*sqrt(2*h/g)")
 
 
-def test_a_fast_disk_flies_off_the_corner_and_a_slow_one_stays_on_it() -> None:
-    assert {case.what: case.conditions for case in cases(ROUND).cases} == {
+def test_a_fast_disk_flies_off_the_corner_and_a_slow_one_goes_round_it_first() -> None:
+    found = cases(ROUND)
+    assert {case.what: case.conditions for case in found.cases} == {
         "moves in contact, then flies": ("v² > r·g",),
-        "moves in contact, then moves in contact": ("r·g ≥ v²",),
+        "moves in contact, then moves in contact, then flies": ("r·g ≥ v²",),
     }
+    # as from a dome of radius r: m g sin(phi) = m r phi'^2 with r^2 phi'^2 = v^2 + 2 g r (1 - sin(phi))
+    assert "opens at φ_c = asin((2·r·g + v²)/(3·r·g)), if r·g > v²" in found.to_text()
 
 
 # -- cases exclude each other and cover everything --------------------------------------------
