@@ -46,8 +46,6 @@ KNOWN |= {
     "its reactions",
     "test_happenings.py::test_what_cannot_be_read_says_why[model1-range of mu for which it tips before it slides as Q "
     "grows-Q is no parameter]": "the refusal names the form of the question, not the parameter that is missing",
-    "test_testing.py::test_a_relation_that_was_broken_holds[bouncing_ball-unrelated measure]": "with a further measure the "
-    "time of the first fall has its number only",
 }
 KNOWN |= {
     "test_narrative.py::test_every_example_is_derived_and_its_derivation_reads_well[rod_caught_by_a_peg]": BLOW,

@@ -205,7 +205,9 @@ class SmoothMotion:
     def acceleration(self, c: Coordinate) -> Ratio:
         """Of a coordinate, as a function of coordinates, speeds and time."""
         k = self.model.coordinates.index(c)
-        return self.field.lowest_terms(self.model.dynamics.solved_accelerations[self.model.accelerations[k]])
+        found = self.field.lowest_terms(self.model.dynamics.solved_accelerations[self.model.accelerations[k]])
+        still = self.integrals.resting  # coordinates that stay where they start are no variables
+        return self.field.lowest_terms(self.field.follow(found, still)) if still else found
 
     def law_of(self, c: Coordinate, *, takes_side: bool = False) -> MotionLaw | None:
         """How a coordinate moves by itself, where that is one of the laws that have closed forms. takes_side: whether

@@ -144,10 +144,12 @@ class UniformMotion(MotionInTime):
 
 
 class LawMotion(MotionInTime):
-    """Every coordinate moves by a law of its own, whatever the others do."""
+    """Every coordinate moves by a law of its own, whatever the others do. still: those that stay where they start."""
 
-    def __init__(self, model: SymbolicModel, start: StartState, laws: Sequence[MotionLaw]) -> None:
-        super().__init__(model, start)
+    def __init__(
+        self, model: SymbolicModel, start: StartState, laws: Sequence[MotionLaw], still: dict[int, Ratio]
+    ) -> None:
+        super().__init__(model, start, still)
         self.laws = tuple(laws)
 
     @property
@@ -376,7 +378,7 @@ def course_of(model: SymbolicModel, start: StartState) -> ClosedFormMotion:
             if not has_laws:
                 raise
     if has_laws:
-        return LawMotion(model, start, laws)
+        return LawMotion(model, start, laws, smooth.integrals.resting)
     for c in model.coordinates:
         with suppress(CannotAnswer):
             return EnergyMotion(model, start, c)
