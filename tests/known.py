@@ -44,8 +44,6 @@ KNOWN |= {
     "of the driven massless rotor are unique is judged differently in space",
     "test_planar_in_space.py::test_a_planar_example_moves_in_space_as_in_the_plane_from_any_state[isolated_machine]": "as "
     "its reactions",
-    "test_happenings.py::test_what_cannot_be_read_says_why[model1-range of mu for which it tips before it slides as Q "
-    "grows-Q is no parameter]": "the refusal names the form of the question, not the parameter that is missing",
 }
 KNOWN |= {
     "test_narrative.py::test_every_example_is_derived_and_its_derivation_reads_well[rod_caught_by_a_peg]": BLOW,

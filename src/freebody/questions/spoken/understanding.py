@@ -64,7 +64,9 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
         several = Message("'{text}' can be meant in several ways. Ask for\n    {ways}", text=text, ways=ways)
         names.problem(several, "find")
     elif _is_specific(told) or instead or _has_form(told):
-        names.problems += told if _is_specific(told) and not (_is_of_words(told) and instead) else instead or told
+        names.problems += (
+            told if _is_specific(told) and not (_is_of_words(names, told) and instead) else instead or told
+        )
     else:
         said = " ".join((text, *_in_english(names, text)))
         fits = suggestions(names, said, lambda question: not isinstance(_read_quietly(names, question, read), Unread))
@@ -109,10 +111,15 @@ def _is_specific(problems: list[Problem]) -> bool:
     return any(not (isinstance(p.message, Message) and _GENERAL & p.message.arguments.keys()) for p in problems)
 
 
-def _is_of_words(problems: list[Problem]) -> bool:
-    """Whether they are about words that are no names or conditions as they stand: the way to mean them says more."""
+def _is_of_words(names: Names, problems: list[Problem]) -> bool:
+    """Whether they take words for names, as in `the string`, or for a condition: the way to mean them says more."""
+    kinds = set[str]().union(*(element.words for element in elements_of(names).exact.values()))
     messages = [p.message for p in problems if isinstance(p.message, Message)]
-    return any("hint" in m.arguments or m.startswith("cannot read the condition") for m in messages)
+    return any(
+        m.startswith("cannot read the condition")
+        or ("hint" in m.arguments and not kinds.isdisjoint(str(x) for x in m.arguments.values()))
+        for m in messages
+    )
 
 
 def _has_form(problems: list[Problem]) -> bool:
