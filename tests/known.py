@@ -33,11 +33,7 @@ KNOWN |= {
     )
 }
 GERMAN = "conditions on a motion and limits of a parameter have no German phrase yet"
-DEFINES = "the note that defines the elliptic integral has no expression for machines"
 KNOWN |= {
-    "test_examples.py::test_every_statement_of_the_json_document_is_for_people_and_for_machines[large_swing]": DEFINES,
-    "test_examples.py::test_every_statement_of_the_json_document_is_for_people_and_for_machines"
-    "[bead_on_turning_hoop]": DEFINES,
     "test_narrative_phrases.py::test_questions_and_measures_of_an_example_are_german[ball_on_string_stays_taut]": GERMAN,
     "test_narrative_phrases.py::test_questions_and_measures_of_an_example_are_german[farthest_throw]": GERMAN,
     "test_planar_in_space.py::test_a_planar_example_has_the_same_reactions_in_space[isolated_machine]": "which reactions "

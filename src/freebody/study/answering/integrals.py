@@ -10,11 +10,11 @@ from freebody.symbolic.field import Ratio
 
 _COMPLETE = Message(
     "K(k) is the complete elliptic integral of the first kind with the modulus k, the integral of "
-    "1/sqrt(1 - k^2 sin^2 x) from 0 to pi/2; tables and programs with the parameter m have m = k^2"
+    "1/sqrt(1 - k^2 sin^2 x) from 0 to pi/2; tables and programs that take the parameter m want k^2"
 )
 _INCOMPLETE = Message(
     "F(phi, k) is the elliptic integral of the first kind with the modulus k, the integral of 1/sqrt(1 - k^2 sin^2 x) "
-    "from 0 to phi, and K(k) = F(pi/2, k); tables and programs with the parameter m have m = k^2"
+    "from 0 to phi, and K(k) the complete one, up to pi/2; tables and programs that take the parameter m want k^2"
 )
 
 
