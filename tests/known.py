@@ -22,24 +22,10 @@ KNOWN |= {
         *("rolling_cone", "spherical_four_bar", "spinning_top"),
     )
 }
-KNOWN |= {
-    f"test_planar_in_space.py::{test}[rod_caught_by_a_peg]": BLOW
-    for test in (
-        "test_a_planar_example_moves_in_space_as_in_the_plane",
-        "test_a_planar_example_has_the_same_reactions_in_space",
-        "test_a_planar_example_has_the_same_energies_in_space",
-        "test_a_planar_example_has_the_same_events_in_space",
-        "test_a_planar_example_moves_in_space_as_in_the_plane_from_any_state",
-    )
-}
 GERMAN = "conditions on a motion and limits of a parameter have no German phrase yet"
 KNOWN |= {
     "test_narrative_phrases.py::test_questions_and_measures_of_an_example_are_german[ball_on_string_stays_taut]": GERMAN,
     "test_narrative_phrases.py::test_questions_and_measures_of_an_example_are_german[farthest_throw]": GERMAN,
-    "test_planar_in_space.py::test_a_planar_example_has_the_same_reactions_in_space[isolated_machine]": "which reactions "
-    "of the driven massless rotor are unique is judged differently in space",
-    "test_planar_in_space.py::test_a_planar_example_moves_in_space_as_in_the_plane_from_any_state[isolated_machine]": "as "
-    "its reactions",
 }
 KNOWN |= {
     "test_narrative.py::test_every_example_is_derived_and_its_derivation_reads_well[rod_caught_by_a_peg]": BLOW,

@@ -28,7 +28,14 @@ from freebody.study.simulation.simulator import Simulator
 
 FOLDER = Path(__file__).parents[1] / "examples"
 DOCUMENTS = {path.stem: Document.load(path).data for path in sorted(FOLDER.glob("*.yaml"))}
-EXAMPLES = [name for name, data in DOCUMENTS.items() if "space" not in data]
+PLANAR = [name for name, data in DOCUMENTS.items() if "space" not in data]
+# what closes in mid-motion is for the plane only
+CLOSING = [
+    name
+    for name in PLANAR
+    if any(str(c.get("closes", "")).startswith("when") for c in DOCUMENTS[name].get("connections", {}).values())
+]
+EXAMPLES = [name for name in PLANAR if name not in CLOSING]
 # nothing can touch or rub: any pose near by is possible
 SMOOTH = [
     name
@@ -43,7 +50,10 @@ SMOOTH = [
 TOLERANCES = {"wedge_under_load": 1e-9}
 TOLERANCE, CLOSE, SEED = 1e-12, 1e-9, 5
 # what cannot be said in space, and why
-REFUSED = {"moreau": "time stepping.*is for models of the plane"}
+REFUSED = {
+    "moreau": "time stepping.*is for models of the plane",
+    "closes": "connections close in mid-motion in models of the plane only",
+}
 LOADS_ABOUT = ("torque", "torsional_spring", "torsional_damper", "angular_impulse")
 
 example = pytest.mark.parametrize("name", EXAMPLES)
@@ -133,7 +143,8 @@ class Rows:
 def assert_same_reactions(flat: Rows, spatial: Rows) -> None:
     assert set(flat.values) <= set(spatial.values)
     added = set(spatial.values) - set(flat.values)
-    assert all(name.startswith("plane_of_") for name in added)
+    own = {name.partition(".")[0] for name in flat.values}  # a weld holds more in space
+    assert all(name.startswith("plane_of_") or name.partition(".")[0] in own for name in added)
     size = max([1.0, *(float(np.nanmax(np.abs(v), initial=0.0)) for v in flat.values.values())])
     for name, values in flat.values.items():
         where = flat.unique[name] & spatial.unique[name]
@@ -225,6 +236,12 @@ def assert_same_from_anywhere(systems: tuple[fb.System, fb.System], until: float
 @pytest.mark.parametrize("name", SMOOTH)
 def test_a_planar_example_moves_in_space_as_in_the_plane_from_any_state(name: str) -> None:
     assert_same_from_anywhere(both(name), 0.5)
+
+
+@pytest.mark.parametrize("name", CLOSING)
+def test_closing_in_mid_motion_is_refused_in_space(name: str) -> None:
+    with pytest.raises(InputError, match=REFUSED["closes"]):
+        fb.System.from_data(in_space(without_questions(DOCUMENTS[name])))
 
 
 def test_time_stepping_is_refused_in_space() -> None:
