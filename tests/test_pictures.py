@@ -17,6 +17,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from PIL import Image
 
+import freebody as fb
 from freebody.errors import InputError
 from freebody.model.glyphs import Equation, Lead
 from freebody.numeric.reference import Reference
@@ -94,7 +95,11 @@ def test_every_body_of_every_example_is_drawn_inside_its_picture(path: Path) -> 
     assert {word.text for word in drawing.words} == said
 
 
-@pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
+# what closes in mid-motion is apart before
+CLOSED = [path for path in EXAMPLES if not any(blow.closing for blow in fb.System.load(path).blows)]
+
+
+@pytest.mark.parametrize("path", CLOSED, ids=lambda path: path.stem)
 def test_pinned_points_and_the_ends_of_links_meet_in_the_picture(path: Path) -> None:
     scene, poses = posed(path)
     drawing = Drawing.of(scene, poses)

@@ -138,11 +138,19 @@ def _body(entry: Data, turns: bool) -> Data:
     return changed
 
 
+def _kind_and_fields(entry: Any) -> tuple[str, Any]:
+    """Of an element as the file has it. What stands beside the kind, as when it closes, names measures that the change
+    turns in their own way."""
+    if isinstance(entry, str):
+        return entry, None
+    if len(entry) != 1:
+        raise _Stays
+    return next(iter(cast("Data", entry).items()))
+
+
 def _element(entry: Any, kinds: dict[str, type[Spec]], lines: set[str]) -> Any:
     """Fields that are headings turn; defaults that are headings of the ground are written out."""
-    if isinstance(entry, str):
-        entry = {entry: None}
-    ((kind, value),) = cast("Data", entry).items()
+    kind, value = _kind_and_fields(entry)
     fields = kinds[kind].from_plain(value)
     told = [v for n, v in fields.items() if n not in _headings(kinds[kind])]
     words = set(re.findall(r"[A-Za-z_]\w*", repr(told)))
@@ -286,9 +294,7 @@ def _seen_body(entry: Data) -> Data:
 
 
 def _seen_element(entry: Any, kinds: dict[str, type[Spec]]) -> Any:
-    if isinstance(entry, str):
-        entry = {entry: None}
-    ((kind, value),) = cast("Data", entry).items()
+    kind, value = _kind_and_fields(entry)
     if kind not in _ALIKE or kind not in kinds:
         raise _Stays
     fields = kinds[kind].from_plain(value)
