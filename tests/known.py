@@ -22,11 +22,6 @@ KNOWN |= {
         *("rolling_cone", "spherical_four_bar", "spinning_top"),
     )
 }
-GERMAN = "conditions on a motion and limits of a parameter have no German phrase yet"
-KNOWN |= {
-    "test_narrative_phrases.py::test_questions_and_measures_of_an_example_are_german[ball_on_string_stays_taut]": GERMAN,
-    "test_narrative_phrases.py::test_questions_and_measures_of_an_example_are_german[farthest_throw]": GERMAN,
-}
 KNOWN |= {
     "test_narrative.py::test_every_example_is_derived_and_its_derivation_reads_well[rod_caught_by_a_peg]": BLOW,
 }
