@@ -98,12 +98,12 @@ def _in_whole(system: System, questions: Sequence[Question], setup: Setup | None
 
 def _in_smooth_motion(setup: Setup, question: Question) -> Answer:
     """Where no contact or friction changes the law of motion."""
-    from freebody.study.friction.answers import answer as at_rest
-
     if _is_of_happening(question):
         return _of_happening(setup.system, question)
     if question.quantity.scope == "rest":
-        return at_rest(setup.system, question)
+        from freebody.study.friction.answers import answer
+
+        return answer(setup.system, question)
     if question.transition is not None:
         return _without_contacts(question, question.transition)
     return QuestionSolver(setup, question, partial(_by_cases, setup, question)).answer()
