@@ -25,6 +25,8 @@ COARSE = 1e-3  # of the size of all decimals of a page, which are rounded one by
 MOST_LINES = 60  # of a difference that are shown
 
 _NUMBER = re.compile(r"(?<![\w.#])[-~]?\d+(?:\.\d+)?(?:[eE][+-]?\d+)?(?!\w|\.\w)")
+_COURSE = re.compile(r'(?<= d=")[^"]*')
+_COORDINATE = re.compile(r"-?\d+(?:\.\d+)?(?:e-?\d+)?")  # the letters of a course stand beside its numbers
 _PICTURE = re.compile(r"<svg.*?</svg>", re.DOTALL)
 _KEY = re.compile(r"freebody-[0-9a-f]{8}\b")  # of a picture: a hash of what it draws, with the last digits of numbers
 _UNSTEADY = ("worst_relative_difference", "largest_drift")  # round-off alone
@@ -52,7 +54,7 @@ def assert_golden(study: str, example: str, document: Any) -> None:
 def digest(page: str) -> dict[str, Any]:
     """A page or picture in short: a hash of its text without decimals, and how many these are with the sum of
     their sizes, so that round-off changes neither. Pictures count apart: they have the most numbers."""
-    pictures = "".join(_PICTURE.findall(page))
+    pictures = _COURSE.sub(lambda course: _COORDINATE.sub(r" \g<0> ", course[0]), "".join(_PICTURE.findall(page)))
     return {"text": _short(_PICTURE.sub("<svg/>", page)), "pictures": _short(pictures)}
 
 

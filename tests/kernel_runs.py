@@ -1,7 +1,7 @@
 """Motions by which what runs the kernels is compared: `python kernel_runs.py NAME ...` prints a hash of each.
 
-What goes into the kernels is rounded to nine decimals, so that the last digits that Python and linear algebra gave it,
-which may differ between machines, do not come out again.
+What goes into the kernels is rounded to nine decimals, and what is rounded to zero has no sign, so that the last digits
+that Python and linear algebra gave it, which may differ between machines, do not come out again.
 """
 
 from __future__ import annotations
@@ -40,11 +40,15 @@ def motion(name: str, until: float = 0.5) -> np.ndarray:
     simulator = Simulator(system, values)
     engine = simulator.engine
     assert simulator.bounded is None, f"{name} has phases, between which more than kernels are at work"
-    rounded = {k: np.round(x, 9) for k, x in engine.layout._asdict().items() if x.dtype == float}
+    rounded = {k: _rounded(x) for k, x in engine.layout._asdict().items() if x.dtype == float}
     engine.layout = engine.layout._replace(**rounded)
-    course = engine.run(np.round(simulator.start, 9), until, SimulationOptions(), outputs=np.linspace(0.0, until, 6))
+    course = engine.run(_rounded(simulator.start), until, SimulationOptions(), outputs=np.linspace(0.0, until, 6))
     assert course.status.is_complete
     return course.poses
+
+
+def _rounded(x: np.ndarray) -> np.ndarray:
+    return np.round(x, 9) + 0.0
 
 
 def hashed(name: str) -> str:

@@ -590,8 +590,49 @@ loads: {spring: {law: {measure: x, force: -k*x}}}
     assert [r.stability for r in rests] == ["neutral"]
     assert any("blade binds velocities only" in note for note in rests.notes)
     motion = small(text)
-    assert [m.kind for m in motion] == ["rigid", "rigid", "rigid", "oscillation"]
-    assert motion[3].frequency == pytest.approx(math.sqrt(10) * math.cos(0.3), rel=1e-10)
+    # it drifts in turning, and stays wherever y puts it: the spring is without force on a line of places
+    assert [m.kind for m in motion] == ["rigid", "rigid", "oscillation"]
+    assert [dict(m.shape) for m in motion][:2] == [{"x": 0, "y": 0, "theta": 1}, {"x": 0, "y": 1, "theta": 0}]
+    assert motion[2].frequency == pytest.approx(math.sqrt(10) * math.cos(0.3), rel=1e-10)
+
+
+def test_what_only_turns_in_space_has_turns_for_a_shape() -> None:
+    """A Cardan joint at 30 deg, its fork as it stands: the driven shaft follows by cos 30 deg, and the cross turns with
+    the drive about its own pin."""
+    system = System.load(ROOT / "examples" / "cardan_joint.yaml")
+    (mode,) = modes(system)
+    assert {name: [round(x.real, 9) for x in parts] for name, parts in mode.bodies.items()} == {
+        "drive": [0, 0, 0, 0, 0, 1],
+        "driven": [0, 0, 0, 0, 0, round(math.cos(math.pi / 6), 9)],
+        "cross": [0, 0, 0, 0, -0.5, round(math.cos(math.pi / 6), 9)],
+    }
+
+
+def test_modes_of_one_rate_are_told_by_one_coordinate_each() -> None:
+    """A mass in the plane between equal springs in x and y, and one that is free: any combination would be a mode."""
+    text = """
+parameters: {m: 2 kg, k: 50 N/m}
+bodies: {bob: {particle: {mass: m}}, puck: {particle: {mass: m}, at: [1 m, 2 m]}}
+measures: {x: x of bob, y: y of bob, u: x of puck, v: y of puck}
+loads: {along: {law: {measure: x, force: -k*x}}, across: {law: {measure: y, force: -k*y}}}
+"""
+    motion = small(text)
+    assert [m.kind for m in motion] == ["rigid", "rigid", "oscillation", "oscillation"]
+    shapes = [{name: round(part.real, 12) for name, part in m.shape.items() if part} for m in motion]
+    assert shapes == [{"u": 1}, {"v": 1}, {"x": 1}, {"y": 1}]
+
+
+def test_an_angle_without_a_value_is_not_told() -> None:
+    """A top that stands upright: the axes of psi and phi lie on each other, so neither has a value, and it tips over
+    with sqrt(m g l/(A + m l^2)) in every direction."""
+    system = System.load(ROOT / "examples" / "spinning_top.yaml")
+    motion = modes(system)
+    assert "psi" not in motion.measures
+    assert "phi" not in motion.measures
+    assert [m.kind for m in motion] == ["rigid", "growing", "growing"]
+    assert "psi" not in motion[1].shape
+    rate = math.sqrt(0.5 * 9.81 * 0.06 / (8e-4 + 0.5 * 0.06**2))
+    assert [m.growth_rate for m in motion[1:]] == pytest.approx([rate, rate], rel=1e-9)
 
 
 def test_a_soft_spring_rests_far_below_and_a_stiff_one_where_it_hangs() -> None:

@@ -43,6 +43,7 @@ _REACH = 0.5  # of the first step of a search, in sizes or radians
 _N_ITERATIONS = 80
 _STEP = 1e-7  # by the size of the system: a difference ahead keeps half of the digits
 _SMALL = 1e-13  # the same: a step after which nothing changes any more
+_BALANCED = 1e-14  # of the loads: what they leave in a pose that rests
 _DOWN = 1e-6  # of the loads: from where what is left of them is balanced by Newton's steps
 
 
@@ -184,6 +185,8 @@ class RestFinder:
             if here is None or not len(here.residual) or self._is_far(here.pose, pose):
                 break
             errors.append(here.error)
+            if len(errors) == 1 and here.error <= _BALANCED * here.scale:
+                break  # it rests: a step would divide one round-off by another
             if here.error == 0.0 or (reach <= _REACH and len(errors) > 8 and here.error > 0.9 * errors[-8]):
                 break
             try:

@@ -31,6 +31,7 @@ import numpy as np
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
+from freebody.language.units import LENGTH
 from freebody.measures.base import Measure
 from freebody.model.elements import NonholonomicForm
 from freebody.numeric.directional import derivative
@@ -42,6 +43,7 @@ from freebody.numeric.system import NumericSystem
 
 WELL_APART = 0.1  # how much of a coordinate's gradient along the free directions must be its own
 AT_ALL = 1e-4  # and how much of its whole gradient must be along these, in the metric of the masses
+UNBOUNDED = 1e5  # a gradient, by the sizes: nearer than this to where an angle has no value it tells nothing
 NOISE = 1e-11  # of the stiffnesses that loads can come to: what is smaller counts as zero
 
 
@@ -77,18 +79,28 @@ class LinearisationPoint:
         return g
 
 
+def gradient_of(reference: NumericSystem, g: JetGeometry, name: str, measure: Measure) -> Array | None:
+    """The gradient of a measure on the absolute coordinates; None where the measure has no value, or is so near to
+    such a place that round-off decides it: the turn about an axis that another one has come to lie on."""
+    try:
+        row = reference.jet(g, measure, name).row(len(g.q))
+    except (CannotAnswer, ArithmeticError, ValueError):
+        return None
+    size = reference.sizes.length if measure.dimension == LENGTH else 1.0
+    return row if np.abs(row * reference.sizes.unit_moves).max(initial=0.0) < UNBOUNDED * size else None
+
+
 def coordinates(reference: NumericSystem, g: JetGeometry, free: Array) -> list[SmallCoordinate]:
     """Coordinates along the free directions: named measures first, then angles and places of bodies, as far as
     they are independent, and directions of their own where those do not suffice."""
-    D, n = reference.sizes.small_moves, len(g.q)
+    D = reference.sizes.small_moves
     found: list[SmallCoordinate] = []
     left = np.eye(int(free.shape[1]))  # what is not yet covered, in the metric of the masses
     for name, measure in _candidates(reference):
         if not left.shape[1]:
             break
-        try:
-            row = reference.jet(g, measure, name).row(n)
-        except CannotAnswer:
+        row = gradient_of(reference, g, name, measure)
+        if row is None:
             continue
         seen = free.T @ row
         own = left.T @ seen
@@ -152,7 +164,7 @@ class SmallMotion:
         self.speeds = self.positions if all(places) else _among(self.positions, self.split.null, D)
         self._G_places = stack([c.row for c in self.positions], n)
         self._G = stack([c.row for c in self.speeds], n)
-        self._unit_places = free_places @ np.linalg.inv(self._G_places @ free_places)
+        self.unit_places = free_places @ np.linalg.inv(self._G_places @ free_places)
         self.unit_speeds = self.split.null @ np.linalg.inv(self._G @ self.split.null)
         self.orthonormal = self._G @ self.split.null  # speeds of the directions orthonormal in the metric
         self._rest(g)
@@ -239,7 +251,7 @@ class SmallMotion:
         which = [self.positions.index(c) for c in self.speeds]
         zero = np.zeros(n)
         dq, dv, dz = np.zeros((n, n_z + n_u)), np.zeros((n, n_z + n_u)), np.zeros((n_z, n_z + n_u))
-        dq[:, :n_z] = self._unit_places
+        dq[:, :n_z] = self.unit_places
         parts: list[Array] = []
         for k in range(n_z + n_u):
             if k < n_z:
@@ -314,6 +326,11 @@ class SmallMotion:
             [self._solved(-self._of_gaps[:, k], turned[:, k] - self._of_marks[:, k]) for k in range(self.order)]
         ).reshape(self.order, n)
         return da @ row + moved[:, 1], row @ self.unit_speeds
+
+    @property
+    def units(self) -> Array:
+        """What a move by the size of the system, or a turn by a radian, comes to in the positions [their units]."""
+        return np.abs(self._G_places) @ self.reference.sizes.unit_moves
 
     @property
     def noise(self) -> float:

@@ -8,6 +8,11 @@ that is an ordinary symmetric problem with s^2 = -omega^2; otherwise s are eigen
     growing         Re s > 0
     rigid           K a = 0: it stays wherever it is put, or drifts on
 
+Motions of one rate are a space, of which any basis would do: told are those of which each moves one coordinate that the
+others leave alone, of the coordinates in their order (the reduced echelon form); those that swing are made independent
+by the masses, one after the other. Where velocities are bound more than positions, the directions in which it drifts
+come first, then those in which it only stays where it is put.
+
 Stability of a rest, where K is symmetric and C dissipates (C + C^T >= 0): it is stable if K is positive definite, for
 then the energy has a minimum (Lagrange, Dirichlet; damped and gyroscopic by Kelvin, Tait and Chetaev). If not, the
 largest real part of the state matrix decides; a zero one leaves it open, except along a whole family of rests.
@@ -34,6 +39,8 @@ _ASYMMETRY = 1e-8  # of the largest stiffness: what finite differences leave
 _UNDAMPED = 1e-13  # of the root of the largest stiffness: damping below this has no part in the motion
 _NONE = 1e-10  # of the largest damping, or of a rate: a power or a growth that is none
 _PURE = 1e-14  # of the largest rate: the real part that eigenvalues of an undamped motion are left with
+_STEADY = 1e-10  # of the fastest rate: what finite differences leave of none
+_OWN = 1e-6  # of a disturbance: a part that is none
 _ZERO_RATE = 1e-6  # of the fastest rate: what rounding makes of a double zero
 
 
@@ -70,7 +77,7 @@ def natural_motions(small: SmallMotion) -> list[NaturalMotion]:
             found = _damped(small, T, K, C)
     else:
         found = _general(small)
-    return sorted(found, key=lambda m: (m.kind != "rigid", abs(m.rate)))
+    return sorted(found, key=lambda m: (m.kind != "rigid", float(f"{abs(m.rate):.9g}"), m.rate.real))
 
 
 def stability(small: SmallMotion) -> Stability:
@@ -120,16 +127,20 @@ def _by_the_masses(small: SmallMotion) -> tuple[Array, Array, Array]:
 
 
 def _undamped(small: SmallMotion, T: Array, K: Array) -> list[NaturalMotion]:
-    values, vectors = np.linalg.eigh((K + K.T) / 2.0)
     found: list[NaturalMotion] = []
-    for square, y in zip(values.tolist(), vectors.T, strict=True):
-        motion = small.unit_speeds @ (T @ y) + 0j
+    squares, vectors = np.linalg.eigh((K + K.T) / 2.0)
+    same = ROUND_OFF * float(np.abs(squares).max(initial=0.0)) + small.noise
+    shapes = T @ vectors
+    shapes = shapes / np.linalg.norm(shapes / small.units[:, None], axis=0)
+    for group in np.split(np.arange(len(squares)), np.flatnonzero(np.diff(squares) > same) + 1):
+        square = float(squares[group].mean())
+        basis = _told_basis(small, shapes[:, group])
         if abs(square) <= small.noise:
-            found.append(NaturalMotion(0j, "rigid", motion))
-        elif square > 0.0:
-            found.append(NaturalMotion(1j * math.sqrt(square), "oscillation", motion))
-        else:
-            found.append(NaturalMotion(math.sqrt(-square) + 0j, "growing", motion))
+            found += _rigid(small, basis)
+            continue
+        rate = 1j * math.sqrt(square) if square > 0.0 else math.sqrt(-square) + 0j
+        kind: Kind = "oscillation" if square > 0.0 else "growing"
+        found += [NaturalMotion(rate, kind, small.unit_places @ z + 0j) for z in _independent(basis, small.M)]
     return found
 
 
@@ -137,12 +148,12 @@ def _damped(small: SmallMotion, T: Array, K: Array, C: Array) -> list[NaturalMot
     n = len(K)
     pace = max(math.sqrt(float(np.abs(K).max())), float(np.abs(C).max())) or 1.0
     rates, vectors = _eig(np.block([[np.zeros((n, n)), pace * np.eye(n)], [-K / pace, -C]]))
-    _U, sizes, Vt = np.linalg.svd(K)
-    loose = Vt[sizes <= small.noise]
-    found = [NaturalMotion(0j, "rigid", small.unit_speeds @ (T @ y) + 0j) for y in loose]
+    loose = _null(K, small.noise)
+    shapes = T @ loose
+    found = _rigid(small, _told_basis(small, shapes / np.linalg.norm(shapes / small.units[:, None], axis=0)))
     order = np.argsort(np.abs(rates))
     n_zero = int(np.count_nonzero(np.abs(rates) <= _ZERO_RATE * pace))
-    n_zero = min(2 * len(loose), max(len(loose), n_zero))
+    n_zero = min(2 * loose.shape[1], max(loose.shape[1], n_zero))
     found += [
         _moving(complex(rates[k]), small.unit_speeds @ (T @ vectors[:n, k]), pace)
         for k in order[n_zero:]
@@ -153,14 +164,66 @@ def _damped(small: SmallMotion, T: Array, K: Array, C: Array) -> list[NaturalMot
 
 def _general(small: SmallMotion) -> list[NaturalMotion]:
     """Where velocities are bound more than positions, every disturbance of a position that no speed follows rests."""
-    n = len(small.positions)
-    rates, vectors = _eig(small.A)
-    pace = max(float(np.abs(rates).max()), math.sqrt(small.load_stiffness)) or 1.0
+    n, units, pace, A = len(small.positions), *_of_one_unit(small)
+    rates, vectors = _eig(np.where(np.abs(A) > ROUNDED, A, 0.0))
     order = np.argsort(np.abs(rates))
-    n_zero = max(n - len(small.speeds), int(np.count_nonzero(np.abs(rates) <= _ZERO_RATE * pace)))
-    found = [NaturalMotion(0j, "rigid", small.dq @ vectors[:, k]) for k in order[:n_zero]]
-    moving = [k for k in order[n_zero:] if rates[k].imag >= 0.0]
-    return found + [_moving(complex(rates[k]), small.dq @ vectors[:, k], pace) for k in moving]
+    n_zero = max(n - len(small.speeds), int(np.count_nonzero(np.abs(rates) <= _ZERO_RATE)))
+    # those that stay, x with A x = 0, in positions: first those along which it drifts, A y with A^2 y = 0
+    drifts, stays = A @ _null(A @ A, _STEADY), _null(A, _STEADY)
+    found = _rigid(small, _told_basis(small, *(units[:n, None] * x[:n] for x in (drifts, stays))))
+    return found + [
+        _moving(pace * complex(rates[k]), small.unit_places @ (units * vectors[:, k])[:n], pace)
+        for k in order[n_zero:]
+        if rates[k].imag >= 0.0
+    ]
+
+
+def _of_one_unit(small: SmallMotion) -> tuple[Array, float, Array]:
+    """The units of the state, the fastest pace [1/s], and A in these and in its time."""
+    which = [small.positions.index(c) for c in small.speeds]
+    units, n = np.concatenate((small.units, small.units[which])), len(small.positions)
+    A = small.A * units / units[:, None]
+    pull, drag = (float(np.abs(x).max(initial=0.0)) for x in (A[n:, :n], A[n:, n:]))
+    pace = max(math.sqrt(max(pull, small.load_stiffness)), drag) or 1.0
+    units[n:] *= pace
+    return units, pace, small.A * units / units[:, None] / pace
+
+
+def _rigid(small: SmallMotion, basis: Array) -> list[NaturalMotion]:
+    return [NaturalMotion(0j, "rigid", small.unit_places @ z + 0j) for z in basis.T]
+
+
+def _null(A: Array, cut: float) -> Array:
+    """Orthonormal columns x with A x = 0, where singular values up to the cut are none."""
+    _U, sizes, Vt = np.linalg.svd(A)
+    return Vt[int(np.count_nonzero(sizes > cut)) :].T
+
+
+def _told_basis(small: SmallMotion, *spaces: Array) -> Array:
+    """The reduced echelon form of spaces of disturbances z, given by columns: each column is one in a coordinate of its
+    own, in which the others of its space, and those of later ones, are zero."""
+    basis, taken = np.zeros((len(small.units), 0)), list[int]()
+    for columns in spaces:
+        x = columns / small.units[:, None]
+        x = left = x - basis @ x[taken]
+        own: list[int] = []
+        for k in range(len(x)):
+            size = float(np.linalg.norm(left[k]))
+            if left.shape[1] and size > _OWN:
+                own.append(k)
+                left = left @ np.linalg.qr((left[k] / size)[:, None], mode="complete")[0][:, 1:]
+        basis, taken = np.hstack((basis, x @ np.linalg.pinv(x[own]))), taken + own
+    return small.units[:, None] * basis
+
+
+def _independent(basis: Array, M: Array) -> list[Array]:
+    """The columns made orthogonal by the masses, each to those before it."""
+    found: list[Array] = []
+    for z in basis.T:
+        for other in found:
+            z = z - other * float(other @ M @ z) / float(other @ M @ other)  # noqa: PLW2901
+        found.append(z)
+    return found
 
 
 def _moving(rate: complex, motion: NDArray[np.complex128], pace: float) -> NaturalMotion:

@@ -265,7 +265,7 @@ class _Follower:
             held.append(course.name)
             left = left @ np.linalg.qr(own[:, None], mode="complete")[0][:, 1:]
         if left.shape[1]:
-            loose = moved_most(reference, g.of, left[:, 0])
+            loose = moved_most(reference, g, left[:, 0])
             raise CannotAnswer(
                 Message(
                     "the motion prescribes {n} of {dof} degrees of freedom and leaves {what} free. "
@@ -350,7 +350,7 @@ class _Follower:
         gaps = [driven.gap(row, g) for row in driven.system.constraint_rows]
         split = Split(stack([gap.row(n) for gap in gaps], n), driven.sizes.small_moves)
         if split.null.shape[1]:
-            loose = moved_most(driven, g.of, split.null[:, 0])
+            loose = moved_most(driven, g, split.null[:, 0])
             raise CannotAnswer(
                 Message(
                     "at t = {t:.6g} s the prescribed motion does not determine {what}: a dead centre", t=t, what=loose

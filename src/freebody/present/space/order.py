@@ -2,7 +2,8 @@
 
 Two convex pieces that do not run into each other are ordered by any one line of sight that meets both: it is laid
 through the middle of where they overlap on paper. Pieces that do run into each other are ordered by what is nearer
-there. Drawn is from the back by a depth-first search; where pieces lie round in a circle, the mean depth decides.
+there. Drawn is from the back by a depth-first search; where pieces lie round in a circle, the mean depth decides, and
+of two as deep the place in the list.
 """
 
 from __future__ import annotations
@@ -16,6 +17,7 @@ import numpy as np
 from freebody.present.figures import Array, Pair, hull
 
 _SLIVER = 1e-6  # overlaps with less than this share of the smaller piece are none
+_LEVEL = 1e-6  # depths nearer than this, by the size of the pieces, are one: round-off orders nothing
 
 
 @dataclass(frozen=True)
@@ -80,7 +82,8 @@ def back_to_front(pieces: Sequence[Seen]) -> list[int]:
                 behind[i if sign > 0 else j].append(j if sign > 0 else i)
     order: list[int] = []
     done = [False] * len(pieces)
-    far = sorted(range(len(pieces)), key=lambda k: pieces[k].depth)
+    level = _LEVEL * max((abs(piece.area) ** 0.5 for piece in pieces), default=0.0) or 1.0
+    far = sorted(range(len(pieces)), key=lambda k: round(pieces[k].depth / level))
     rank = {k: n for n, k in enumerate(far)}
     for start in far:
         stack = [(start, False)]
@@ -102,12 +105,12 @@ def _compare(a: Seen, b: Seen) -> int:
         return 0
     at = np.array(both).mean(axis=0)
     (back_a, front_a), (back_b, front_b) = a.depths(at), b.depths(at)
-    slack = 1e-6 * (front_a - back_a + front_b - back_b)
-    if back_a >= front_b - slack:
-        return 1
-    if back_b >= front_a - slack:
-        return -1
-    return 1 if front_a > front_b else -1
+    slack = _LEVEL * (front_a - back_a + front_b - back_b + a.area**0.5 + b.area**0.5)
+    is_before, is_behind = back_a >= front_b - slack, back_b >= front_a - slack
+    if is_before != is_behind:
+        return 1 if is_before else -1
+    nearer = front_a - front_b
+    return 0 if abs(nearer) <= slack else 1 if nearer > 0 else -1
 
 
 def overlap(a: Sequence[Pair], b: Sequence[Pair]) -> list[Pair]:

@@ -282,13 +282,14 @@ def _run(draw: Draw, seed: int) -> list[SimulatedRun]:
         course = engine.run(y, float(outputs[-1]), options, start=start.t, outputs=outputs)
     except (np.linalg.LinAlgError, ZeroDivisionError):  # gradients that are not finite, or nothing with inertia
         return []
-    if len(course.times) < _FEWEST:
+    times = course.times[np.isin(course.times, outputs)]  # where the steps ran out is no time to compare at
+    if len(times) < _FEWEST:
         return []
     snapshots = [start]
-    for k, t in enumerate(course.times[1:], 1):
+    for k, t in enumerate(times[1:], 1):
         q, v = map(reference.by_column, engine.coordinates(engine.state_at(course, k)))
         snapshots.append(reference.snapshot(q, v, float(t), snapshots[-1]))
-    return [SimulatedRun(draw, course.times, tuple(snapshots))]
+    return [SimulatedRun(draw, times, tuple(snapshots))]
 
 
 def _motion(setup: Setup, balance: RateBalance, run: SimulatedRun) -> SimulatedQuantity | None:

@@ -172,13 +172,20 @@ def _turning(lengths: dict[str, float]) -> tuple[str, ...]:
 
 def transmission_extremes(frame: float, input: float, coupler: float, output: float) -> Pair:
     """The smallest and the largest folded transmission angle [deg] over the motion."""
+    if not coupler * output:
+        return _folded_range(1.0, 1.0)
     nearest = max(abs(frame - input), abs(coupler - output))
     farthest = min(frame + input, coupler + output)
-    cosines = [
-        (coupler**2 + output**2 - D**2) / (2 * coupler * output) if coupler * output else 1.0
-        for D in (nearest, farthest)
-    ]
-    return _folded_range(*cosines)
+    size = frame + input + coupler + output
+    return _folded_range(*(_cosine(coupler, output, D, size) for D in (nearest, farthest)))
+
+
+def _cosine(b: float, c: float, opposite: float, size: float) -> float:
+    """Of the angle between two sides of a triangle, which may have fallen flat: lengths that are equal by the size of
+    the linkage make 0 or 180 deg, not the root of their round-off."""
+    if _is_equal(opposite, abs(b - c), size):
+        return 1.0
+    return -1.0 if _is_equal(opposite, b + c, size) else (b**2 + c**2 - opposite**2) / (2 * b * c)
 
 
 def _folded_range(first: float, second: float) -> Pair:
@@ -203,12 +210,14 @@ def _slider_crank(linkage: SliderCrank, places: Sequence[Pair], along: Pair) -> 
     if linkage.fixed != linkage.guide or not rod:
         return numbers
     angle = _angle_between(_difference(crankpin, slide), normal)
-    lowest, highest = max(abs(offset) - crank, -rod), min(abs(offset) + crank, rod)
+    size = crank + rod + abs(offset)
+    ends = max(abs(offset) - crank, -rod), min(abs(offset) + crank, rod)
+    lowest, highest = (math.copysign(1.0, x) if _is_equal(abs(x), rod, size) else x / rod for x in ends)
     return replace(
         numbers,
         transmission_angle=angle,
         transmission_angle_folded=fold(angle),
-        transmission_extremes=_folded_range(lowest / rod, highest / rod),
+        transmission_extremes=_folded_range(lowest, highest),
     )
 
 

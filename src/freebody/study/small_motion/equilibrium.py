@@ -11,7 +11,6 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 
@@ -24,10 +23,10 @@ from freebody.model.elements import NonholonomicForm
 from freebody.numeric.equilibrium import RestSearch
 from freebody.numeric.families import goes_on, nearest_of_family
 from freebody.numeric.instant import UNIQUE
-from freebody.numeric.jets import TIME, Array
+from freebody.numeric.jets import TIME, Array, JetGeometry
 from freebody.numeric.reference import Reference
 from freebody.numeric.rest import LoadBalance
-from freebody.numeric.small_motion import SmallMotion
+from freebody.numeric.small_motion import SmallMotion, gradient_of
 from freebody.numeric.vibration import Stability, stability
 from freebody.study.given import formula, named_measure
 from freebody.study.settled import without_friction
@@ -84,7 +83,7 @@ class _EquilibriumSearch:
             judged.sort(key=lambda pair: self._distance(*pair))
         rests = tuple(self._rest(b, s) for b, s in judged)
         searched = "" if guessed else self._searched()
-        notes = tuple(note for note in (searched, *self._notes()) if note)
+        notes = tuple(dict.fromkeys(note for note in (searched, *self._notes()) if note))
         return Equilibria(self.system, self.dof, rests, notes, self.reference, searched)
 
     def from_guesses(self, guesses: Sequence[Guess]) -> list[LoadBalance]:
@@ -122,10 +121,8 @@ class _EquilibriumSearch:
         g = self.statics.geometry(b.pose)
         values: dict[str, float] = {}
         for name, measure in system.measures.items():
-            try:
+            if gradient_of(reference, g, name, measure) is not None:  # a line without length has no angle
                 values[name] = _turned(reference.jet(g, measure, name).value, measure)
-            except CannotAnswer:
-                continue  # a line without length has no angle
         reactions, shared = self._reactions(b)
         notes = [
             Message(
@@ -169,7 +166,7 @@ class _EquilibriumSearch:
 
     def _named_direction(self, b: LoadBalance, motion: Array) -> str:
         """The measure, else the body, that a motion moves most."""
-        return moved_most(self.reference, self.statics.geometry(b.pose).of, motion)
+        return moved_most(self.reference, self.statics.geometry(b.pose), motion)
 
     # -- what to say --------------------------------------------------------------------------
     def _searched(self) -> str:
@@ -205,7 +202,7 @@ class _EquilibriumSearch:
             a = s.accelerations
         except CannotAnswer as error:
             return Message("no equilibrium was found; at the start {why}", why=error)
-        name = moved_most(self.reference, self.statics.geometry(start).of, a)
+        name = moved_most(self.reference, self.statics.geometry(start), a)
         measure = self.system.measures.get(name)
         if measure is not None:
             unit = {"m": "m/s^2", "rad": "rad/s^2"}.get(unit_of(measure), f"{unit_of(measure)}/s^2")
@@ -229,14 +226,14 @@ class _EquilibriumSearch:
         )
 
 
-def moved_most(reference: Reference, jet_of: Any, motion: Array) -> str:
+def moved_most(reference: Reference, g: JetGeometry, motion: Array) -> str:
     """The named measure with the largest part in a motion, by the size of the system; else the body."""
     best, most = "", 1e-6 * float(reference.sizes.relative(motion).max(initial=0.0))
     for name, measure in reference.system.measures.items():
-        try:
-            part = abs(float(jet_of(measure).row(len(motion)) @ motion))
-        except (CannotAnswer, ArithmeticError, ValueError):
+        row = gradient_of(reference, g, name, measure)
+        if row is None:
             continue
+        part = abs(float(row @ motion))
         if unit_of(measure) == "m":
             part /= reference.sizes.length
         if part > most * (1.0 + ROUND_OFF):

@@ -18,13 +18,13 @@ class NaturalMode:
 
     kind: "oscillation", "rigid" (no frequency: it stays or drifts), "creeping" (one real rate of decay; an
     overdamped pair has two of these) or "growing"; rate: s [1/s]; shape: parts of the named measures, the largest of
-    them 1 [SI, for rates of measures alike]; bodies: motion of every body (x, y, angle), the largest part 1. Parts are
-    complex where they do not move in phase."""
+    them 1 [SI, for rates of measures alike]; bodies: motion of every body, (x, y, angle) in the plane and (x, y, z,
+    turns about x, y, z) in space [m, rad], the largest part 1. Parts are complex where they do not move in phase."""
 
     kind: str
     rate: complex
     shape: Mapping[str, complex]
-    bodies: Mapping[str, tuple[complex, complex, complex]]
+    bodies: Mapping[str, tuple[complex, ...]]
 
     @property
     def frequency(self) -> float | None:

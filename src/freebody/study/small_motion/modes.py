@@ -25,7 +25,7 @@ from freebody.numeric.directional import derivative
 from freebody.numeric.instant import forces
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference
-from freebody.numeric.small_motion import LinearisationPoint, SmallMotion
+from freebody.numeric.small_motion import LinearisationPoint, SmallMotion, gradient_of
 from freebody.numeric.system import NumericSystem
 from freebody.numeric.vibration import NaturalMotion, natural_motions
 from freebody.present.lines import amount_text, symbol_text, system_line
@@ -209,24 +209,21 @@ def _modes(small: SmallMotion) -> tuple[NaturalMode, ...]:
 
 
 def _mode(small: SmallMotion, found: NaturalMotion) -> NaturalMode:
-    reference, n = small.reference, len(small.at.q)
+    reference = small.reference
     g = small.at.geometry(reference, small.at.q, small.at.v)
     shape: dict[str, complex] = {}
     for name, measure in reference.system.measures.items():
-        try:
-            shape[name] = complex(reference.jet(g, measure, name).row(n) @ found.motion)
-        except CannotAnswer:
-            continue
-    bodies: dict[str, tuple[complex, complex, complex]] = {}
-    for body in reference.system.moving:
-        x, y, *angle = (complex(found.motion[k]) for k in reference.columns(body.name))
-        bodies[body.name] = (x, y, angle[0] if angle else 0j)
+        row = gradient_of(reference, g, name, measure)
+        if row is not None:
+            shape[name] = complex(row @ found.motion)
     measured = _normalised(np.array(list(shape.values()), dtype=np.complex128))
-    moved = _normalised(np.array(list(bodies.values()), dtype=np.complex128).ravel())
-    triples = ((moved[3 * k], moved[3 * k + 1], moved[3 * k + 2]) for k in range(len(bodies)))
-    return NaturalMode(
-        found.kind, found.rate, dict(zip(shape, measured, strict=True)), dict(zip(bodies, triples, strict=True))
-    )
+    moved = _normalised(found.motion)
+    n_parts = 6 if reference.system.space else 3
+    bodies: dict[str, tuple[complex, ...]] = {}
+    for body in reference.system.moving:
+        parts = [moved[k] for k in reference.columns(body.name)]
+        bodies[body.name] = (*parts, *[0j] * (n_parts - len(parts)))  # a particle does not turn
+    return NaturalMode(found.kind, found.rate, dict(zip(shape, measured, strict=True)), bodies)
 
 
 def _normalised(parts: NDArray[np.complex128]) -> list[complex]:
