@@ -1,4 +1,3 @@
-# ruff: noqa: E501
 """Tests that are known to fail, each with the reason: they are run, and reported as expected failures.
 
 A test leaves this list when what it holds is true again; none may be added without its reason.

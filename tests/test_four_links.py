@@ -99,7 +99,12 @@ measures: {psi: angle of crank, x: x of yoke}
 start: {psi: 30 deg}
 """
 TURNS = {
-    "crank of a crank-rocker": (CRANK_ROCKER, "does crank turn fully", True, "a + d ≤ b + c and abs(a - d) ≥ abs(b - c)"),
+    "crank of a crank-rocker": (
+        CRANK_ROCKER,
+        "does crank turn fully",
+        True,
+        "a + d ≤ b + c and abs(a - d) ≥ abs(b - c)",
+    ),
     "its rocker": (CRANK_ROCKER, "does rocker make full turns", False, "c + d ≤ a + b and abs(c - d) ≥ abs(a - b)"),
     "its coupler": (CRANK_ROCKER, "does coupler turn fully", False, "b + d ≤ a + c and abs(b - d) ≥ abs(a - c)"),
     "a drag link": (DRAG_LINK, "does rocker turn fully", True, "c + d ≤ a + b and abs(c - d) ≥ abs(a - b)"),

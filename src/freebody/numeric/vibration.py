@@ -140,7 +140,7 @@ def _undamped(small: SmallMotion, T: Array, K: Array) -> list[NaturalMotion]:
             continue
         rate = 1j * math.sqrt(square) if square > 0.0 else math.sqrt(-square) + 0j
         kind: Kind = "oscillation" if square > 0.0 else "growing"
-        found += [NaturalMotion(rate, kind, small.unit_places @ z + 0j) for z in _independent(basis, small.M)]
+        found += [_motion_of(small, rate, kind, z) for z in _independent(basis, small.M)]
     return found
 
 
@@ -171,10 +171,9 @@ def _general(small: SmallMotion) -> list[NaturalMotion]:
     # those that stay, x with A x = 0, in positions: first those along which it drifts, A y with A^2 y = 0
     drifts, stays = A @ _null(A @ A, _STEADY), _null(A, _STEADY)
     found = _rigid(small, _told_basis(small, *(units[:n, None] * x[:n] for x in (drifts, stays))))
+    moved = small.unit_places @ (units[:, None] * vectors)[:n]
     return found + [
-        _moving(pace * complex(rates[k]), small.unit_places @ (units * vectors[:, k])[:n], pace)
-        for k in order[n_zero:]
-        if rates[k].imag >= 0.0
+        _moving(pace * complex(rates[k]), moved[:, k], pace) for k in order[n_zero:] if rates[k].imag >= 0.0
     ]
 
 
@@ -190,7 +189,11 @@ def _of_one_unit(small: SmallMotion) -> tuple[Array, float, Array]:
 
 
 def _rigid(small: SmallMotion, basis: Array) -> list[NaturalMotion]:
-    return [NaturalMotion(0j, "rigid", small.unit_places @ z + 0j) for z in basis.T]
+    return [_motion_of(small, 0j, "rigid", z) for z in basis.T]
+
+
+def _motion_of(small: SmallMotion, rate: complex, kind: Kind, z: Array) -> NaturalMotion:
+    return NaturalMotion(rate, kind, (small.unit_places @ z).astype(np.complex128))
 
 
 def _null(A: Array, cut: float) -> Array:
@@ -221,7 +224,7 @@ def _independent(basis: Array, M: Array) -> list[Array]:
     found: list[Array] = []
     for z in basis.T:
         for other in found:
-            z = z - other * float(other @ M @ z) / float(other @ M @ other)  # noqa: PLW2901
+            z = z - other * float(other @ M @ z) / float(other @ M @ other)
         found.append(z)
     return found
 
