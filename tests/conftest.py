@@ -15,7 +15,6 @@ import pytest
 import sympy
 
 import freebody as fb
-from known import KNOWN
 
 Agree = Callable[..., None]
 Within = Callable[[int, Callable[[], object]], None]
@@ -27,13 +26,6 @@ _DIGITS = 60
 
 def pytest_configure(config: pytest.Config) -> None:
     gc.set_threshold(50_000, 20, 100)  # what the tests keep for each other is looked through less often
-
-
-def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    for item in items:
-        reason = KNOWN.get(item.nodeid.rpartition("/")[2])
-        if reason is not None:
-            item.add_marker(pytest.mark.xfail(reason=reason, strict=False))
 
 
 # files that share explained examples (`examples_told`), and so one worker

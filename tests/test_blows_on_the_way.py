@@ -179,6 +179,33 @@ def test_textbook_blow_in_mid_motion(name: str) -> None:
         assert evaluate(found.expression, values, FLOAT_FUNCTIONS) == pytest.approx(wanted, rel=1e-9), found.expression
 
 
+# those whose phases are of constant acceleration, or of energy with one coordinate up to an asked place
+DERIVED = (
+    *("caught rod swings", "kicked block, time", "clutch engages", "clutch, moment then", "struck while it slides"),
+    *("two blows", "wheel jerked"),
+)
+
+
+@pytest.mark.parametrize("name", DERIVED)
+def test_the_way_through_a_blow_is_derived(name: str) -> None:
+    """Every line is checked in numbers where it is said to hold, and the last one is the answer; the blow is told by
+    momenta, and what is counted goes on from them."""
+    text, question, _formula = PROBLEMS[name]
+    explained = fb.explain(System.from_text(f"{text}questions: [{question!r}]\n"))
+    (derivation,) = explained.derivations
+    assert not derivation.reason
+    assert [stage.title.key for stage in derivation.stages].count("stage.blow") == 1 + (name == "two blows")
+    assert "momentum before and the impulses" in explained.to_text()
+
+
+def test_time_is_counted_from_the_start_behind_a_blow() -> None:
+    """The clutch closes at t = T, so the second phase lasts 3 s - T."""
+    text, question, _formula = PROBLEMS["clutch engages"]
+    told = fb.explain(System.from_text(f"{text}questions: [{question!r}]\n")).to_text()
+    assert "t = T + τ_2" in told
+    assert "t_2 = 3 - T" in told
+
+
 def test_the_simulation_follows_to_the_blow_and_on() -> None:
     """The rod of `CAUGHT`: time, impulse m v/4 up, energy m v^2/8 lost, and the speed at the lowest point."""
     system = System.from_text(CAUGHT)

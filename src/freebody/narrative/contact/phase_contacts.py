@@ -20,7 +20,9 @@ def tell_contacts(
     """States and reasons; returns the lines of the slip velocities by friction, and those of their signs. before: lines
     with the state in which the phase begins."""
     phase = leg.phase
-    script.add(Listing(tuple(_states(leg))))
+    states = tuple(_states(leg))
+    if states:
+        script.add(Listing(states))
     found: dict[str, int] = {}
     signs: list[int] = []
     for name, state in phase.mode.states.items():

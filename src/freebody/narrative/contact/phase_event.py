@@ -21,6 +21,8 @@ from freebody.symbolic.phases.course import EnergyMotion, UniformMotion
 from freebody.symbolic.relations import readable
 from freebody.symbolic.tidy import tidy
 
+_CLOCK = Symbol("t")
+
 
 def tell_event(
     script: Script, way: PhaseSequence, leg: PhaseSegment, told: Told, lines: dict[str, int]
@@ -73,7 +75,7 @@ def _watched(script: Script, way: PhaseSequence, leg: PhaseSegment, watch: Phase
         case _:
             event = _event_of(way, leg, watch)
             if isinstance(event, Clock):
-                return Symbol("t"), f.time
+                return _CLOCK, f.time
             assert event is not None
             name = next((n for n, m in phase.base.measures.items() if m == event.measure), "")
             if not name:
@@ -145,26 +147,29 @@ def _in_time(
 ) -> dict[str, int]:
     assert leg.time is not None
     target = way.home(leg, _target(way, leg))
-    coefficients = [way.home(leg, c) for c in course.along(element)]
+    coefficients = _clock(way, leg) if symbol == _CLOCK else [way.home(leg, c) for c in course.along(element)]
     line = 0
-    if not _is_told(leg, symbol):
-        why = "event.in_time" if uses else "event.driven"
+    if symbol != leg.clock and not _is_told(leg, symbol):
+        why = "event.clock" if symbol == _CLOCK else "event.in_time" if uses else "event.driven"
         line = script.line(symbol, in_time(coefficients, leg.clock), why=why, args={"lines": uses}, uses=uses)
     meaning = leg.glossary.meanings[str(getattr(leg.end, "name", ""))]
     script.add(Legend(((meaning.symbol, meaning.what, meaning.unit),)))
     used = (line,) if line else uses
-    equation = script.line(
-        in_time(coefficients, leg.end),
-        readable(target),
-        why="event.equation",
-        args={"lines": used},
-        uses=used,
-        when="event",
-    )
-    shown = readable(leg.time)
+    shown, left = readable(leg.time), in_time(coefficients, leg.end)
+    if (left, readable(target)) == (leg.end, shown):
+        return {"time": script.line(leg.end, shown, why="event.equation", uses=used, when="event")}
+    equation = script.line(left, readable(target), why="event.equation", args={"lines": used}, uses=used, when="event")
     key = "event.time" if len([c for c in coefficients if not c.is_zero()]) < 3 else "event.first_root"
     time = script.line(leg.end, shown, why=key, args={"line": equation}, uses=(equation,), when="event")
     return {"time": time}
+
+
+def _clock(way: PhaseSequence, leg: PhaseSegment) -> list[Ratio]:
+    """The time since the start of the motion, by that since the phase began."""
+    began, f = leg.node.began, way.tree.home.model.field
+    if began is None:
+        raise CannotAnswer(Message("when the phase before ends has no closed form"))
+    return [began, f.one]
 
 
 def _is_told(leg: PhaseSegment, symbol: Expr) -> bool:

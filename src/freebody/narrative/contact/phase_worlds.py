@@ -25,7 +25,7 @@ from freebody.study.phases.evidence import stage
 from freebody.study.phases.phase import Phase
 from freebody.study.phases.pieces import AnswerBranch
 from freebody.study.phases.tree import PhaseTree
-from freebody.study.phases.witness import FollowedPhase, NumericMode, PhaseSnapshot, follow
+from freebody.study.phases.witness import FollowedPhase, NumericMode, PhaseSnapshot, changed, follow
 
 N_MOTIONS = 3
 TIMES = (0.37, 0.71)  # of the duration of a phase
@@ -158,8 +158,9 @@ class CourseGlossary(Glossary):
     def _state(self, run: WorldRun) -> tuple[Array, Array]:
         """Where a phase begins."""
         if self.place:
-            before = run.seen[self.place - 1]
-            return before.q, before.v
+            before, tree = run.seen[self.place - 1], self.runs.tree
+            following = run.seen[self.place].mode.stage if self.place < len(run.seen) else FollowedPhase(self.phase)
+            return before.q, changed(tree.system, following, before.mode.values, before.q, before.v, before.time)
         return run.seen[0].mode.start()
 
     def _mode(self, run: WorldRun) -> NumericMode:
@@ -175,5 +176,5 @@ class CourseGlossary(Glossary):
         mode = self._mode(run)
         reference = snapshot.reference
         assert isinstance(reference, Reference)
-        draw = Draw(mode.values, reference, mode.references[0].assemble())
+        draw = Draw(mode.values, reference, self._state(run)[0])
         return CourseWorld(self, draw, snapshot, run, self.place)

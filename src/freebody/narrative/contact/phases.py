@@ -9,6 +9,7 @@ from __future__ import annotations
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.narrative.contact.phase_answer import asked_side, tell_answer
+from freebody.narrative.contact.phase_blow import tell_sudden_blow
 from freebody.narrative.contact.phase_conditions import tell_conditions, tell_sticking
 from freebody.narrative.contact.phase_contacts import tell_contacts
 from freebody.narrative.contact.phase_event import tell_event
@@ -39,11 +40,10 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
             Message("the answer belongs to a blow or an impact on the way, of which no derivation is written yet")
         )
     edges = [leg.first for leg in way.legs if leg.first is not None and leg.first.watch.kind == "edge ends"]
-    if edges or way.piece.after is not None or any(node.impact is not None for node in way.piece.nodes):
+    impacts = [node.impact for node in way.piece.nodes if node.impact is not None]
+    if edges or way.piece.after is not None or any(impact.hits or impact.sudden is None for impact in impacts):
         raise CannotAnswer(
-            Message(
-                "the answer lies behind a blow, an impact or the end of an edge, of which no derivation is written yet"
-            )
+            Message("the answer lies behind an impact or the end of an edge, of which no derivation is written yet")
         )
     script = Script(way.legs[0].glossary, context.next_number)
     if way.piece.first is None:
@@ -57,6 +57,9 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
     slips: tuple[int, ...] = ()
     for leg in way.legs:
         script.glossary = leg.glossary
+        if leg.node.impact is not None and leg.node.impact.sudden is not None:
+            require_course(leg)
+            before = tell_sudden_blow(script, way, leg, leg.node.impact.sudden, before)
         end, forces, signs = _tell_phase(script, way, leg, before)
         slips += signs
         ends.append(end)

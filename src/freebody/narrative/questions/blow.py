@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from freebody.errors import CannotAnswer
-from freebody.language.expression import Symbol
+from freebody.language.expression import Expr, Symbol
 from freebody.language.sentences import Message
 from freebody.narrative.context import Context, Method, refuse
 from freebody.narrative.lines.naming import asked_entry, asked_symbol, side_of, written
@@ -11,6 +13,9 @@ from freebody.narrative.lines.script import DerivationStage, Script
 from freebody.narrative.principles.formal import elements
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
+from freebody.symbolic.blow import Blow
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.tidy import tidy
 
 
@@ -28,18 +33,27 @@ def tell_blow(context: Context, script: Script) -> None:
         if closing:
             script.say("blow.closes", names=closing)
         script.say("blow.before")
-        lines: list[int] = []
-        for c, (after, brought) in zip(setup.model.coordinates, blow.balances, strict=True):
-            if after.is_zero() and brought.is_zero():
-                continue
-            script.say("blow.balance", name=Symbol(c.name))
-            lines.append(script.line(tidy(after), tidy(brought), when="start"))
+        lines = tell_momenta(script, setup.model, blow, tidy)
         for c in setup.model.coordinates if lines else ():
             speed = tidy(f.variable(c.speed))
             uses = tuple(lines)
             script.line(
                 speed, tidy(blow.speeds[c.speed]), why="blow.solved", args={"lines": uses}, uses=uses, when="start"
             )
+
+
+def tell_momenta(
+    script: Script, model: SymbolicModel, blow: Blow, shown: Callable[[Ratio], Expr], before: tuple[int, ...] = ()
+) -> list[int]:
+    """Of each coordinate that has one, the line of the momentum that belongs to it: after the blow, and what the motion
+    before and the impulses bring. shown: how this is written; before: lines of the motion just before."""
+    lines: list[int] = []
+    for c, (after, brought) in zip(model.coordinates, blow.balances, strict=True):
+        if after.is_zero() and brought.is_zero():
+            continue
+        script.say("blow.balance", name=Symbol(c.name))
+        lines.append(script.line(tidy(after), shown(brought), uses=before, when="start"))
+    return lines
 
 
 def derive(context: Context, question: Question, answer: Answer, method: Method) -> list[DerivationStage]:

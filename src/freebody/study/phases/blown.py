@@ -35,7 +35,7 @@ def after_blow(
     setup, state = struck.setup, struck.after
     impulses = {name: home.to_home(setup, x) for name, x in struck.impulses.items()}
     before = JustBefore(phase, SymbolicState(phase.model, {**phase.still, **first.zero.values}))
-    impact = PhaseImpact((), impulses, before, phase.mode.closed, blow, struck.unknown)
+    impact = PhaseImpact((), impulses, before, phase.mode.closed, struck, struck.unknown)
     placed = replace(home.placed(setup, struck.start.values), since=instant.placed.since)
     after = replace(instant, placed=placed, impact=impact, past=phase.mode.past | {blow.name})
     after = replace(after, n_impacts=node.n_impacts)

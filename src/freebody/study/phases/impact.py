@@ -31,6 +31,7 @@ from freebody.model.elements import (
 )
 from freebody.study.phases.decide import Inequality
 from freebody.study.phases.phase import Given, Placed
+from freebody.symbolic.blow import Blow as Momenta
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.linear import RHS, Row, solve
 from freebody.symbolic.phases.friction import named_rows
@@ -243,6 +244,12 @@ class SuddenBlow:
                 self.impulses[row.name] = self.after.impulse(row)
             except CannotAnswer as error:
                 self.unknown[row.name] = error
+
+    @property
+    def momenta(self) -> Momenta:
+        """The momenta before and after."""
+        assert self.start.blow is not None
+        return self.start.blow
 
     @property
     def gaps(self) -> dict[str, Ratio]:

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message, in_turn
 from freebody.study.phases.ends import FirstEvent
-from freebody.study.phases.impact import ClosedFormCollision
+from freebody.study.phases.impact import ClosedFormCollision, SuddenBlow
 from freebody.study.phases.numbers import Chosen
 from freebody.study.phases.phase import Phase, PhaseWatch, Placed
 from freebody.study.phases.words import label
@@ -53,9 +53,14 @@ class PhaseImpact:
     impulses: Mapping[str, Ratio]
     before: ClosedFormCollision | JustBefore
     kept: frozenset[str] = frozenset()  # what touched before
-    blow: BlowEvent | None = None
+    sudden: SuddenBlow | None = None
     unknown: Mapping[str, CannotAnswer] = field(default_factory=dict[str, CannotAnswer])
     collision: tuple[ClosedFormCollision, Mapping[str, Ratio]] | None = None  # with its impulses in its own field
+
+    @property
+    def blow(self) -> BlowEvent | None:
+        """What closes and strikes at an event."""
+        return None if self.sudden is None else self.sudden.blow
 
     @property
     def struck(self) -> frozenset[str]:
