@@ -11,6 +11,7 @@ import pytest
 import freebody as fb
 import freebody.connections  # registers the kinds
 from freebody.connections.base import Connection
+from freebody.language.expression import free_symbols
 from freebody.testing.conformance import CONNECTION_CHECKS
 
 Agree = Callable[[fb.Solution, str, str | list[str]], None]
@@ -263,6 +264,29 @@ loads: {gravity: {gravity: g}}
             "acceleration of weight along down": "g*(4*m1 - 2*m2)/(4*m1 + m2)",
             "acceleration of moving along up": "g*(2*m1 - m2)/(4*m1 + m2)",
             "tension of it between moving and fixed_pulley": "3*m1*m2*g/(4*m1 + m2)",
+        },
+    ),
+    # a sled that the model puts on its ramp, where the string leaves the pulley along it, is pulled along it as one is
+    # that has no place: (m1 + m2 + M/2) a = (m2 - m1 sin alpha) g
+    "string along the ramp to a sled with a place": (
+        "string",
+        """
+parameters: {m1: 4 kg, m2: 3 kg, M: 1 kg, r: 0.1 m, alpha: 30 deg, g: 9.81 m/s^2}
+ground: {points: {top: [0, 0]}, lines: {ramp: {angle: alpha, through: [-r*sin(alpha), r*cos(alpha)]}}}
+bodies:
+  sled: {particle: {mass: m1}, at: [-r*sin(alpha) - 2 m*cos(alpha), r*cos(alpha) - 2 m*sin(alpha)]}
+  load: {particle: {mass: m2}, at: [r, -1 m]}
+  pulley: {disk: {mass: M, radius: r}, at: [0, 0]}
+connections:
+  hub: {pin: [ground.top, pulley.center]}
+  run: {slider: [sled, ground.ramp]}
+  hang: {slider: {body: load, along: up}}
+  it: {string: {path: [sled, over pulley, load]}}
+loads: {gravity: {gravity: g}}
+""",
+        {
+            "acceleration of load along down": "2*g*(m2 - m1*sin(alpha))/(2*m1 + 2*m2 + M)",
+            "tension of it at load": "m2*g*(1 - 2*(m2 - m1*sin(alpha))/(2*m1 + 2*m2 + M))",
         },
     ),
     # a string wound on a drum with a bearing: m g - S = m a, S R = I a/R
@@ -649,3 +673,36 @@ connections: {axle: {pin: [ground.O, pulley]}, rope: {string: {from: a, over: [p
 loads: {weight: {gravity: g}}
 """)
     agrees(fb.solve(system, "acceleration of a along down"), "q1", "(m1 - m2)*g/(m1 + m2)")
+
+
+SLED = """
+parameters: {m1: 4 kg, m2: 3 kg, r: 0.1 m, g: 9.81 m/s^2, d: 0.1 m}
+ground: {lines: {floor: {along: right, through: [0, d]}}}
+bodies:
+  sled: {particle: {mass: m1}, at: [-2 m, d]}
+  load: {particle: {mass: m2}}
+  pulley: {disk: {radius: r}, at: [0, 0]}
+connections:
+  hub: {pin: [ground.O, pulley]}
+  run: {slider: [sled, ground.floor]}
+  it: {string: {path: [sled, WAY, load]}}
+loads: {gravity: {gravity: g}}
+questions: [acceleration of load along down]
+"""
+
+
+def test_a_lead_runs_along_a_guide_only_where_it_does_so_for_all_lengths() -> None:
+    """The floor is at the height d, which is r in the numbers of the file: the string is level only there."""
+    by_length = fb.solve(fb.System.from_text(SLED.replace("WAY", "over pulley"))).answers[0]
+    level = fb.solve(fb.System.from_text(SLED.replace("WAY", "over pulley").replace(", d]", ", r]"))).answers[0]
+    assert level.expression is not None
+    assert level.value == pytest.approx(9.81 * 3 / 7)
+    assert not {"d", "r"} & free_symbols(level.expression)
+    assert by_length.value == pytest.approx(9.81 * 3 / 7)
+    assert str(by_length.expression) != str(level.expression)
+
+
+def test_a_wheel_in_the_middle_of_a_string_says_on_which_side() -> None:
+    with pytest.raises(fb.ModelError, match=r"write 'over pulley', 'under pulley' or pulley\.center"):
+        fb.System.from_text(SLED.replace("WAY", "pulley"))
+    fb.System.from_text(SLED.replace("WAY", "pulley.center"))

@@ -102,6 +102,18 @@ def is_zero(names: Names, x: Expr) -> bool:
     return all(abs(number_of(names, x, trial)) < ROUND_OFF for trial in _TRIALS)
 
 
+def vanishes(names: Names, x: Expr) -> bool:
+    """Whether an expression in the parameters is zero whatever their values are, not at those of the model alone."""
+    for step in (0.0, 0.03, 0.07):
+        values = {
+            p.name: (_TRIALS[0] + 0.1 * k if p.value is None else p.value) * (1.0 + step * (k + 1))
+            for k, p in enumerate(names.parameters.values())
+        }
+        if abs(float(evaluate(x, values))) >= ROUND_OFF:
+            return False
+    return True
+
+
 def number_of(names: Names, x: Expr, trial: float = _TRIALS[0]) -> float:
     """An expression in numbers; parameters without a value are taken small and positive."""
     values = {p.name: trial + 0.1 * k if p.value is None else p.value for k, p in enumerate(names.parameters.values())}

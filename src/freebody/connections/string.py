@@ -17,7 +17,7 @@ from freebody.connections.hanging import Hook, askew, hooks_of
 from freebody.connections.pin import Pin
 from freebody.connections.planar import Planar
 from freebody.connections.slider import Slider
-from freebody.connections.standing import is_parallel, number_of, place_of, stands_at
+from freebody.connections.standing import is_parallel, number_of, place_of, stands_at, vanishes
 from freebody.connections.string_node import StringNode
 from freebody.connections.weld import Weld
 from freebody.language.expression import Expr, add, multiply, negate, number
@@ -116,8 +116,8 @@ class String(Connection, kind="string"):
     The string does not slip on the pulleys that it `grips` (default: all that are bodies); over the others it
     slides without friction. Each stretch between grips keeps its length and has one tension, positive when it
     pulls. A body that nothing else holds hangs on the string and moves up and down, below the point where its lead
-    leaves the pulley, if it has no position or is put there; a lead to a body on a straight guide without a position
-    runs along the guide; `leads` states the directions instead; otherwise leads are the common tangents of the circles,
+    leaves the pulley, if it has no position or is put there; a lead to a body on a straight guide runs along the
+    guide if the body has no position, or one from which it does so whatever the parameters are; `leads` states the directions instead; otherwise leads are the common tangents of the circles,
     wherever these move (`swings: true` also for hanging bodies).
     `friction`: that of the drums and pulleys over which it slides, one coefficient or {drum: mu}. The tensions on both
     sides of a drum differ by up to e^(mu beta), beta the angle of wrap between leads with constant directions, or
@@ -201,6 +201,10 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
             hung = [*way[:k], replace(way[k], hangs=True), *way[k + 1 :]]
             if way[k].is_put and self._is_straight_below(names, hung, k):
                 way = hung
+            if way[k].track is not None:
+                led = [*way[:k], replace(way[k], guide=way[k].track), *way[k + 1 :]]
+                if self._runs_along(names, led, k):
+                    way = led
         names.laying.pop()
         leads, turns, arms = self._run(names, way)
         grips = self._grips(names, way)
@@ -235,6 +239,24 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
         leads = self._directions(names, way)
         turns = self._turns(names, way, leads)
         return leads, turns, [multiply(number(s), n.radius) if s else ZERO for s, n in zip(turns, way, strict=True)]
+
+    def _runs_along(self, names: Names, way: list[StringNode], k: int) -> bool:
+        """Whether the leads to a guided body run along its guide, however long the parameters are."""
+        leads, _turns, arms = self._run(names, way)
+        for j in (j for j in (k - 1, k) if 0 <= j < len(leads)):
+            lead, first, second = leads[j], way[j].point, way[j + 1].point
+            if lead is None or lead.body != GROUND:
+                return False
+            across = [stands_at(names, point, lead.normal()) for point in (first, second)]
+            ends = [place_of(names, point) for point in (first, second)]
+            if across[0] is None or across[1] is None or ends[0] is None or ends[1] is None:
+                return False
+            if not vanishes(names, add(across[1], negate(across[0]), arms[j], negate(arms[j + 1]))):
+                return False
+            ex, ey = _numbers(names, lead)
+            if (ends[1][0] - ends[0][0]) * ex + (ends[1][1] - ends[0][1]) * ey <= 0.0:
+                return False
+        return True
 
     def _is_straight_below(self, names: Names, way: list[StringNode], k: int) -> bool:
         """Whether a body is put where it would hang, below what carries it."""
@@ -280,6 +302,16 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
         else:
             point, radius = names.point(what, *field), ZERO
             body = names.known(point.body)
+            if not is_end and body.name == what and body.radius is not None and not body.is_placeholder:
+                names.problem(
+                    Message(
+                        "{wheel} is round, and the string could run over it or through its centre: write "
+                        "'over {wheel}', 'under {wheel}' or {wheel}.center",
+                        wheel=what,
+                    ),
+                    *field,
+                )
+                return None
         way = "drum" if found["wound"] else "end" if is_end else (found["way"] or "over")
         if not is_end and found["wound"]:
             names.problem(Message("only an end can be wound on a drum, '{text}' is in the middle", text=text), *field)
@@ -294,6 +326,7 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
             is_free and not given,
             is_free and given and body.start.velocity is None,
             None if given else _guide_of(names, body.name),
+            _guide_of(names, body.name) if given else None,
             _place(names, point),
         )
 

@@ -19,7 +19,8 @@ class StringNode:
     turn: str | None
     hangs: bool
     is_put: bool  # it would hang, but for its place, which the model gives
-    guide: Direction | None
+    guide: Direction | None  # the lead runs along it
+    track: Direction | None  # of a body that is guided where the model puts it
     place: tuple[float, float] | None
 
     @property
