@@ -573,3 +573,27 @@ questions: [{find: does it hold}, {find: acceleration of p}]
 """
     with pytest.raises(fb.ModelError, match="too long"):
         fb.System.from_text(text).solve()
+
+
+def test_words_of_slipping_do_not_mean_rest_where_it_moves_without_slip() -> None:
+    """A block on a block that is pulled over a smooth floor: any force moves both, and the upper one slips beyond
+    mu (m1 + m2) g."""
+    text = """
+parameters: {m1: 2 kg, m2: 5 kg, mu: 0.4, F: 20 N, g: 9.81 m/s^2}
+ground: {lines: {floor: {along: right}}}
+bodies: {upper: {particle: {mass: m1}}, lower: {particle: {mass: m2}}}
+connections:
+  rail: {slider: [lower, ground.floor]}
+  top: {slider: {body: upper, on: lower, along: right, friction: mu}}
+loads: {weight: {gravity: g}, pull: {force: {at: lower, along: right, magnitude: F}}}
+measures: {x: x of lower, y: x of upper}
+"""
+    system = fb.System.from_text(text)
+    nothing, top, still = (
+        fb.solve(system, f"largest F {so}").answers[0]
+        for so in ("for which nothing slips", "for which top does not slip", "so that nothing moves")
+    )
+    assert nothing.value is None
+    assert "largest F for which top does not slip" in nothing.reason
+    assert top.value == pytest.approx(0.4 * 7 * 9.81)
+    assert still.value == pytest.approx(0.0)

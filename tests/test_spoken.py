@@ -127,13 +127,13 @@ SPOKEN: dict[str, list[tuple[str, str]]] = {
     "ladder_against_wall": [
         (
             "What is the smallest coefficient of friction so that the ladder does not slip?",
-            "least mu so that it stays at rest",
+            "least mu so that it does not slip",
         ),
         ("minimum friction coefficient required for equilibrium", "least mu so that it stays at rest"),
         ("smallest mu for which the ladder stays at rest", "least mu so that it stays at rest"),
         ("maximum distance d such that the ladder does not slip", "largest d so that it does not slip"),
         ("largest d before the ladder slips", "largest d so that it does not slip"),
-        ("minimum angle alpha so that nothing slips", "least alpha so that it stays at rest"),
+        ("minimum angle alpha so that nothing slips", "least alpha so that nothing slips"),
         ("Does the ladder stay at rest?", "does it hold"),
         ("normal force at the wall", "normal force of wall"),
         ("normal force from the floor", "normal force of floor"),

@@ -117,8 +117,9 @@ class String(Connection, kind="string"):
     slides without friction. Each stretch between grips keeps its length and has one tension, positive when it
     pulls. A body that nothing else holds hangs on the string and moves up and down, below the point where its lead
     leaves the pulley, if it has no position or is put there; a lead to a body on a straight guide runs along the
-    guide if the body has no position, or one from which it does so whatever the parameters are; `leads` states the directions instead; otherwise leads are the common tangents of the circles,
-    wherever these move (`swings: true` also for hanging bodies).
+    guide if the body has no position, or one from which it does so whatever the parameters are; `leads` states the
+    directions instead; otherwise leads are the common tangents of the circles, wherever these move (`swings: true`
+    also for hanging bodies).
     `friction`: that of the drums and pulleys over which it slides, one coefficient or {drum: mu}. The tensions on both
     sides of a drum differ by up to e^(mu beta), beta the angle of wrap between leads with constant directions, or
     `wrap: {drum: 3*pi}`; ask for the tension at an end, or between two places."""

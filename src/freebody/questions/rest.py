@@ -42,6 +42,7 @@ class RestLimit(AtRest, kind="limit of rest"):
     which: Which
     of_parameter: Dimension
     is_angle: bool = False
+    is_of_slip: bool = False  # that nothing slips is asked for, in words that hold of what moves as well
 
     example = """
 parameters: {F: 20 N}
@@ -134,8 +135,8 @@ questions: {it: range of normal force of wall}
 _REST = (
     r"(?:(?:so )?that|for which|with which|such that|at which)? ?(?:it|the system|everything|the [a-z]+)? ?"
     r"(?:(?:stays?|remains?|is|keeps?|can stay)(?: (?:it|the system))? (?:at rest|in equilibrium|in place)"
-    r"|holds?|does not (?:slip|slide|move|fall)|neither slips nor tips|(?:keeps|holds) (?:it|the system) at rest"
-    r"|nothing (?:moves|slips|slides))"
+    r"|holds?|does not (?:move|fall)|neither slips nor tips|(?:keeps|holds) (?:it|the system) at rest"
+    r"|nothing moves|(?P<slips>does not (?:slip|slide)|nothing (?:slips|slides)))"
 )
 _KIND = (
     r"(?:(?:coefficient of (?:static )?friction|friction coefficient|force|torque|mass|angle|value|distance) )?(?:of )?"
@@ -148,7 +149,8 @@ _WHICH: dict[str, Which] = {
 
 _RANGE = rf"(?:range|interval|values) of {_KIND}(?P<of>{NAME})"
 _END = rf"(?P<which>{'|'.join(_WHICH)}) {_KIND}(?P<of>{NAME}) {_REST}"
-_STAYS = re.compile(rf"^(?:the )?(?:{_RANGE} {_REST}|{_END.replace('(?P<of>', '(?:')})$")
+_ENDED = _END.replace("(?P<of>", "(?:").replace("(?P<slips>", "(?:")
+_STAYS = re.compile(rf"^(?:the )?(?:{_RANGE} {_REST}|{_ENDED})$")
 
 
 def asks_for_rest(phrase: str) -> bool:
@@ -162,7 +164,7 @@ def asks_for_rest(phrase: str) -> bool:
     rank=RANK,
 )
 def _range(names: Names, found: Found, path: Path) -> Quantity | None:
-    return _limit(names, found["of"], "range", path)
+    return _limit(names, found, "range", path)
 
 
 @asked(
@@ -171,12 +173,13 @@ def _range(names: Names, found: Found, path: Path) -> Quantity | None:
     rank=RANK,
 )
 def _end(names: Names, found: Found, path: Path) -> Quantity | None:
-    return _limit(names, found["of"], _WHICH[found["which"]], path)
+    return _limit(names, found, _WHICH[found["which"]], path)
 
 
-def _limit(names: Names, name: str, which: Which, path: Path) -> RestLimit | None:
+def _limit(names: Names, found: Found, which: Which, path: Path) -> RestLimit | None:
+    name = found["of"]
     p = _parameter(names, name, path)
-    return None if p is None else RestLimit(name, which, p.dimension, p.is_angle)
+    return None if p is None else RestLimit(name, which, p.dimension, p.is_angle, found["slips"] is not None)
 
 
 @asked(

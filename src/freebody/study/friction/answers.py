@@ -92,7 +92,26 @@ class _Answerer:
 
     @answer.register(RestLimit)
     def _limit(self, q: RestLimit) -> Answer:
+        if q.is_of_slip:
+            self._insist_on_slip(self.rest.parameter(q.parameter), q)
         return self._ends(self.rest.parameter(q.parameter), q.parameter, q.ends)
+
+    def _insist_on_slip(self, ends: Ends, q: RestLimit) -> None:
+        """Of what leaves rest without any slip, words of slipping mean the motion. Raises CannotAnswer there."""
+        for first in (limit.first for sign in q.ends if (limit := ends.limit(sign)).first is not None):
+            assert first is not None
+            if math.isinf(first.edge.value):
+                continue
+            failure = seen(self.touching, first.edge.problem, first.edge.optimum, first.draw).failure
+            if not failure.slips and not failure.opens:
+                raise CannotAnswer(
+                    Message(
+                        "the system moves before anything slips; name what is not to slip in its motion, as in "
+                        "'largest {x} for which {contact} does not slip'",
+                        x=q.parameter,
+                        contact=next((rub.name.partition(".")[0] for rub in self.touching.dry_friction), "contact"),
+                    )
+                )
 
     @answer.register(FirstFailure)
     def _failure(self, q: FirstFailure) -> Answer:
