@@ -94,3 +94,30 @@ start: {{x: 0.1 m, rate(x): 0}}
         answer = asked(text.format(c=c), "x as t grows")
         assert answer.value == pytest.approx(7 / 50)
         assert answer.conditions == ("for all positive parameters",)
+
+
+@pytest.mark.parametrize("drive", ["driven", "free"])
+def test_a_loop_closes_at_the_event_where_the_answer_has_no_rod_in_it(drive: str) -> None:
+    """A slider-crank with its crank across the guide: the piston moves as the crank pin, -r w, whatever the rod is, if
+    it is long enough to get there. Free, with the mass of the piston alone, the energy m x'^2/2 stays."""
+    text = """
+parameters: {r: 0.1 m, l: 0.3 m, w: 20 rad/s, m: 1 kg, a: 30 deg}
+bodies:
+  crank: {rod: {mass: 0 kg, length: r}, at: {start: [0, 0]}, angle: a}
+  rod: {rod: {mass: 0 kg, length: l}}
+  piston: {particle: {mass: m}}
+connections:
+  bearing: {pin: [ground.O, crank.start]}
+  big: {pin: [crank.end, rod.start]}
+  small: {pin: [rod.end, piston]}
+  bore: {slider: {body: piston, along: right}}
+measures: {theta: angle of crank, x: x of piston}
+"""
+    motor = "  motor: {driver: {measure: theta, follows: a + w*t}}\nmeasures"
+    text = text.replace("measures", motor) if drive == "driven" else text + "start: {rate(theta): w}\n"
+    found = fb.solve(fb.System.from_text(text), "velocity of x when theta = 90 deg").answers[0]
+    assert found.expression is not None, found.reason
+    assert any("l ≥ r" in c or "l > r" in c for c in found.conditions)
+    s, c = math.sin(math.radians(30)), math.cos(math.radians(30))
+    at_start = -20 * 0.1 * s * (1 + 0.1 * c / math.sqrt(0.3**2 - (0.1 * s) ** 2))
+    assert found.value == pytest.approx(-2.0 if drive == "driven" else at_start, rel=1e-9)

@@ -210,6 +210,8 @@ class QuestionSolver:
         there = SymbolicState(self.model, self.setup.motion.known_at(reached))
         begins, ends = (self.setup.holding(s, with_contacts=False) for s in (self.setup.start_instant, there))
         ends = [c for c in ends if not self._moving_in(c.element)]
+        # nor is it compared where the closed loops do not close at the event
+        conditions += [c for c in self.setup.closing(there) if not self._moving_in(c.element)]
         evidence = proof.along_motion(
             self.setup,
             self.question.text,
