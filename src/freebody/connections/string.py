@@ -242,11 +242,12 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
         return leads, turns, [multiply(number(s), n.radius) if s else ZERO for s, n in zip(turns, way, strict=True)]
 
     def _runs_along(self, names: Names, way: list[StringNode], k: int) -> bool:
-        """Whether the leads to a guided body run along its guide, however long the parameters are."""
+        """Whether the leads to a guided body run along its guide from wheels, however long the parameters are. From a
+        point the distance tells as much, and on which side of it the body is."""
         leads, _turns, arms = self._run(names, way)
         for j in (j for j in (k - 1, k) if 0 <= j < len(leads)):
             lead, first, second = leads[j], way[j].point, way[j + 1].point
-            if lead is None or lead.body != GROUND:
+            if lead is None or lead.body != GROUND or way[j if j < k else j + 1].radius == ZERO:
                 return False
             across = [stands_at(names, point, lead.normal()) for point in (first, second)]
             ends = [place_of(names, point) for point in (first, second)]
