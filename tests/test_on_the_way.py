@@ -117,7 +117,8 @@ measures: {theta: angle of crank, x: x of piston}
     text = text.replace("measures", motor) if drive == "driven" else text + "start: {rate(theta): w}\n"
     found = fb.solve(fb.System.from_text(text), "velocity of x when theta = 90 deg").answers[0]
     assert found.expression is not None, found.reason
-    assert any("l ≥ r" in c or "l > r" in c for c in found.conditions)
+    # with l = r the piston comes at -2 r w and stays
+    assert any("l > r" in c for c in found.conditions), found.conditions
     s, c = math.sin(math.radians(30)), math.cos(math.radians(30))
     at_start = -20 * 0.1 * s * (1 + 0.1 * c / math.sqrt(0.3**2 - (0.1 * s) ** 2))
     assert found.value == pytest.approx(-2.0 if drive == "driven" else at_start, rel=1e-9)

@@ -210,8 +210,10 @@ class QuestionSolver:
         there = SymbolicState(self.model, self.setup.motion.known_at(reached))
         begins, ends = (self.setup.holding(s, with_contacts=False) for s in (self.setup.start_instant, there))
         ends = [c for c in ends if not self._moving_in(c.element)]
-        # nor is it compared where the closed loops do not close at the event
-        conditions += [c for c in self.setup.closing(there) if not self._moving_in(c.element)]
+        # nor is it compared where the closed loops do not close at the event; where they just do, in a singular pose,
+        # there is a place but no velocity
+        closing = [c for c in self.setup.closing(there) if not self._moving_in(c.element)]
+        conditions += closing if q.kinematic_order == 0 else [replace(c, relation=">") for c in closing]
         evidence = proof.along_motion(
             self.setup,
             self.question.text,
