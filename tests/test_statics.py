@@ -635,6 +635,21 @@ def test_an_angle_without_a_value_is_not_told() -> None:
     assert [m.growth_rate for m in motion[1:]] == pytest.approx([rate, rate], rel=1e-9)
 
 
+def test_what_only_stays_where_rolling_binds_velocities_does_not_drift() -> None:
+    """The skate with a spring on its angle as well: it stays wherever y puts it, and swings in two ways."""
+    motion = small("""
+parameters: {m: 1 kg, k: 10 N/m, c: 2 N m}
+bodies: {skate: {rod: {mass: m, length: 1 m}, at: [0, 2 m], angle: 0.3}}
+measures: {x: x of skate, y: y of skate, theta: angle of skate}
+connections: {blade: {velocity_constraint: rate(y)*cos(theta) - rate(x)*sin(theta)}}
+loads: {spring: {law: {measure: x, force: -k*x}}, twist: {law: {measure: theta, force: -c*(theta - 0.3)}}}
+""")
+    assert [m.kind for m in motion] == ["rigid", "oscillation", "oscillation"]
+    assert dict(motion[0].shape) == {"x": 0, "y": 1, "theta": 0}
+    slow, fast = math.sqrt(10) * math.cos(0.3), math.sqrt(2 * 12)
+    assert [m.frequency for m in motion[1:]] == pytest.approx([slow, fast], rel=1e-9)
+
+
 def test_a_soft_spring_rests_far_below_and_a_stiff_one_where_it_hangs() -> None:
     for k in (0.01, 1.0, 1e9):
         system = System.load(ROOT / "examples" / "mass_on_spring.yaml").with_parameters(k=f"{k!r} N/m")

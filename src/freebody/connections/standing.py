@@ -104,17 +104,14 @@ def is_zero(names: Names, x: Expr) -> bool:
 
 def vanishes(names: Names, x: Expr) -> bool:
     """Whether an expression in the parameters is zero whatever their values are, not at those of the model alone."""
-    for step in (0.0, 0.03, 0.07):
-        values = {
-            p.name: (_TRIALS[0] + 0.1 * k if p.value is None else p.value) * (1.0 + step * (k + 1))
-            for k, p in enumerate(names.parameters.values())
-        }
-        if abs(float(evaluate(x, values))) >= ROUND_OFF:
-            return False
-    return True
+    return all(abs(number_of(names, x, stretch=stretch)) < ROUND_OFF for stretch in (0.0, 0.03, 0.07))
 
 
-def number_of(names: Names, x: Expr, trial: float = _TRIALS[0]) -> float:
-    """An expression in numbers; parameters without a value are taken small and positive."""
-    values = {p.name: trial + 0.1 * k if p.value is None else p.value for k, p in enumerate(names.parameters.values())}
+def number_of(names: Names, x: Expr, trial: float = _TRIALS[0], stretch: float = 0.0) -> float:
+    """An expression in numbers; parameters without a value are taken small and positive. stretch: by which share the
+    first parameter is larger than its value, the second by twice that, and so on."""
+    values = {
+        p.name: (trial + 0.1 * k if p.value is None else p.value) * (1.0 + stretch * (k + 1))
+        for k, p in enumerate(names.parameters.values())
+    }
     return float(evaluate(x, values))

@@ -130,8 +130,7 @@ def _undamped(small: SmallMotion, T: Array, K: Array) -> list[NaturalMotion]:
     found: list[NaturalMotion] = []
     squares, vectors = np.linalg.eigh((K + K.T) / 2.0)
     same = ROUND_OFF * float(np.abs(squares).max(initial=0.0)) + small.noise
-    shapes = T @ vectors
-    shapes = shapes / np.linalg.norm(shapes / small.units[:, None], axis=0)
+    shapes = _sized(small, T @ vectors)
     for group in np.split(np.arange(len(squares)), np.flatnonzero(np.diff(squares) > same) + 1):
         square = float(squares[group].mean())
         basis = _told_basis(small, shapes[:, group])
@@ -149,8 +148,7 @@ def _damped(small: SmallMotion, T: Array, K: Array, C: Array) -> list[NaturalMot
     pace = max(math.sqrt(float(np.abs(K).max())), float(np.abs(C).max())) or 1.0
     rates, vectors = _eig(np.block([[np.zeros((n, n)), pace * np.eye(n)], [-K / pace, -C]]))
     loose = _null(K, small.noise)
-    shapes = T @ loose
-    found = _rigid(small, _told_basis(small, shapes / np.linalg.norm(shapes / small.units[:, None], axis=0)))
+    found = _rigid(small, _told_basis(small, _sized(small, T @ loose)))
     order = np.argsort(np.abs(rates))
     n_zero = int(np.count_nonzero(np.abs(rates) <= _ZERO_RATE * pace))
     n_zero = min(2 * loose.shape[1], max(loose.shape[1], n_zero))
@@ -194,6 +192,11 @@ def _rigid(small: SmallMotion, basis: Array) -> list[NaturalMotion]:
 
 def _motion_of(small: SmallMotion, rate: complex, kind: Kind, z: Array) -> NaturalMotion:
     return NaturalMotion(rate, kind, (small.unit_places @ z).astype(np.complex128))
+
+
+def _sized(small: SmallMotion, columns: Array) -> Array:
+    """Disturbances of the size of the system each."""
+    return columns / np.linalg.norm(columns / small.units[:, None], axis=0)
 
 
 def _null(A: Array, cut: float) -> Array:
