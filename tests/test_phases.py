@@ -814,3 +814,17 @@ start: {x: 0, rate(x): u}
     assert found["q1"].value == pytest.approx(math.asin(9.81 / 20.0) / 20.0)
     agrees_text(shown(found, 2), "d/u")
     agrees_text(shown(found, 3), "m*(g - A*w**2*sin(w*d/u))")
+
+
+def test_what_rests_all_along_is_not_disturbed_when_it_is_checked() -> None:
+    # a body held by friction at a point beside its mass centre: turning, it would accelerate; it does not turn
+    system = fb.System.from_text("""
+parameters: {I: 1 kg m^2, F: 0.5 N, m: 0.5 kg, d: 1 m}
+bodies: {q: {body: {mass: m, inertia: I, center_of_mass: [0, d]}}}
+connections: {rub: {dry_friction: {measure: x of ground.O from q.origin, force: F}}}
+questions: [{find: angular acceleration of q}]
+""")
+    answer = system.solve().answers[0]
+    assert answer.value == 0.0
+    assert answer.evidence is not None
+    assert "at the start" in answer.evidence.route

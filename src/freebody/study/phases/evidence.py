@@ -13,7 +13,8 @@ import numpy as np
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
-from freebody.numeric.reference import Snapshot
+from freebody.numeric.jets import Array
+from freebody.numeric.reference import Reference, Snapshot
 from freebody.questions.base import Quantity
 from freebody.questions.energy import Energy
 from freebody.questions.reading import AskedEvent, Question
@@ -31,6 +32,7 @@ from freebody.study.answering.passage import NumericPassage
 from freebody.study.answering.spread import disagreement
 from freebody.study.phases.in_blow import after_in_numbers
 from freebody.study.phases.nodes import PhaseNode
+from freebody.study.phases.phase import Phase
 from freebody.study.phases.pieces import AnswerBranch, is_before_impact
 from freebody.study.phases.quantities import frictions, only_friction_takes_energy, plain, value_in_mode
 from freebody.study.phases.tree import PhaseTree
@@ -65,7 +67,9 @@ def compare(tree: PhaseTree, question: Question, piece: AnswerBranch) -> Evidenc
 
 # -- one instant ------------------------------------------------------------------------------
 def _at_instants(tree: PhaseTree, question: Question, piece: AnswerBranch) -> Evidence:
-    at_start = question.at_start or piece.at_start
+    phase, moving = piece.phase, piece.phase.model.coordinates
+    all_rest = bool(moving) and all(c.speed in phase.still for c in moving)
+    at_start = question.at_start or piece.at_start or all_rest
     route = (
         Message("floating-point solve of all bodies and contacts at the start")
         if at_start
@@ -81,7 +85,7 @@ def _at_instants(tree: PhaseTree, question: Question, piece: AnswerBranch) -> Ev
             begin, node = reference.snapshot(q, v), piece.nodes[-1]
             draw = Draw(mode.values, reference, q)
             if not at_start:
-                q, v = reference.wander(q, np.random.default_rng(SEED + n), 0.1)
+                q, v = _elsewhere(phase, reference, begin, n)
             now = mode.snapshot(q, v, 0.0)
             if is_before_impact(question) and node.impact is not None:
                 now, _q, _v = before_impact(tree.system, node.impact.kept, tree.sets.one(k))
@@ -94,6 +98,23 @@ def _at_instants(tree: PhaseTree, question: Question, piece: AnswerBranch) -> Ev
         check.compare(draw, exact, numeric, partial(magnitude, question.quantity.dimension, now))
 
     return check.gather(enumerate(_numbered(piece)), compare).evidence()
+
+
+def _elsewhere(phase: Phase, reference: Reference, begin: Snapshot, n: int) -> tuple[Array, Array]:
+    """A pose and velocities near the start, otherwise arbitrary; what rests all along the phase is where it is at the
+    start."""
+    q, v = reference.wander(begin.q, np.random.default_rng(SEED + n), 0.1)
+    still = [c for c in phase.model.coordinates if c.speed in phase.still]
+    if not still:
+        return q, v
+    measures = {c: phase.model.measure_of(c) for c in phase.model.coordinates}
+    resting = [m for c, m in measures.items() if c in still and m is not None]
+    if len(resting) < len(still):
+        return begin.q, begin.v
+    there = reference.snapshot(q, v)
+    rates = [(m, there.rate(m)) for c, m in measures.items() if c not in still and m is not None]
+    q = reference.pose_near(q, [(m, begin.value(m)) for m in resting])
+    return q, reference.velocities(q, [*rates, *((m, 0.0) for m in resting)], with_start=False)
 
 
 def _numbered(piece: AnswerBranch) -> list[int]:
