@@ -233,3 +233,15 @@ questions: [equilibrium of th]
     (derivation,) = fb.System.from_text(text).explain().derivations
     assert not derivation.reason
     assert derivation.answer.value == pytest.approx(math.acos((1.2 + math.sqrt(1.44 + 32)) / 8))
+
+
+def test_velocity_constraints_that_bind_less_at_the_start_are_told() -> None:
+    # rate(cos(angle)) is held; with the angle at zero that holds nothing to first order
+    system = fb.System.from_text("""
+bodies: {p: {rod: {mass: 1 kg, length: 1 m}}}
+measures: {u: alignment of right and p.x, x: x of p}
+connections: {hold: {velocity_constraint: {expression: rate(u)}}}
+questions: [{find: acceleration of x}]
+""")
+    with pytest.raises(fb.CannotAnswer, match="singular pose"):
+        system.explain()

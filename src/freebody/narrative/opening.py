@@ -10,7 +10,7 @@ from freebody.language.expression import Expr, Sum, Symbol, evaluate, free_symbo
 from freebody.language.sentences import Message
 from freebody.language.units import Dimension
 from freebody.measures.geometry import ZERO
-from freebody.model.elements import RigidBody
+from freebody.model.elements import NonholonomicForm, RigidBody
 from freebody.model.phrases import phrase_text
 from freebody.narrative.contact.settings import has_phases
 from freebody.narrative.context import Context
@@ -137,6 +137,15 @@ def _by_rank(context: Context, script: Script, count: int) -> int:
     except CannotAnswer:
         script.say("freedom.rank_only", n=n)
         return n
+    rows = context.system.constraint_rows
+    if n > model.degrees_of_freedom and any(isinstance(row.measure, NonholonomicForm) for row in rows):
+        singular = Message(
+            "the start is a singular pose: the velocity constraints leave {n} freedoms in it and {m} a step away. "
+            "Start from another pose",
+            n=n,
+            m=model.degrees_of_freedom,
+        )
+        raise CannotAnswer(singular)
     if n != model.degrees_of_freedom:
         differ = Message(
             "the formulas have {n} independent coordinates, the rank leaves {m}", n=model.degrees_of_freedom, m=n
