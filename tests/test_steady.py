@@ -209,7 +209,56 @@ def test_a_rate_that_is_left_open_is_refused() -> None:
 
 
 def test_steady_motion_has_no_event() -> None:
-    assert "no event" in the(ask(TOP, "rate of psi in steady motion when theta = 20 deg")).reason
+    assert "no event" in the(ask(TOP, "rate of psi in steady motion at t = 2 s")).reason
+    assert "no event" in the(ask(TOP, "stability of steady motion when theta = 20 deg")).reason
+
+
+def test_what_a_steady_motion_keeps_may_be_given(agrees: Agree) -> None:
+    # vertical: T cos(beta) = m g; radial: T sin(beta) = m l sin(beta) psi'^2
+    given = CONICAL.replace("l: 0.5 m}", "l: 0.5 m, beta: 40 deg, w: 6 rad/s}")
+    for question, formula in (
+        ("rate of psi in steady motion when theta = beta", "sqrt(g/(l*cos(beta)))"),
+        ("size of reaction of top in steady motion when theta = beta", "m*g/cos(beta)"),
+        ("speed of bob in steady motion when theta = beta", "sqrt(g*l/cos(beta))*sin(beta)"),
+        ("value of l for which rate of psi = w in steady motion when theta = beta", "g/(w**2*cos(beta))"),
+    ):
+        solution = ask(given, question)
+        agrees(solution, the(solution).id, formula)
+        assert not any("pose of the motion" in c for c in the(solution).conditions)
+    solution = ask(given, "theta in steady motion when rate(psi) = w")
+    agrees(solution, the(solution).id, ["0", "pi", "acos(g/(l*w**2))"])
+    solution = ask(given, "speed of bob in steady motion when rate(psi) = w")
+    agrees(solution, the(solution).id, ["0", "0", "sqrt(l**2*w**4 - g**2)/w"])
+
+
+def test_a_top_with_a_given_angle_keeps_its_other_rate_open(agrees: Agree) -> None:
+    # with theta = 90 deg: C phi' psi' = m g l
+    solution = ask(TOP, "rate of psi in steady motion when theta = 90 deg")
+    agrees(solution, the(solution).id, "m*g*l/(C*rate(phi))")
+
+
+def test_a_rate_for_which_a_bead_stands_at_an_angle(agrees: Agree) -> None:
+    for question in ("theta = 30 deg in steady motion", "theta in steady motion = 30 deg"):
+        solution = ask(HOOP, f"value of Omega for which {question}")
+        agrees(solution, the(solution).id, "sqrt(2*g/(sqrt(3)*R))")
+
+
+def test_what_a_steady_motion_does_not_keep_is_refused() -> None:
+    reason = the(ask(CONICAL, "rate of psi in steady motion when rate(theta) = 1 rad/s")).reason
+    assert "keeps theta, rate(psi)" in reason
+
+
+def test_given_angles_are_derived() -> None:
+    system = fb.System.from_text(
+        CONICAL.replace("l: 0.5 m}", "l: 0.5 m, beta: 40 deg, w: 6 rad/s}")
+        + """questions:
+- {find: size of reaction of top in steady motion when theta = beta}
+- {find: value of l for which rate of psi = w in steady motion when theta = beta}
+"""
+    )
+    assert [d.reason for d in system.explain().derivations] == ["", ""]
+    system = fb.System.from_text(HOOP + "questions: [{find: value of Omega for which theta = 30 deg in steady motion}]")
+    assert system.explain().derivations[0].reason == ""
 
 
 def test_options_are_judged_on_both_roots() -> None:

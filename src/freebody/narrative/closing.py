@@ -33,7 +33,9 @@ def closing(context: Context, question: Question, answer: Answer) -> list[Deriva
 
 
 def _result(context: Context, script: Script, question: Question, answer: Answer) -> None:
-    is_told = question.quantity.scope in ("rest", "linkage") or question.quantity.wanted is not None
+    scope = question.quantity.scope
+    is_told = scope in ("rest", "linkage") or question.quantity.wanted is not None
+    is_told |= scope == "steady motion" and question.event is not None  # what is given, and no event of a motion
     if answer.expression is not None and not is_told:
         n = len(answer.expression) if isinstance(answer.expression, tuple) else 1
         name = asked_symbol(context, question, n)

@@ -61,6 +61,7 @@ from freebody.questions.turned_round import (
     inequality_of,
     reached_in,
     relation_of,
+    steadily,
     without_just,
 )
 
@@ -263,7 +264,7 @@ def _turned_round(
         told = Message("{name} is no parameter.{hint}", name=name, hint=did_you_mean(name, names.parameters))
         names.unknown(name, told, "find")
         return None
-    relation, is_just = without_just(_timed(relation))
+    relation, is_just = without_just(_timed(steadily(relation)))
     extremal = IS_EXTREMAL.match(relation)
     if extremal is not None and not end:
         return _extremal(names, parameter, extremal, when, asks_place=True)

@@ -181,7 +181,7 @@ def _stability(names: Names, found: Found, path: Path) -> Quantity | None:
 
 
 @asked(
-    "QUANTITY in steady motion",
+    "QUANTITY in steady motion [when MEASURE = VALUE]",
     r"(?P<of>.+) in (?:the )?steady (?:motion|precession|turning)",
     rank=RANK,
 )

@@ -152,6 +152,17 @@ def relation_of(head: str, event: str | None) -> tuple[str, str, str | None] | N
     return None if behind is None else (head, behind["right"].strip(), behind["event"])
 
 
+_STEADILY = re.compile(
+    r"^(?P<left>.+?)(?P<sign>\s*(?:>=|<=|[=<>≥≤])\s*|\s+(?:is|equals)\s+)(?P<right>.+?)"
+    r"(?P<steadily> in (?:the )?steady (?:motion|precession|turning))(?P<timed> when .+)?$"
+)
+
+
+def steadily(relation: str) -> str:
+    """theta = 30 deg in steady motion, as theta in steady motion = 30 deg."""
+    return _STEADILY.sub(lambda m: f"{m['left']}{m['steadily']}{m['sign']}{m['right']}{m['timed'] or ''}", relation)
+
+
 def inequality_of(relation: str) -> tuple[str, str, str] | None:
     """The left side, the sign and the right side of an inequality; None where there is none."""
     for words, sign in _WORDS.items():

@@ -53,10 +53,10 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
     if quantity.of.scope == "linkage":
         (given,) = solve(replace(context.system, questions=(asked,)), setup=context.setup).answers
         return derivation_of(context.system, asked)(context, asked, given, method)
-    there, given, formula = _reached(context, asked, quantity.parameter)
+    values = answer.expression if isinstance(answer.expression, tuple) else (answer.expression,)
+    there, given, formula = _reached(context, asked, quantity, values)
     stages = derivation_of(there.system, asked)(there, asked, given, method)
     numbers = [item.number for stage in stages for item in stage.items if isinstance(item, NumberedFormula)]
-    values = answer.expression if isinstance(answer.expression, tuple) else (answer.expression,)
     if quantity.relation == TENDS:
         script = Script(there.glossary, max([context.next_number - 1, *numbers]) + 1)
         with script.stage("stage.limit", "hint.limit", name=quantity.parameter):
@@ -141,15 +141,22 @@ def _are_roots(context: Context, quantity: Wanted, formula: Expr, values: Sequen
     return False
 
 
-def _reached(context: Context, asked: Question, name: str) -> tuple[Context, Answer, Expr]:
-    """The quantity as a formula; where it is out of reach with the number that the file gives, with another one."""
+def _reached(
+    context: Context, asked: Question, quantity: Wanted, values: Sequence[Expr]
+) -> tuple[Context, Answer, Expr]:
+    """The quantity as a formula; where it is out of reach with the number that the file gives, with another one. Of
+    several values of a steady motion the one that is solved for the answer."""
     why: Message | str = ""
-    for system in with_others(context.system, name):
+    for system in with_others(context.system, quantity.parameter):
         here = context if system is context.system else Context(system, context.next_number, context.introduced)
         setup = None if has_phases(system) else here.setup
         (given,) = solve(replace(system, questions=(asked,)), setup=setup).answers
         if given.expression is not None and not isinstance(given.expression, tuple):
             return here, given, given.expression
+        if isinstance(given.expression, tuple) and asked.quantity.scope == "steady motion":
+            formula = next((x for x in given.expression if _are_roots(here, quantity, x, values)), None)
+            if formula is not None:
+                return here, given, formula
         why = why or given.reason
     raise CannotAnswer(why or Message("there is no closed form"))
 
@@ -158,7 +165,9 @@ def _solved(context: Context, script: Script, question: Question, formula: Expr,
     """The equation, and its solutions."""
     quantity = question.quantity.wanted
     assert quantity is not None
-    when = "event" if question.event is not None else "start" if question.at_start else "always"
+    is_steady = quantity.of.scope == "steady motion"  # then an event is what is given, and put in already
+    is_at_event = question.event is not None and not is_steady
+    when = "event" if is_at_event else "start" if question.at_start else "always"
     names = introduced(context, script, question, values, _Refined(context.system, question, quantity).reader)
     lines: list[int] = []
     for name in names:
@@ -183,7 +192,8 @@ class _Refined:
         return lambda world: self._number(world, float(world.of(value)[0]))
 
     def _number(self, world: World, x: float) -> float:
-        if self.question.transition is not None:  # a change of contacts is found by the numeric route in its own way
+        # a change of contacts, and a steady motion, are found by the numeric route in ways of their own
+        if self.question.transition is not None or self.quantity.of.scope == "steady motion":
             return x
         target = float(world.of(self.quantity.target)[0])
         step = _STEP * (abs(x) or 1.0)

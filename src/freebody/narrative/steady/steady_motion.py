@@ -10,7 +10,8 @@ Advanced Part, 1905, ch. III.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+import math
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 
 from freebody.errors import CannotAnswer
@@ -71,12 +72,12 @@ class _SteadyTelling:
 
 def tell_steady(context: Context, question: Question, answer: Answer, q: SteadyValue) -> list[DerivationStage]:
     """The equations of motion, what they become, the roots, and the quantity that is asked for."""
-    steady = Steady(context.setup.model)
+    steady = Steady.asked(context.setup.model, question.event)
     unknown = unknown_of(steady, q)
     is_place = q.of.watched is not None and q.of.watched[1] == 0
     solutions: Solutions | None
     if unknown is None:
-        solutions = steady.any_solution()
+        solutions = steady.eliminated() or steady.any_solution()
     else:
         solutions = steady.at_position(unknown) if is_place else steady.solved_for(unknown.speed)
     telling = _SteadyTelling(context, question, answer, steady, context.script())
@@ -147,7 +148,7 @@ def _roots(
         sides: tuple[Expr | tuple[Expr, ...], ...] = (name, symbol, general[0])
     else:
         script.say("steady.roots", n=len(general))
-        sides = (_root_symbols(telling, script, glossary, symbol, len(general)), general)
+        sides = (_root_symbols(telling, script, glossary, symbol, general), general)
     for note in solutions.notes:
         script.say("result.note", text=ready(note))
     line = script.line(*sides, why="steady.solved", args=args, uses=tuple(uses), when="event")
@@ -157,17 +158,20 @@ def _roots(
 
 
 def _root_symbols(
-    telling: _SteadyTelling, script: Script, glossary: SteadyGlossary, symbol: Expr, n: int
+    telling: _SteadyTelling, script: Script, glossary: SteadyGlossary, symbol: Expr, roots: Sequence[Expr]
 ) -> tuple[Symbol, ...]:
-    """A symbol for each root, with its value in the steady motion of that root with the same numbers."""
-    names = _names(telling.context, symbol, n)
+    """A symbol for each root, with its value in the steady motion of that root with the same numbers; an angle is the
+    same after a full turn."""
+    names = _names(telling.context, symbol, len(roots))
+    turns = any(c.is_angle and Symbol(c.name) == symbol for c in telling.steady.others)
     entries: list[tuple[Expr, Sentence, str]] = []
     for k, name in enumerate(names):
         what = Sentence("steady.root", {"k": k + 1, "name": symbol})
 
         def read(world: World, k: int = k) -> float:
             own = next(w for w in glossary.of_root(k) if w.draw is world.draw)
-            return float(own[rate_key(symbol)])
+            value = float(own[rate_key(symbol)])
+            return value - math.tau * round((value - float(own.of(roots[k])[0])) / math.tau) if turns else value
 
         glossary.redefine(Meaning(name, what, read))
         entries.append((name, what, ""))

@@ -24,6 +24,7 @@ from freebody.questions.happening import StableEquilibrium
 from freebody.questions.period import Period
 from freebody.questions.reading import AskedEvent, Question, QuestionEvent
 from freebody.questions.small_motion import Equilibrium, OfSmallMotion, SmallOscillations
+from freebody.questions.steady import SteadyValue
 from freebody.study.answering import evidence as proof
 from freebody.study.answering import loops
 from freebody.study.answering.answer import Answer, Evidence, Value, made
@@ -114,7 +115,8 @@ class QuestionSolver:
 
     def _find(self) -> Finding:
         q = self.question.quantity
-        if self.question.at_start or self.question.event is not None:
+        is_given = q.scope == "steady motion"  # an event there is what the motion is said to keep
+        if self.question.at_start or (self.question.event is not None and not is_given):
             as_written(self.setup, self.question, self.setup.start_instant)  # refuses where the file says nothing
         if q.wanted is not None:
             return self._turned_round(q.wanted)
@@ -149,8 +151,10 @@ class QuestionSolver:
             setup = self.setup if system is self.system else Setup(system)
             formula = QuestionSolver(setup, asked)
             found = formula._find()
-            needed = [] if isinstance(found.element, Fraction) else formula._conditions(found, found.element)
-            answer = solved_for(setup, self.question, [Formula(found.element, needed, lambda: found.evidence)])
+            roots = _roots(q.of, found.element)
+            needed = [[] if isinstance(x, Fraction) else formula._conditions(found, x) for x in roots]
+            formulas = [Formula(x, n, lambda: found.evidence) for x, n in zip(roots, needed, strict=True)]
+            answer = solved_for(setup, self.question, formulas)
             self.setup, self.model, self.system = setup, setup.model, system
             return answer
 
@@ -489,3 +493,9 @@ class QuestionSolver:
             return False
         numbers = self.model.samples.numbers(draw.sample())
         return field.evaluate(part, {g: Fraction(repr(numbers[g])) for g in field.ingredients(part)}) == 0
+
+
+def _roots(q: Quantity, x: Elements | Fraction) -> tuple[Elements | Fraction, ...]:
+    """What may be meant by what was found: each of several values of a measure in steady motion is one."""
+    many = isinstance(x, tuple) and isinstance(q, SteadyValue) and q.of.watched is not None
+    return x if many and isinstance(x, tuple) else (x,)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from functools import partial
 
@@ -47,18 +47,18 @@ def during_steady_motion(
     steady: Steady,
     solutions: Solutions | None,
     quantity: Quantity,
-    elements: tuple[Ratio, ...],
+    by_root: Sequence[tuple[Ratio, ...]],
 ) -> Evidence:
-    """The quantity in steady motions of the full system."""
+    """The quantity in steady motions of the full system. by_root: its elements for each root, or for all alike."""
     witness = CrossCheck(
         question, Message("floating-point solve of all bodies and constraints in steady motion"), _TOLERANCE
     )
     for draw, found in motions(setup, steady, solutions):
-        for snapshot in found:
+        for k, snapshot in enumerate(found):
             if _unevenness(steady, draw, snapshot) > _TOLERANCE:
                 raise CannotAnswer(Message("the steady motion by which the answer would be checked is none in numbers"))
             numeric = quantity.value(setup.system, draw.seen(snapshot))
-            exact = element_at(setup, elements, draw, snapshot)
+            exact = element_at(setup, by_root[min(k, len(by_root) - 1)], draw, snapshot)
             witness.compare(draw, exact, numeric, partial(magnitude, quantity.dimension, draw.seen(snapshot)))
     return witness.evidence()
 
@@ -75,9 +75,13 @@ def _motion(setup: Setup, steady: Steady, solutions: Solutions | None, draw: Dra
     """Rates at random, larger and larger until there is a steady motion with them."""
     rng = np.random.default_rng(SEED + k)
     q = general_pose(setup, draw, k)
+    given = {g: element_at(setup, (x,), draw, draw.start())[0] for g, x in steady.given.items()}
+    for c in steady.others:
+        if c.index in given:
+            q = _placed(steady, draw, q, c, given[c.index])
     for size in _RATES:
         for _ in range(2):
-            rates = {c.speed: size * float(rng.uniform(0.5, 1.5)) for c in steady.cyclic}
+            rates = {c.speed: size * float(rng.uniform(0.5, 1.5)) for c in steady.cyclic} | given
             with suppress(CannotAnswer):
                 return _with_roots(setup, steady, solutions, draw, q, rates)
     return []

@@ -9,6 +9,7 @@ Fufaev, Dynamics of Nonholonomic Systems, 1972, ch. VI.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 
@@ -16,6 +17,7 @@ from freebody.errors import CannotAnswer
 from freebody.language.expression import ZERO
 from freebody.language.notation import compared, to_text
 from freebody.language.sentences import Message, further
+from freebody.questions.event import AskedEvent, QuestionEvent
 from freebody.questions.steady import SteadyValue
 from freebody.study.eom import primitive_part
 from freebody.study.steady.reduced import without_square_roots
@@ -32,9 +34,36 @@ MOST_ROOTS = 4
 
 @dataclass
 class Steady:
-    """The steady motions of a model."""
+    """The steady motions of a model, or those in which something has a given value: a coordinate that stays constant,
+    or a rate, by generator."""
 
     model: SymbolicModel
+    given: Mapping[int, Ratio] = field(default_factory=dict[int, Ratio])
+
+    @classmethod
+    def asked(cls, model: SymbolicModel, event: AskedEvent | None) -> Steady:
+        """With the value that an event states: when theta = 60 deg, when rate(psi) = 5 rad/s. Raises CannotAnswer
+        where that is none of a steady motion."""
+        steady = cls(model)
+        if event is None:
+            return steady
+        if not isinstance(event, QuestionEvent):
+            raise CannotAnswer(Message("what goes on evenly has no event; leave out 'when'"))
+        among = steady.cyclic if event.order else steady.others
+        c = next((c for c in among if model.measure_of(c) == event.measure), None)
+        if c is None:
+            rates = [f"rate({k.name})" for k in steady.cyclic]
+            told = Message(
+                "'{event}' gives no value that a steady motion keeps; it keeps {names}",
+                event=event.text,
+                names=", ".join([*(k.name for k in steady.others), *rates]),
+            )
+            raise CannotAnswer(told)
+        return cls(model, {c.speed if event.order else c.index: model.geometry.scalar(event.value)})
+
+    def put_in(self, x: Ratio) -> Ratio:
+        """An element with the given value."""
+        return x.field.lowest_terms(x.field.follow(x, dict(self.given))) if self.given else x
 
     @cached_property
     def cyclic(self) -> tuple[Coordinate, ...]:
@@ -80,7 +109,7 @@ class Steady:
                     Message("the equations of motion depend on {x}, which moves on: nothing is steady", x=d.name)
                 )
         for force in self.forces:
-            x = f.lowest_terms(f.substitute(force, self.still))
+            x = self.put_in(f.lowest_terms(f.substitute(force, self.still)))
             if m.samples.vanishes(x):
                 continue
             if any(f.generators[g].kind == "time" for g in f.ingredients(x)):
@@ -105,7 +134,9 @@ class Steady:
         if len(self.equations) != 1:
             return []
         forces = [
-            x for x in (f.substitute(force, self.still) for force in self.forces) if not self.model.samples.vanishes(x)
+            x
+            for x in (self.put_in(f.substitute(force, self.still)) for force in self.forces)
+            if not self.model.samples.vanishes(x)
         ]
         factors = [base for base, _e in f.factor(forces[0].num)[1] if not base.is_constant()]
         speeds = {c.speed for c in self.cyclic}
@@ -270,6 +301,23 @@ class Steady:
                 "no steady motion has a closed form, to check it by: {conditions}", conditions=further(*self.texts())
             )
         )
+
+    def eliminated(self) -> Solutions | None:
+        """What follows where something is given: the one rate, or the one place, that the conditions leave to be found.
+        None where nothing is given, or where they leave more."""
+        if not self.given or not self.equations:
+            return None
+        free = frozenset[int]().union(*(self.model.field.ingredients(x) for x in self.equations))
+        speeds = [c for c in self.cyclic if c.speed in free]
+        places = [c for c in self.others if c.index in free]
+        try:
+            if len(speeds) == 1 and not places:
+                return self.solved_for(speeds[0].speed)
+            if len(places) == 1 and not speeds:
+                return self.at_position(places[0])
+        except CannotAnswer:
+            return None
+        return None
 
     # -- the instant --------------------------------------------------------------------------
     @cached_property

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any, cast
 
 from freebody.errors import CannotAnswer
@@ -25,7 +26,7 @@ _THERE_IS = Message("there is such a motion")
 
 def steady_value(setup: Setup, question: Question, q: SteadyValue) -> Finding:
     """A rate or a place by the conditions of steady motion, or any other quantity during one."""
-    steady = Steady(setup.model)
+    steady = Steady.asked(setup.model, question.event)
     unknown = unknown_of(steady, q)
     if unknown is None:
         return _during(setup, question, q, steady)
@@ -70,21 +71,45 @@ def _ranges(x: Ratio, purpose: str) -> list[Condition]:
 
 
 def _during(setup: Setup, question: Question, q: SteadyValue, steady: Steady) -> Finding:
-    f = setup.model.field
+    """Another quantity: by what stays open, or, where what is given determines the motion, by the parameters alone."""
+    f, solutions = setup.model.field, steady.eliminated()
     value = q.of.value(setup.system, steady.state)
     parts = cast("tuple[Any, ...]", value if isinstance(value, tuple) else (value,))
-    elements = tuple(without_square_roots(setup.model, f.lowest_terms(f.element(v))) for v in parts)
-    texts = steady.texts()
-    evidence = during_steady_motion(setup, question.text, steady, steady.any_solution(), q.of, elements)
-    notes: list[str] = [] if texts else [Message("every such motion is steady")]
+    elements = tuple(steady.put_in(without_square_roots(setup.model, f.lowest_terms(f.element(v)))) for v in parts)
+    roots = [] if solutions is None else solutions.roots
+    if not roots or (len(roots) > 1 and len(parts) > 1):
+        solutions, by_root = None, [elements]
+    else:
+        assert solutions is not None
+        found = [{solutions.index: x, **solutions.with_them} for x in roots]
+        by_root = [tuple(f.lowest_terms(f.follow(x, values)) for x in elements) for values in found]
+    texts = [] if solutions is not None else steady.texts()
+    motion = solutions or (steady.any_solution() if steady.equations else None)
+    evidence = during_steady_motion(setup, question.text, steady, motion, q.of, by_root)
+    notes = [] if texts or solutions is not None else [Message("every such motion is steady")]
     says: list[str] = [Message("steady while {conditions}", conditions=further(*texts))] if texts else []
-    conditions = setup.holding(steady.state) + setup.clearances(steady.state, ">=")
-    shown = tuple(_at_start(setup, question, x, None) for x in elements)
-    has_value = all(x.is_constant() for x in shown) or _starts_steadily(setup, steady)
+    needed = setup.holding(steady.state) + setup.clearances(steady.state, ">=")
+    conditions = [_ranges(x, _THERE_IS) for x in roots] if solutions is not None else []
+    held = [replace(c, element=_with(steady, solutions, c.element)) for c in needed]
+    shown = tuple(_at_start(setup, question, x, None) for xs in by_root for x in xs)
+    has_value = all(_is_given(setup, x) for x in shown) or (not steady.given and _starts_steadily(setup, steady))
     if not has_value and setup.has_values:
         notes.append(Message("no value: the given start is not in steady motion"))
-    element = shown[0] if not isinstance(value, tuple) else shown
-    return Finding(element, evidence, conditions, notes, says, has_value=has_value)
+    element = shown[0] if len(shown) == 1 and not isinstance(value, tuple) else shown
+    return Finding(element, evidence, [*sum(conditions, []), *held], notes, says, has_value=has_value)
+
+
+def _with(steady: Steady, solutions: Solutions | None, x: Ratio) -> Ratio:
+    """An element of a condition with what is given, and with what follows from it where that is one value."""
+    x = steady.put_in(x)
+    if solutions is None or len(solutions.roots) > 1:
+        return x
+    return x.field.lowest_terms(x.field.follow(x, {solutions.index: solutions.roots[0], **solutions.with_them}))
+
+
+def _is_given(setup: Setup, x: Ratio) -> bool:
+    """Whether nothing stands in it that moves."""
+    return not x.field.ingredients(x) & setup.model.moving
 
 
 def _starts_steadily(setup: Setup, steady: Steady) -> bool:
