@@ -255,6 +255,16 @@ class Quantity:
         return False
 
     @property
+    def is_any_of_several(self) -> bool:
+        """Whether each of several values that are found is one: the roots of an equation, and no components."""
+        return False
+
+    @property
+    def keeps_what_is_given(self) -> bool:
+        """Whether an event is no event of a motion, but says what a steady motion keeps."""
+        return False
+
+    @property
     def is_up_to_constant(self) -> bool:
         """Whether a constant may be added to it: a potential energy."""
         return False

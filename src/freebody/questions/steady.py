@@ -65,6 +65,14 @@ questions: {it: rate of psi in steady motion}
     def inner(self) -> tuple[Quantity, ...]:
         return (self.of,)
 
+    @property
+    def is_any_of_several(self) -> bool:
+        return self.of.watched is not None
+
+    @property
+    def keeps_what_is_given(self) -> bool:
+        return True
+
 
 @dataclass(frozen=True)
 class Extremes(Steady, kind="extremes"):

@@ -24,7 +24,6 @@ from freebody.questions.happening import StableEquilibrium
 from freebody.questions.period import Period
 from freebody.questions.reading import AskedEvent, Question, QuestionEvent
 from freebody.questions.small_motion import Equilibrium, OfSmallMotion, SmallOscillations
-from freebody.questions.steady import SteadyValue
 from freebody.study.answering import evidence as proof
 from freebody.study.answering import loops
 from freebody.study.answering.answer import Answer, Evidence, Value, made
@@ -496,6 +495,5 @@ class QuestionSolver:
 
 
 def _roots(q: Quantity, x: Elements | Fraction) -> tuple[Elements | Fraction, ...]:
-    """What may be meant by what was found: each of several values of a measure in steady motion is one."""
-    many = isinstance(x, tuple) and isinstance(q, SteadyValue) and q.of.watched is not None
-    return x if many and isinstance(x, tuple) else (x,)
+    """Of what was found, each thing that may be meant."""
+    return x if isinstance(x, tuple) and q.is_any_of_several else (x,)

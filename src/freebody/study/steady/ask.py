@@ -15,7 +15,7 @@ from freebody.study.setup import Setup
 
 def find(setup: Setup, question: Question) -> Finding:
     """The closed form with its evidence. Raises CannotAnswer with the reason where there is none."""
-    if question.event is not None and not isinstance(question.quantity, SteadyValue):
+    if question.event is not None and not question.quantity.keeps_what_is_given:
         raise CannotAnswer(Message("what goes on evenly has no event; leave out 'when'"))
     return _find(question.quantity, setup, question)
 

@@ -89,14 +89,14 @@ def _during(setup: Setup, question: Question, q: SteadyValue, steady: Steady) ->
     notes = [] if texts or solutions is not None else [Message("every such motion is steady")]
     says: list[str] = [Message("steady while {conditions}", conditions=further(*texts))] if texts else []
     needed = setup.holding(steady.state) + setup.clearances(steady.state, ">=")
-    conditions = [_ranges(x, _THERE_IS) for x in roots] if solutions is not None else []
+    ranges = [c for x in roots for c in _ranges(x, _THERE_IS)] if solutions is not None else []
     held = [replace(c, element=_with(steady, solutions, c.element)) for c in needed]
     shown = tuple(_at_start(setup, question, x, None) for xs in by_root for x in xs)
     has_value = all(_is_given(setup, x) for x in shown) or (not steady.given and _starts_steadily(setup, steady))
     if not has_value and setup.has_values:
         notes.append(Message("no value: the given start is not in steady motion"))
     element = shown[0] if len(shown) == 1 and not isinstance(value, tuple) else shown
-    return Finding(element, evidence, [*sum(conditions, []), *held], notes, says, has_value=has_value)
+    return Finding(element, evidence, [*ranges, *held], notes, says, has_value=has_value)
 
 
 def _with(steady: Steady, solutions: Solutions | None, x: Ratio) -> Ratio:
