@@ -72,6 +72,15 @@ def times(a: Sign, b: Sign) -> Sign:
 
 
 def _product(field: Field, poly: object) -> Sign:
+    """The sign of a polynomial, found once: nearly all are asked for again and again."""
+    text = str(poly)  # FLINT's polynomials have no hash
+    found = field.known_signs.get(text)
+    if found is None:
+        found = field.known_signs[text] = _of_product(field, poly)
+    return found
+
+
+def _of_product(field: Field, poly: object) -> Sign:
     element = Ratio(field, poly, None)
     if element.is_zero():
         return Sign.ZERO
