@@ -12,9 +12,11 @@ import math
 import pytest
 
 import freebody as fb
+from conftest import assert_same_function
 from freebody.api import System
 from freebody.errors import ModelError
 from freebody.language.expression import FLOAT_FUNCTIONS, Expr, evaluate
+from freebody.language.notation import to_python
 from freebody.language.parser import parse
 from freebody.study.answering.answer import Answer
 
@@ -268,3 +270,49 @@ def test_what_cannot_close_is_refused_in_words(name: str) -> None:
     text, said = WRONG[name]
     with pytest.raises(ModelError, match=said):
         System.from_text(text)
+
+
+CARS = """
+parameters: {m1: 800 kg, m2: 1200 kg, v: 3 m/s, s: 2 m, l: 6 m}
+bodies: {one: {particle: {mass: m1}}, two: {particle: {mass: m2}}}
+connections:
+  r1: {slider: {body: one, along: right}}
+  r2: {slider: {body: two, along: right}}
+  rope: {stop: {measure: apart, max: l}}
+measures: {x1: x of one, x2: x of two, apart: {expression: x1 - x2}}
+start: {x1: s, x2: 0, rate(x1): v, rate(x2): 0}
+"""
+
+
+@pytest.mark.parametrize(
+    ("question", "expected"),
+    [  # momentum m1 v is kept, so that both move with m1 v/(m1 + m2)
+        ("energy lost in the impact / kinetic energy at start", "m2/(m1 + m2)"),
+        ("energy lost in the impact / kinetic energy before the impact", "m2/(m1 + m2)"),
+        ("energy lost in the impact / kinetic energy after the impact", "m2/m1"),
+        ("kinetic energy at start - energy lost in the impact", "m1**2*v**2/(2*(m1 + m2))"),
+        ("size of impulse of rope / (m1*velocity of x1 before the impact)", "m2/(m1 + m2)"),
+        ("size of impulse of rope / (m1*velocity of x1 at start)", "m2/(m1 + m2)"),
+    ],
+)
+def test_what_is_calculated_with_a_blow_says_when_it_is_meant(question: str, expected: str) -> None:
+    answer = fb.System.from_text(CARS).solve(question).answers[0]
+    assert answer.expression is not None, answer.reason
+    assert_same_function(to_python(answer.expression), expected, {})
+
+
+def test_what_is_calculated_with_a_blow_must_say_when_it_is_meant() -> None:
+    with pytest.raises(fb.ModelError, match="say when 'kinetic energy' is meant"):
+        fb.System.from_text(CARS).solve("energy lost in the impact / kinetic energy")
+
+
+def test_at_the_start_is_open_where_the_blow_is_there() -> None:
+    system = fb.System.from_text("""
+bodies:
+  bullet: {particle: {mass: 1 kg}, velocity: [4 m/s, 0]}
+  block: {particle: {mass: 3 kg}}
+connections: {hit: {weld: [bullet, block], closes: at start}}
+""")
+    found = system.solve("energy lost in the blow / kinetic energy before the blow").answers[0]
+    assert found.value == pytest.approx(0.75)
+    assert "before the blow" in system.solve("energy lost in the blow / kinetic energy at start").answers[0].reason

@@ -8,11 +8,22 @@ from __future__ import annotations
 
 from typing import Any, Protocol, TypeVar
 
+from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr
+from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.model.elements import AppliedLoad, ConstraintRow, NonholonomicForm
 
 S_co = TypeVar("S_co", covariant=True)
+
+
+def not_beside(side: str) -> CannotAnswer:
+    """Why a state says nothing of what was so beside the blow of the start."""
+    if side == "start":
+        return CannotAnswer(Message("the blow is at the start: say 'before the blow' or 'after the blow'"))
+    return CannotAnswer(
+        Message("just before the blow of the start only the kinetic energy is told beside its impulses")
+    )
 
 
 class State(Protocol[S_co]):
@@ -45,6 +56,11 @@ class State(Protocol[S_co]):
     @property
     def energy_before(self) -> S_co:
         """The kinetic energy just before the blow at the start [J]."""
+        ...
+
+    def beside_blow(self, quantity: Any, side: str) -> S_co:
+        """A quantity just `before` the blow that led to this state, or at the `start` of the motion. Raises CannotAnswer
+        where that is not told."""
         ...
 
     def law(self, push: AppliedLoad) -> S_co:

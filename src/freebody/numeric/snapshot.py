@@ -18,6 +18,7 @@ from freebody.language.expression import Expr
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.model.elements import AppliedLoad, ConstraintRow, NonholonomicForm
+from freebody.model.state import not_beside
 from freebody.numeric.blow import Blow, blow, impulse
 from freebody.numeric.instant import Dynamics, dynamics, held, law
 from freebody.numeric.jets import Array, Branch, Jet, JetGeometry
@@ -93,6 +94,9 @@ class Snapshot:
     def energy_before(self) -> float:
         v = self._blow.before
         return 0.5 * float(v @ (self.reference.masses * v))
+
+    def beside_blow(self, quantity: Any, side: str) -> float:
+        raise not_beside(side)
 
     @cached_property
     def _blow(self) -> Blow:

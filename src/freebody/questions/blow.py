@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 from freebody.language.sentences import NOTHING, Argument, Message, Sentence
 from freebody.language.units import ANGULAR_MOMENTUM, ENERGY, IMPULSE, Dimension
@@ -98,6 +98,43 @@ questions: {it: energy lost in the blow}
 
     def sentence(self, system: Described) -> Sentence:
         return Sentence("what.lost_in_blow")
+
+
+@dataclass(frozen=True)
+class BesideBlow(Quantity):
+    """Another quantity, calculated with what is asked of a blow: as it was just before, just after, or at the start."""
+
+    of: Quantity
+    side: Literal["before", "after", "start"]
+
+    is_of_start = True
+
+    @property
+    def dimension(self) -> Dimension:
+        return self.of.dimension
+
+    @property
+    def unit(self) -> str:
+        return self.of.unit
+
+    @property
+    def inner(self) -> tuple[Quantity, ...]:
+        return (self.of,)
+
+    @property
+    def is_of_whole(self) -> bool:
+        return self.of.is_of_whole
+
+    @property
+    def bodies_in_motion(self) -> tuple[str, ...]:
+        return self.of.bodies_in_motion
+
+    def value(self, system: Described, state: State[Any]) -> Any:
+        if self.side == "after":
+            return self.of.value(system, state)
+        if self.side == "before" and self.of == Energy("kinetic"):
+            return state.energy_before
+        return state.beside_blow(self.of, self.side)
 
 
 # -- words ------------------------------------------------------------------------------------

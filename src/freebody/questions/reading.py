@@ -22,6 +22,7 @@ from freebody.model.phrases import PHRASES, phrase_text, read_measure
 from freebody.questions import turned_round
 from freebody.questions.arithmetic import AtStart, read_calculated
 from freebody.questions.base import FORMS, Path, Quantity
+from freebody.questions.blow import BesideBlow
 from freebody.questions.clock import by_the_clock, time_asked
 from freebody.questions.course import Counted, Transition, When, as_condition, read_transition
 from freebody.questions.event import AskedEvent, QuestionEvent, read_event
@@ -38,7 +39,7 @@ from freebody.questions.operands import (
 )
 from freebody.questions.rest import asks_for_rest
 from freebody.questions.spoken.understanding import understood
-from freebody.questions.sudden import by_blows
+from freebody.questions.sudden import by_blows, side_of_blow
 from freebody.questions.turned_round import (
     EXTREME_FOR,
     INFINITE,
@@ -413,6 +414,14 @@ def _calculated(
 ) -> _Asked | None:
     """What is calculated from operands, which may say themselves when they are meant: all at one event, or at the
     start."""
+    read: dict[int, Quantity] = {}
+    for k, operand in operands.phrases.items():
+        quantity = read_quantity(names, operand.phrase, ("find",))
+        if quantity is None:
+            return None
+        read[k] = quantity
+    if any(map(is_of_start, read.values())):
+        return _with_blow(names, phrase, operands, read, condition, at_start)
     events = {o.condition for o in operands.phrases.values() if o.condition is not None}
     if condition is not None:
         events.add(condition)
@@ -425,19 +434,46 @@ def _calculated(
     if condition is None and any(starts) and not (at_start or all(starts)):
         names.problem(Message("say of each quantity in '{text}' when it is meant", text=phrase), "find")
         return None
-    read: dict[int, Quantity] = {}
     for k, operand in operands.phrases.items():
-        quantity = read_quantity(names, operand.phrase, ("find",))
-        if quantity is None:
-            return None
         if condition is not None and (operand.at_start or (at_start and k == max(operands.phrases))):
-            quantity = AtStart(quantity)  # words at the very end belong to the last one where another has an event
-        read[k] = quantity
+            read[k] = AtStart(read[k])  # words at the very end belong to the last one where another has an event
     at_start = condition is None and (at_start or all(starts))
     quantity = read_calculated(names, phrase, read, ("find",), operands.runs)
     if quantity is None:
         return None
     return _placed(names, quantity, condition, at_start, path)
+
+
+def _with_blow(
+    names: Names, phrase: str, operands: Operands, read: dict[int, Quantity], condition: str | None, at_start: bool
+) -> _Asked | None:
+    """What is calculated with impulses, or with the energy lost in a blow: of everything else it is said on which side
+    of the blow it is meant, or that it is so at the start."""
+    last, struck = max(operands.phrases), frozenset[str]().union(*(q.struck for q in read.values()))
+    for k, operand in operands.phrases.items():
+        own = condition if operand.condition is None and k == last else operand.condition
+        starts = operand.at_start or (at_start and k == last)
+        side = None if own is None else side_of_blow(own)
+        if is_of_start(read[k]) and own is None:
+            continue
+        if side is not None and side[1] is not None and side[1] not in struck:
+            told = Message("leave out of what the blow is: it is that of what is asked beside it")
+            names.problem(told, "find")
+            return None
+        if is_of_start(read[k]) or (own is not None and side is None):
+            names.problem(Message("impulses act in a blow; leave out 'when' and 'until'"), "find")
+            return None
+        if side is None and not starts:
+            told = Message(
+                "say when '{phrase}' is meant in '{text}': before the blow, after the blow, or at the start",
+                phrase=operand.phrase,
+                text=phrase,
+            )
+            names.problem(told, "find")
+            return None
+        read[k] = BesideBlow(read[k], "start" if side is None else "before" if side[0] == "before" else "after")
+    quantity = read_calculated(names, phrase, read, ("find",), operands.runs)
+    return None if quantity is None else _Asked(quantity, at_start=True)
 
 
 def _meant(names: Names, phrase: str, condition: str | None, at_start: bool, path: Path) -> _Asked | None:

@@ -24,6 +24,7 @@ from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.measures.geometry import SpatialPose, Vector
 from freebody.model.elements import AppliedLoad, ConstraintRow, NonholonomicForm
+from freebody.model.state import not_beside
 from freebody.symbolic.blow import Blow
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
@@ -96,6 +97,9 @@ class SymbolicState:
     @property
     def energy_before(self) -> Ratio:
         return self.blow.energy_before
+
+    def beside_blow(self, quantity: Any, side: str) -> Ratio:
+        raise not_beside(side)
 
     @property
     def is_struck(self) -> bool:

@@ -185,17 +185,26 @@ def _in_blow(tree: PhaseTree, question: Question, piece: AnswerBranch) -> Eviden
     def compare(k: int) -> None:
         values, following = tree.sets.one(k), stage(tree, node)
         if piece.after is None:
-            _before, q, v = before_impact(tree.system, following.kept, values)
-            time = 0.0
+            just_before, q, v = before_impact(tree.system, following.kept, values)
+            system, time = tree.system, 0.0
         else:
             if ends is not None and not 0 < ends[k] < _LONGEST:
                 return
             with without_numbers():
                 last = run(tree, question.event, piece, k, None if ends is None else float(ends[k]))[-1]
             q, v, time = last.q, last.v, last.time
+            just_before, system = last.snapshot(), last.mode.system
         mode = NumericMode(tree.system, following, values)
         after = mode.snapshot(q, changed(tree.system, following, values, q, v, time), time)
-        state: Any = after_in_numbers(tree.system, following, values, after, q, v, time)
+
+        def beside(quantity: Quantity, side: str) -> Any:
+            if side == "before":
+                return value_in_mode(quantity, tree.system, system, just_before)
+            first = NumericMode(tree.system, stage(tree, piece.nodes[0]), values)
+            start = first.snapshot(*begun(tree.system, stage(tree, piece.nodes[0]), values)[1:], 0.0)
+            return value_in_mode(quantity, tree.system, first.system, start)
+
+        state: Any = after_in_numbers(tree.system, following, values, after, (q, v, time), beside)
         numeric = value_in_mode(question.quantity, tree.system, mode.system, state)
         draw = Draw(mode.values, mode.references[0], q)
         size = partial(magnitude, question.quantity.dimension, after)

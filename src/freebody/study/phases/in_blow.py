@@ -16,6 +16,7 @@ import numpy as np
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.model.elements import ConstraintRow
+from freebody.model.state import not_beside
 from freebody.numeric.blow import between, impulse
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference
@@ -23,7 +24,7 @@ from freebody.questions.base import Quantity
 from freebody.questions.energy import Energy
 from freebody.study.phases.home import Home
 from freebody.study.phases.nodes import PhaseImpact, PhaseNode
-from freebody.study.phases.quantities import plain
+from freebody.study.phases.quantities import plain, value_in_mode
 from freebody.study.phases.witness import FollowedPhase, changed
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.phases.friction import named_rows
@@ -32,10 +33,16 @@ from freebody.system.system import System
 
 
 class InBlow:
-    """A state just after a blow, and what happened in it."""
+    """A state just after a blow, and what happened in it. beside: a quantity just before it, or at the start."""
 
-    def __init__(self, state: Any, impulses: Callable[[ConstraintRow], Any], energy_before: Callable[[], Any]) -> None:
-        self._state, self._impulses, self._energy_before = state, impulses, energy_before
+    def __init__(
+        self,
+        state: Any,
+        impulses: Callable[[ConstraintRow], Any],
+        energy_before: Callable[[], Any],
+        beside: Callable[[Quantity, str], Any],
+    ) -> None:
+        self._state, self._impulses, self._energy_before, self._beside = state, impulses, energy_before, beside
 
     def __getattr__(self, name: str) -> Any:
         return getattr(self._state, name)
@@ -49,10 +56,14 @@ class InBlow:
         """The kinetic energy just before."""
         return self._energy_before()
 
+    def beside_blow(self, quantity: Quantity, side: str) -> Any:
+        return self._beside(quantity, side)
+
 
 # -- in formulas --------------------------------------------------------------------------------
-def after_in_formulas(home: Home, node: PhaseNode) -> InBlow:
-    """The start of a phase that begins with a blow. Raises CannotAnswer for an impulse that is not unique."""
+def after_in_formulas(home: Home, node: PhaseNode, first: PhaseNode) -> InBlow:
+    """The start of a phase that begins with a blow; first: the phase with which the motion begins. Raises CannotAnswer
+    for an impulse that is not unique."""
     impact, phase = node.impact, node.phase
     assert impact is not None
 
@@ -64,7 +75,16 @@ def after_in_formulas(home: Home, node: PhaseNode) -> InBlow:
         found = Energy("kinetic").value(plain(before.setup.system), before.now)
         return own(home.to_home(before.setup, found))
 
-    return InBlow(phase.start_instant, lambda row: own(impulse_of(home, impact, row)), energy)
+    def beside(quantity: Quantity, side: str) -> Ratio:
+        if side == "before":
+            setup, state = impact.before.setup, impact.before.now
+        elif first is node:
+            raise not_beside(side)
+        else:
+            setup, state = first.phase, first.phase.start_instant
+        return own(home.to_home(setup, value_in_mode(quantity, home.system, setup.system, state)))
+
+    return InBlow(phase.start_instant, lambda row: own(impulse_of(home, impact, row)), energy, beside)
 
 
 def impulse_of(home: Home, impact: PhaseImpact, row: ConstraintRow) -> Ratio:
@@ -83,9 +103,15 @@ def impulse_of(home: Home, impact: PhaseImpact, row: ConstraintRow) -> Ratio:
 
 # -- in numbers ---------------------------------------------------------------------------------
 def after_in_numbers(
-    base: System, stage: FollowedPhase, values: Mapping[str, float], state: Any, q: Array, v: Array, time: float
+    base: System,
+    stage: FollowedPhase,
+    values: Mapping[str, float],
+    state: Any,
+    before: tuple[Array, Array, float],
+    beside: Callable[[Quantity, str], Any],
 ) -> InBlow:
-    """The same in numbers. state: just after; q, v: just before."""
+    """The same in numbers. state: just after; before: places, velocities and the time just before."""
+    q, v, time = before
     after = changed(base, stage, values, q, v, time)
     closed = stage.kept.union(stage.hits)
     system, _loads = in_mode(base, ContactMode.of(closed, {}, stage.phase.mode.past))
@@ -99,7 +125,7 @@ def after_in_numbers(
     def of(row: ConstraintRow) -> float:
         return impulse(reference, found, rows[row.name]) if row.name in rows else 0.0
 
-    return InBlow(state, of, lambda: 0.5 * float(v @ (reference.masses * v)))
+    return InBlow(state, of, lambda: 0.5 * float(v @ (reference.masses * v)), beside)
 
 
 def not_struck(quantity: Quantity) -> CannotAnswer:

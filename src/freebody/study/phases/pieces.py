@@ -247,8 +247,8 @@ def _of_blow(
     conditions: list[Condition],
     first: FirstEvent | None,
 ) -> AnswerBranch:
-    phase = node.phase
-    found = value_in_mode(question.quantity, tree.system, phase.system, cast("Any", after_in_formulas(tree, node)))
+    phase, state = node.phase, after_in_formulas(tree, node, way.nodes[0])
+    found = value_in_mode(question.quantity, tree.system, phase.system, cast("Any", state))
     parts = cast("tuple[Any, ...]", found) if isinstance(found, tuple) else (found,)
     homes = tuple(tree.to_home(phase, phase.model.field.element(x)) for x in parts)
     value: Elements = homes if isinstance(found, tuple) else homes[0]
