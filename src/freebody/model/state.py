@@ -22,7 +22,7 @@ def not_beside(side: str) -> CannotAnswer:
     if side == "start":
         return CannotAnswer(Message("the blow is at the start: say 'before the blow' or 'after the blow'"))
     return CannotAnswer(
-        Message("just before the blow of the start only the kinetic energy is told beside its impulses")
+        Message("just before the blow of the start only the kinetic energy is told")
     )
 
 
@@ -59,8 +59,8 @@ class State(Protocol[S_co]):
         ...
 
     def beside_blow(self, quantity: Any, side: str) -> S_co:
-        """A quantity just `before` the blow that led to this state, or at the `start` of the motion. Raises CannotAnswer
-        where that is not told."""
+        """A quantity just `before` the blow that led to this state, or at the `start` of the motion. Raises
+        CannotAnswer where that is not told."""
         ...
 
     def law(self, push: AppliedLoad) -> S_co:

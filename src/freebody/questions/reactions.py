@@ -211,6 +211,52 @@ questions: {it: reaction of rod on bob}
         return Sentence(f"what.{size}{what}", args)
 
 
+@dataclass(frozen=True)
+class LoadOnBody(Wrench, kind="load on a body"):
+    """Force of a load on a body: a vector, a component, or the size."""
+
+    example = """
+bodies: {ball: {particle: {mass: 2 kg}}}
+loads: {weight: {gravity: 9.81 m/s^2}}
+questions: {it: force of weight on ball along up}
+"""
+    is_reaction = False
+
+    def remark(self, system: Described) -> str:
+        load, body = self.connection, self.body(system)
+        return Message("the force that {connection} exerts on {body}", connection=load, body=body)
+
+    def body(self, system: Described) -> str:
+        """The body on which the force is asked: the one named, else the only one, else the first that moves."""
+        pushes = [push for push in system.applied_loads if push.load == self.connection]
+        bodies = list(dict.fromkeys(b for push in pushes for b in push.measure.bodies()))
+        moving = [b for b in bodies if not system.bodies[b].fixed]
+        if self.on in bodies:
+            return self.on
+        if self.on is None and len(moving) == 1:
+            return moving[0]
+        if self.on is None:
+            told = Message("{load} acts on {bodies}: say on which", load=self.connection, bodies=", ".join(bodies))
+            raise CannotAnswer(told)
+        raise CannotAnswer(
+            Message(
+                "{connection} does not act on {body}, but on {bodies}",
+                connection=self.connection,
+                body=self.on,
+                bodies=", ".join(bodies),
+            )
+        )
+
+    def value(self, system: Described, state: State[Any]) -> Any:
+        body, n = self.body(system), len(axes_of(system))
+        force: Vector = (0,) * n
+        for push in system.applied_loads:
+            if push.load == self.connection:
+                slopes, law = state.gradient(push.measure, body), state.law(push)
+                force = tuple(f + g * law for f, g in zip(force, slopes[:n], strict=True))
+        return component(force, self.along, self.size, state, self.basis)
+
+
 # -- words ------------------------------------------------------------------------------------
 @asked(
     "reaction of CONNECTION [on BODY] [along DIRECTION]; x, y component of, size of",
@@ -220,14 +266,24 @@ questions: {it: reaction of rod on bob}
 )
 def _reaction(names: Names, found: Found, path: Path) -> Quantity | None:
     of = str(found["of"])
-    return LoadForce(of, names.loads[of]) if of in names.loads else read_wrench(names, found, path)
+    if of not in names.loads:
+        return read_wrench(names, found, path)
+    if not any(found[word] for word in ("part", "on", "along", "basis")):
+        return LoadForce(of, names.loads[of])
+    if names.loads[of] != FORCE:
+        told = Message("{load} is a torque: ask for torque of {load} alone", load=of)
+        names.problem(told, *path)
+        return None
+    return _wrench(names, found, path, LoadOnBody)
 
 
 def read_wrench(names: Names, found: Found, path: Path, kind: type[Wrench] = Wrench) -> Wrench | None:
     """The force of a connection, or a component of it: `of`, `part`, `on`, `along` and `basis` of what was found."""
+    return _wrench(names, found, path, kind) if has_connection(names, str(found["of"]), path) else None
+
+
+def _wrench(names: Names, found: Found, path: Path, kind: type[Wrench]) -> Wrench:
     of = str(found["of"])
-    if not has_connection(names, of, path):
-        return None
     on = None if found["on"] is None else names.body(str(found["on"]), *path).name
     part = str(found["part"] or "")
     along = None if found["along"] is None else names.direction(found["along"], *path)
