@@ -15,6 +15,7 @@ import freebody as fb
 from freebody.api import System
 from freebody.errors import ModelError
 from freebody.language.expression import FLOAT_FUNCTIONS, Expr, evaluate
+from freebody.language.notation import to_text
 from freebody.language.parser import parse
 from freebody.study.answering.answer import Answer
 
@@ -325,3 +326,19 @@ def test_cases_that_differ_in_a_sign_exclude_each_other() -> None:
     assert len(sets) == 2
     assert len(set(sets)) == 2
     assert {"7·R > 5·h", "5·h > 7·R"} <= frozenset().union(*sets)
+
+
+def test_a_struck_end_may_be_left_at_rest() -> None:
+    # J (l - b)/(m1 l) of the end at the distance b from the blow: |l - b| is l - b up to b = l
+    system = System.from_text("""
+parameters: {m1: 1 kg, m2: 2 kg, l: 0.5 m, J: 4 N s, b: 0.2 m}
+bodies:
+  A: {particle: {mass: m1}, at: [0, 0]}
+  B: {particle: {mass: m2}}
+  bar: {rod: {length: l}, at: {start: [0, 0]}, angle: 90 deg, points: {P: [b - l/2, 0]}}
+connections: {a: {weld: [bar.start, A]}, c: {weld: [bar.end, B]}}
+loads: {blow: {impulse: {at: bar.P, along: right, magnitude: J}}}
+""")
+    found = fb.solve(system, "value of b for which speed of A after the blow = 0").answers[0]
+    assert found.expression is not None, found.reason
+    assert to_text(found.expression) == "l"

@@ -8,6 +8,7 @@ Wittenburg, Kinematics, ch. 17 (Freudenstein's equation).
 from __future__ import annotations
 
 import math
+from pathlib import Path
 
 import pytest
 
@@ -210,3 +211,12 @@ def test_a_crank_rocker_turns_between_its_dead_points() -> None:
         assert evaluate(end, values, FLOAT_FUNCTIONS) == pytest.approx(wanted, rel=1e-12)
     told = {condition.partition(" (")[0] for condition in found.conditions}
     assert told == {"b + d > a + c", "b + c > a + d", "c + d > a + b"}
+
+
+def test_a_speed_in_a_loop_has_no_sign() -> None:
+    # sqrt(n/d^2) is sqrt(n)/|d|, and d = cos(..) - 1 is not positive
+    system = fb.System.load(Path(__file__).parents[1] / "examples" / "four_bar.yaml")
+    for question in ("speed of coupler", "speed of rocker"):
+        answer = system.solve(question).answers[0]
+        assert answer.expression is not None, answer.reason
+        assert answer.evidence is not None

@@ -178,3 +178,26 @@ questions: ['{question}']
     with pytest.raises(fb.ModelError) as error:
         fb.System.from_text(text)
     assert told in str(error.value)
+
+
+@pytest.mark.parametrize(
+    ("question", "value"),
+    [
+        ("force of weight on block along ramp", -9.81),  # 2 kg, sin 30 deg, down a line that leads up
+        ("horizontal force of weight", 0.0),
+        ("vertical force of weight", -19.62),
+        ("size of force of weight", 19.62),
+        ("force of weight on block", (0.0, -19.62)),
+        ("force of push along right", 3 * 0.75**0.5),
+        ("y component of force of push", 1.5),
+    ],
+)
+def test_the_force_of_a_load_has_the_direction_that_is_asked_for(question: str, value: float) -> None:
+    system = fb.System.from_text("""
+parameters: {m: 2 kg, F: 3 N, g: 9.81 m/s^2}
+ground: {lines: {ramp: {along: 30 deg}}}
+bodies: {block: {particle: {mass: m}}}
+connections: {guide: {slider: {body: block, along: ramp}}}
+loads: {weight: {gravity: g}, push: {force: {at: block, along: 30 deg, magnitude: F}}}
+""")
+    assert system.solve(question).answers[0].value == pytest.approx(value)

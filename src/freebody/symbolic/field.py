@@ -459,7 +459,8 @@ class Field(PolynomialRing):
             if exponent % 2 or taken is None:
                 inside = inside * base ** (exponent % 2 if taken is not None else exponent)
         below = Ratio(self, den, None)  # sqrt(n/d) = sqrt(n d)/|d|
-        outside = outside / (-below if is_negative is not None and is_negative(below) else below)
+        turned = False if is_negative is None or below == 1 else is_negative(below)
+        outside = outside / (self._root(below * below) if turned is None else -below if turned else below)
         if inside == 1:
             return outside
         if (inside.fraction() or 1) < 0:

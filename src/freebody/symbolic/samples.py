@@ -259,9 +259,10 @@ class Samples:
     def is_turned(self, x: Ratio) -> bool | None:
         """The same; None where something stands in it that changes: what is on one side at an instant may be on the
         other at the next. What is taken to be positive already stays so."""
-        if sign_of(x) in (Sign.POSITIVE, Sign.NONNEGATIVE) or x in self.assumed:
+        sign = sign_of(x)
+        if sign in (Sign.POSITIVE, Sign.NONNEGATIVE) or x in self.assumed:
             return False
-        if -x in self.assumed:
+        if sign in (Sign.NEGATIVE, Sign.NONPOSITIVE) or -x in self.assumed:
             return True
         kinds = {self.field.generators[g].kind for g in self.field.ingredients(x)}
         return None if kinds & {"coordinate", "speed", "acceleration", "time"} else self.is_negative(x)

@@ -44,6 +44,7 @@ from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import functions
 from freebody.symbolic.parameter_roots import solutions
 from freebody.symbolic.tidy import tidy
+from freebody.symbolic.validity import TAKEN
 from freebody.symbolic.zeros import zeros_of
 from freebody.system.system import System
 
@@ -197,7 +198,7 @@ class _Turned:
     def _candidate(self, value: Ratio, needed: Sequence[Condition]) -> _Candidate:
         """needed: in which the value is put in for the parameter, as it is where the formula is one."""
         conditions = [*domain_of(self.parameter, value), *real(value)]
-        conditions += [replace(c, element=self._put_in(c.element, value)) for c in (*needed, *self.formula.needed)]
+        conditions += [self._with_value(c, value) for c in (*needed, *self.formula.needed)]
         kept: list[Condition] = []
         for c in conditions:
             condition, possible = require(c.element, c.relation, c.purpose)
@@ -205,8 +206,13 @@ class _Turned:
                 return _Candidate(self, value, [], [])
             if condition is not None:
                 kept.append(condition)
-        so = (made for made in self._put_back(value) if self._is_so(made))
+        so = (made for made in self._put_back(value) if self._is_so(made, value))
         return _Candidate(self, value, kept, list(islice(so, _ENOUGH)))
+
+    def _with_value(self, c: Condition, value: Ratio) -> Condition:
+        """A condition with the value put in. What a formula takes to be positive, |x| = x, may vanish there."""
+        relation = ">=" if (c.purpose, c.relation) == (TAKEN, ">") else c.relation
+        return replace(c, element=self._put_in(c.element, value), relation=relation)
 
     def _put_in(self, x: Ratio, value: Ratio) -> Ratio:
         return x.field.lowest_terms(x.field.follow(x, {self.index: value}))
@@ -235,13 +241,13 @@ class _Turned:
         target = abs(draw.reference.number(self.quantity.target))
         return max(target, magnitude(self.quantity.of.dimension, draw.seen(draw.start())))
 
-    def _is_so(self, made: PutBack) -> bool:
+    def _is_so(self, made: PutBack, value: Ratio) -> bool:
         """Whether the formula has the value there, and is true."""
         try:
             start, room = made.draw.start(), _NEAR * made.size
             (number,) = element_at(self.setup, self.element, made.draw, start)
-            strict = [c for c in self.formula.needed if c.relation != "!="]
-            return abs(number) <= room and all(holds(self.setup, c, made.draw, start, round_off=room) for c in strict)
+            needed = [self._with_value(c, value) for c in self.formula.needed if c.relation != "!="]
+            return abs(number) <= room and all(holds(self.setup, c, made.draw, start, round_off=room) for c in needed)
         except (CannotAnswer, ArithmeticError, ValueError):
             return False
 
