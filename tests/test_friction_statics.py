@@ -597,3 +597,57 @@ measures: {x: x of lower, y: x of upper}
     assert "largest F for which top does not slip" in nothing.reason
     assert top.value == pytest.approx(0.4 * 7 * 9.81)
     assert still.value == pytest.approx(0.0)
+
+
+NOTHING_HOLDS = """
+parameters: {m: 5 kg, alpha: 30 deg, F: 10 N, g: 9.81 m/s^2}
+ground: {lines: {slope: {along: alpha}}}
+bodies: {block: {particle: {mass: m}}}
+connections: {slope: {contact: {between: [block, ground.slope]}}}
+loads:
+  weight: {gravity: g}
+  push: {force: {at: block, along: alpha - 90 deg, magnitude: F}}
+"""
+BRACKET = """
+parameters: {W: 300 N, h: 0.12 m, d: 0.04 m, x: 0.25 m, mu: 0.3}
+ground:
+  lines:
+    right_face: {along: up, through: [d/2, 0]}
+    left_face: {along: down, through: [-d/2, 0]}
+bodies:
+  bracket: {body: {mass: 1 kg, inertia: 1 kg m^2}, at: [0, 0], angle: 0, points: {low: [d/2, -h/2],
+    high: [-d/2, h/2], load: [x, 0]}}
+connections:
+  low: {contact: {between: [bracket.low, ground.right_face], friction: mu}}
+  high: {contact: {between: [bracket.high, ground.left_face], friction: mu}}
+loads: {load: {force: {at: bracket.load, along: down, magnitude: W}}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("model", "name"),
+    [(NOTHING_HOLDS, "m"), (BRACKET, "x")],  # m g sin(alpha) = 0 needs m = 0; W x <= -(W h/(2 mu) - ..) needs x < 0
+)
+def test_values_that_mean_nothing_hold_nothing(model: str, name: str) -> None:
+    system = fb.System.from_text(model)
+    for question in (f"least {name} so that", f"largest {name} so that"):
+        reason = system.solve(f"{question} it stays at rest").answers[0].reason
+        assert reason.startswith(f"no value of {name} keeps the system at rest"), question
+    reason = system.solve(f"range of {name} that keeps it at rest").answers[0].reason
+    assert reason.startswith(f"no value of {name} keeps the system at rest")
+
+
+def test_a_lower_limit_that_need_not_be_there_has_that_as_a_condition() -> None:
+    # N = m g - mu P on the smooth floor; moments about the foot: P L sin(alpha) + mu P L cos(alpha) = m g L/2 cos(alpha)
+    system = fb.System.from_text("""
+parameters: {m: 12 kg, L: 4 m, alpha: 65 deg, mu: 0.4, P: 30 N, g: 9.81 m/s^2}
+ground: {lines: {floor: {along: right}, wall: {along: up, through: [0, 0]}}}
+bodies: {ladder: {rod: {mass: m, length: L}, angle: alpha}}
+connections:
+  floor: {contact: {between: [ladder, ground.floor]}}
+  wall: {contact: {between: [ladder, ground.wall], friction: mu}}
+loads: {weight: {gravity: g}, push: {force: {at: ladder.start, along: right, magnitude: P}}}
+""")
+    answer = system.solve("least alpha so that it stays at rest").answers[0]
+    assert answer.value == pytest.approx(math.atan((12 * 9.81 - 2 * 0.4 * 30) / 60))
+    assert any("m·g ≥ 2·μ·P" in c for c in answer.conditions)

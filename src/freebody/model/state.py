@@ -21,9 +21,7 @@ def not_beside(side: str) -> CannotAnswer:
     """Why a state says nothing of what was so beside the blow of the start."""
     if side == "start":
         return CannotAnswer(Message("the blow is at the start: say 'before the blow' or 'after the blow'"))
-    return CannotAnswer(
-        Message("just before the blow of the start only the kinetic energy is told")
-    )
+    return CannotAnswer(Message("just before the blow of the start only the kinetic energy is told"))
 
 
 class State(Protocol[S_co]):

@@ -13,6 +13,7 @@ from freebody.language.sentences import Message
 from freebody.model.elements import ConstraintRow
 from freebody.numeric.friction_limits import rest_problem
 from freebody.study.answering.draws import SEED, Draw, draws
+from freebody.study.answering.turned_round import above
 from freebody.study.friction.failures import SeenFailure, how_it_fails, seen
 from freebody.study.friction.limits import HoldingEnd
 from freebody.study.friction.touching import TouchingAtRest
@@ -226,6 +227,8 @@ class Ends:
             reserves.append((at[self.index], ">=", Message("friction is needed")))
         elif self.low == 0.0 and sign > 0:  # else none holds, as smaller ones are none of this parameter
             reserves.append((at[self.index], ">=", Message("such a value exists")))
+        elif self.low == 0.0:  # else all hold, down to the smallest that mean something
+            reserves.append((above(at[self.index]), ">=", Message("there is a lower limit")))
         found: list[Condition] = []
         for reserve in reserves:
             for condition in self._at_their_signs(reserve, here.draw):

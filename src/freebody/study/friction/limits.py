@@ -86,8 +86,9 @@ class Parametric:
             raise CannotAnswer(Message("the start cannot be assembled with other values of {x}", x=self.name))
         path = ray(first, second, unit)
         found = extreme(path, sign, unit=unit)
-        if found is None:
-            return None
+        top = found if sign > 0 else extreme(path, 1, unit=unit)
+        if found is None or top is None or top.value <= self.low + ROUND_OFF * unit:
+            return None  # what holds lies outside of the values that mean something
         value = found.value
         return HoldingEnd(value, path.problem if math.isinf(value) else at(path, value), found)
 
