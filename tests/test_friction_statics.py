@@ -638,7 +638,7 @@ def test_values_that_mean_nothing_hold_nothing(model: str, name: str) -> None:
 
 
 def test_a_lower_limit_that_need_not_be_there_has_that_as_a_condition() -> None:
-    # N = m g - mu P on the smooth floor; moments about the foot: P L sin(alpha) + mu P L cos(alpha) = m g L/2 cos(alpha)
+    # N = m g - mu P on the floor; moments about the foot: P L sin(alpha) + mu P L cos(alpha) = m g L/2 cos(alpha)
     system = fb.System.from_text("""
 parameters: {m: 12 kg, L: 4 m, alpha: 65 deg, mu: 0.4, P: 30 N, g: 9.81 m/s^2}
 ground: {lines: {floor: {along: right}, wall: {along: up, through: [0, 0]}}}
