@@ -828,3 +828,47 @@ questions: [{find: angular acceleration of q}]
     assert answer.value == 0.0
     assert answer.evidence is not None
     assert "at the start" in answer.evidence.route
+
+
+STOPPED = """
+parameters: {m: 1 kg, k: 100 N/m, d: 0.05 m, v: 2 m/s}
+ground: {lines: {floor: {along: right}}, points: {W: [-1 m, 0]}}
+bodies: {b: {particle: {mass: m}}}
+connections: {guide: {slider: {body: b, along: floor}}, s: {stop: {measure: x, max: d, restitution: 1}}}
+loads: {spring: {spring: {first: ground.W, second: b, stiffness: k, length: 1 m}}}
+measures: {x: x of b}
+start: {x: 0, rate(x): v}
+"""
+
+
+def test_one_law_tells_of_a_whole_motion_only_what_nothing_ends(agrees_text: Agree) -> None:
+    # v sqrt(m/k) = 0.2 m lies behind the stop at 0.05 m
+    system = fb.System.from_text(STOPPED)
+    for question in ("period of x", "greatest x"):
+        answer = system.solve(question).answers[0]
+        assert answer.expression is None, question
+        assert answer.value is None, question
+    slow = fb.System.from_text(STOPPED.replace("v: 2", "v: 0.4"))
+    for question, formula in (("period of x", "2*pi*sqrt(m/k)"), ("greatest x", "v*sqrt(m/k)")):
+        answer = slow.solve(question).answers[0]
+        assert answer.expression is not None, question
+        agrees_text(to_python(answer.expression), formula)
+        assert "k·d² ≥ m·v²" in answer.conditions, question
+
+
+def test_a_drum_that_spins_up_a_slope_gets_farthest_while_it_rolls(agrees_text: Agree) -> None:
+    # slides with g (mu cos - sin) until v = r w, then rolls with -2 g sin/3
+    system = fb.System.from_text("""
+parameters: {m: 3 kg, r: 0.1 m, w0: 60 rad/s, alpha: 15 deg, mu: 0.4, g: 9.81 m/s^2}
+ground: {lines: {incline: {along: alpha}}}
+bodies: {drum: {disk: {mass: m, radius: r}, angular_velocity: -w0}}
+connections: {face: {contact: {between: [drum, ground.incline], friction: mu}}}
+loads: {weight: {gravity: g}}
+measures: {s: {travel of drum along alpha}}
+start: {s: 0, rate(s): 0}
+""")
+    answer = system.solve("greatest s").answers[0]
+    assert answer.expression is not None
+    top = "r**2*w0**2*(mu*cos(alpha) - sin(alpha))/(4*g*sin(alpha)*(3*mu*cos(alpha) - sin(alpha)))"
+    agrees_text(to_python(answer.expression), top)
+    assert system.solve("least s").answers[0].value is None

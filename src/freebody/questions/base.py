@@ -255,6 +255,11 @@ class Quantity:
         return False
 
     @property
+    def turn(self) -> tuple[Quantity, Any, int] | None:
+        """What is asked for at a turn, the event that the turn is, and from which side it comes there (+1: growing)."""
+        return None
+
+    @property
     def is_any_of_several(self) -> bool:
         """Whether each of several values that are found is one: the roots of an equation, and no components."""
         return False

@@ -5,12 +5,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
-from freebody.language.expression import Symbol
+from freebody.language.expression import ZERO, Symbol
 from freebody.language.sentences import Sentence
 from freebody.language.units import DIMENSIONLESS, Dimension
 from freebody.measures.base import Measure
 from freebody.model.phrases import measure_of
 from freebody.questions.base import Described, Found, Path, Quantity, angular_unit, asked
+from freebody.questions.event import QuestionEvent
+from freebody.questions.motion import OfMeasure
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -48,6 +50,11 @@ questions: {it: greatest y}
     @property
     def side(self) -> int:
         return 1 if self.end == "greatest" else -1
+
+    @property
+    def turn(self) -> tuple[Quantity, QuestionEvent, int]:
+        event = QuestionEvent(self.measure, 1, ZERO, f"{self.name} turns back")
+        return OfMeasure(self.measure, 0, self.name), event, self.side
 
     def sentence(self, system: Described) -> Sentence:
         of = Symbol(self.name) if self.name in system.measures else self.name

@@ -46,9 +46,43 @@ def _by_cases(tree: PhaseTree, question: Question) -> Answer:
         from freebody.study.phases import turned_round
 
         return turned_round.answer(tree, question, wanted)
+    if question.quantity.turn is not None:
+        try:
+            return in_first_modes(tree, question)
+        except CannotAnswer:
+            return _at_first_turn(tree, question)
     if not question.quantity.is_of_state:
         return in_first_modes(tree, question)
-    found = pieces(tree, question)
+    return _of_branches(tree, question, pieces(tree, question))
+
+
+def _at_first_turn(tree: PhaseTree, question: Question) -> Answer:
+    """How far the motion gets until it first turns on that side, through all phases until then. An impact on the way
+    may turn it: then the first place without speed is on the other side."""
+    turn = question.quantity.turn
+    assert turn is not None
+    of, event, side = turn
+    root = tree.roots[0]
+    state, phase = root.phase.start_instant, root.phase
+    rate = tree.to_home(phase, state.rate(event.measure))
+    if rate.is_zero():
+        rate = tree.to_home(phase, state.acceleration(event.measure))
+    towards = np.flatnonzero(side * tree.numbers(rate) > 0)
+    asked = replace(question, quantity=of, event=event)
+    found: list[AnswerBranch] = []
+    for piece in pieces(tree, asked):
+        sets = np.intersect1d(piece.sets, towards)
+        is_smooth = all(node.impact is None for node in piece.nodes[1:])
+        if len(sets) and piece.nodes[0] is root and is_smooth:
+            needed = tree.conditions([(side * rate, ">", "")], sets)
+            found.append(replace(piece, sets=sets, conditions=[*piece.conditions, *needed]))
+    if not found or (tree.system.has_values and 0 not in found[0].sets):
+        raise CannotAnswer(Message("no turn on that side was found among the phases of the motion"))
+    answer = _of_branches(tree, asked, found)
+    return replace(answer, notes=(*answer.notes, Message("there it turns for the first time on that side")))
+
+
+def _of_branches(tree: PhaseTree, question: Question, found: list[AnswerBranch]) -> Answer:
     evidence: dict[int, Evidence] = {}
     rare: list[str] = []
     for k, piece in enumerate(found):

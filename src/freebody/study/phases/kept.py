@@ -23,10 +23,12 @@ from freebody.study.phases.phase import Given, Phase
 from freebody.study.phases.quantities import frictions
 from freebody.study.phases.result import relations
 from freebody.study.phases.tree import PhaseTree
-from freebody.study.phases.words import action, in_phase, label
+from freebody.study.phases.words import action, happening, in_phase, label
 from freebody.study.setup import N_DRAWS, Setup
 from freebody.symbolic.conditions import Condition, require
 from freebody.symbolic.state import SymbolicState
+
+_OF_ALL = ("whole motion", "repeated motion")  # what is asked of all of a motion
 
 
 class KeptMode(Given):
@@ -73,6 +75,8 @@ def in_first_modes(tree: PhaseTree, question: Question) -> Answer:
         raise CannotAnswer(
             tree.reasons[0] if tree.reasons else Message("no state of the contacts is consistent with the start")
         )
+    if question.quantity.scope in _OF_ALL:
+        return _while_it_lasts(tree, question)
     own, *rest = tree.roots
     answer = _in_mode(tree, own, question)
     if not answer.is_answered:
@@ -88,6 +92,27 @@ def in_first_modes(tree: PhaseTree, question: Question) -> Answer:
         return replace(answer, notes=notes)
     cases = [_case(tree, node, other) for node, other in [(own, answer), *others]]
     return replace(answer, notes=notes, conditions=cases[0].conditions or (for_all(tree.system),), cases=tuple(cases))
+
+
+def _while_it_lasts(tree: PhaseTree, question: Question) -> Answer:
+    """In the first mode, where nothing ever ends it. Raises CannotAnswer where something does."""
+    own = tree.roots[0]
+    edge = next((e for e in own.edges if 0 in e.sets or not tree.system.has_values), None)
+    if edge is None:
+        raise CannotAnswer(Message("it is not known what ends the first phase of the motion"))
+    if edge.first is not None or edge.stops:
+        what = edge.stops if edge.first is None else happening(edge.first.watch, None)
+        raise CannotAnswer(
+            Message("the motion changes its law on the way ({event}), so one law does not tell that", event=what)
+        )
+    lasting = replace(own, sets=edge.sets)
+    answer = _in_mode(tree, lasting, question)
+    if answer.expression is None:
+        return answer
+    begins = [r.text() for r in relations(tree, [*tree.assumed, *own.conditions, *edge.conditions])]
+    kept = [c for c in answer.conditions if not c.startswith("for all ")]
+    conditions = tuple(dict.fromkeys((*kept, *begins))) or (for_all(tree.system),)
+    return replace(answer, notes=(*answer.notes, in_phase(own.phase)), conditions=conditions)
 
 
 def _in_mode(tree: PhaseTree, node: PhaseNode, question: Question) -> Answer:
