@@ -243,3 +243,23 @@ def test_the_tension_at_the_hand_has_a_derivation_with_both_limits_of_friction()
     (derivation,) = system.explain("tension of rope at hand").derivations
     assert derivation.reason == ""
     assert derivation.answer.to_plain()["expression"] == "F"
+
+
+def test_a_block_pulled_over_a_rough_drum_accelerates() -> None:
+    # T2 = T1 exp(mu2 pi/2) on the weight's side: M g - T2 = M a, T1 - mu1 m g = m a
+    system = fb.System.from_text("""
+parameters: {m: 10 kg, M: 6 kg, R: 0.08 m, mu1: 0.4, mu2: 0.25, g: 9.81 m/s^2}
+ground: {lines: {table: {along: right}}}
+bodies:
+  block: {particle: {mass: m}, at: [-1 m, 0]}
+  drum: {disk: {radius: R}, at: [0, -R], fixed: true}
+  weight: {particle: {mass: M}}
+connections:
+  table: {contact: {between: [block, ground.table], friction: mu1}}
+  rope: {string: {from: block, over: [drum], to: weight, friction: {drum: mu2}, leads: [right, down]}}
+loads: {gravity: {gravity: g}}
+measures: {x: x of block}
+""")
+    answer = system.solve("acceleration of x").answers[0]
+    e = math.exp(0.25 * math.pi / 2)
+    assert answer.value == pytest.approx(9.81 * (6 - 0.4 * 10 * e) / (6 + 10 * e))

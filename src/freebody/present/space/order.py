@@ -101,11 +101,11 @@ def back_to_front(pieces: Sequence[Seen]) -> list[int]:
 def _compare(a: Seen, b: Seen) -> int:
     """+1 where a is in front of b, -1 where it is behind, 0 where they do not overlap on paper."""
     both = overlap(a.corners, b.corners)
-    if len(both) < 3 or abs(_area(both)) < _SLIVER * min(a.area, b.area):
+    if len(both) < 3 or abs(_area(both)) < _SLIVER * min(abs(a.area), abs(b.area)):
         return 0
     at = np.array(both).mean(axis=0)
     (back_a, front_a), (back_b, front_b) = a.depths(at), b.depths(at)
-    slack = _LEVEL * (front_a - back_a + front_b - back_b + a.area**0.5 + b.area**0.5)
+    slack = _LEVEL * (front_a - back_a + front_b - back_b + abs(a.area) ** 0.5 + abs(b.area) ** 0.5)
     is_before, is_behind = back_a >= front_b - slack, back_b >= front_a - slack
     if is_before != is_behind:
         return 1 if is_before else -1

@@ -40,7 +40,8 @@ def resultant(
     model: SymbolicModel, rub: DryFriction, rows: Mapping[str, ConstraintRow], is_negative: IsNegative
 ) -> Ratio:
     """The load of a friction: the size of the multipliers that it names. A bound's is its own, since it cannot pull."""
-    parts = [(rows[name], model.reactions.multiplier(rows[name])) for name in rub.load]
+    # a row that is open transmits nothing: the friction of a string that hangs slack
+    parts = [(rows[name], model.reactions.multiplier(rows[name])) for name in rub.load if name in rows]
     parts = [(row, x) for row, x in parts if not x.is_zero()]
     if not parts:
         return model.field.zero
