@@ -13,8 +13,10 @@ from pathlib import Path
 import pytest
 
 import freebody as fb
+from conftest import assert_same_function
 from freebody.api import System
 from freebody.language.expression import FLOAT_FUNCTIONS, evaluate
+from freebody.language.notation import to_python
 from freebody.language.parser import parse
 from posed import is_formula, posed
 
@@ -220,3 +222,34 @@ def test_a_speed_in_a_loop_has_no_sign() -> None:
         answer = system.solve(question).answers[0]
         assert answer.expression is not None, answer.reason
         assert answer.evidence is not None
+
+
+SLIDER_CRANK = """
+parameters: {r: 0.05 m, l: 0.18 m, w: 100 rad/s}
+bodies:
+  crank: {rod: {length: r}}
+  rod: {rod: {length: l}}
+  piston: {particle: {mass: 1 kg}, near: {at: [0.2 m, 0]}}
+connections:
+  O: {pin: [ground.O, crank.start]}
+  A: {pin: [crank.end, rod.start]}
+  B: {pin: [rod.end, piston]}
+  bore: {slider: {body: piston, along: right}}
+  motor: {driver: {measure: theta, follows: w*t}}
+measures: {theta: angle of crank, x: x of piston}
+"""
+
+
+@pytest.mark.parametrize(
+    ("question", "expected", "needed"),
+    [  # beyond theta = 90 deg the loop must close there, where r sin(theta) is largest
+        ("acceleration of x when theta = 180 deg", "r*w**2*(l - r)/l", "l > r"),
+        ("velocity of x when theta = 120 deg", "-r*w*sqrt(3)/2 + r**2*w*sqrt(3)/(2*sqrt(4*l**2 - 3*r**2))", "l > r"),
+        ("velocity of x when theta = 30 deg", "-r*w/2 - r**2*w*sqrt(3)/(2*sqrt(4*l**2 - r**2))", "2·l > r"),
+    ],
+)
+def test_loops_must_close_all_the_way_to_an_event(question: str, expected: str, needed: str) -> None:
+    answer = fb.System.from_text(SLIDER_CRANK).solve(question).answers[0]
+    assert answer.expression is not None, answer.reason
+    assert_same_function(to_python(answer.expression), expected, {"r": 0.05, "l": 0.18, "w": 100.0})
+    assert any(c.startswith(needed) for c in answer.conditions), answer.conditions

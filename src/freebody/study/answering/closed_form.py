@@ -216,6 +216,9 @@ class QuestionSolver:
         # nor is it compared where the closed loops do not close at the event; where they just do, in a singular pose,
         # there is a place but no velocity
         closing = [c for c in self.setup.closing(there) if not self._moving_in(c.element)]
+        # on the way there, too
+        everywhere = kept_until(self.setup.motion, reached, self.setup.closing(self.setup.state))
+        closing += [c for c in everywhere if not c.element.field.ingredients(c.element) & self.model.moving]
         conditions += closing if q.kinematic_order == 0 else [replace(c, relation=">") for c in closing]
         evidence = proof.along_motion(
             self.setup,
