@@ -253,3 +253,33 @@ def test_loops_must_close_all_the_way_to_an_event(question: str, expected: str, 
     assert answer.expression is not None, answer.reason
     assert_same_function(to_python(answer.expression), expected, {"r": 0.05, "l": 0.18, "w": 100.0})
     assert any(c.startswith(needed) for c in answer.conditions), answer.conditions
+
+
+QUICK_RETURN = """
+parameters: {r: 0.1 m, d: 0.25 m, w: 6 rad/s}
+ground: {points: {O: [0, d], A: [0, 0]}}
+bodies: {crank: {rod: {length: r}}, lever: {rod: {length: 0.6 m}}, block: {particle: {}}}
+connections:
+  O: {pin: [ground.O, crank.start]}
+  A: {pin: [ground.A, lever.start]}
+  P: {pin: [crank.end, block]}
+  slot: {slot: {pin: block, along: lever.x, on: lever}}
+  motor: {driver: {measure: theta, follows: w*t}}
+measures: {theta: angle of crank, beta: {angle of lever from up clockwise}}
+start: {theta: 0}
+"""
+
+
+@pytest.mark.parametrize(
+    ("question", "expected"),
+    [  # in line with the frame, where the tangent of half the lever's angle has no value
+        ("angular velocity of lever when theta = 90 deg", "r*w/(d + r)"),
+        ("angular velocity of lever when theta = 270 deg", "-r*w/(d - r)"),
+        ("angular acceleration of lever when theta = 90 deg", "0"),
+        ("beta when theta = 90 deg", "0"),
+    ],
+)
+def test_a_lever_in_line_with_its_frame_has_a_formula(question: str, expected: str) -> None:
+    answer = fb.System.from_text(QUICK_RETURN).solve(question).answers[0]
+    assert answer.expression is not None, answer.reason
+    assert_same_function(to_python(answer.expression), expected, {"r": 0.1, "d": 0.25, "w": 6.0})

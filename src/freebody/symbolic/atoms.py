@@ -37,6 +37,10 @@ def angle_with(field: Field, cos: Ratio, sin: Ratio, arc: Arc | None = None) -> 
     written: by its sine or cosine alone, where that tells it, or by another form of the tangent of its half."""
     if cos == -1:
         return field.pi
+    if cos == 1:
+        return field.zero
+    if sin == 1 or sin == -1:
+        return sin * field.pi / 2
     key = ("angle with", cos.key(), sin.key())
     known = field.known(key)
     if known is not None:

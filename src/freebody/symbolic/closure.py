@@ -184,7 +184,17 @@ class Closure:
         Raises CannotAnswer where a loop has no short solution."""
         found, _needs, left = self._solved
         self._must_be_solved(left)
-        return {g: self.field.lowest_terms(self.field.follow(x, values)) for g, x in found.items()}
+        f, there = self.field, dict[int, Ratio]()
+        for g, x in found.items():
+            try:
+                there[g] = f.lowest_terms(f.follow(x, values))
+            except ZeroDivisionError:  # the tangent of half an angle has no value there, the angle has
+                pair = f.pair_of(g)
+                if pair is None or not set(pair) <= there.keys():
+                    raise
+                cos, sin = there[pair[0]], there[pair[1]]
+                there[g] = angle_with(f, cos, sin, _arc(cos, sin, None))
+        return there
 
     def closes(self) -> list[Condition]:
         """Where the loops close, as far as that is known. Raises CannotAnswer where they have no short solution."""
