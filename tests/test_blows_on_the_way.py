@@ -316,3 +316,28 @@ connections: {hit: {weld: [bullet, block], closes: at start}}
     found = system.solve("energy lost in the blow / kinetic energy before the blow").answers[0]
     assert found.value == pytest.approx(0.75)
     assert "before the blow" in system.solve("energy lost in the blow / kinetic energy at start").answers[0].reason
+
+
+TAUT = """
+parameters: {m: 0.4 kg, L: 1 m, b: 0.5 m, v0: 3 m/s}
+bodies: {puck: {particle: {mass: m}}}
+connections: {string: {stop: {measure: s, max: L}}}
+measures: {x: x of puck, y: y of puck, s: distance from ground.O to puck}
+start: {x: 0, y: b, rate(x): v0, rate(y): 0}
+"""
+
+
+@pytest.mark.parametrize(
+    ("question", "expected"),
+    [  # straight on until x^2 + b^2 = L^2; then the part of v0 along the string is gone, that across it, v0 b/L, stays
+        ("time when s = L", "sqrt(L**2 - b**2)/v0"),
+        ("speed of puck after the impact", "v0*b/L"),
+        ("size of impulse of string", "m*v0*sqrt(L**2 - b**2)/L"),
+        ("energy lost in the impact", "m*v0**2*(L**2 - b**2)/(2*L**2)"),
+        ("energy lost in the impact / kinetic energy at start", "1 - b**2/L**2"),
+    ],
+)
+def test_a_string_that_comes_taut_takes_the_speed_along_it(question: str, expected: str) -> None:
+    answer = fb.System.from_text(TAUT).solve(question).answers[0]
+    assert answer.expression is not None, answer.reason
+    assert_same_function(to_python(answer.expression), expected, {"m": 0.4, "L": 1.0, "b": 0.3, "v0": 3.0})

@@ -207,13 +207,19 @@ class CoordinateChoice:
 
         elimination = settled()
         if with_lines:
-            fewest = len(elimination.loops)
+            fewest, started = len(elimination.loops), self._started(elimination)
             dropped -= with_lines
             elimination = settled()
-            if len(elimination.loops) > fewest:
+            # nor where they take the place of measures that the start is given in
+            if len(elimination.loops) > fewest or not started <= self._started(elimination):
                 dropped |= with_lines
                 elimination = settled()
         return elimination, frozenset(label.removeprefix(_label("")) for label in dropped)
+
+    def _started(self, elimination: Elimination) -> set[str]:
+        """The coordinates that the start of the model says something of."""
+        known = {n: self._unknowns.defined_as(n) for n in (*self._system.start, *self._system.start_rates)}
+        return {n for n, own in known.items() if own is not None and elimination.express(own) == own}
 
     def _without_lines(self, definitions: list[Definition], dropped: set[str], idle: set[int]) -> set[str]:
         """The measures that are written with a line of one that is dropped or given by a formula."""
