@@ -303,6 +303,10 @@ class QuestionSolver:
             )
         elif len(squares) < len(found.squares):
             notes.append(Message("beside it there is a motion that nothing drives back to first order"))
+        if any(not x.is_zero() for row in found.linear.damping for x in row):
+            notes.append(Message("damping is left out of it; damped frequency and damped period have it"))
+        if q.what == "period" and "small" not in self.question.text:
+            notes.append(Message("of small oscillations; that of the motion as it starts is the period of a measure"))
         if q.what == "period":
             element: Elements = 2 * f.pi * f.sqrt(1 / squares[0], self.model.samples.is_negative)
         else:
