@@ -389,3 +389,46 @@ def test_what_is_not_harmonic_has_no_steady_amplitude() -> None:
 def test_a_negative_damper_is_refused() -> None:
     model = FORCED.replace("-c*rate(x)", "c*rate(x)")
     assert "feeds energy" in the(ask(model, "steady amplitude of x")).reason
+
+
+TURNING_ARM = """
+space: true
+parameters: {m: 1 kg, L: 0.5 m, W: 6 rad/s, g: 9.81 m/s^2}
+bodies:
+  shaft: {body: {inertia: 0.1 kg m^2}}
+  arm: {body: {mass: 0}, points: {tip: [0, -L, 0]}}
+  bob: {particle: {mass: m}}
+connections:
+  bearing: {revolute: {first: ground.O, second: shaft, about: y}}
+  hinge: {revolute: {first: shaft, second: arm, about: z}}
+  fix: {spherical: [arm.tip, bob]}
+  motor: {driver: {measure: psi, follows: W*t}}
+loads: {weight: {gravity: g}}
+measures: {psi: angle of shaft about y, theta: angle of arm about z relative to shaft}
+start: {theta: 10 deg, rate(theta): 0}
+"""
+
+
+def test_all_places_of_rest_are_named_and_what_is_driven_has_none() -> None:
+    system = fb.System.from_text(TURNING_ARM)
+    answer = system.solve("equilibrium of theta").answers[0]
+    assert answer.value == pytest.approx(math.acos(9.81 / (0.5 * 36)))
+    others = [note for note in answer.notes if note.startswith("it may rest at")]
+    assert len(others) == 3
+    assert others[:2] == ["it may rest at 0, too", "it may rest at π, too"]
+    assert "driven" in system.solve("equilibrium of psi").answers[0].reason
+
+
+def test_a_period_says_what_is_left_out_of_it() -> None:
+    system = fb.System.from_text("""
+parameters: {m: 2 kg, k: 800 N/m, c: 16 N s/m}
+ground: {points: {wall: [-0.4 m, 0]}}
+bodies: {cart: {particle: {mass: m}}}
+connections: {track: {slider: {body: cart, along: right}}}
+loads:
+  spring: {spring: {first: ground.wall, second: cart, stiffness: k, length: 0.4 m}}
+  damper: {damper: {first: ground.wall, second: cart, damping: c}}
+""")
+    notes = " ".join(system.solve("period").answers[0].notes)
+    assert "damping is left out" in notes
+    assert "small oscillations" in notes

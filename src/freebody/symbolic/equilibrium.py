@@ -64,6 +64,14 @@ class ClosedFormRest:
 def find_equilibrium(model: SymbolicModel, start: StartState, *, stable_first: bool = True) -> ClosedFormRest:
     """Coordinates at which the forcing vanishes at rest. Tries the start, then solves factor by factor for one
     coordinate at a time. With `stable_first` a stable one is preferred to an unstable start."""
+    return equilibria(model, start, stable_first=stable_first, is_one_enough=True)[0]
+
+
+def equilibria(
+    model: SymbolicModel, start: StartState, *, stable_first: bool = True, is_one_enough: bool = False
+) -> list[ClosedFormRest]:
+    """Those that are found, the one that is meant first: the start, else the nearest of those that are stable.
+    is_one_enough: others are not looked for where the start is one. Raises CannotAnswer where none is found."""
     f = model.field
     rest = {c.speed: f.zero for c in model.coordinates} | stand_still(model)
     forces = [f.follow(F, rest) for F in model.dynamics.forcing]
@@ -73,14 +81,17 @@ def find_equilibrium(model: SymbolicModel, start: StartState, *, stable_first: b
     linear = Linearised(model, at_start)
     if all(linear.vanishes(linear.here(F)) for F in forces):
         first = _judged(model, at_start)
-        if first is not None and (first.is_stable is not False or not stable_first):
-            return first
+        is_meant = first is not None and (first.is_stable is not False or not stable_first)
+        if first is not None and is_meant and is_one_enough:
+            return [first]
     others = [r for values in _zeros(model, forces, list(model.coordinates)) if (r := _judged(model, values))]
     solutions = ([] if first is None else [first]) + others
     if not solutions:
         raise CannotAnswer(Message("no equilibrium could be found in closed form; start the model at one"))
     good = [s for s in solutions if s.is_stable is not False]
-    return min(good or solutions, key=lambda s: _distance(model, s.values, at_start))
+    nearest = min(good or solutions, key=lambda s: _distance(model, s.values, at_start))
+    meant = first if first is not None and (first.is_stable is not False or not stable_first) else nearest
+    return [meant, *(s for s in solutions if s is not meant)]
 
 
 def _bound_at(model: SymbolicModel, at: dict[int, Ratio], start: StartState) -> dict[int, Ratio]:

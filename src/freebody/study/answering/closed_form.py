@@ -13,7 +13,7 @@ from typing import NoReturn
 from freebody.assess.verdict import Judgement
 from freebody.errors import CannotAnswer, NeverHappens
 from freebody.language.expression import Expr, number
-from freebody.language.notation import joined, reworded
+from freebody.language.notation import joined, reworded, to_text
 from freebody.language.sentences import Message, further
 from freebody.numeric.snapshot import Snapshot
 from freebody.questions.base import Quantity, Wanted
@@ -39,7 +39,7 @@ from freebody.study.answering.scope import for_all
 from freebody.study.answering.witness import motion_to
 from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition, require
-from freebody.symbolic.equilibrium import ClosedFormRest, find_equilibrium, lies_in_family
+from freebody.symbolic.equilibrium import ClosedFormRest, equilibria, lies_in_family
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.motion import Reached
 from freebody.symbolic.on_the_way import MOVING, kept_until
@@ -51,6 +51,7 @@ from freebody.symbolic.unknowns import Coordinate
 from freebody.symbolic.validity import texts, validity
 from freebody.system.system import System
 
+_MOST_RESTS = 4  # that are named beside the one that is meant
 _ROUND_OFF = 1e-12  # of an assembled pose, by the size of what is added up
 
 
@@ -327,14 +328,33 @@ class QuestionSolver:
     def _equilibrium(self, q: Equilibrium) -> Finding:
         from freebody.study.answering import at_equilibrium
 
-        rest = find_equilibrium(self.model, self.setup.start, stable_first=False)
+        rest, *others = equilibria(self.model, self.setup.start, stable_first=False)
         x = SymbolicState(self.model, rest.values).value(q.measure)
+        if any(x.field.generators[g].kind == "time" for g in x.field.ingredients(x)):
+            raise CannotAnswer(Message("{x} is driven: it does not come to rest", x=q.name))
         conditions = self._at_rest(rest)
         evidence = at_equilibrium.at_rest(self.setup, self.question.text, rest.values, x, conditions)
         notes = self._stability(rest)
         if lies_in_family(self.model, rest.values, q.measure):
             notes.append(Message("one of a family: free to rest anywhere along {names}", names=q.name))
-        return Finding(x, evidence, conditions, notes)
+        return Finding(x, evidence, conditions, notes + self._other_rests(q, x, others))
+
+    def _other_rests(self, q: Equilibrium, x: Ratio, others: Sequence[ClosedFormRest]) -> list[str]:
+        """Where the measure may rest as well, with what that needs."""
+        notes: list[str] = []
+        known = [x]
+        for rest in others[:_MOST_RESTS]:
+            value = SymbolicState(self.model, rest.values).value(q.measure)
+            if all(value != other for other in known):
+                known.append(value)
+                where = joined(texts([*rest.exists, *(replace(c, purpose="") for c in rest.stable)]))
+                shown = to_text(tidy(value))
+                if rest.is_stable is False or not where:
+                    notes.append(reworded(Message("it may rest at {value}, too", value=shown), shown))
+                else:
+                    told = Message("it may rest at {value}, too, stable if {where}", value=shown, where=where)
+                    notes.append(reworded(told, where))
+        return notes
 
     def _at_rest(self, rest: ClosedFormRest, clear: str = ">=") -> list[Condition]:
         """What an equilibrium needs: that it exists, and that what the formulas take to be positive is so there, what

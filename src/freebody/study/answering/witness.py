@@ -93,7 +93,8 @@ def motion_to(
     if isinstance(event, Clock):
         return _at_time(reference, start, until if event.time is None else reference.number(event.time), times)
     target = reference.number(event.value)
-    size = max(abs(target), reference.sizes.length if event.order == 0 else 1e-3)
+    own = reference.sizes.length ** float(event.measure.dimension.length)  # of a place; an angle is of the size of one
+    size = max(abs(target), own if event.order == 0 else 1e-3)
     crossing = EngineWatch("event", event.measure, event.order, target, is_terminal=True, size=size)
     watches = [crossing] if event.order else [crossing, EngineWatch(_TURN, event.measure, 1, size=1e-3)]
     course, links = _followed(reference, start, until, watches, times)
