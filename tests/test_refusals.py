@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 
 import pytest
 
@@ -237,3 +238,28 @@ measures: {s: travel of block along left}
         fb.System.from_text(text)
     answer = fb.System.from_text(text.replace("left", "ramp")).solve("acceleration of s").answers[0]
     assert answer.value == pytest.approx(-9.81 / 2)
+
+
+@pytest.mark.parametrize(
+    ("change", "said"),
+    [
+        (("theta: 60 deg", "theta: 60"), "the angle 60 has no unit: write 60 deg, or 60 rad"),
+        (("theta: 60 deg", "theta: a"), "a is used as an angle, and its value 60 has no unit"),
+        (("along: 30 deg", "along: 30"), "the angle 30 has no unit"),
+        (("along: 30 deg", "along: -a"), "a is used as an angle"),
+        (("angle: 20 deg", "angle: 20"), "the angle 20 has no unit"),
+    ],
+)
+def test_an_angle_of_many_turns_needs_a_unit(change: tuple[str, str], said: str) -> None:
+    text = """
+parameters: {a: 60, L: 1 m}
+ground: {lines: {ramp: {along: 30 deg}}}
+bodies: {bob: {particle: {mass: 1 kg}}, rod: {rod: {mass: 1 kg, length: L}, at: [3 m, 0], angle: 20 deg}}
+connections: {string: {link: [ground.O, bob, L]}}
+measures: {theta: {angle of line from ground.O to bob from down}}
+start: {theta: 60 deg}
+"""
+    fb.System.from_text(text)  # as it should be
+    fb.System.from_text(text.replace(change[0], change[1].replace("60", "1.2").replace("30", "0.5").replace("20", "6")))
+    with pytest.raises(fb.ModelError, match=re.escape(said)):
+        fb.System.from_text(text.replace(*change))

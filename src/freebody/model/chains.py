@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, Any, cast
 
 from freebody.language.expression import Symbol
 from freebody.language.sentences import Message
-from freebody.language.units import DIMENSIONLESS
 from freebody.measures.geometry import ONE, ZERO, Components
 from freebody.model.elements import Rotation
 
@@ -46,7 +45,7 @@ def _read(names: Names, item: Any, path: tuple[str | int, ...], *, named: bool) 
     text = found["by"].strip()
     if named and _NAME.fullmatch(text) and text != "pi" and text not in names.parameters and text not in names.broken:
         return Rotation(axis, Symbol(text), text)
-    return Rotation(axis, names.formula(text, DIMENSIONLESS, *path))
+    return Rotation(axis, names.angle(text, *path))
 
 
 def _axis(names: Names, text: str, path: tuple[str | int, ...]) -> Components:

@@ -8,7 +8,7 @@ from pydantic import ValidationError
 
 from freebody.language.expression import Call, Expr
 from freebody.language.sentences import Message
-from freebody.language.units import DIMENSIONLESS, LENGTH
+from freebody.language.units import LENGTH
 from freebody.measures.geometry import ZERO, Components
 from freebody.model.chains import read_chain
 from freebody.model.rotations import UNIT, Columns, applied, columns_of
@@ -126,7 +126,7 @@ def _part(names: Names, value: Any) -> tuple[Build, Components, Columns] | None:
     if names.space:
         axes = columns_of(read_chain(names, entry.get("turned", []), "turned", named=False))
     elif "angle" in entry:
-        angle = names.formula(entry["angle"], DIMENSIONLESS, "angle")
+        angle = names.angle(entry["angle"], "angle")
         c, s = Call("cos", angle), Call("sin", angle)
         axes = ((c, s, ZERO), (-s, c, ZERO), UNIT[2])
     return build, at, axes

@@ -19,6 +19,7 @@ from freebody.language.expression import (
     FUNCTIONS,
     Call,
     Expr,
+    ProductOf,
     Symbol,
     evaluate,
     free_symbols,
@@ -196,6 +197,24 @@ class Names:
     def dimensions(self, *, in_time: bool = False) -> dict[str, Dimension]:
         """Of the parameters; functions of time are among them where time may be."""
         return {p.name: p.dimension for p in self.parameters.values() if p.form is None or in_time}
+
+    def angle(self, value: Any, *path: str | int) -> Expr:
+        """A formula for an angle; a number of more than a full turn needs a unit, since degrees are nearly always
+        meant."""
+        expr = self.formula(value, DIMENSIONLESS, *path)
+        plain = expr.factors[1] if isinstance(expr, ProductOf) and expr.factors[0] == number(-1) else expr
+        parameter = self.parameters.get(plain.name) if isinstance(plain, Symbol) else None
+        bare = _as_number(value) if parameter is None else None if parameter.is_angle else parameter.value
+        if bare is not None and abs(bare) > math.tau:
+            told = Message("the angle {value} has no unit: write {value} deg, or {value} rad", value=f"{bare:g}")
+            if parameter is not None:
+                told = Message(
+                    "{name} is used as an angle, and its value {value} has no unit: write {value} deg, or {value} rad",
+                    name=parameter.name,
+                    value=f"{bare:g}",
+                )
+            self.problem(told, *path)
+        return expr
 
     def formula(
         self,
@@ -468,7 +487,7 @@ class Names:
                     *path,
                 )
                 return self.compass["right"]
-        angle = self.formula(value, DIMENSIONLESS, *path)
+        angle = self.angle(value, *path)
         shown = str(value)
         along = (Call("cos", angle), Call("sin", angle), *self.origin[2:])
         return self.fixed_in(body, along, shown)
@@ -527,3 +546,13 @@ def _unit_differs(text: str, found: Dimension, wanted: Dimension) -> Message:
 
 
 __all__ = ["Names", "did_you_mean", "negate", "quantity_expression"]
+
+
+def _as_number(value: Any) -> float | None:
+    """A number without a unit; None for anything else."""
+    if isinstance(value, (int, float)) and not isinstance(value, bool):
+        return float(value)
+    try:
+        return float(value)
+    except (TypeError, ValueError):
+        return None

@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import Any, cast
 
 from freebody.language.sentences import Message
-from freebody.language.units import ANGULAR_VELOCITY, DIMENSIONLESS, LENGTH, VELOCITY
+from freebody.language.units import ANGULAR_VELOCITY, LENGTH, VELOCITY
 from freebody.measures.geometry import Components
 from freebody.model.chains import read_chain
 from freebody.model.elements import Start
@@ -19,7 +19,7 @@ POSE_KEYS = {False: ("at", "angle"), True: ("at", "turned")}  # what says where 
 
 def start_of_body(names: Names, entry: dict[str, Any], default: str, points: Mapping[str, Any]) -> Start:
     """Place, guess and speeds of a body with some points, of which one is meant where none is named."""
-    angle = names.formula(entry["angle"], DIMENSIONLESS, "angle") if "angle" in entry else None
+    angle = names.angle(entry["angle"], "angle") if "angle" in entry else None
     velocity = entry.get("velocity")
     start = Start(
         _place(names, entry.get("at"), default, points),
