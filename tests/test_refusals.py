@@ -260,6 +260,7 @@ measures: {theta: {angle of line from ground.O to bob from down}}
 start: {theta: 60 deg}
 """
     fb.System.from_text(text)  # as it should be
-    fb.System.from_text(text.replace(change[0], change[1].replace("60", "1.2").replace("30", "0.5").replace("20", "6")))
+    radians = change[1].replace("60", "1.2").replace("30", "0.5").replace("20", "6")
+    fb.System.from_text(text.replace("a: 60", "a: 1.2").replace(change[0], radians))
     with pytest.raises(fb.ModelError, match=re.escape(said)):
         fb.System.from_text(text.replace(*change))
