@@ -17,6 +17,7 @@ from typing import Any, Literal, Self, cast
 from freebody.errors import CannotAnswer, ExpressionError
 from freebody.language.expression import FLOAT_FUNCTIONS, Call, Expr, Sum, Symbol, evaluate, rate_key
 from freebody.language.sentences import Sentence
+from freebody.language.units import FORCE
 from freebody.measures.base import Measure
 from freebody.narrative.lines.differences import SymbolValues, value_of
 from freebody.numeric.snapshot import Snapshot
@@ -24,6 +25,7 @@ from freebody.present.report.blocks import Derivative, Difference, Side
 from freebody.questions.base import Quantity
 from freebody.questions.reading import AskedEvent
 from freebody.study.answering.draws import Draw
+from freebody.study.answering.magnitude import magnitude
 from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition
 from freebody.symbolic.field import Ratio
@@ -77,7 +79,8 @@ class World(SymbolValues):
         masses, v = self.snapshot.reference.masses, self.snapshot.v
         with suppress(CannotAnswer):
             a = self.snapshot.accelerations
-            noise = ROUNDED * max(float(f.max(initial=0.0)) for f in (abs(masses * a), abs(masses * v * v)))
+            inertia = max(float(f.max(initial=0.0)) for f in (abs(masses * a), abs(masses * v * v)))
+            noise = ROUNDED * max(inertia, magnitude(FORCE, self.snapshot))
             fastest = max(float(f.max(initial=0.0)) for f in (abs(v), abs(a), abs(self.draw.start().v)))
             return max(noise, INTEGRATED * fastest) if self.is_integrated else noise
         return 0.0
