@@ -512,3 +512,19 @@ def test_a_turn_is_derived_and_never_claimed_where_none_comes() -> None:
     assert "the speed is zero" in fb.explain(System.from_text(STRUCK + "questions: [least theta]\n")).to_text()
     assert posed(BALL, "least y").expression is None
     assert posed(WHIRLED, "greatest theta").value is None
+
+
+def test_a_cubic_spring_swings_with_a_period_by_its_amplitude() -> None:
+    # u^2 = k (A^4 - x^4)/(2 m): T = 4 sqrt(m/k) K(1/sqrt(2))/A
+    system = fb.System.from_text("""
+parameters: {m: 0.5 kg, k: 40 N/m^3, A: 0.2 m}
+bodies: {block: {particle: {mass: m}}}
+connections: {rail: {slider: {body: block, along: right}}}
+loads: {spring: {law: {measure: x, force: -k*x^3}}}
+measures: {x: x of block}
+start: {x: A, rate(x): 0}
+""")
+    expected = 4 * math.sqrt(0.5 / 40) * 1.8540746773013719 / 0.2
+    assert system.solve("period of x").answers[0].value == pytest.approx(expected, rel=1e-9)
+    turned = system.solve("value of A for which period of x = 2 s").answers[0].value
+    assert turned == pytest.approx(0.2 * expected / 2, rel=1e-9)

@@ -201,3 +201,17 @@ connections: {guide: {slider: {body: block, along: ramp}}}
 loads: {weight: {gravity: g}, push: {force: {at: block, along: 30 deg, magnitude: F}}}
 """)
     assert system.solve(question).answers[0].value == pytest.approx(value)
+
+
+def test_a_component_is_told_where_only_the_other_is_not_unique() -> None:
+    # a beam on two pins: along it the reactions are open, across it each carries half of the weight
+    system = fb.System.from_text("""
+parameters: {m: 10 kg, L: 2 m, g: 9.81 m/s^2}
+ground: {points: {P: [0, 0], Q: [L, 0]}}
+bodies: {beam: {rod: {mass: m, length: L}, at: {start: [0, 0]}}}
+connections: {A: {pin: [ground.P, beam.start]}, B: {pin: [ground.Q, beam.end]}}
+loads: {weight: {gravity: g}}
+""")
+    assert system.solve("vertical reaction of A").answers[0].value == pytest.approx(49.05)
+    assert system.solve("reaction of B along up").answers[0].value == pytest.approx(49.05)
+    assert "A.x is not unique" in system.solve("horizontal reaction of A").answers[0].reason

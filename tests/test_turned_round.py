@@ -11,9 +11,11 @@ import math
 import pytest
 
 import freebody as fb
+from conftest import assert_same_function
 from freebody.api import System
 from freebody.errors import ModelError
 from freebody.language.expression import FLOAT_FUNCTIONS, Expr, evaluate
+from freebody.language.notation import to_python
 from freebody.language.parser import parse
 from freebody.study.answering.answer import Answer
 
@@ -328,3 +330,25 @@ def test_a_value_inside_of_a_logarithm_or_an_exponential_function(model: str, fi
         _value(System.from_text(model), formula), rel=1e-12
     )
     assert answer.value is not None, answer.conditions
+
+
+@pytest.mark.parametrize(
+    ("question", "expected"),
+    [  # up with g (sin + mu cos), down with g (sin - mu cos): v^2 = v0^2 (tan - mu)/(tan + mu)
+        ("value of mu for which energy lost until s = 0 is m*v0^2/4", "sin(alpha)/(3*cos(alpha))"),
+        ("value of mu for which speed of block when s = 0 is v0/2", "3*sin(alpha)/(5*cos(alpha))"),
+    ],
+)
+def test_factors_that_the_normal_form_hides_are_found(question: str, expected: str) -> None:
+    system = System.from_text("""
+parameters: {m: 2 kg, v0: 6 m/s, alpha: 35 deg, mu: 0.25, g: 9.81 m/s^2}
+ground: {lines: {incline: {along: alpha}}}
+bodies: {block: {particle: {mass: m}}}
+connections: {incline: {contact: {between: [block, ground.incline], friction: mu}}}
+loads: {weight: {gravity: g}}
+measures: {s: {travel of block along alpha}}
+start: {s: 0, rate(s): v0}
+""")
+    answer = system.solve(question).answers[0]
+    assert answer.expression is not None, answer.reason
+    assert_same_function(to_python(answer.expression), expected, {})

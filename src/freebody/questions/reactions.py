@@ -28,6 +28,7 @@ from freebody.questions.vectors import (
     read_basis,
     said_along,
 )
+from freebody.tolerances import ROUNDED
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -187,7 +188,10 @@ questions: {it: reaction of rod on bob}
         force: Vector = (0,) * n
         moment: Vector = (0,) * (3 if system.space else 1)
         for row in rows:
-            push, multiplier = state.gradient(row.measure, body), self.transmitted(state, row)
+            push = state.gradient(row.measure, body)
+            if not self.moment and self._is_across(push[:n], state):
+                continue  # it adds nothing, also where it is not unique
+            multiplier = self.transmitted(state, row)
             force = tuple(f + g * multiplier for f, g in zip(force, push[:n], strict=True))
             moment = tuple(m + g * multiplier for m, g in zip(moment, push[n:], strict=True))
         if not self.moment:
@@ -199,6 +203,13 @@ questions: {it: reaction of rod on bob}
         if not system.space:
             return moment[0]
         return component(moment, self.along, self.size, state, self.basis)
+
+    def _is_across(self, push: Vector, state: State[Any]) -> bool:
+        """Whether a row pushes across the direction that is asked for."""
+        if self.along is None or self.size:
+            return False
+        part: Any = component(push, self.along, False, state, self.basis)
+        return bool(abs(part) < ROUNDED) if isinstance(part, float) else bool(part == 0)
 
     def sentence(self, system: Described) -> Sentence | None:
         if not has_name(self.along, self.basis):

@@ -28,7 +28,8 @@ def solutions(field: Field, residual: Ratio, parameter: int) -> list[Values]:
     """Every value of a parameter that makes an element vanish, as far as it has a closed form: the roots of the linear
     and quadratic factors; in an angle, of those that are so in the tangent of its half; in powers of e."""
     found: list[Values] = []
-    _unit, factors = field.factor(residual.num)
+    # by the degree in the cosine and sine of an angle, where the normal form, without sin^2, has lost the factors
+    _unit, factors = field.factor_by_degree(residual.num) or field.factor(residual.num)
     for factor, _exponent in factors:
         inside = factor.generators()
         made = [g for g in inside if parameter in field.generators[g].made_of]

@@ -72,7 +72,10 @@ def _quadratic_zeros(model: SymbolicModel, base: Ratio, c: Indexed) -> list[Rati
         return [sign * f.sqrt(f.lowest_terms(x), model.samples.is_negative) for x in squares for sign in (-1, 1)]
     if len(parts) != 3:
         return []
-    root = f.sqrt(parts[1] * parts[1] - 4 * parts[0] * parts[2], model.samples.is_negative)
+    discriminant = f.lowest_terms(parts[1] * parts[1] - 4 * parts[0] * parts[2])
+    if sign_of(discriminant) is Sign.NEGATIVE:
+        return []  # nowhere
+    root = f.sqrt(discriminant, model.samples.is_negative)
     return [(-parts[1] - root) / (2 * parts[2]), (-parts[1] + root) / (2 * parts[2])]
 
 
