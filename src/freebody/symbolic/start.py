@@ -195,7 +195,7 @@ def start_from_bodies(model: SymbolicModel) -> StartState:
         measure = measures[c.index]
         if measure is None:
             raise CannotAnswer(
-                Message("{x} is no measure of the model, so its value at the start is not known", x=c.name)
+                Message("the state in which the next phase begins has no formula in the measures of the model")
             )
         values[c.index] = f.lowest_terms(measure.value(there))
     for c in everything:

@@ -169,9 +169,10 @@ class QuestionSolver:
         x = self._elements(q, state)
         remark = q.remark(self.system)
         notes = [remark] if remark else []
+        sides: list[Ratio] = []
         if (explicit := loops.solved(self.setup, x, state)) is not None:
-            x, notes = explicit[0], notes + explicit[1]
-        evidence = proof.at_instants(self.setup, self.question.text, q, x, at_start=at_start)
+            x, notes, sides = explicit[0], notes + explicit[1], explicit[2]
+        evidence = proof.at_instants(self.setup, self.question.text, q, x, at_start=at_start, sides=sides)
         return Finding(x, evidence, notes=notes)
 
     @_found.register(DegreesOfFreedom)

@@ -41,8 +41,10 @@ def at_instants(
     x: Ratio | tuple[Ratio, ...],
     *,
     at_start: bool,
+    sides: Sequence[Ratio] = (),
 ) -> Evidence:
-    """Compares at the start, or at a general pose and motion, of every draw."""
+    """Compares at the start, or at a general pose and motion, of every draw. sides: what is positive where closed loops
+    are assembled as the formula has them."""
     route = (
         Message("floating-point solve of all bodies and constraints at the start")
         if at_start
@@ -57,6 +59,8 @@ def at_instants(
     def compare(instant: tuple[Draw, Snapshot]) -> None:
         draw, snapshot = instant
         if at_start and not setup.is_on_branch(draw, snapshot):  # where the formula does not claim to be true
+            return
+        if sides and not all(side > 0.0 for side in element_at(setup, tuple(sides), draw, snapshot)):
             return
         seen = draw.seen(snapshot)
         exact = element_at(setup, x, draw, snapshot)

@@ -39,9 +39,9 @@ def bound_in(setup: Setup, element: Elements) -> bool:
     return any(setup.model.field.ingredients(part) & bound for part in parts)
 
 
-def solved(setup: Setup, element: Elements, state: SymbolicState) -> tuple[Elements, list[str]] | None:
-    """A formula with the angles that loops bind in the pose of a state, and on which branch that is; None where the
-    loops have no short solution, or the formula becomes too long."""
+def solved(setup: Setup, element: Elements, state: SymbolicState) -> tuple[Elements, list[str], list[Ratio]] | None:
+    """A formula with the angles that loops bind in the pose of a state, on which branch that is, and what is positive
+    on it; None where the loops have no short solution, or the formula becomes too long."""
     if not setup.model.loops or not bound_in(setup, element):
         return None
     closure = Closure(setup.model)
@@ -56,7 +56,7 @@ def solved(setup: Setup, element: Elements, state: SymbolicState) -> tuple[Eleme
     longest = _LONGEST if is_angle else max(READABLE, _LONGER * length(element))
     if bound_in(setup, found) or length(found) > longest:
         return None
-    return found, branch(closure)
+    return found, branch(closure), closure.sides
 
 
 def _followed(element: Elements, values: dict[int, Ratio]) -> Elements:
