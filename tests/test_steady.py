@@ -542,3 +542,42 @@ questions: [natural frequencies]
     assert answer.value is None
     assert "gyroscopic" in answer.reason
     assert [mode.frequency for mode in system.modes("start")] == pytest.approx([5.0, 15.0])
+
+
+DRIVEN = """
+parameters: {r: 0.1 m, l: 0.4 m, w: 20 rad/s}
+ground: {lines: {cylinder: {along: right}}}
+bodies: {crank: {rod: {length: r}}, rod: {rod: {length: l}}, piston: {particle: {mass: 2 kg}}}
+connections:
+  main: {pin: [ground.O, crank.start]}
+  crankpin: {pin: [crank.end, rod.start]}
+  wristpin: {pin: [rod.end, piston]}
+  cylinder: {slider: {body: piston, along: cylinder}}
+  motor: {driver: {measure: theta, follows: w*t}}
+measures: {theta: {angle of crank}, phi: {angle of rod clockwise}, x: {x of piston}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("question", "formula"),
+    [  # sin(phi) = r sin(theta)/l, x = r cos(theta) + l cos(phi)
+        ("stroke of x over a turn of theta", "2*r"),
+        ("stroke of x", "2*r"),
+        ("extremes of phi over a turn of theta", ["-asin(r/l)", "asin(r/l)"]),
+        ("time ratio of x over a turn of theta", "1"),
+    ],
+)
+def test_poses_of_a_turn_do_not_ask_how_it_is_driven(agrees: Agree, question: str, formula: str | list[str]) -> None:
+    solution = ask(DRIVEN, question)
+    agrees(solution, the(solution).id, formula)
+    assert any("l > r" in c for c in the(solution).conditions)
+
+
+def test_the_stroke_of_a_driven_crank_is_derived() -> None:
+    system = fb.System.from_text(DRIVEN + "questions: [{find: stroke of x over a turn of theta}]")
+    assert system.explain().derivations[0].reason == ""
+
+
+def test_a_drive_that_swings_makes_no_turn() -> None:
+    swinging = DRIVEN.replace("follows: w*t", "follows: sin(w*t)")
+    assert "varies with time" in the(ask(swinging, "stroke of x")).reason

@@ -265,6 +265,11 @@ class Quantity:
         return False
 
     @property
+    def is_of_turn(self) -> bool:
+        """Whether it is asked of all poses of a full turn."""
+        return False
+
+    @property
     def keeps_what_is_given(self) -> bool:
         """Whether an event is no event of a motion, but says what a steady motion keeps."""
         return False

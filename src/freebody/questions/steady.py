@@ -99,6 +99,10 @@ questions: {it: extremes of y over a turn of theta}
         return "1" if self.what == "time ratio" else self.of.unit
 
     @property
+    def is_of_turn(self) -> bool:
+        return True
+
+    @property
     def inner(self) -> tuple[Quantity, ...]:
         return (self.of,)
 

@@ -23,6 +23,7 @@ from freebody.questions.steady import Extremes
 from freebody.study.answering.answer import Answer
 from freebody.study.answering.crosscheck import holds
 from freebody.study.answering.finding import Elements
+from freebody.study.steady.ask import looked_at
 from freebody.study.steady.extremes import ExtremaSearch, angle_of, at_start_but_for, told
 from freebody.study.steady.round_turn import STEP, FullTurn
 from freebody.study.steady.turning import Extremum, TurningAngle
@@ -36,7 +37,11 @@ _PLACE = 1e-9  # [rad] the place of an extreme; its value is far better
 
 def tell_extremes(context: Context, question: Question, answer: Answer, q: Extremes) -> list[DerivationStage]:
     """The quantity, its slope, the stationary places, the extreme values."""
-    setup, model = context.setup, context.setup.model
+    setup = looked_at(context.setup, question)
+    if setup is not context.setup:
+        context = Context(setup.system, context.next_number, context.introduced)
+        setup = context.setup
+    model = setup.model
     f = model.field
     x = explicit(model, f.lowest_terms(f.element(q.of.value(setup.system, setup.state))))
     c = angle_of(model, q, x)

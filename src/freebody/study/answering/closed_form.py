@@ -121,8 +121,10 @@ class QuestionSolver:
         if q.wanted is not None:
             return self._turned_round(q.wanted)
         if q.scope == "steady motion":
-            from freebody.study.steady.ask import find
+            from freebody.study.steady.ask import find, looked_at
 
+            self.setup = looked_at(self.setup, self.question)
+            self.model, self.system = self.setup.model, self.setup.system
             return find(self.setup, self.question)
         if q.scope == "linkage":
             from freebody.study.mobility.loop_answers import find as find_of_loop
@@ -346,7 +348,8 @@ class QuestionSolver:
         known = [x]
         for rest in others[:_MOST_RESTS]:
             value = SymbolicState(self.model, rest.values).value(q.measure)
-            if all(value != other for other in known):
+            is_still = all(value.field.generators[g].kind != "time" for g in value.field.ingredients(value))
+            if is_still and all(value != other for other in known):
                 known.append(value)
                 where = joined(texts([*rest.exists, *(replace(c, purpose="") for c in rest.stable)]))
                 shown = to_text(tidy(value))

@@ -20,6 +20,16 @@ def find(setup: Setup, question: Question) -> Finding:
     return _find(question.quantity, setup, question)
 
 
+def looked_at(setup: Setup, question: Question) -> Setup:
+    """The system as a question looks at it: what is asked of the poses of a turn does not ask how it is driven."""
+    quantity = question.quantity
+    if not (quantity.is_of_turn and quantity.inner[0].kinematic_order == 0):
+        return setup
+    from freebody.study.steady.extremes import without_drive
+
+    return without_drive(setup)
+
+
 @singledispatch
 def _find(q: Quantity, setup: Setup, question: Question) -> Finding:
     raise CannotAnswer(Message("this is no question about steady motion"))

@@ -8,10 +8,13 @@ three are questions for the zeros of factors, which `turning.py` finds, or prove
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 from freebody.errors import CannotAnswer
+from freebody.language.expression import ZERO, differentiate, free_symbols
 from freebody.language.notation import joined, reworded, to_text
 from freebody.language.sentences import Message, in_turn
+from freebody.language.units import DIMENSIONLESS
 from freebody.questions.reading import Question
 from freebody.questions.steady import Extremes
 from freebody.study.answering.finding import Elements, Finding
@@ -49,6 +52,20 @@ def extremes(setup: Setup, question: Question, q: Extremes) -> Finding:
     notes = [_where(Message("least"), least, c), _where(Message("largest"), largest, c), *turning.notes]
     element = told(search, q, least, largest)
     return Finding(element, evidence, search.conditions + _kept(setup, turning), notes)
+
+
+def without_drive(setup: Setup) -> Setup:
+    """Free to turn, where an angle is driven at a constant rate: poses are passed through all the same. The angle is
+    the one measure that is left, and so the coordinate."""
+    system = setup.system
+    drives = [row for row in system.constraint_rows if "t" in free_symbols(row.target or ZERO)]
+    rates = [differentiate(differentiate(row.target, "t"), "t") for row in drives if row.target is not None]
+    if len(drives) != 1 or drives[0].measure.dimension != DIMENSIONLESS or rates[0] != ZERO:
+        return setup
+    turned = drives[0].measure
+    name = next((n for n, m in system.measures.items() if m == turned), "turn")
+    rows = tuple(row for row in system.constraint_rows if row is not drives[0])
+    return Setup(replace(system, constraint_rows=rows, measures={name: turned}, start={}, start_rates={}))
 
 
 def told(search: ExtremaSearch, q: Extremes, least: Extremum, largest: Extremum) -> Elements:

@@ -86,7 +86,7 @@ def _during(setup: Setup, question: Question, q: SteadyValue, steady: Steady) ->
     texts = [] if solutions is not None else steady.texts()
     motion = solutions or (steady.any_solution() if steady.equations else None)
     evidence = during_steady_motion(setup, question.text, steady, motion, q.of, by_root)
-    notes = [] if texts or solutions is not None else [Message("every such motion is steady")]
+    notes: list[str] = [] if texts or solutions is not None else [Message("every such motion is steady")]
     says: list[str] = [Message("steady while {conditions}", conditions=further(*texts))] if texts else []
     needed = setup.holding(steady.state) + setup.clearances(steady.state, ">=")
     ranges = [c for x in roots for c in _ranges(x, _THERE_IS)] if solutions is not None else []
