@@ -318,7 +318,7 @@ connections: {hit: {weld: [bullet, block], closes: at start}}
     assert "before the blow" in system.solve("energy lost in the blow / kinetic energy at start").answers[0].reason
 
 
-TAUT = """
+PUCK = """
 parameters: {m: 0.4 kg, L: 1 m, b: 0.5 m, v0: 3 m/s}
 bodies: {puck: {particle: {mass: m}}}
 connections: {string: {stop: {measure: s, max: L}}}
@@ -338,6 +338,6 @@ start: {x: 0, y: b, rate(x): v0, rate(y): 0}
     ],
 )
 def test_a_string_that_comes_taut_takes_the_speed_along_it(question: str, expected: str) -> None:
-    answer = fb.System.from_text(TAUT).solve(question).answers[0]
+    answer = fb.System.from_text(PUCK).solve(question).answers[0]
     assert answer.expression is not None, answer.reason
     assert_same_function(to_python(answer.expression), expected, {"m": 0.4, "L": 1.0, "b": 0.3, "v0": 3.0})

@@ -205,7 +205,7 @@ def _question(names: Names, name: str, value: Any) -> Question | None:
 
 def _understood(names: Names, text: str, when: object) -> tuple[_Asked, str] | None:
     """What a text asks for, and the words of the grammar in which it does."""
-    found = understood(names, text, lambda words: _asked(names, as_condition(names, words), when))
+    found = understood(names, text, lambda words: _asked(names, as_condition(names, words.rstrip(" ?!")), when))
     return None if found is None else (found[0], as_condition(names, found[1]))
 
 
