@@ -10,6 +10,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from freebody.errors import CannotAnswer
 from freebody.language.expression import Call, Symbol, evaluate
 from freebody.symbolic.angle_factors import factors_of, open_parts
 from freebody.symbolic.field import Generator, Ratio
@@ -271,3 +272,12 @@ def test_a_function_with_the_sign_of_its_argument_is_decided_by_that() -> None:
     assert [str(x) for x in open_parts(f["atan"](SET.a / (SET.b - SET.q)))] == [str(SET.b - SET.q)]
     assert open_parts(f["atan"](-SET.a / SET.b)) == [FIELD.element(-1)]
     assert open_parts(f["asin"](SET.a / SET.b) * (SET.b - SET.q)) == [SET.b - SET.q]
+
+
+def test_a_product_that_memory_would_not_hold_is_refused() -> None:
+    field = SignedField()
+    x, y, z, w = (field.parameter(name) for name in "xyzw")
+    a, b = (x + y + 1) ** 62, (z + w + 1) ** 62  # 2016 terms each
+    assert len((a * x).num) == len(a.num)
+    with pytest.raises(CannotAnswer, match="more than 60000 terms"):
+        _ = a * b

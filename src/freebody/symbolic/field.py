@@ -95,7 +95,8 @@ class Ratio:
         ad, bd = self.field.denominators(self, b)
         if ad == bd:
             return self.field.quotient(an + bn, ad)
-        return self.field.quotient(an * bd + bn * ad, ad * bd)
+        product = self.field.product
+        return self.field.quotient(product(an, bd) + product(bn, ad), product(ad, bd))
 
     __radd__ = __add__
 
@@ -116,9 +117,9 @@ class Ratio:
             return b
         an, bn = self.field.lift(self, b)
         if self.den is None and b.den is None:
-            return Ratio(self.field, self.field.reduce(an * bn), None)
+            return Ratio(self.field, self.field.reduce(self.field.product(an, bn)), None)
         ad, bd = self.field.denominators(self, b)
-        return self.field.quotient(an * bn, ad * bd)
+        return self.field.quotient(self.field.product(an, bn), self.field.product(ad, bd))
 
     __rmul__ = __mul__
 
@@ -128,7 +129,7 @@ class Ratio:
             raise ZeroDivisionError("division by an expression that is zero")
         an, bn = self.field.lift(self, b)
         ad, bd = self.field.denominators(self, b)
-        return self.field.quotient(an * bd, ad * bn)
+        return self.field.quotient(self.field.product(an, bd), self.field.product(ad, bn))
 
     def __rtruediv__(self, other: int) -> Ratio:
         return self.field.element(other) / self

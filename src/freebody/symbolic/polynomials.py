@@ -22,7 +22,17 @@ Terms: TypeAlias = Mapping[Monomial, int]
 
 # Above this many terms an element is no longer something that anybody reads or that factors quickly.
 TERM_LIMIT = 60_000
+PRODUCT_LIMIT = 4_000_000  # terms that a product has before like ones are added
 _QUICK_TERMS = 40
+
+
+def _too_long() -> CannotAnswer:
+    return CannotAnswer(
+        Message(
+            "the closed form would have more than {n} terms; ask for numbers or for the equations of motion instead",
+            n=TERM_LIMIT,
+        )
+    )
 
 
 class PolynomialRing:
@@ -78,16 +88,16 @@ class PolynomialRing:
             data[key] = data.get(key, 0) + coefficient
         return self._context.from_dict(data)
 
+    def product(self, a: Poly, b: Poly) -> Poly:
+        """Raises CannotAnswer where it would be too long to be made: FLINT ends the process where memory does."""
+        if len(a) * len(b) > PRODUCT_LIMIT:
+            raise _too_long()
+        return a * b
+
     def reduce(self, poly: Poly) -> Poly:
         """Normal form modulo the relations g^2 = r."""
         if len(poly) > TERM_LIMIT:
-            raise CannotAnswer(
-                Message(
-                    "the closed form would have more than {n} terms; ask for numbers or for the "
-                    "equations of motion instead",
-                    n=TERM_LIMIT,
-                )
-            )
+            raise _too_long()
         if not self._relations or poly.is_constant():
             return poly
         last = self._capacity - 1
