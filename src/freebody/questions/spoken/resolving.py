@@ -9,7 +9,7 @@
     @mass(block)            the parameter that is its mass
     @moving, @body          what is measured, or the body that moves
     @all(ladder)            `it`, where the body is all that moves
-    @struck(start)          what stands in the parentheses, where something strikes when the motion begins
+    @struck(A|B)            A, where something strikes when the motion begins and then alone, else B
     @either(A|B)            what stands in the parentheses
 
 Where a model has several, each is a way to mean the text.
@@ -76,7 +76,8 @@ def _choices(names: Names, what: str, args: str) -> list[str]:
             masses = [body.mass for name, body in names.bodies.items() if name == first]
             return [mass.name for mass in masses if isinstance(mass, Symbol)]
         case "struck":
-            return [args] if _is_struck_at_start_alone(names) else []
+            first, _, other = args.partition("|")
+            return [first] if _is_struck_at_start_alone(names) else [other] if other else []
         case "either":
             return args.split("|")
         case _:
