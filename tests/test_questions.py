@@ -215,3 +215,14 @@ loads: {weight: {gravity: g}}
     assert system.solve("vertical reaction of A").answers[0].value == pytest.approx(49.05)
     assert system.solve("reaction of B along up").answers[0].value == pytest.approx(49.05)
     assert "A.x is not unique" in system.solve("horizontal reaction of A").answers[0].reason
+
+
+def test_a_body_that_only_turns_is_said_to_have_no_speed() -> None:
+    system = fb.System.from_text("""
+bodies: {sun: {disk: {mass: 1 kg, radius: 0.1 m}}}
+connections: {axle: {pin: [ground.O, sun]}}
+loads: {drive: {torque: {on: sun, magnitude: 3 N m}}}
+""")
+    answer = system.solve("speed of sun").answers[0]
+    assert answer.value == 0.0
+    assert answer.notes == ("its mass centre stands still: ask for the angular velocity of sun",)

@@ -299,6 +299,10 @@ class Quantity:
         """What it is called, for the catalogues of every language; None where the words of the question are quoted."""
         return None
 
+    def remark_on_zero(self, system: Described) -> str:
+        """What is to be said where it is zero whatever the motion is: what may have been meant instead."""
+        return ""
+
     def remark(self, system: Described) -> str:
         """What is to be said of an answer: of which of two opposite forces it is."""
         return ""

@@ -129,6 +129,13 @@ questions: {it: acceleration of ball}
     def value(self, system: Described, state: State[Any]) -> Any:
         return component(place(system, state, self.point, self.order), self.along, self.size, state, self.basis)
 
+    def remark_on_zero(self, system: Described) -> str:
+        body = system.bodies[self.point.body]
+        if not (self.order and body.turns and not body.fixed and self.point == body.mass_center):
+            return ""
+        what = "velocity" if self.order == 1 else "acceleration"
+        return Message("its mass centre stands still: ask for the angular {what} of {body}", what=what, body=body.name)
+
     def sentence(self, system: Described) -> Sentence | None:
         if not has_name(self.along, self.basis):
             return None
