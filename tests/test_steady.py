@@ -6,6 +6,7 @@ Systems, 1972. What has no source is derived in its line.
 
 from __future__ import annotations
 
+import math
 import random
 from collections.abc import Callable
 from pathlib import Path
@@ -581,3 +582,43 @@ def test_the_stroke_of_a_driven_crank_is_derived() -> None:
 def test_a_drive_that_swings_makes_no_turn() -> None:
     swinging = DRIVEN.replace("follows: w*t", "follows: sin(w*t)")
     assert "varies with time" in the(ask(swinging, "stroke of x")).reason
+
+
+YOKE = """
+parameters: {r: 0.06 m, w: 25 rad/s}
+bodies: {crank: {rod: {length: r}}, yoke: {body: {mass: 2.5 kg}}}
+connections:
+  O: {pin: [ground.O, crank.start]}
+  guide: {slider: {body: yoke, along: right}}
+  slot: {slot: {pin: crank.end, along: yoke.y, on: yoke}}
+  motor: {driver: {measure: theta, follows: w*t}}
+measures: {theta: {angle of crank}, x: x of yoke}
+start: {theta: 0}
+"""
+
+
+@pytest.mark.parametrize(
+    ("question", "formula"),
+    [  # x = r cos(theta)
+        ("extremes of velocity of x over a turn of theta", ["-r*w", "r*w"]),
+        ("extremes of acceleration of x over a turn of theta", ["-r*w**2", "r*w**2"]),
+        ("stroke of velocity of x over a turn of theta", "2*r*w"),
+    ],
+)
+def test_rates_over_a_turn_are_those_of_its_drive(agrees: Agree, question: str, formula: str | list[str]) -> None:
+    solution = ask(YOKE, question)
+    agrees(solution, the(solution).id, formula)
+
+
+def test_extremes_without_a_formula_have_numbers() -> None:
+    # at the dead points -r w^2 (1 + r/l) and r w^2 (1 - r/l), which are the extremes for l > 3.6 r or so
+    answer = the(ask(DRIVEN, "extremes of acceleration of x over a turn of theta"))
+    assert answer.expression is None
+    assert answer.value == pytest.approx((-50.0, 30.0), rel=1e-9)
+    # the largest speed by its own condition: dx/dtheta = -r sin - r^2 sin cos/(l cos phi) is least
+    speeds = [
+        0.1 * math.sin(a) + 0.01 * math.sin(a) * math.cos(a) / math.sqrt(0.16 - 0.01 * math.sin(a) ** 2)
+        for a in (k * math.pi / 200_000 for k in range(200_000))
+    ]
+    answer = the(ask(DRIVEN, "extremes of velocity of x over a turn of theta"))
+    assert answer.value == pytest.approx((-20 * max(speeds), 20 * max(speeds)), rel=1e-8)

@@ -24,7 +24,7 @@ from freebody.study.answering.answer import Answer
 from freebody.study.answering.crosscheck import holds
 from freebody.study.answering.finding import Elements
 from freebody.study.steady.ask import looked_at
-from freebody.study.steady.extremes import ExtremaSearch, angle_of, at_start_but_for, told
+from freebody.study.steady.extremes import ExtremaSearch, angle_of, at_start_but_for, elsewhere, told
 from freebody.study.steady.round_turn import STEP, FullTurn
 from freebody.study.steady.turning import Extremum, TurningAngle
 from freebody.symbolic.closure import explicit
@@ -38,6 +38,8 @@ _PLACE = 1e-9  # [rad] the place of an extreme; its value is far better
 def tell_extremes(context: Context, question: Question, answer: Answer, q: Extremes) -> list[DerivationStage]:
     """The quantity, its slope, the stationary places, the extreme values."""
     setup = looked_at(context.setup, question)
+    if setup is not context.setup and q.of.kinematic_order:
+        raise CannotAnswer(Message("extremes of rates in a turn that is driven are not told step by step"))
     if setup is not context.setup:
         context = Context(setup.system, context.next_number, context.introduced)
         setup = context.setup
@@ -47,7 +49,7 @@ def tell_extremes(context: Context, question: Question, answer: Answer, q: Extre
     c = angle_of(model, q, x)
     general = x
     x = at_start_but_for(setup, question, x, c)
-    turning = TurningAngle(model, c)
+    turning = TurningAngle(model, c, elsewhere(setup, c, q.of))
     search = ExtremaSearch(turning)
     search.must_exist(x)
     found = search.stationary(x)

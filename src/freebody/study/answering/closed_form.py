@@ -105,6 +105,10 @@ class QuestionSolver:
     def _number_instead(self) -> Value:
         """The value of the numeric route where there is no closed form, at the start or at the event."""
         q = self.question
+        if q.quantity.is_of_turn and self.setup.has_values:
+            from freebody.study.steady.ask import number as number_of_turn
+
+            return number_of_turn(q.quantity, self.setup, q)
         if (
             not self.setup.has_values
             or q.quantity.scope in ("steady motion", "linkage")

@@ -9,6 +9,7 @@ from freebody.language.sentences import Message
 from freebody.questions.base import Quantity
 from freebody.questions.reading import Question
 from freebody.questions.steady import Extremes, SpinStability, SteadyStability, SteadyValue
+from freebody.study.answering.answer import Value
 from freebody.study.answering.finding import Finding
 from freebody.study.setup import Setup
 
@@ -21,13 +22,35 @@ def find(setup: Setup, question: Question) -> Finding:
 
 
 def looked_at(setup: Setup, question: Question) -> Setup:
-    """The system as a question looks at it: what is asked of the poses of a turn does not ask how it is driven."""
+    """The system as a question looks at it: what geometry tells of the poses of a turn, and of rates in them, asks of a
+    drive at a constant rate no more than that."""
     quantity = question.quantity
-    if not (quantity.is_of_turn and quantity.inner[0].kinematic_order == 0):
+    if not quantity.is_of_turn or quantity.inner[0].kinematic_order is None:
         return setup
-    from freebody.study.steady.extremes import without_drive
+    from freebody.study.steady.drive import without_drive
 
     return without_drive(setup)
+
+
+@singledispatch
+def number(q: Quantity, setup: Setup, question: Question) -> Value:
+    """What is asked by the numeric route alone, at the model's own values; None where that is not looked for. Raises
+    CannotAnswer."""
+    return None
+
+
+@number.register(Extremes)
+def _number_of_turn(q: Extremes, setup: Setup, question: Question) -> Value:
+    from freebody.study.steady.extremes import angle_of, followed
+    from freebody.study.steady.round_turn import FullTurn, extremes_in_numbers
+    from freebody.symbolic.closure import explicit
+
+    if q.what == "time ratio" or question.at_start:
+        return None
+    x = followed(setup, q)
+    c = angle_of(setup.model, q, explicit(setup.model, setup.model.field.element(x)))
+    least, largest = extremes_in_numbers(FullTurn(setup, setup.draws[0], c, q.of))
+    return (least, largest) if q.what == "extremes" else largest - least
 
 
 @singledispatch

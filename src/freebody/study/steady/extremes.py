@@ -8,19 +8,20 @@ three are questions for the zeros of factors, which `turning.py` finds, or prove
 from __future__ import annotations
 
 import math
-from dataclasses import replace
+from contextlib import suppress
+from typing import Any
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import ZERO, differentiate, free_symbols
 from freebody.language.notation import joined, reworded, to_text
 from freebody.language.sentences import Message, in_turn
-from freebody.language.units import DIMENSIONLESS
+from freebody.questions.base import Quantity
 from freebody.questions.reading import Question
 from freebody.questions.steady import Extremes
 from freebody.study.answering.finding import Elements, Finding
 from freebody.study.setup import Setup
+from freebody.study.steady.drive import followed
 from freebody.study.steady.reduced import odd_part
-from freebody.study.steady.round_turn import over_a_turn
+from freebody.study.steady.round_turn import FullTurn, over_a_turn
 from freebody.study.steady.turning import Extremum, TurningAngle, TurnPose
 from freebody.symbolic.closure import explicit
 from freebody.symbolic.conditions import Condition, require
@@ -36,13 +37,13 @@ from freebody.symbolic.unknowns import Coordinate
 def extremes(setup: Setup, question: Question, q: Extremes) -> Finding:
     """(least, largest). Raises CannotAnswer where they have no closed form, or there is none."""
     model = setup.model
-    value = q.of.value(setup.system, setup.state)
+    value = followed(setup, q)
     if isinstance(value, tuple):
         raise CannotAnswer(Message("a vector has no extremes; ask for its size or for a component along a direction"))
     x = explicit(model, model.field.lowest_terms(model.field.element(value)))
     c = angle_of(model, q, x)
     x = at_start_but_for(setup, question, x, c)
-    turning = TurningAngle(model, c)
+    turning = TurningAngle(model, c, elsewhere(setup, c, q.of))
     turning.check(x)
     search = ExtremaSearch(turning)
     search.must_exist(x)
@@ -54,18 +55,15 @@ def extremes(setup: Setup, question: Question, q: Extremes) -> Finding:
     return Finding(element, evidence, search.conditions + _kept(setup, turning), notes)
 
 
-def without_drive(setup: Setup) -> Setup:
-    """Free to turn, where an angle is driven at a constant rate: poses are passed through all the same. The angle is
-    the one measure that is left, and so the coordinate."""
-    system = setup.system
-    drives = [row for row in system.constraint_rows if "t" in free_symbols(row.target or ZERO)]
-    rates = [differentiate(differentiate(row.target, "t"), "t") for row in drives if row.target is not None]
-    if len(drives) != 1 or drives[0].measure.dimension != DIMENSIONLESS or rates[0] != ZERO:
-        return setup
-    turned = drives[0].measure
-    name = next((n for n, m in system.measures.items() if m == turned), "turn")
-    rows = tuple(row for row in system.constraint_rows if row is not drives[0])
-    return Setup(replace(system, constraint_rows=rows, measures={name: turned}, start={}, start_rates={}))
+def elsewhere(setup: Setup, c: Coordinate, quantity: Quantity) -> list[dict[int, Any]]:
+    """The numbers of the draws that are no samples of the formulas, where they go all the way round."""
+    known = sum(sample.is_start for sample in setup.model.samples.points)
+    found: list[dict[int, Any]] = []
+    for draw in setup.draws[known:]:
+        with suppress(CannotAnswer):
+            FullTurn(setup, draw, c, quantity).poses()
+            found.append(setup.model.samples.numbers(draw.sample()))
+    return found
 
 
 def told(search: ExtremaSearch, q: Extremes, least: Extremum, largest: Extremum) -> Elements:

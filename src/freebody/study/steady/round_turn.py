@@ -7,15 +7,17 @@ import math
 import numpy as np
 
 from freebody.errors import CannotAnswer
+from freebody.language.expression import ZERO, substitute
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.numeric.jets import Array
-from freebody.numeric.reference import Snapshot
+from freebody.numeric.reference import Reference, Snapshot
 from freebody.questions.base import Quantity
 from freebody.study.answering.answer import Evidence
 from freebody.study.answering.crosscheck import INSTANT_TOLERANCE, CrossCheck, element_at, holds
 from freebody.study.answering.draws import Draw
 from freebody.study.setup import Setup
+from freebody.study.steady.drive import FreeToTurn
 from freebody.study.steady.turning import Extremum
 from freebody.symbolic.conditions import Condition
 from freebody.symbolic.unknowns import Coordinate
@@ -24,6 +26,8 @@ N_POSES = 24
 STEP = math.tau / N_POSES
 _NEARLY_HALF = math.pi - 1e-6  # angles count from the start, by less than half a turn to either side
 _STEP = 0.07  # [rad] from pose to pose
+_GOLDEN = (math.sqrt(5.0) - 1.0) / 2.0
+_SECTIONS = 40  # of two steps: the place to 1e-9, the value far better
 _RATE = 0.83  # of the angle, where the quantity depends on it
 
 
@@ -114,4 +118,33 @@ class FullTurn:
         return q
 
     def value(self, q: Array) -> float:
+        if isinstance(self.setup, FreeToTurn) and self.quantity.kinematic_order:
+            return float(self.quantity.value(self.setup.driven, self._driven(self.setup, q)))
         return float(self.quantity.value(self.setup.system, self.draw.seen(self._snapshot(q))))
+
+    def _driven(self, setup: FreeToTurn, q: Array) -> Snapshot:
+        """The system with its drive, at the time at which that comes through a pose."""
+        reference = Reference(setup.driven, self.draw.values)
+        rate, target = reference.number(setup.rate), setup.drive.target
+        assert target is not None
+        begin = reference.number(substitute(target, {"t": ZERO}))
+        still = self.draw.reference.snapshot(q, np.zeros_like(q))
+        t = (still.value(self.measure) - begin) / rate
+        return reference.snapshot(q, reference.velocities(q, (), t, with_start=False), t)
+
+
+def extremes_in_numbers(turn: FullTurn) -> tuple[float, float]:
+    """The least and the largest value round a turn by the numeric route alone: the best of the poses on the way, and
+    between its neighbours the golden section."""
+    poses = [(away, q, turn.value(q)) for away, q in sorted(turn.poses(), key=lambda pose: pose[0])]
+    found: list[float] = []
+    for sign in (1.0, -1.0):
+        away, q, best = min(poses, key=lambda pose: sign * pose[2])
+        low, high = away - STEP, away + STEP
+        for _ in range(_SECTIONS):
+            first, second = high - _GOLDEN * (high - low), low + _GOLDEN * (high - low)
+            at_first, at_second = (sign * turn.value(turn.pose(q, x)) for x in (first, second))
+            low, high = (low, second) if at_first < at_second else (first, high)
+            best = sign * min(sign * best, at_first, at_second)
+        found.append(best)
+    return found[0], found[1]

@@ -13,7 +13,7 @@ Any other factor must have no zero: its sign is followed round the turn in ball 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -72,10 +72,11 @@ def tidy_name(name: str) -> Any:
 
 
 class TurningAngle:
-    """One angle of a model on its way round."""
+    """One angle of a model on its way round. others: more admissible values, beside the samples of the model."""
 
-    def __init__(self, model: SymbolicModel, angle: Coordinate) -> None:
+    def __init__(self, model: SymbolicModel, angle: Coordinate, others: Sequence[dict[int, Any]] = ()) -> None:
         self.model, self.angle, self.field = model, angle, model.field
+        self.others = tuple(others)
         self.notes: list[str] = []
         pair = self.field.pair_of(angle.index)
         if pair is None:
@@ -243,9 +244,11 @@ class TurningAngle:
     # -- proofs -------------------------------------------------------------------------------
     def _prove_no_zero(self, base: Ratio) -> None:
         """Raises CannotAnswer unless the factor keeps its sign round the turn at all samples."""
-        shown, starts = to_text(tidy(base)), [s for s in self.model.samples.points if s.is_start]
-        for sample in starts:
-            if not self._keeps_its_sign(base, self.model.samples.numbers(sample)):
+        samples = self.model.samples
+        shown, starts = to_text(tidy(base)), [samples.numbers(s) for s in samples.points if s.is_start]
+        starts += self.others
+        for numbers in starts:
+            if not self._keeps_its_sign(base, numbers):
                 raise CannotAnswer(Message("where {x} = 0 has no closed form", x=shown))
         words = Message(
             "{x} does not vanish on the way: shown in ball arithmetic for {n} sets of parameter values",

@@ -1,0 +1,51 @@
+"""A turn that is driven, as one that is free: the poses are the same, and the rates in them those of the drive.
+
+With theta' = w constant, what geometry tells of a mechanism with one freedom is, over the turn of theta, a function of
+theta alone: x = x(theta), x' = x_theta w, x'' = x_theta_theta w^2.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+from freebody.language.expression import ZERO, Expr, differentiate, free_symbols
+from freebody.language.units import DIMENSIONLESS
+from freebody.model.elements import ConstraintRow, NonholonomicForm
+from freebody.questions.steady import Extremes
+from freebody.study.setup import Setup
+from freebody.symbolic.state import SymbolicState
+from freebody.system.system import System
+
+
+class FreeToTurn(Setup):
+    """A system whose one drive, that of an angle at a constant rate, is left out: the angle is the one measure, and so
+    the coordinate. driven: the system with it; rate: of the angle [rad/s]."""
+
+    def __init__(self, driven: System, drive: ConstraintRow, rate: Expr) -> None:
+        assert not isinstance(drive.measure, NonholonomicForm)
+        name = next((n for n, m in driven.measures.items() if m == drive.measure), "turn")
+        rows = tuple(row for row in driven.constraint_rows if row is not drive)
+        measures = {name: drive.measure}
+        super().__init__(replace(driven, constraint_rows=rows, measures=measures, start={}, start_rates={}))
+        self.driven, self.drive, self.rate = driven, drive, rate
+
+
+def without_drive(setup: Setup) -> Setup:
+    """Free to turn, where an angle is driven at a constant rate; else as it is."""
+    system = setup.system
+    drives = [row for row in system.constraint_rows if "t" in free_symbols(row.target or ZERO)]
+    if len(drives) != 1 or drives[0].target is None or drives[0].measure.dimension != DIMENSIONLESS:
+        return setup
+    rate = differentiate(drives[0].target, "t")
+    return FreeToTurn(system, drives[0], rate) if differentiate(rate, "t") == ZERO else setup
+
+
+def followed(setup: Setup, q: Extremes) -> Any:
+    """The quantity over the turn: its rates are those of the drive, where that is left out."""
+    model, system = setup.model, setup.system
+    if not isinstance(setup, FreeToTurn) or not q.of.kinematic_order:
+        return q.of.value(system, setup.state)
+    rate = model.geometry.scalar(setup.rate)
+    turned = next(c for c in model.coordinates if model.measure_of(c) == setup.drive.measure)
+    return q.of.value(system, SymbolicState(model.without_accelerations(), {turned.speed: rate}))
