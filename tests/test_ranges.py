@@ -162,3 +162,18 @@ def test_the_end_of_a_range_is_derived(language: str) -> None:
     told = fb.explain(System.from_text(text), language=language).to_text()
     assert ("There is no derivation" if language == "en" else "keine Herleitung") not in told, told
     assert "m₁" in told
+
+
+def test_a_range_is_found_where_the_numbers_of_the_file_do_not_get_there() -> None:
+    # v^2 = 2 g L (1 - cos theta0) at the bottom, above the peg v^2 = that - 4 g (L - d) >= g (L - d)
+    system = fb.System.from_text("""
+parameters: {m: 0.5 kg, L: 1 m, d: 0.7 m, theta0: 60 deg, g: 9.81 m/s^2}
+ground: {points: {O: [0, 0], P: [0, -d]}}
+bodies: {bob: {particle: {mass: m}}}
+connections: {string: {link: [ground.P, bob, L - d]}}
+loads: {weight: {gravity: g}}
+measures: {phi: {angle of line from ground.P to bob from down}}
+start: {phi: 0, rate(phi): sqrt(2*g*L*(1 - cos(theta0)))/(L - d)}
+""")
+    answer = system.solve("least d so that tension of string >= 0 when phi = 180 deg").answers[0]
+    assert answer.value == pytest.approx(0.8)
