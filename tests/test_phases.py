@@ -844,10 +844,13 @@ start: {x: 0, rate(x): v}
 def test_one_law_tells_of_a_whole_motion_only_what_nothing_ends(agrees_text: Agree) -> None:
     # v sqrt(m/k) = 0.2 m lies behind the stop at 0.05 m
     system = fb.System.from_text(STOPPED)
-    for question in ("period of x", "greatest x"):
-        answer = system.solve(question).answers[0]
-        assert answer.expression is None, question
-        assert answer.value is None, question
+    answer = system.solve("period of x").answers[0]
+    assert answer.expression is None
+    assert answer.value is None
+    answer = system.solve("greatest x").answers[0]
+    assert answer.expression is not None
+    assert to_text(answer.expression) == "d"
+    assert answer.conditions == ("m·v² > k·d²",)
     slow = fb.System.from_text(STOPPED.replace("v: 2", "v: 0.4"))
     for question, formula in (("period of x", "2*pi*sqrt(m/k)"), ("greatest x", "v*sqrt(m/k)")):
         answer = slow.solve(question).answers[0]
@@ -872,3 +875,19 @@ start: {s: 0, rate(s): 0}
     top = "r**2*w0**2*(mu*cos(alpha) - sin(alpha))/(4*g*sin(alpha)*(3*mu*cos(alpha) - sin(alpha)))"
     agrees_text(to_python(answer.expression), top)
     assert system.solve("least s").answers[0].value is None
+
+
+def test_a_ceiling_ends_a_throw(agrees_text: Agree) -> None:
+    text = """
+parameters: {m: 1 kg, h: 1 m, v: 8 m/s, g: 9.81 m/s^2}
+bodies: {ball: {particle: {mass: m}}}
+connections: {top: {stop: {measure: y, max: h, restitution: 0.5}}}
+loads: {weight: {gravity: g}}
+measures: {y: y of ball}
+start: {y: 0, rate(y): v}
+"""
+    for speed, formula, condition in (("8 m/s", "h", "v² > 2·h·g"), ("3 m/s", "v**2/(2*g)", "2·h·g ≥ v²")):
+        answer = fb.System.from_text(text.replace("8 m/s", speed)).solve("greatest y").answers[0]
+        assert answer.expression is not None, answer.reason
+        agrees_text(to_python(answer.expression), formula)
+        assert condition in answer.conditions

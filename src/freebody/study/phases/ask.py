@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from contextlib import suppress
 from dataclasses import dataclass, replace
 
@@ -21,8 +22,9 @@ from freebody.study.answering.simulated_numbers import number_with_changes
 from freebody.study.phases.decide import NOTHING, as_test, cells
 from freebody.study.phases.evidence import compare
 from freebody.study.phases.kept import in_first_modes
+from freebody.study.phases.nodes import WayToPhase
 from freebody.study.phases.numbers import Chosen, holds
-from freebody.study.phases.pieces import AnswerBranch, pieces
+from freebody.study.phases.pieces import AnswerBranch, at_turning_impacts, pieces
 from freebody.study.phases.result import relations
 from freebody.study.phases.tree import PhaseTree
 from freebody.study.phases.words import action, happening, in_phase
@@ -57,8 +59,8 @@ def _by_cases(tree: PhaseTree, question: Question) -> Answer:
 
 
 def _at_first_turn(tree: PhaseTree, question: Question) -> Answer:
-    """How far the motion gets until it first turns on that side, through all phases until then. An impact on the way
-    may turn it: then the first place without speed is on the other side."""
+    """How far the motion gets until it first turns on that side, through all phases until then: by itself, or thrown
+    back by an impact."""
     turn = question.quantity.turn
     assert turn is not None
     of, event, side = turn
@@ -67,18 +69,30 @@ def _at_first_turn(tree: PhaseTree, question: Question) -> Answer:
     rate = tree.to_home(phase, state.rate(event.measure))
     if rate.is_zero():
         rate = tree.to_home(phase, state.acceleration(event.measure))
-    towards = np.flatnonzero(side * tree.numbers(rate) > 0)
+    open_ = np.flatnonzero(side * tree.numbers(rate) > 0)
+    found: list[tuple[Question, AnswerBranch]] = []
+
+    def take(asked: Question, branches: Iterable[AnswerBranch]) -> None:
+        nonlocal open_
+        for piece in branches:
+            sets = np.intersect1d(piece.sets, open_)
+            if len(sets):
+                needed = tree.conditions([(side * rate, ">", "")], sets)
+                found.append((asked, replace(piece, sets=sets, conditions=[*piece.conditions, *needed])))
+                open_ = np.setdiff1d(open_, sets)
+
+    # an impact may turn it: behind one the first place without speed is on the other side
     asked = replace(question, quantity=of, event=event)
-    found: list[AnswerBranch] = []
-    for piece in pieces(tree, asked):
-        sets = np.intersect1d(piece.sets, towards)
-        is_smooth = all(node.impact is None for node in piece.nodes[1:])
-        if len(sets) and piece.nodes[0] is root and is_smooth:
-            needed = tree.conditions([(side * rate, ">", "")], sets)
-            found.append(replace(piece, sets=sets, conditions=[*piece.conditions, *needed]))
-    if not found or (tree.system.has_values and 0 not in found[0].sets):
+    with suppress(CannotAnswer):
+        smooth = (p for p in pieces(tree, asked) if all(node.impact is None for node in p.nodes[1:]))
+        take(asked, [p for p in smooth if p.nodes[0] is root])
+    struck = replace(question, quantity=of)
+    way = WayToPhase((root,), (), (*tree.assumed, *root.conditions))
+    take(struck, at_turning_impacts(tree, struck, event.measure, side, way))
+    own = next(((q, p) for q, p in found if 0 in p.sets or not tree.system.has_values), None)
+    if own is None:
         raise CannotAnswer(Message("no turn on that side was found among the phases of the motion"))
-    answer = _of_branches(tree, asked, found)
+    answer = _of_branches(tree, own[0], [p for q, p in found if q is own[0]])
     return replace(answer, notes=(*answer.notes, Message("there it turns for the first time on that side")))
 
 

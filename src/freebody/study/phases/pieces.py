@@ -11,6 +11,7 @@ import numpy as np
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
+from freebody.measures.base import Measure
 from freebody.questions.course import Transition
 from freebody.questions.reading import AskedEvent, Question, is_of_start
 from freebody.study.answering.conditions import as_written, at_instant, real
@@ -29,6 +30,8 @@ from freebody.study.phases.words import happening, label
 from freebody.symbolic.conditions import Condition
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.phases.course import EnergyMotion
+from freebody.symbolic.state import SymbolicState
+from freebody.tolerances import ROUND_OFF
 
 
 @dataclass
@@ -397,6 +400,27 @@ def watches_of(
     for watch, mine, given in sides(tree, node.phase, event, node.began, "is reached", node.sets):
         if watch is not None:
             yield watch, mine, given
+
+
+def at_turning_impacts(
+    tree: PhaseTree, question: Question, measure: Measure, side: int, way: WayToPhase
+) -> Iterator[AnswerBranch]:
+    """Where the first impact stops a measure that grows (side +1) or falls, or throws it back."""
+    phase = way.last.phase
+    for edge in way.last.edges:
+        if edge.first is None:
+            continue
+        there = SymbolicState(phase.model, {**phase.still, **edge.first.zero.values})
+        before = side * tree.numbers(tree.to_home(phase, there.rate(measure)))
+        for node in edge.nodes:
+            if node.impact is None:
+                yield from at_turning_impacts(tree, question, measure, side, way.on(edge, node))
+                continue
+            own = node.phase.start_instant.rate(measure)
+            after = side * tree.numbers(tree.to_home(node.phase, own))
+            sets = node.sets[(before[node.sets] > 0) & (after[node.sets] <= ROUND_OFF * before[node.sets])]
+            if len(sets):
+                yield _piece(tree, question, way, edge.first, [*edge.conditions, *node.conditions], sets)
 
 
 # -- the value there --------------------------------------------------------------------------
