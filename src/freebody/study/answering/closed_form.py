@@ -174,7 +174,7 @@ class QuestionSolver:
         self._state = state = self._start_of(q) if at_start else self.setup.state
         x = self._elements(q, state)
         remark = q.remark(self.system)
-        if all(isinstance(part, Ratio) and part.is_zero() for part in (x if isinstance(x, tuple) else (x,))):
+        if all(part.is_zero() for part in (x if isinstance(x, tuple) else (x,))):
             remark = q.remark_on_zero(self.system) or remark
         notes = [remark] if remark else []
         sides: list[Ratio] = []
