@@ -103,7 +103,7 @@ questions: {it: work of weight until y = -5 m}
 
 
 # -- words ------------------------------------------------------------------------------------
-@asked("force in SPRING", rf"(?:force|torque) (?:in|of) (?P<of>{NAME})", rank=45)
+@asked("force in SPRING | of LOAD [on BODY] [along DIRECTION]", rf"(?:force|torque) (?:in|of) (?P<of>{NAME})", rank=45)
 def _load_force(names: Names, found: Found, path: Path) -> Quantity | None:
     of = str(found["of"])
     if of not in names.loads:
