@@ -21,7 +21,8 @@ _FUNCTIONS = {
     },
     **{"arcsin": math.asin, "arccos": math.acos, "arctan": math.atan, "exp": math.exp, "sqrt": math.sqrt, "abs": abs},
     **{"sign": lambda x: math.copysign(1.0, x)},
-    **{"elliptic_K": lambda k: ellipk(k * k), "elliptic_F": lambda phi, k: ellipkinc(phi, k * k)},
+    **dict.fromkeys(("elliptic_K", "K"), lambda k: ellipk(k * k)),
+    **dict.fromkeys(("elliptic_F", "F"), lambda phi, k: ellipkinc(phi, k * k)),
 }
 _RAISED = {c: str(k) for k, c in enumerate("⁰¹²³⁴⁵⁶⁷⁸⁹")} | {"⁻": "-"}
 
@@ -156,11 +157,11 @@ class _Drawing:
         raised = re.compile("[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+").match(row, column)
         if raised:
             return "**(" + "".join(_RAISED[c] for c in raised[0]) + ")", raised.end(), baseline
-        word = re.compile(r"π|[a-z]+").match(row, column)
+        word = re.compile(r"π|[a-z]+|[KF](?=[(⎛⎜⎝])").match(row, column)
         if word and (word[0] in _FUNCTIONS or word[0] == "π"):
             return {"π": "pi"}.get(word[0], word[0]), word.end(), baseline
         plain = {"·": "*", "⋅": "*", "^": "**", "√": "sqrt"}.get(character, character)
-        if plain not in ("*", "**", "sqrt", "/", "+", "-", "(", ")", " "):
+        if plain not in ("*", "**", "sqrt", "/", "+", "-", "(", ")", ",", " "):
             raise Unreadable(f"what is {character!r} in {row!r}?")
         return plain, column + 1, baseline
 
@@ -301,6 +302,11 @@ class _Markup:
         self.place = found[1]
         return found[0]
 
+    def arguments(self) -> str:
+        """One or two, up to the bracket that closes."""
+        found = self.sum()
+        return f"{found}, {self.sum()}" if self.took(",") else found
+
     def applied(self, function: str) -> str:
         """sin^2 x is (sin x)^2."""
         exponent = f"**({self.group()})" if self.took("^") else ""
@@ -313,7 +319,7 @@ class _Latex(_Markup):
 
     def follows(self) -> bool:
         rest = self.text[self.space() :]
-        return bool(rest) and not rest.startswith((r"\right", "+", "-", "}", ")", "&", r"\\"))
+        return bool(rest) and not rest.startswith((r"\right", "+", "-", "}", ")", "&", ",", r"\\"))
 
     def group(self) -> str:
         self.must("{")
@@ -328,6 +334,10 @@ class _Latex(_Markup):
             return f"(({self.group()})/({self.group()}))"
         if self.took(r"\sqrt"):
             return f"sqrt({self.group()})"
+        if letter := self.took(r"K\!\left(", r"F\!\left("):
+            found = self.arguments()
+            self.must(r"\right)")
+            return f"{letter[0]}({found})"
         if self.took(r"\left(", "("):
             found = self.sum()
             self.took(r"\right")
@@ -385,6 +395,10 @@ class _Typst(_Markup):
             return f"({found})"
         if self.took("π"):
             return "pi"
+        if letter := self.took("K(", "F("):
+            found = self.arguments()
+            self.must(")")
+            return f"{letter[0]}({found})"
         word = re.compile(r'op\("(\w+)"\)|(\w+)').match(self.text, self.space())
         if word and (word[1] or word[2]) in _FUNCTIONS:
             self.place = word.end()
@@ -419,8 +433,8 @@ def _elements(children: list[ElementTree.Element], names: Mapping[str, str]) -> 
         if child.tag == "mspace" or (child.tag == "mo" and content in ("\u2062", "\u2061")):
             k += 1
             continue
-        if child.tag == "mo" and content in ("+", "−", "⋅"):
-            text += {"+": " + ", "−": " - ", "⋅": "*"}[content]
+        if child.tag == "mo" and content in ("+", "−", "⋅", ","):
+            text += {"+": " + ", "−": " - ", "⋅": "*", ",": ", "}[content]
             k, is_factor = k + 1, False
             continue
         function, exponent = _function(child, names)

@@ -61,8 +61,8 @@ def without_rates(expr: Expr) -> Expr:
             inner = without_rates(argument)
             assert isinstance(inner, Symbol)
             return Symbol(f"a_{inner.name}")
-        case Call(function, argument):
-            return Call(function, without_rates(argument))
+        case Call(function, argument, modulus):
+            return Call(function, without_rates(argument), None if modulus is None else without_rates(modulus))
         case _:
             pass
     for field in ("terms", "factors"):

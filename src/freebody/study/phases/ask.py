@@ -52,6 +52,8 @@ def _by_cases(tree: PhaseTree, question: Question) -> Answer:
         try:
             return in_first_modes(tree, question)
         except CannotAnswer:
+            if not tree.roots:
+                raise
             return _at_first_turn(tree, question)
     if not question.quantity.is_of_state:
         return in_first_modes(tree, question)
