@@ -22,9 +22,13 @@ _FUNCTIONS = {
     **{"arcsin": math.asin, "arccos": math.acos, "arctan": math.atan, "exp": math.exp, "sqrt": math.sqrt, "abs": abs},
     **{"sign": lambda x: math.copysign(1.0, x)},
     **dict.fromkeys(("elliptic_K", "K"), lambda k: ellipk(k * k)),
-    **dict.fromkeys(("elliptic_F", "F"), lambda phi, k: ellipkinc(phi, k * k)),
+    **dict.fromkeys(("elliptic_F", "F"), lambda *given: _first_kind(*(given if len(given) == 2 else given[0]))),
 }
 _RAISED = {c: str(k) for k, c in enumerate("⁰¹²³⁴⁵⁶⁷⁸⁹")} | {"⁻": "-"}
+
+
+def _first_kind(phi: float, k: float) -> float:
+    return float(ellipkinc(phi, k * k))
 
 
 class Unreadable(AssertionError):
