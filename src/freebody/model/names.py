@@ -545,9 +545,6 @@ def _unit_differs(text: str, found: Dimension, wanted: Dimension) -> Message:
     return Message("'{text}' has the unit {dimension}, expected {unit}", text=text, dimension=found, unit=unit)
 
 
-__all__ = ["Names", "did_you_mean", "negate", "quantity_expression"]
-
-
 def _as_number(value: Any) -> float | None:
     """A number without a unit; None for anything else."""
     if isinstance(value, (int, float)) and not isinstance(value, bool):
@@ -556,3 +553,6 @@ def _as_number(value: Any) -> float | None:
         return float(value)
     except (TypeError, ValueError):
         return None
+
+
+__all__ = ["Names", "did_you_mean", "negate", "quantity_expression"]

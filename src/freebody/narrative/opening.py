@@ -5,6 +5,8 @@ from __future__ import annotations
 from contextlib import suppress
 from typing import Any, cast
 
+import numpy as np
+
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, Sum, Symbol, evaluate, free_symbols, number
 from freebody.language.sentences import Message
@@ -19,6 +21,8 @@ from freebody.narrative.questions.blow import tell_blow
 from freebody.study.answering.evidence import rank_freedom
 from freebody.study.answering.spread import disagreement
 from freebody.study.mobility.gruebler import Gruebler, gruebler
+
+_ASIDE = 0.1  # of the system's size, or radians: a step away from the start
 
 
 def opening(context: Context) -> list[DerivationStage]:
@@ -129,6 +133,18 @@ def count_line(script: Script, found: Gruebler) -> int:
     return script.line(counted, number(found.count), when="never")
 
 
+def _binds_more_beside(context: Context) -> bool:
+    """Whether velocity constraints bind more a step away from the start than in it, so that no motion goes there."""
+    rows, draw = context.system.constraint_rows, context.setup.draws[0]
+    if not any(isinstance(row.measure, NonholonomicForm) for row in rows):
+        return False
+    try:
+        draw.reference.wander(draw.q, np.random.default_rng(0), _ASIDE)
+    except CannotAnswer:
+        return True
+    return False
+
+
 def _by_rank(context: Context, script: Script, count: int) -> int:
     """What the rank of the constraint Jacobian leaves; raises RoutesDisagree where the coordinates are not as many."""
     n = rank_freedom(context.setup)
@@ -137,8 +153,7 @@ def _by_rank(context: Context, script: Script, count: int) -> int:
     except CannotAnswer:
         script.say("freedom.rank_only", n=n)
         return n
-    rows = context.system.constraint_rows
-    if n > model.degrees_of_freedom and any(isinstance(row.measure, NonholonomicForm) for row in rows):
+    if n > model.degrees_of_freedom and _binds_more_beside(context):
         singular = Message(
             "the start is a singular pose: the velocity constraints leave {n} freedoms in it and {m} a step away. "
             "Start from another pose",

@@ -233,12 +233,8 @@ questions: {it: force of weight on ball along up}
 """
     is_reaction = False
 
-    def remark(self, system: Described) -> str:
-        load, body = self.connection, self.body(system)
-        return Message("the force that {connection} exerts on {body}", connection=load, body=body)
-
     def body(self, system: Described) -> str:
-        """The body on which the force is asked: the one named, else the only one, else the first that moves."""
+        """The body on which the force is asked: the one named, else the only one that moves."""
         pushes = [push for push in system.applied_loads if push.load == self.connection]
         bodies = list(dict.fromkeys(b for push in pushes for b in push.measure.bodies()))
         moving = [b for b in bodies if not system.bodies[b].fixed]

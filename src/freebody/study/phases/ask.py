@@ -95,7 +95,13 @@ def _at_first_turn(tree: PhaseTree, question: Question) -> Answer:
     if own is None:
         raise CannotAnswer(Message("no turn on that side was found among the phases of the motion"))
     answer = _of_branches(tree, own[0], [p for q, p in found if q is own[0]])
-    return replace(answer, notes=(*answer.notes, Message("there it turns for the first time on that side")))
+    return replace(
+        answer,
+        notes=(
+            *answer.notes,
+            Message("there it first turns on that side; whether it gets farther later was not looked at"),
+        ),
+    )
 
 
 def _of_branches(tree: PhaseTree, question: Question, found: list[AnswerBranch]) -> Answer:

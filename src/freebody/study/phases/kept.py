@@ -97,7 +97,8 @@ def in_first_modes(tree: PhaseTree, question: Question) -> Answer:
 def _while_it_lasts(tree: PhaseTree, question: Question) -> Answer:
     """In the first mode, where nothing ever ends it. Raises CannotAnswer where something does."""
     own = tree.roots[0]
-    edge = next((e for e in own.edges if 0 in e.sets or not tree.system.has_values), None)
+    edges = [e for e in own.edges if 0 in e.sets or not tree.system.has_values]
+    edge = min(edges, key=lambda e: e.first is not None, default=None)  # without numbers, where nothing ends it
     if edge is None:
         raise CannotAnswer(Message("it is not known what ends the first phase of the motion"))
     if edge.first is not None or edge.stops:
@@ -112,7 +113,10 @@ def _while_it_lasts(tree: PhaseTree, question: Question) -> Answer:
     begins = [r.text() for r in relations(tree, [*tree.assumed, *own.conditions, *edge.conditions])]
     kept = [c for c in answer.conditions if not c.startswith("for all ")]
     conditions = tuple(dict.fromkeys((*kept, *begins))) or (for_all(tree.system),)
-    return replace(answer, notes=(*answer.notes, in_phase(own.phase)), conditions=conditions)
+    notes = [*answer.notes, in_phase(own.phase)]
+    if not edge.is_proved:
+        notes.append(Message("that nothing ends the first phase was seen at many parameter values; it is not proved"))
+    return replace(answer, notes=tuple(notes), conditions=conditions)
 
 
 def _in_mode(tree: PhaseTree, node: PhaseNode, question: Question) -> Answer:
