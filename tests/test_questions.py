@@ -148,7 +148,7 @@ def test_what_can_be_asked_is_listed_once_and_a_rate_is_a_velocity() -> None:
     text = """
 bodies: {p: {particle: {mass: 1 kg}}}
 measures: {x: x of p}
-questions: [rate(x), how fast is it, what is up]
+questions: [rate(x), how nice is it, what is up]
 """
     with pytest.raises(fb.ModelError) as told:
         fb.System.from_text(text)

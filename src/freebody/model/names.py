@@ -112,6 +112,7 @@ class Names:
         self.broken: set[str] = set()  # what could not be read: told where it stands, and nowhere else
         self.is_cut_short = False  # a whole section of names could not be read
         self.started_at_zero: set[str] = set()  # named measures that the file lets start at zero
+        self.starts_away = False  # a named measure, or its rate, starts away from zero
         self.start_rates: dict[str, Expr] = {}  # of named measures, as the file gives them
         self.constraint_rows: list[ConstraintRow] = []
         self.loads: dict[str, Dimension] = {}  # the dimension of what each load exerts

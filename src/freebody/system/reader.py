@@ -55,6 +55,7 @@ def read_system(document: Document, file: str | None) -> SystemDescription:
     contacts, limits, brakes = read_bounds(names, connections, closing)
     start, rates = read_start(source, measures)
     names.started_at_zero = {name for name, value in start.items() if value == ZERO}
+    names.starts_away = any(value != ZERO for value in (*start.values(), *rates.values()))
     names.start_rates = rates
     mode = read_mode(source)
     names.constraint_rows = [*held, *later, *rows_to_ask_for(contacts, limits, brakes)]

@@ -1,11 +1,12 @@
-"""Questions as people type them, put into the words of the grammar.
+"""Questions as people type them, in the words of the grammar.
 
-    How fast is the left block when it has dropped by h?      ->      speed of left when x1 = h
+    linked(elements, text)              naming.py      words for what the model has: names
+    words_of(text, language)            words.py       every other word: what it means (lexicon.py, a file a language)
+    meanings(names, words)              meaning.py     what the words ask for together, in the words of the grammar
+    understood(names, text, read)       understanding.py    the way to mean a text that the grammar reads
 
-1. `naming`: what stands for an element of the model (`the rope`, `block A`, `mass m1`, `end of the crank`) becomes its
-   name, in every way that it can be meant.
-2. `lexicon`: rules of a language, one file each, found by themselves, replace words and forms by those of the grammar.
-   A language other than English ends in English words, from which the English rules go on.
-3. The grammar reads what comes of it. Nothing is dropped on the way but articles and the like, so that a word that is
-   understood by nobody leaves a text that cannot be read; what can be read in two ways is refused, with both.
+Between words and meanings a sentence is parted into clauses (sentence.py); a clause is a condition (events.py), a
+quantity (asking.py, with a room for each family: of_motion.py, of_forces.py, of_systems.py), at an instant
+(instants.py), up to an event (counting.py), or a question turned round (turning_round.py). Nothing that is said is
+dropped, but words that lead to a question.
 """

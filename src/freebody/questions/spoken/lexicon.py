@@ -1,9 +1,9 @@
-"""The rules of each language: what words and forms of speech become in the words of the grammar.
+"""The words of each language, a file `xx.toml` each: kinds of words, what each means, and the phrases for it.
 
-A file `xx.toml` has tables of rules that are applied in their order, each to the whole text: a pattern, and what stands
-in its place; further replacements are other ways to mean it, tried in turn. In a pattern {N} is a name, {V} a value (a
-number with its unit, or a parameter). A file other than the English one has its own words become English ones, and says
-what things are called (`nouns`), and which words are written as one with them (`compounds`).
+A phrase is words, with choices (a|b), parts that may be left out (a)?, an open end (turn*) and a gap, for what stands
+between its words (comes _ back). The table `spelling` is of rules for the whole text, before its words are looked up.
+A file other than the English one says what things are called in English (`nouns`), with their endings, and which words
+are written as one with them (`compounds`).
 """
 
 from __future__ import annotations
@@ -13,30 +13,59 @@ import tomllib
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cache
-from itertools import islice, product
 from pathlib import Path
 from typing import Any, cast
 
-from freebody.questions.spoken.naming import MARKED, OPEN
-
 ENGLISH = "en"
-_LAST_OF_WHOLE = "turned"  # the table of the English file after which parts of a text are texts of their own
-MOST = 24  # other ways to mean one text
-_PARTS = {"{N}": rf"(?:{MARKED})", "{V}": rf"(?:(?=\S*[\d{OPEN}])[^\s,]+(?: [A-Za-zµ°%][\w/^*²³]*)?)"}
-_FRAMES = tuple(
-    re.compile(frame)
-    for frame in (
-        rf"^(?:value of|range of|least|largest) (?:{MARKED}|@mass\([^()]*\)) (?:for which|so that) (?!it )(.+?)"
-        r" (?:[<>]?=|[<>]|≥|≤|is) .+$",
-        r"^ratio of (.+) to (.+?)(?: when .+| at start)?$",
-    )
-)
+OPEN, CLOSE = "«", "»"  # marks of names in a text
+MARKED = rf"{OPEN}[^{OPEN}{CLOSE}]+{CLOSE}"
+GAP = "_"
+_NO_WORDS = (
+    "spelling",
+    "nouns",
+    "endings",
+    "compounds",
+    "before",
+    "behind",
+    "things",
+)  # tables that are not kinds of words
+_CHOICE = re.compile(r"\(([^()]*)\)(\?)?")
 
 
 @dataclass(frozen=True)
-class Rule:
-    pattern: re.Pattern[str]
-    replacements: tuple[str, ...]
+class Word:
+    """What a phrase means. kind: the table it stands in."""
+
+    kind: str
+    what: str
+
+
+@dataclass(frozen=True)
+class Phrase:
+    """The words of a phrase, in lower case; the end of one may be open."""
+
+    words: tuple[str, ...]
+    means: Word
+
+    def found_in(self, tokens: list[str], start: int, end: int) -> tuple[int, ...] | None:
+        """The places of its words among tokens that begin with it; None where they do not."""
+        places: list[int] = []
+        at, is_open = start, False
+        for word in self.words:
+            if word == GAP:
+                is_open = True
+                continue
+            reach = range(at, end) if is_open else range(at, min(at + 1, end))
+            place = next((k for k in reach if _is_word(word, tokens[k])), None)
+            if place is None:
+                return None
+            places.append(place)
+            at, is_open = place + 1, False
+        return tuple(places)
+
+
+def _is_word(word: str, token: str) -> bool:
+    return token.startswith(word[:-1]) if word.endswith("*") else token == word
 
 
 def languages() -> tuple[str, ...]:
@@ -48,6 +77,73 @@ def languages() -> tuple[str, ...]:
 @cache
 def _file(language: str) -> dict[str, Any]:
     return tomllib.loads((Path(__file__).parent / f"{language}.toml").read_text("utf-8"))
+
+
+@cache
+def _phrases(language: str) -> dict[str, tuple[Phrase, ...]]:
+    """The phrases of a language by the first two letters of their first word, the longest first."""
+    found: dict[str, list[Phrase]] = {}
+    for kind, table in _file(language).items():
+        if kind in _NO_WORDS:
+            continue
+        for what, written in cast("dict[str, list[str]]", table).items():
+            for text in written:
+                for words in dict.fromkeys(tuple(said.split()) for said in _spelt_out(text)):
+                    found.setdefault(words[0][:2].rstrip("*"), []).append(Phrase(words, Word(kind, what)))
+    return {key: tuple(sorted(own, key=lambda phrase: -len(phrase.words))) for key, own in found.items()}
+
+
+def _spelt_out(text: str) -> Iterator[str]:
+    """A phrase with every choice made."""
+    choice = _CHOICE.search(text)
+    if choice is None:
+        yield " ".join(text.split())
+        return
+    for option in (*choice[1].split("|"), *([""] if choice[2] else [])):
+        yield from _spelt_out(text[: choice.start()] + option + text[choice.end() :])
+
+
+def phrases_at(tokens: list[str], start: int, end: int, language: str) -> Iterator[tuple[Word, tuple[int, ...]]]:
+    """What the tokens from a place on can mean, the longest phrases first, and the places of their words."""
+    table = _phrases(language)
+    for key in dict.fromkeys((tokens[start][:2], tokens[start][:1])):
+        for phrase in table.get(key, ()):
+            places = phrase.found_in(tokens, start, end)
+            if places is not None:
+                yield phrase.means, places
+
+
+@cache
+def vocabulary(language: str) -> frozenset[str]:
+    """All words of a language that are written in full."""
+    return frozenset(
+        word for own in _phrases(language).values() for phrase in own for word in phrase.words if word[-1] not in "*_"
+    )
+
+
+def goes_beside(token: str, where: str, language: str) -> bool:
+    """Whether a word may stand `before` or `behind` a name, and says no more than the name does."""
+    return any(_is_word(word, token) for word in _file(language)[where]["name"])
+
+
+@cache
+def kinds_apart() -> tuple[frozenset[str], ...]:
+    """Words for kinds of things that are not the same: what is a block is no cart."""
+    return tuple(frozenset(cast("list[str]", words)) for words in _file(ENGLISH)["things"]["apart"])
+
+
+# -- before words are looked up ---------------------------------------------------------------
+@cache
+def _spelling(language: str) -> tuple[tuple[re.Pattern[str], str], ...]:
+    rules = cast("list[list[str]]", _file(language)["spelling"]["rules"])
+    return tuple((re.compile(rule[0].replace("{N}", f"(?:{MARKED})"), re.IGNORECASE), rule[1]) for rule in rules)
+
+
+def spelt(text: str, language: str) -> str:
+    """A text in which names are marked, spelt as the phrases are."""
+    for pattern, replacement in _spelling(language):
+        text = pattern.sub(replacement, text)
+    return " ".join(text.split())
 
 
 def in_english_nouns(text: str, language: str) -> str:
@@ -63,7 +159,9 @@ def in_english_nouns(text: str, language: str) -> str:
 def _compounds(language: str) -> re.Pattern[str]:
     """What is one word with the thing it belongs to: Kolbengeschwindigkeit."""
     table = _file(language)
-    nouns, heads = ("|".join(sorted(words, key=len, reverse=True)) for words in (table["nouns"], table["compounds"]))
+    nouns, heads = (
+        "|".join(sorted(words, key=len, reverse=True)) for words in (table["nouns"], table["compounds"]["heads"])
+    )
     return re.compile(rf"\b({nouns})(?:{table['endings']['nouns']})?({heads})\b", re.IGNORECASE)
 
 
@@ -74,69 +172,4 @@ def _nouns(language: str) -> re.Pattern[str]:
     nouns, verbs = (
         "|".join(sorted(words, key=len, reverse=True)) for words in (table["nouns"], table["endings"]["verbs"])
     )
-    return re.compile(rf"\b(?!(?:{verbs})\b)({nouns})(?:{table['endings']['nouns']})?\b", re.IGNORECASE)
-
-
-@cache
-def rules_of(language: str) -> tuple[tuple[Rule, ...], tuple[Rule, ...]]:
-    """The rules of a language in their order: up to those that show what a text is made of, and the others."""
-    found: tuple[list[Rule], list[Rule]] = ([], [])
-    k = 0
-    for name, table in _file(language).items():
-        rules = cast("list[list[str]]", table["rules"]) if "rules" in table else []
-        found[k].extend(Rule(_pattern(rule[0]), tuple(rule[1:])) for rule in rules)
-        k = 1 if name == _LAST_OF_WHOLE else k
-    return tuple(found[0]), tuple(found[1])
-
-
-def _pattern(text: str) -> re.Pattern[str]:
-    for part, pattern in _PARTS.items():
-        text = text.replace(part, pattern)
-    return re.compile(text, re.IGNORECASE)
-
-
-def said_in_grammar(text: str, language: str) -> Iterator[str]:
-    """The text in the words of the grammar, in every way that the rules of a language leave, the first ones first."""
-    of_whole, others = rules_of(ENGLISH)
-    if language != ENGLISH:
-        of_whole = (*rules_of(language)[0], *of_whole)
-    wholes = _applied(text, of_whole, 0)
-    yield from islice((said for whole in wholes for said in _with_parts(whole, of_whole, others)), MOST)
-
-
-def _with_parts(text: str, of_whole: tuple[Rule, ...], others: tuple[Rule, ...]) -> Iterator[str]:
-    """A text may be made of others (the ratio of two, what is so for a value), which rules reach too."""
-    whole = next(filter(None, (frame.match(text) for frame in _FRAMES)), None)
-    if whole is None:
-        yield from _applied(text, others, 0)
-        return
-    ways = (list(islice(_applied(part, (*of_whole, *others), 0), MOST)) for part in whole.groups())
-    for parts in product(*ways):
-        yield from _applied(_put(whole, parts), others, 0)
-
-
-def _put(whole: re.Match[str], parts: tuple[str, ...]) -> str:
-    """The text with other words in the places of its parts."""
-    text = whole[0]
-    for k in range(len(parts), 0, -1):
-        text = text[: whole.start(k)] + parts[k - 1] + text[whole.end(k) :]
-    return text
-
-
-def _applied(text: str, rules: tuple[Rule, ...], k: int) -> Iterator[str]:
-    while k < len(rules):
-        rule = rules[k]
-        k += 1
-        if rule.pattern.search(text) is None:
-            continue
-        first, *others = rule.replacements
-        if others:
-            for replacement in rule.replacements:
-                yield from _applied(_tidy(rule.pattern.sub(replacement, text)), rules, k)
-            return
-        text = _tidy(rule.pattern.sub(first, text))
-    yield text
-
-
-def _tidy(text: str) -> str:
-    return re.sub(r"\s+", " ", text).strip()
+    return re.compile(rf"\b(?!(?:{verbs})\b)({nouns})(?:{table['endings']['nouns']})?\b(?!/)", re.IGNORECASE)

@@ -15,15 +15,15 @@ from typing import TYPE_CHECKING
 
 from freebody.language.expression import Symbol
 from freebody.measures.geometry import GROUND
+from freebody.questions.spoken.lexicon import CLOSE, OPEN, kinds_apart
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
 
-OPEN, CLOSE = "«", "»"
-MARKED = rf"{OPEN}[^{OPEN}{CLOSE}]+{CLOSE}"
 MOST = 96  # ways in which the words of one text may be meant: more are no question
 _LONGEST = 4  # words of a name
 _TOKEN = re.compile(r"’\w+|[^\W\d]\w*(?:\.[^\W\d]\w*)?|\d[\w.]*|\s+|.", re.DOTALL)
+_OTHERWISE = {"center": "centre", "centre": "center"}  # words with two spellings
 _BODY_WORDS = ("body", "mass", "element", "member", "part")
 _JOINT_WORDS = ("joint", "connection", "support")
 _LINE_WORDS = ("surface", "slope", "incline", "plane")
@@ -64,16 +64,19 @@ class Elements:
         element = self.exact.setdefault(name, Element(name, frozenset(words))) if not said else self.exact[name]
         written = said or name
         apart = re.sub(r"(?<=[a-z])(?=[A-Z])", " ", written)
-        for key in {(written.lower(),), tuple(re.split(r"[\s_.]+", apart.lower()))}:
+        keys = {(written.lower(),), tuple(re.split(r"[\s_.]+", apart.lower()))}
+        keys |= {tuple(_OTHERWISE.get(word, word) for word in key) for key in keys}
+        for key in keys:
             self.spoken.setdefault(key, []).append((element, written, distance))
 
 
 def elements_of(names: Names) -> Elements:
     """What can be named in a model."""
     found = Elements()
+    found.add(GROUND)
     for name, body in names.bodies.items():
         if name != GROUND:
-            found.add(name, (*names.called.get(name, ()), *_BODY_WORDS))
+            found.add(name, (*_kinds(name, names.called.get(name, ())), *_BODY_WORDS))
             if isinstance(body.mass, Symbol):  # `mass m1`, `the acceleration of m1`
                 found.add(name, said=body.mass.name, distance=INFERRED)
         for point in body.points:
@@ -88,6 +91,14 @@ def elements_of(names: Names) -> Elements:
     for name in (*names.measures, *names.parameters):
         found.add(name)
     return found
+
+
+def _kinds(name: str, words: Sequence[str]) -> Sequence[str]:
+    """What a thing may be called: one whose name says that it is a block is no cart."""
+    said = set(re.split(r"[\W_\d]+", name.lower()))
+    own = [kinds for kinds in kinds_apart() if kinds & said]
+    others = frozenset[str]().union(*(kinds for kinds in kinds_apart() if own and kinds not in own))
+    return [word for word in words if word not in others]
 
 
 def linked(elements: Elements, text: str) -> list[Way]:

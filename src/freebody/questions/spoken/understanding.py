@@ -9,10 +9,11 @@ from typing import TYPE_CHECKING, TypeVar
 
 from freebody.errors import Problem
 from freebody.language.sentences import Message
-from freebody.questions.spoken.lexicon import in_english_nouns, languages, said_in_grammar
-from freebody.questions.spoken.naming import MARKED, elements_of, linked, plain_names
-from freebody.questions.spoken.resolving import resolved
+from freebody.questions.spoken.lexicon import in_english_nouns, languages
+from freebody.questions.spoken.meaning import meanings
+from freebody.questions.spoken.naming import elements_of, linked
 from freebody.questions.spoken.suggesting import suggestions
+from freebody.questions.spoken.words import Unknown, respelt, words_of
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -20,7 +21,6 @@ if TYPE_CHECKING:
 AskedT = TypeVar("AskedT")
 
 _APOSTROPHE = re.compile(r"(?<=\w)['’](?=(?:s|t|d|re|ll|m|ve)\b)|(?<=s)['’](?=\s)")
-_WORD = re.compile(rf"{MARKED}|(?<![\d.] )\b[A-ZÄÖÜ][a-zäöüß]+\b")
 LONGEST = 300  # characters of a question: what is longer is none
 _GENERAL = {"askable", "form", "forms"}  # what messages list where nothing of a text could be read
 
@@ -57,6 +57,12 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
     told = names.problems[n_before:]
     del names.problems[n_before:]
     nearest, instead = _nearest(names, text, read)
+    if not nearest and not instead:
+        instead = _lacking(names, text, read)
+    if not nearest and not instead:
+        right = {language: _respelt(names, text, language) for language in languages()}
+        for said in dict.fromkeys(other for other in right.values() if other != text):
+            nearest = nearest or _nearest(names, said, read)[0]
     if len(nearest) == 1:
         return next((asked, words) for words, asked in nearest.items())
     if nearest:
@@ -68,8 +74,7 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
             told if _is_specific(told) and not (_is_of_words(names, told) and instead) else instead or told
         )
     else:
-        said = " ".join((text, *_in_english(names, text)))
-        fits = suggestions(names, said, lambda question: not isinstance(_read_quietly(names, question, read), Unread))
+        fits = suggestions(names, text, lambda question: not isinstance(_read_quietly(names, question, read), Unread))
         askable = "\n    ".join(fits)
         none = Message("cannot read '{text}'. One can ask for\n    {askable}", text=text, askable=askable)
         names.unknown(text, none, "find")
@@ -127,28 +132,34 @@ def _has_form(problems: list[Problem]) -> bool:
     return any(isinstance(p.message, Message) and "form" in p.message.arguments for p in problems)
 
 
-def _meanings(names: Names, text: str) -> list[Meaning]:
-    """Ways to mean a text, the nearest to its words first."""
+def _meanings(names: Names, text: str, *, guess: bool = False) -> list[Meaning]:
+    """Ways to mean a text, the nearest to its words first. guess: a word that nothing knows is taken for a name."""
     text = _APOSTROPHE.sub("’", " ".join(text.split())).strip('"“”„ ')
     elements = elements_of(names)
     found: list[Meaning] = []
     for language in languages():
-        ways = linked(elements, in_english_nouns(text, language))
-        found += [Meaning(_texts(names, _WORD.sub(_lowered, way.text), language), way.distance) for way in ways]
+        for way in linked(elements, in_english_nouns(text, language)):
+            try:
+                words = words_of(way.text, language, guess=guess)
+            except Unknown:
+                continue
+            found.append(Meaning(meanings(names, words), way.distance))
     return sorted(found, key=lambda meaning: meaning.distance)
 
 
-def _in_english(names: Names, text: str) -> Iterator[str]:
-    """What the rules of other languages make of a text, as far as they know its words."""
-    for language in languages()[1:]:
-        way = linked(elements_of(names), in_english_nouns(text, language))[0]
-        yield plain_names(next(said_in_grammar(_WORD.sub(_lowered, way.text), language)))
+def _respelt(names: Names, text: str, language: str) -> str:
+    elements = elements_of(names)
+    taken = {word for key in elements.spoken for word in key}
+    taken |= {word for element in elements.exact.values() for word in element.words}
+    return respelt(text, language, taken)
 
 
-def _texts(names: Names, text: str, language: str) -> Iterator[list[str]]:
-    for said in said_in_grammar(text, language):
-        yield list(map(plain_names, resolved(names, said)))
-
-
-def _lowered(found: re.Match[str]) -> str:
-    return found[0] if found[0].startswith("«") else found[0].lower()
+def _lacking(names: Names, text: str, read: Callable[[str], AskedT | None]) -> list[Problem]:
+    """What is said of a text in which something has a name that the model has not."""
+    for meaning in _meanings(names, text, guess=True):
+        for wordings in meaning.texts:
+            for words in wordings:
+                asked = _read_quietly(names, words, read)
+                if isinstance(asked, Unread) and _is_specific(asked.problems):
+                    return asked.problems
+    return []

@@ -1,0 +1,160 @@
+"""What is asked for: a main clause without an event, as quantities of the grammar.
+
+Words may stand in any order; what a thing is to the quantity is said by the preposition before it, or by what it is."""
+
+from __future__ import annotations
+
+from itertools import product
+from typing import TYPE_CHECKING
+
+from freebody.questions.spoken import lookup, of_forces, of_motion, of_systems
+from freebody.questions.spoken.composing import SILENT, Groups, composed
+from freebody.questions.spoken.lexicon import Word
+from freebody.questions.spoken.words import Clause
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+_MOTION = ("velocity", "speed", "acceleration", "angular velocity", "angular acceleration")
+_OF_QUANTITY = ("stroke", "time ratio", "extremes", "steady amplitude", "phase lag", "resonance frequency")
+__all__ = ["of_forces", "of_motion", "of_systems", "quantities"]  # the rooms of quantities are found when this is read
+
+
+def quantities(names: Names, clause: Clause) -> Groups:
+    """The quantities that a clause without an event can ask for."""
+    clause = (
+        clause.without("filler").without("verb", "act", "exert") if _is_of_force(clause) else clause.without("filler")
+    )
+    if clause.has("relation") or clause.has("value") or clause.has("turns") or clause.has("other"):
+        return
+    if clause.has("quantity", "ratio", "difference", "sum"):
+        yield from _of_two(names, clause)
+        return
+    clause = _inferred(names, clause)
+    if clause.has("verb", "exert", "act"):
+        clause = clause.without("verb", "exert", "act")
+    degrees = [degree for degree in clause.all("degree") if degree != "value"]
+    if degrees:
+        yield from _extreme(names, clause.without("degree"), degrees)
+        return
+    yield from _plain(names, clause.without("degree"))
+
+
+def _is_of_force(clause: Clause) -> bool:
+    return clause.has("quantity") and not clause.has("ask", "fast", "far")
+
+
+def _inferred(names: Names, clause: Clause) -> Clause:
+    """The clause with the quantity that its question word and its verb stand for."""
+    ask, verbs = set(clause.all("ask")), set(clause.all("verb"))
+    quantity = ""
+    if "accelerate" in verbs and not clause.has("quantity") and ask & {"fast", "much", "large", ""}:
+        is_turned = clause.has("part", "angular") or any(
+            lookup.axle_of(names, name) == "center" for _, name in clause.names
+        )
+        quantity = "angular acceleration" if is_turned else "acceleration"
+        clause = clause.without("part", "angular")
+    elif "fast" in ask and not clause.has("quantity"):
+        quantity = "angular velocity" if "turn" in verbs else "speed"
+    elif "where" in ask and not clause.has("quantity") and verbs <= {"move"}:
+        quantity = "position"
+    elif "high" in ask and not clause.has("quantity") and not verbs:
+        quantity = "height"
+    if quantity:
+        kept = [w for w in clause.words if w.kind not in ("ask", "verb")]
+        return Clause([Word("quantity", quantity), *kept])
+    if "where" in ask and clause.has("verb", "hold") and verbs <= {"hold", "move"} and not clause.has("quantity"):
+        return Clause([Word("quantity", "equilibrium"), *clause.without("ask").without("verb").words])
+    if "where" in ask and clause.has("quantity", "equilibrium", "instant centre", "dead points"):
+        return clause.without("ask").without("verb")
+    moving = {"move", "turn", "roll", "fly", "slide", "fall", "rise"} if clause.has("quantity", *_MOTION) else {"move"}
+    if ask <= {"what", "large", "much", "with", "for", "many", "where"} and verbs <= moving:
+        return clause.without("ask").without("verb")
+    return clause
+
+
+def _extreme(names: Names, clause: Clause, degrees: list[str]) -> Groups:
+    """The greatest or least of something over the motion."""
+    if len(degrees) != 1 or degrees[0] not in ("greatest", "least"):
+        return
+    whole = " over the motion" if clause.has("instant", "over the motion") else ""
+    whole = " over a turn" if clause.has("instant", "over a turn") else whole
+    clause = clause.without("instant", "over the motion", "over a turn")
+    [degree] = degrees
+    clause = clause.without("verb", "reach", "move")
+    if clause.has("quantity", "transmission angle"):
+        yield [f"{degree} transmission angle"] if clause.only("quantity", *SILENT) else []
+        return
+    of = [name for _, name in clause.names]
+    if degree == "greatest" and clause.has("quantity", "height") and clause.only("quantity", "name", *SILENT):
+        yield [f"greatest height of {name}" for name in of]
+        yield [
+            f"{name} when {top}"
+            for name in lookup.rising(names, next(iter(of), ""))
+            for top in lookup.tops(names, name)
+        ]
+        return
+    if clause.has("quantity", "position", "distance", "angle") and len(of) <= 1:
+        found = lookup.angles if clause.has("quantity", "angle") else lookup.places
+        yield [f"{degree} {measure}{whole}" for measure in found(names, next(iter(of), ""))]
+        return
+    for group in _plain(names, clause):
+        yield [f"{degree} {text}{whole}" for text in group]
+
+
+def _of_two(names: Names, clause: Clause) -> Groups:
+    """The ratio of two quantities, their difference, their sum."""
+    kind = next(word.what for word in clause.words if word.what in ("ratio", "difference", "sum"))
+    k = next(k for k, word in enumerate(clause.words) if word == Word("quantity", kind))
+    said = [word for word in clause.words[:k] if word.kind not in (*SILENT, "ask")]
+    if any(word.kind != "quantity" for word in said) or len(said) > 1:
+        return
+    rest = clause.words[k + 1 :]
+    signs = ("on",) if kind == "ratio" else ("and",)
+    between = {"preposition"}
+    cuts = [j for j, w in enumerate(rest) if w.kind in between and (w.what in signs or w.what == "and")]
+    operator = {"ratio": "/", "difference": "-", "sum": "+"}[kind]
+    for cut in cuts:
+        first, second = Clause(rest[:cut]), Clause(rest[cut + 1 :])
+        first = Clause([*said, *first.words])
+        own = [w for w in first.words if w.kind == "quantity"]
+        if not second.has("quantity"):
+            second = Clause([*own, *second.without("pronoun", "that").words])
+        if not first.has("quantity"):
+            first = Clause([*[w for w in second.words if w.kind == "quantity"], *first.words])
+        for one, other in product(list(quantities(names, first)), list(quantities(names, second))):
+            alike = [(a, b) for a in one for b in other if a.partition(" of ")[0] == b.partition(" of ")[0]]
+            pairs = [(a, b) for a, b in alike or product(one, other) if a != b]
+            yield [f"ratio of {a} to {b}" if operator == "/" else f"{a} {operator} {b}" for a, b in pairs]
+
+
+def _plain(names: Names, clause: Clause) -> Groups:
+    """One quantity."""
+    asked = clause.all("quantity")
+    if clause.has("ask") or clause.has("verb") or clause.has("degree") or clause.has("not") or clause.has("instant"):
+        return
+    if not asked:
+        yield from _bare(names, clause)
+        return
+    if (
+        len(asked) > 1
+        and asked[0] in ("power", "work")
+        and asked[1] in ("force", "torque", "spring force", "friction force")
+    ):
+        asked = asked[:1] if clause.names else asked
+    if len(asked) > 1 and asked[0] in _OF_QUANTITY:
+        inner = Clause([w for w in clause.words if w != Word("quantity", asked[0])])
+        for group in quantities(names, inner):
+            yield [f"{asked[0]} of {text}" for text in group]
+        return
+    if len(asked) != 1:
+        return
+    [quantity] = asked
+    rest = clause.without("quantity")
+    yield from composed(names, quantity, rest)
+
+
+def _bare(names: Names, clause: Clause) -> Groups:
+    """A measure by its name alone."""
+    if clause.only("name", *SILENT) and len(clause.names) == 1 and clause.names[0][1] in names.measures:
+        yield [clause.names[0][1]]

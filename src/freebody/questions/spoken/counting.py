@@ -1,0 +1,127 @@
+"""Times of events, and what comes together up to an event: a way, turns, heat."""
+
+from __future__ import annotations
+
+from itertools import product
+from typing import TYPE_CHECKING
+
+from freebody.questions.spoken import lookup
+from freebody.questions.spoken.composing import SILENT, Groups
+from freebody.questions.spoken.events import GOES_ON, conditions
+from freebody.questions.spoken.sentence import Sentence, clock
+from freebody.questions.spoken.words import Clause
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+
+def time(names: Names, sentence: Sentence) -> Groups:
+    """The time of an event: when, after what time, how long until."""
+    main = sentence.main
+    asks = main.has("ask", "when", "soon", "long") or main.has("quantity", "time")
+    if not asks or len(main.all("quantity")) > main.has("quantity", "time") + _is_of_event(main):
+        return
+    head = main.without("ask").without("quantity", "time")
+    if (
+        main.has("ask", "long")
+        and not sentence.others
+        and not head.has("value")
+        and set(head.all("verb")) <= set(GOES_ON)
+    ):
+        of = [name for _, name in head.names]
+        if head.only("verb", "name", "pronoun") and len(of) <= 1 and set(head.all("verb")) == {"slide"}:
+            yield [f"time when slipping of {of[0]} ends" if of else "time when slipping ends"]
+        return
+    if len(sentence.others) == 1 and sentence.others[0][0] in ("when", "until"):
+        clause = sentence.others[0][1]
+        if not head.only("pronoun", "preposition", "verb", "name") or set(head.all("verb")) - set(GOES_ON):
+            return
+        if not any(word.kind == "pronoun" for word in clause.words) and head.names and not clause.names:
+            clause = Clause([*head.words, *clause.words])
+    elif not sentence.others and (head.has("verb") or head.has("value") or head.has("instant") or head.has("relation")):
+        clause = head
+    else:
+        return
+    for group in conditions(names, clause):
+        yield [f"time when {condition}" for condition in group]
+
+
+def _is_of_event(main: Clause) -> bool:
+    """Whether a quantity beside the time says what is reached: time to reach a speed of 2 m/s."""
+    return main.has("value") or main.has("verb", "vanish", "reach")
+
+
+def lost(names: Names, sentence: Sentence) -> Groups:
+    """The energy that is lost in an impact, and the kinetic energy that is lost up to an event."""
+    main = sentence.main
+    asked = main.all("quantity")
+    is_energy = asked in (["energy lost"], ["kinetic energy lost"]) or (
+        asked in (["energy"], ["kinetic energy"]) and main.has("verb", "lost")
+    )
+    if not is_energy or not main.only("quantity", "ask", "verb", "instant", "name", *SILENT):
+        return
+    if main.has("instant", "in the impact", "at the impact") and not sentence.others:
+        yield ["energy lost in the blow" if lookup.is_struck_at_start_alone(names) else "energy lost in the impact"]
+    elif asked[0].startswith("kinetic") and len(sentence.others) == 1:
+        of = "".join(f" of {name}" for _, name in main.names)
+        for end in ends(names, sentence):
+            yield [f"kinetic energy{of} at start - kinetic energy{of} when {condition}" for condition in end]
+
+
+def counted(names: Names, sentence: Sentence) -> Groups:
+    """What comes together up to an event: a way, turns, heat."""
+    main = sentence.main
+    for group in _heads_counted(names, sentence):
+        if sentence.others == () and main.has("instant", "in the impact"):
+            yield group
+        for end in ends(names, sentence):
+            yield [f"{head} until {condition}" for head, condition in product(group, end)]
+
+
+def _heads_counted(names: Names, sentence: Sentence) -> Groups:
+    main = sentence.main
+    verbs, of = set(main.all("verb")), [name for _, name in main.names]
+    who = next(iter(of), "")
+    known = ("ask", "verb", "name", "pronoun", "preposition", "quantity", "value", "updown", "part")
+    plain = main.without("instant", "in the impact").only(*known)
+    if len(of) > 1 or not plain:
+        return
+    asked = main.all("quantity")
+    goes = bool(verbs) and verbs <= set(GOES_ON)
+    if asked == ["turns"] or (main.has("ask", "many") and "turn" in verbs and not asked):
+        named = [name for _, own in sentence.others for _, name in own.names if name in lookup.turning(names)]
+        yield [f"turns of {name}" for name in ([who] if who else named or lookup.turning(names))]
+    elif asked == ["energy lost"] or (asked == ["energy"] and verbs == {"lost"}):
+        yield ["energy lost"] if not of or lookup.is_all_that_moves(names, who) else []
+    elif (main.has("ask", "far", "much", "high", "large") and not asked and goes) or (
+        asked in (["distance"], ["displacement"]) and (goes or not verbs)
+    ):
+        down = "fall" in verbs or main.has("updown", "down") or main.has("part", "downward")
+        up = "rise" in verbs or main.has("updown", "up") or main.has("part", "upward") or main.has("ask", "high")
+        if down or up:
+            heights = [name for name, sense in lookup.heights(names, who) if (sense < 0) == down]
+            along = [name for name, sense in lookup.inclined(names, who) if (sense < 0) == down]
+            yield [f"change of {name}" for name in heights or along]
+        elif "turn" in verbs and main.has("ask", "far", "much", "large"):
+            yield [f"change of {name}" for name in lookup.angles(names, who)]
+        else:
+            yield [f"change of {name}" for name in lookup.ways(names, who)]
+    elif asked == ["change"] and not verbs and who in names.measures:
+        yield [f"change of {who}"]
+
+
+def ends(names: Names, sentence: Sentence) -> Groups:
+    """Up to what is counted."""
+    if len(sentence.others) == 1:
+        mark, clause = sentence.others[0]
+        time = clock(clause) if mark == "after" else None
+        if time is not None:
+            yield [f"t = {time}"]
+        elif mark in ("until", "when"):
+            yield from conditions(names, clause)
+        elif mark == "while" and clause.all("verb") == ["slide"] and clause.only("verb", "name", "pronoun"):
+            yield [f"slipping of {name} ends" for _, name in clause.names] or ["slipping ends"]
+    elif not sentence.others:
+        within = [value for before, value in sentence.main.values if before in ("in", "of")]
+        if len(within) == 1 == len(sentence.main.values) and lookup.is_time(within[0]):
+            yield [f"t = {within[0]}"]

@@ -1,0 +1,280 @@
+"""When something is meant: a clause about what happens, as conditions of the grammar.
+
+As in composing.py, each function gives groups of conditions.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from freebody.questions.spoken import lookup
+from freebody.questions.spoken.composing import SILENT, Groups
+from freebody.questions.spoken.words import Clause
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+HAPPENS = (  # verbs of what comes at an instant; the others are of what goes on
+    *(
+        "hit",
+        "leave",
+        "stop",
+        "turn_back",
+        "return",
+        "reach",
+        "start",
+        "end",
+        "slack",
+        "taut",
+        "vanish",
+        "top",
+        "bottom",
+        "begin_roll",
+    ),
+)
+GOES_ON = ("move", "slide", "roll", "turn", "fall", "rise", "accelerate", "fly")
+
+
+def conditions(names: Names, clause: Clause) -> Groups:
+    """The conditions that a clause can state."""
+    verbs = [verb for verb in clause.all("verb") if verb not in ("act", "exert")]
+    if clause.has("ask") or clause.has("quantity", "time"):
+        return
+    if clause.has("instant"):
+        yield from _instants(names, clause)
+    elif clause.has("relation"):
+        yield from _equations(names, clause)
+    elif clause.has("quantity"):
+        yield from _of_quantity(names, clause, verbs)
+    else:
+        if clause.values or clause.has("turns") or any(name in names.parameters for _, name in clause.names):
+            yield from _with_value(names, clause, verbs)
+        yield from _happening(names, clause, verbs)
+
+
+def _instants(names: Names, clause: Clause) -> Groups:
+    """Instants that have a name of their own."""
+    of = next((name for _, name in clause.names), "")
+    for instant in clause.all("instant"):
+        if instant == "at the top":
+            yield lookup.tops(names, of)
+        elif instant == "at the bottom":
+            yield lookup.bottoms(names, of)
+        elif instant in ("at the impact", "in the impact"):
+            yield [f"{of or 'it'} hits"]
+
+
+# -- what is equal to something ---------------------------------------------------------------
+def _equations(names: Names, clause: Clause) -> Groups:
+    """x = d; the tension = 0; the speed = 2 m/s."""
+    k = next(k for k, word in enumerate(clause.words) if word.kind == "relation")
+    left, right = Clause(clause.words[:k]), Clause(clause.words[k + 1 :])
+    if clause.words[k].what != "=" or not right.only("value", "name", *SILENT, "verb"):
+        return
+    value = next((word.what for word in right.words if word.kind in ("value", "name")), None)
+    value = "0" if value is None and right.has("verb", "vanish") else value
+    if value is None or len(right.names) + len(right.values) > 1:
+        return
+    if left.has("quantity"):
+        yield from _quantity_is(names, left, value)
+        return
+    of = [name for _, name in left.names]
+    if (
+        left.only("name", "verb", *SILENT)
+        and 1 <= len(of) <= 2
+        and set(left.all("verb")) <= {"reach", "move", "return", "turn", "start"}
+    ):
+        yield [f"{of[-1]} = {value}"]
+
+
+def _of_quantity(names: Names, clause: Clause, verbs: list[str]) -> Groups:
+    """The angle is 60 deg; its height reaches h; the normal force vanishes; at a crank angle of 60 deg."""
+    values = [value for _, value in clause.values]
+    left = clause.without("value").without("verb", "vanish", "reach")
+    if "vanish" in verbs and not values:
+        yield from _quantity_is(names, left, "0")
+    elif len(values) == 1 and set(verbs) <= {"reach", "move", "turn", "rise", "fall", "start"}:
+        yield from _quantity_is(names, left.without("verb"), values[0])
+    elif not values and set(verbs) <= {"reach"} and len(clause.names) > 1:  # a parameter is the value
+        value = clause.names[-1][1]
+        kept = [word for word in left.words if word.what != value]
+        yield from _quantity_is(names, Clause(kept), value)
+
+
+def _quantity_is(names: Names, clause: Clause, value: str) -> Groups:
+    if not clause.only("quantity", "name", "part", *SILENT) or len(clause.names) > 2:
+        return
+    of = next((name for _, name in clause.names), "")
+    is_zero = value in ("0", "zero") or value.startswith("0 ")
+    for quantity in clause.all("quantity")[-1:]:
+        if quantity == "angle":
+            yield [f"{angle} = {value}" for angle in lookup.angles(names, of)]
+        elif quantity == "height":
+            yield lookup.lifted(names, of, value)
+            yield [f"height of {of} = {value}"] if of else []
+        elif quantity in ("position", "distance"):
+            yield [f"{place} = {value}" for place in lookup.places(names, of)]
+        elif quantity in ("velocity", "speed", "angular velocity") and is_zero:
+            measures = lookup.angles(names, of) if quantity.startswith("angular") else lookup.places(names, of)
+            yield [f"rate({measure}) = 0" for measure in measures or lookup.angles(names, of)]
+        elif quantity in ("velocity", "angular velocity") and (of in names.measures or not of):
+            kinds = lookup.angles if quantity.startswith("angular") else lookup.places
+            yield [f"rate({measure}) = {value}" for measure in ([of] if of else kinds(names, ""))]
+        elif quantity == "tension" and is_zero:
+            yield [f"{joint} goes slack" for joint in lookup.joints(names, of, "", "tension")]
+        elif quantity in ("normal force", "contact force") and is_zero:
+            yield [f"{joint} opens" for joint in lookup.joints(names, of, "", "normal force")]
+
+
+# -- how far something has come ---------------------------------------------------------------
+def _with_value(names: Names, clause: Clause, verbs: list[str]) -> Groups:
+    """It has moved 2 m; x reaches d; the crank has turned 90 deg; 3 revolutions."""
+    if not clause.only("name", "value", "turns", "verb", "part", *SILENT):
+        return
+    turns = clause.all("turns")
+    values = [value for _, value in clause.values] + [f"{turn} * 2*pi" for turn in turns]
+    of = [name for _, name in clause.names]
+    if not values and of and of[-1] in names.parameters:
+        values = [of.pop()]
+    if len(values) != 1 or len(of) > 2:
+        return
+    lines = [
+        name for before, name in clause.names if before in ("along", "up", "down") and lookup.direction(names, name)
+    ]
+    [value], of = values, [name for name in of if name not in lines]
+    who = next(iter(of), "")
+    doing = set(verbs) - {"start"}
+    sense = -1 if clause.has("updown", "down") or clause.has("part", "downward") else 0
+    sense = 1 if clause.has("updown", "up") or clause.has("part", "upward") else sense
+    if sense and doing <= {"move", "slide", "roll", "fly", "fall", "rise"}:
+        yield lookup.gone(names, who, value, sense)
+        return
+    if not doing and lookup.is_angle(value) and who not in names.measures:
+        yield [f"{angle} = {value}" for angle in lookup.angles(names, who)]
+    elif turns or doing == {"turn"}:
+        yield [f"{angle} = {value}" for angle in lookup.angles(names, who) if angle in names.started_at_zero]
+    elif doing == {"fall"}:
+        yield lookup.climbed(names, who, value, -1)
+    elif doing == {"rise"}:
+        yield lookup.climbed(names, who, value, 1)
+    elif doing <= {"reach"} and of and of[-1] in names.measures:
+        yield [f"{of[-1]} = {value}"]
+    elif (doing and doing <= {"move", "slide", "roll", "fly", "reach"}) or not doing:
+        yield [f"{way} = {value}" for way in lookup.ways(names, who)]
+
+
+# -- what happens -----------------------------------------------------------------------------
+def _happening(names: Names, clause: Clause, verbs: list[str]) -> Groups:
+    """The ball hits the floor; rolling begins; the rope goes slack; it turns back."""
+    if not clause.only("name", "verb", "degree", *SILENT) or set(clause.all("degree")) - {"first"}:
+        return
+    doing = frozenset(verbs) - {"move"} if len(set(verbs)) > 1 else frozenset(verbs)
+    told = _TOLD.get(doing)
+    if told is not None and len(clause.names) <= 2:
+        yield from told(names, *_who(names, clause))
+
+
+def _who(names: Names, clause: Clause) -> tuple[str, str]:
+    """Who does something, and to whom: a body before what stands behind `on`, `from`, or is no body."""
+    who, other = "", ""
+    if clause.has("pronoun", "it") and len(clause.names) == 1:
+        return "", clause.names[0][1]
+    for before, name in clause.names:
+        is_body = name in names.bodies or name in names.connections or name.partition(".")[0] in names.bodies
+        if not who and is_body and before in ("", "of", "by", "between", "and"):
+            who = name
+        elif not other:
+            other = name
+        else:
+            who = who or name
+    return who, other
+
+
+def _hits(names: Names, who: str, other: str) -> Groups:
+    yield [f"{who or 'it'} hits {other}".strip()]
+
+
+def _leaves(names: Names, who: str, other: str) -> Groups:
+    if who or other:
+        yield [f"{who or 'it'} leaves {other}".strip()]
+        yield [f"{who or other} opens"]
+    else:
+        yield ["contact is lost"]
+
+
+def _rolls(names: Names, who: str, other: str) -> Groups:
+    yield [f"{who} begins to roll" if who else "rolling begins"] if not other else []
+
+
+def _slips(names: Names, who: str, other: str) -> Groups:
+    yield [f"{who} begins to slip" if who else "slipping begins"] if not other else []
+
+
+def _ends_slipping(names: Names, who: str, other: str) -> Groups:
+    yield [f"slipping of {who} ends" if who else "slipping ends"] if not other else []
+
+
+def _stops(names: Names, who: str, other: str) -> Groups:
+    yield [f"{who or 'it'} stops"] if not other else []
+
+
+def _turns_back(names: Names, who: str, other: str) -> Groups:
+    if not other:
+        yield [f"rate({name}) = 0" for name in lookup.places(names, who) or lookup.angles(names, who)]
+
+
+def _returns(names: Names, who: str, other: str) -> Groups:
+    if not other:
+        yield [f"{way} = 0" for way in lookup.ways(names, who)]
+
+
+def _reaches(names: Names, who: str, other: str) -> Groups:
+    """A place that is reached is struck, where it can be."""
+    if other and other not in names.parameters and other not in names.measures:
+        yield [f"{who or 'it'} hits {other}"]
+
+
+def _at_top(names: Names, who: str, other: str) -> Groups:
+    yield lookup.tops(names, who)
+
+
+def _at_bottom(names: Names, who: str, other: str) -> Groups:
+    yield lookup.bottoms(names, who)
+
+
+def _slackens(names: Names, who: str, other: str) -> Groups:
+    yield [f"{who or 'it'} goes slack"] if not other else []
+
+
+def _tightens(names: Names, who: str, other: str) -> Groups:
+    yield [f"{who or 'it'} goes taut"] if not other else []
+
+
+_TOLD: dict[frozenset[str], Callable[..., Groups]] = {
+    frozenset(doing.split()): told
+    for doing, told in (
+        ("hit", _hits),
+        ("leave", _leaves),
+        ("start leave", _leaves),
+        ("roll", _rolls),
+        ("start roll", _rolls),
+        ("begin_roll", _rolls),
+        ("stop slide start roll", _rolls),
+        ("end slide start roll", _rolls),
+        ("start slide", _slips),
+        ("slide", _slips),
+        ("end slide", _ends_slipping),
+        ("stop slide", _ends_slipping),
+        ("stop", _stops),
+        ("hold", _stops),
+        ("turn_back", _turns_back),
+        ("return", _returns),
+        ("return move", _returns),
+        ("reach", _reaches),
+        ("top", _at_top),
+        ("bottom", _at_bottom),
+        ("slack", _slackens),
+        ("taut", _tightens),
+    )
+}

@@ -1,0 +1,221 @@
+"""A quantity, and the instant at which it is meant."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import product
+from typing import TYPE_CHECKING
+
+from freebody.questions.spoken import lookup
+from freebody.questions.spoken.asking import quantities
+from freebody.questions.spoken.composing import Groups
+from freebody.questions.spoken.events import HAPPENS, conditions
+from freebody.questions.spoken.lexicon import Word
+from freebody.questions.spoken.sentence import Sentence, clock
+from freebody.questions.spoken.words import Clause
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+_TIMED = {"in steady motion": " in steady motion", "when t grows": " when t grows"}
+
+
+def timed(names: Names, sentence: Sentence) -> Groups:
+    """A quantity, and when it is meant."""
+    main, others = sentence.main, list(sentence.others)
+    if main.has("ask", "when", "soon", "long"):
+        return
+    if main.has("ask", "high") and not others and main.has("verb") and main.only("ask", "verb", "name", "pronoun"):
+        yield from _how_high(names, main)
+        return
+    tails, main = _tails(names, main)
+    if main.has("quantity", "impact speed"):
+        main = Clause([Word("quantity", "speed") if w == Word("quantity", "impact speed") else w for w in main.words])
+        tails = tails or ([] if others else [[" when it hits"]])
+    if any(word.kind == "part" and word.what == "initial" for word in main.words) and not tails:
+        main, tails = main.without("part", "initial"), [[" at start"]]
+    for mark, clause in others:
+        found = list(_at(names, mark, clause))
+        if not found:
+            return
+        tails.append([text for group in found for text in group])
+    if len(tails) > 1:
+        return
+    event = _event_within(names, main) if not tails else None
+    if event is not None:
+        head, conditions_ = event
+        for group, when in product(list(quantities(names, head)), conditions_):
+            yield [f"{text} when {condition}" for text, condition in product(group, when)]
+        return
+    if not tails:
+        yield from quantities(names, main)
+        return
+    for tail in _grouped(names, sentence, tails):
+        for group in quantities(names, main):
+            yield [f"{text}{end}" for text, end in product(group, tail)]
+
+
+def _how_high(names: Names, main: Clause) -> Groups:
+    """How high does it fly? As high as it is where it no longer rises."""
+    who = next((name for _, name in main.names), "")
+    if set(main.all("verb")) <= {"move", "fly", "rise", "roll", "turn", "slide"} and len(main.names) <= 1:
+        yield [f"{height} when {top}" for height in lookup.rising(names, who) for top in lookup.tops(names, who)]
+        yield [f"greatest height of {body}" for body in ([who] if who else lookup.moving(names))]
+
+
+def _grouped(names: Names, sentence: Sentence, tails: list[list[str]]) -> Iterator[list[str]]:
+    """The ways to mean an instant, in groups."""
+    if sentence.others and len(sentence.others) == 1:
+        yield from _at(names, *sentence.others[0])
+    else:
+        yield tails[0]
+
+
+def _tails(names: Names, main: Clause) -> tuple[list[list[str]], Clause]:
+    """Instants within a main clause, and the clause without them."""
+    tails: list[list[str]] = []
+    for instant in main.all("instant"):
+        if instant == "at start":
+            tails.append([" at start"])
+        elif instant in _TIMED:
+            tails.append([_TIMED[instant]])
+        elif instant in ("after the impact", "before the impact"):
+            struck = lookup.is_struck_at_start_alone(names)
+            tails.append([" at start" if struck and instant[0] == "a" else f" {instant}"])
+        elif instant in ("at the top", "at the bottom"):
+            found = lookup.tops if instant == "at the top" else lookup.bottoms
+            of = next((name for _, name in main.names), "")
+            tails.append([f" when {text}" for text in found(names, of)])
+        elif instant == "at the impact":
+            tails.append([" when it hits"])
+        elif instant == "in equilibrium":
+            tails.append([" in equilibrium"])
+    main = main.without(
+        "instant",
+        "at start",
+        *_TIMED,
+        "after the impact",
+        "before the impact",
+        "at the top",
+        "at the bottom",
+        "at the impact",
+        "in equilibrium",
+    )
+    times = [value for before, value in main.values if before in ("in", "of", "")]
+    if main.has("relation"):
+        found = _equation_at_end(main)
+        if found is not None:
+            main, condition = found
+            tails.append([f" when {condition}"])
+    elif len(times) == 1 and len(main.values) == 1:
+        [value] = times
+        kept = Clause([w for w in main.words if w != Word("value", value)])
+        if lookup.is_time(value) and not kept.has("ask", "far", "much"):
+            tails.append([f" after {value}"])
+            main = kept
+        elif (asked := _place_within(main, value)) is not None:
+            head, at = asked
+            found_at = [c for group in conditions(names, at) for c in group]
+            if found_at:
+                tails.append([f" when {condition}" for condition in found_at])
+                main = head
+    return tails, main
+
+
+def _equation_at_end(main: Clause) -> tuple[Clause, str] | None:
+    """A measure and its value, as in `at x = 2 m`, and the clause without them."""
+    words = main.words
+    k = next(k for k, word in enumerate(words) if word.kind == "relation")
+    before, after = words[max(k - 2, 0) : k], words[k + 1 : k + 2]
+    is_placed = [word.kind for word in before] == ["preposition", "name"] and before[0].what in ("in", "of", "with")
+    if words[k].what != "=" or not after or after[0].kind not in ("value", "name") or not is_placed:
+        return None
+    return Clause([*words[: k - 2], *words[k + 2 :]]), f"{before[1].what} = {after[0].what}"
+
+
+def _place_within(main: Clause, value: str) -> tuple[Clause, Clause] | None:
+    """The part of a main clause that says where: at a crank angle of 60 deg, at 30 deg."""
+    words = main.words
+    at = words.index(Word("value", value))
+    begin = next((k for k in range(at, -1, -1) if words[k] == Word("preposition", "in")), None)
+    if begin is None or begin == 0:
+        return None
+    inner = [*words[begin + 1 :]]
+    if not any(word.kind == "quantity" for word in inner):
+        inner = [Word("quantity", "angle"), *inner] if lookup.is_angle(value) else inner
+    return Clause(words[:begin]), Clause(inner)
+
+
+def _at(names: Names, mark: str, clause: Clause) -> Groups:
+    """The instant that a clause beside the main one says."""
+    if mark in ("until", "while"):
+        return
+    if mark == "after":
+        time = clock(clause)
+        if time is not None:
+            yield [f" after {time}"]
+            return
+        if clause.has("verb", "hit", "bounce"):
+            yield (
+                [" after the impact"]
+                if clause.only("verb", "name", "pronoun", "preposition") and lookup.strikes(names)
+                else []
+            )
+            return
+    starts = [instant for instant in clause.all("instant") if instant == "at start"]
+    if starts and clause.only("instant", "pronoun", "name"):
+        yield [" at start"]
+        return
+    if (
+        clause.only("pronoun", "verb", "preposition", "name")
+        and clause.all("verb") in (["start"], ["start", "move"])
+        and mark != "after"
+    ):
+        return
+    for group in conditions(names, clause):
+        yield [f" when {condition}" for condition in group]
+
+
+def _event_within(names: Names, main: Clause) -> tuple[Clause, list[list[str]]] | None:
+    """A main clause that tells an event with the quantity there: with what speed does the ball hit the floor."""
+    verbs = main.all("verb")
+    if main.has("not"):
+        return None
+    if main.has("ask", "with", "where") and (found_at := _where_it_is(names, main)) is not None:
+        return found_at
+    if not set(verbs) & set(HAPPENS) and not (main.has("ask", "with") and set(verbs) & {"slide", "roll"}):
+        return None
+    if not (main.has("ask", "fast", "with", "where", "what", "large", "high") or main.has("quantity")):
+        return None
+    event = Clause(
+        [w for w in main.words if w.kind in ("name", "verb", "pronoun", "preposition", "updown", "value", "degree")]
+    )
+    found = list(conditions(names, event.without("degree")))
+    if not found:
+        return None
+    who = next((name for _, name in event.names if name in names.bodies or name in names.measures), None)
+    head = [w for w in main.words if w.kind in ("ask", "quantity", "part")]
+    if who is None:
+        who = next((name for _, name in main.names if name in names.bodies), None)
+    if main.has("ask", "where") and not main.has("quantity"):
+        head = [Word("quantity", "position")]
+    if main.has("quantity", "angle"):  # a place of the motion has a name: what has none is no angle of a motion
+        [angle, *_] = [*lookup.angles(names, who or ""), *lookup.angles(names, ""), ""]
+        return (Clause([Word("name", angle)]), found) if angle else None
+    return Clause([*head, *([Word("name", who)] if who else [])]), found
+
+
+def _where_it_is(names: Names, main: Clause) -> tuple[Clause, list[list[str]]] | None:
+    """At what angle is the speed 4 m/s? The angle, when that is so."""
+    places = [
+        k
+        for k, word in enumerate(main.words)
+        if word.kind == "quantity" and word.what in ("angle", "position", "height")
+    ]
+    if len(main.all("quantity")) != 2 or not places or not (main.has("value") or main.has("verb", "vanish")):
+        return None
+    k = places[0]
+    named = k + 1 < len(main.words) and main.words[k + 1].kind == "name" and main.words[k + 1].what in names.measures
+    head = [main.words[k], *main.words[k + 1 : k + 1 + named]]
+    found = list(conditions(names, Clause([w for w in main.words[k + 1 + named :] if w.kind != "ask"])))
+    return (Clause(head), found) if found else None

@@ -1,0 +1,288 @@
+"""What a model has for things that words mean without naming them: measures of a place, connections between two things.
+
+Each function gives all that fit: where a model has several, each is a way to mean the words.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, cast
+
+from freebody.errors import UnitError
+from freebody.language.expression import Symbol
+from freebody.language.units import DIMENSIONLESS, FORCE, LENGTH, TIME
+from freebody.language.units.quantity import parse_quantity
+from freebody.measures.displacement import Displacement
+from freebody.measures.distance import Bearing
+from freebody.measures.geometry import GROUND, ZERO
+from freebody.questions.course import names_line
+
+_LEVEL = 1e-9  # of a direction that is level, or straight up
+
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+
+# -- bodies and measures ----------------------------------------------------------------------
+def moving(names: Names) -> list[str]:
+    """Bodies that are not held by themselves."""
+    return [name for name, body in names.bodies.items() if name != GROUND and not body.fixed]
+
+
+def turning(names: Names) -> list[str]:
+    return [name for name in moving(names) if names.bodies[name].turns]
+
+
+def measured(names: Names) -> list[str]:
+    """What is measured, or the bodies that move where nothing is."""
+    return list(names.measures) or moving(names)
+
+
+def is_all_that_moves(names: Names, body: str) -> bool:
+    return moving(names) == [body]
+
+
+def is_all_that_slips(names: Names, body: str) -> bool:
+    """Whether all dry friction is that of a body."""
+    rough = {row.connection for row in names.constraint_rows if row.reaction == "friction force"}
+    return bool(rough) and all(_is_of(names, connection, body) for connection in rough)
+
+
+def rests(names: Names) -> bool:
+    """Whether nothing is given that would set the system in motion."""
+    return not names.start_rates
+
+
+def swings(names: Names) -> bool:
+    """Whether the file lets the system start away from where its measures are zero, or in motion."""
+    return names.starts_away
+
+
+def ways(names: Names, body: str) -> list[str]:
+    """Measures of how far a body has come from where the motion starts, or all such measures where none is named."""
+    if body in names.measures:
+        return [body] if body in names.started_at_zero else []
+    lengths = [n for n, m in names.measures.items() if m.dimension != DIMENSIONLESS and n in names.started_at_zero]
+    return [n for n in lengths if not body or body in names.measures[n].bodies()]
+
+
+def places(names: Names, body: str) -> list[str]:
+    """Measures of where a body is along a line, or all such measures where none is named."""
+    if body in names.measures:
+        return [body]
+    lengths = [name for name, measure in names.measures.items() if measure.dimension != DIMENSIONLESS]
+    return [name for name in lengths if not body or body in names.measures[name].bodies()]
+
+
+def angles(names: Names, body: str) -> list[str]:
+    """Measures of how a body is turned against the ground, or all angles where none is named."""
+    if body in names.measures:
+        return [body] if names.measures[body].dimension == DIMENSIONLESS else []
+    found = [(name, measure) for name, measure in names.measures.items() if measure.dimension == DIMENSIONLESS]
+    return [name for name, measure in found if not body or {*measure.bodies()} - {GROUND} == {body}]
+
+
+def gone(names: Names, body: str, by: str, sense: int) -> list[str]:
+    """The condition that a body has come so far up (sense 1) or down (-1) along its way."""
+    return [f"{name} = {'' if own == sense else '-'}{_factor(by)}" for name, own in inclined(names, body)]
+
+
+def inclined(names: Names, body: str) -> list[tuple[str, int]]:
+    """Measures of how far a body has come along a straight way that is not level: 1 where they count upwards."""
+    found: list[tuple[str, int]] = []
+    for name in ways(names, body):
+        measure = names.measures[name]
+        if isinstance(measure, Displacement) and measure.along.body == GROUND:
+            rise = names.numeric(measure.along.components[1])
+            if rise is not None and abs(rise) > _LEVEL:
+                found.append((name, 1 if rise > 0.0 else -1))
+    return found
+
+
+# -- heights ----------------------------------------------------------------------------------
+def heights(names: Names, body: str) -> list[tuple[str, int]]:
+    """Measures of how high a body is, or of any body where none is named: 1 where they count upwards, -1 downwards."""
+    senses = {names.compass["up"].components: 1, names.compass["down"].components: -1}
+    found: list[tuple[str, int]] = []
+    for name, measure in names.measures.items():
+        if not isinstance(measure, Displacement) or body not in ("", name, measure.of.body):
+            continue
+        sense = senses.get(measure.along.components)
+        if sense is not None and {measure.along.body, measure.origin.body} == {GROUND}:
+            found.append((name, sense))
+    return found
+
+
+def climbed(names: Names, body: str, by: str, sense: int) -> list[str]:
+    """The condition that a body is higher (sense 1) or lower (-1) than at the start by a length."""
+    started = [(name, own) for name, own in heights(names, body) if name in names.started_at_zero]
+    return [f"{name} = {'' if own == sense else '-'}{_factor(by)}" for name, own in started]
+
+
+def _factor(value: str) -> str:
+    return f"({value})" if any(sign in value[1:] for sign in "+-") else value
+
+
+def lifted(names: Names, body: str, value: str) -> list[str]:
+    """The condition that a body is at a height."""
+    return [f"{name} = {value}" for name, sense in heights(names, body) if sense > 0]
+
+
+def rising(names: Names, body: str) -> list[str]:
+    """Heights that start at zero."""
+    return [name for name, sense in heights(names, body) if sense > 0 and name in names.started_at_zero]
+
+
+def tops(names: Names, body: str) -> list[str]:
+    """The condition that a body has risen as far as it does at first, or swings no further."""
+    up = [name for name, sense in heights(names, body) if _rises(names, name, sense)]
+    round_a_point = [f"{name} = {'0' if above else '180 deg'}" for name, above in _hanging(names, body)]
+    turning_back = [f"rate({name}) = 0" for name, _ in _hanging(names, body)]
+    return [f"rate({name}) = 0" for name in up] or [*round_a_point, *turning_back]
+
+
+def _rises(names: Names, measure: str, sense: int) -> bool:
+    """Whether a height grows as the motion begins, at the numbers of the model."""
+    rate = names.numeric(names.start_rates.get(measure, ZERO))
+    return rate is not None and sense * rate > 0.0
+
+
+def bottoms(names: Names, body: str) -> list[str]:
+    """The condition that what goes round a point of the ground is straight below it."""
+    return [f"{name} = 0" for name, above in _hanging(names, body) if not above]
+
+
+def _hanging(names: Names, body: str) -> list[tuple[str, bool]]:
+    """Angles of lines from the ground to a body that count from straight down, or (True) from straight up."""
+    found: list[tuple[str, bool]] = []
+    for name, measure in names.measures.items():
+        if isinstance(measure, Bearing) and measure.start.body == GROUND and body in ("", name, measure.end.body):
+            reference = names.numeric(measure.reference)
+            if reference is not None and abs(math.cos(reference)) < _LEVEL:
+                found.append((name, math.sin(reference) > 0.0))
+    return found
+
+
+# -- connections ------------------------------------------------------------------------------
+def joints(names: Names, first: str, second: str, reaction: str) -> list[str]:
+    """Connections that are, or touch, each of two things (bodies, lines of the ground, connections), those that have
+    the reaction where any has."""
+    wanted = [thing.partition(".")[0] for thing in (first, second) if thing]
+    found = [name for name in names.connections if all(_is_of(names, name, thing) for thing in wanted)]
+    having = {row.connection for row in names.constraint_rows if row.reaction == reaction}
+    return [name for name in found if name in having] or found
+
+
+def touches(names: Names, connection: str, thing: str) -> bool:
+    return _is_of(names, connection, thing.partition(".")[0])
+
+
+def _is_of(names: Names, connection: str, thing: str) -> bool:
+    if thing == connection:
+        return True
+    described = names.connections[connection]
+    if thing in names.bodies and thing != GROUND:
+        return thing in described.mentions(names)
+    return thing in names.bodies[GROUND].lines and names_line(names, connection, thing)
+
+
+def direction(names: Names, name: str) -> str | None:
+    """The direction of a line of the ground, or of the guide that a connection is; None where a name is none."""
+    if name in names.bodies[GROUND].lines:
+        return name
+    along: object = getattr(names.connections.get(name), "along", None)
+    return (
+        str(along)
+        if isinstance(along, str | int | float) and getattr(names.connections[name], "on", GROUND) == GROUND
+        else None
+    )
+
+
+def points(names: Names, along: str, sense: str) -> bool:
+    """Whether a direction points `up` or `down`, so far as the numbers of the model say."""
+    with names.quietly():
+        height = names.numeric(names.direction(along).components[1])
+    return height is not None and (height > 0.0 if sense == "up" else height < 0.0)
+
+
+def axles(names: Names) -> list[str]:
+    """Connections that something turns about."""
+    return [name for name in names.connections if "axle" in names.called.get(name, ())]
+
+
+def axle_of(names: Names, body: str) -> str:
+    """Where a body turns about an axle of the ground: at its mass `center` or `beside` it; else nothing."""
+    if body not in names.bodies:
+        return ""
+    for name in axles(names):
+        described = names.connections[name]
+        if _is_of(names, name, body) and GROUND in described.mentions(names):
+            ends: list[str] = []
+            for value in _given(described).values():
+                ends += map(str, cast("list[object]", value) if isinstance(value, list) else [value])
+            points = {
+                names.bodies[body].points.get(end.partition(".")[2]) for end in ends if end.startswith(f"{body}.")
+            }
+            return "center" if body in ends or (ZERO, ZERO) in points else "beside"
+    return ""
+
+
+def is_known(names: Names, name: str) -> bool:
+    """Whether a name is that of a thing that the model has."""
+    things = (names.bodies, names.connections, names.loads, names.measures, names.bodies[GROUND].lines)
+    return any(name.partition(".")[0] in own for own in things)
+
+
+def springs(names: Names) -> list[str]:
+    """Loads that are springs."""
+    return [name for name in names.loads if "spring" in names.called.get(name, ())]
+
+
+def strikes(names: Names) -> bool:
+    """Whether there is something that can collide."""
+    return any(row.reaction == "normal force" for row in names.constraint_rows)
+
+
+def is_struck_at_start_alone(names: Names) -> bool:
+    """Whether the blow that is meant can only be that at the start."""
+    closing = {row.connection for row in names.constraint_rows if row.closes}
+    return bool(names.struck_at_start) and (closing | names.impulses) <= names.struck_at_start
+
+
+# -- parameters and values --------------------------------------------------------------------
+def parameters(names: Names, kind: str, of: str) -> list[str]:
+    """Parameters that are the mass of a body, the stiffness of a spring, the coefficient of friction."""
+    if kind == "mass":
+        masses = [body.mass for name, body in names.bodies.items() if name == of]
+        return [mass.name for mass in masses if isinstance(mass, Symbol)]
+    if kind == "stiffness":
+        return [name for name, parameter in names.parameters.items() if parameter.dimension == FORCE / LENGTH]
+    word = {"friction coefficient": "friction"}.get(kind, kind)
+    own = [spec for name, spec in names.connections.items() if not of or name == of or _is_at(names, name, of)]
+    written = {str(value) for spec in own for key, value in _given(spec).items() if word in key}
+    return [name for name in names.parameters if name in written]
+
+
+def _given(spec: object) -> dict[str, object]:
+    """What a file gives for an element, by its keys."""
+    return vars(spec) if hasattr(spec, "__dict__") else {}
+
+
+def _is_at(names: Names, name: str, thing: str) -> bool:
+    return name in names.connections and _is_of(names, name, thing)
+
+
+def is_time(value: str) -> bool:
+    return _has(value, TIME)
+
+
+def is_angle(value: str) -> bool:
+    return _has(value, DIMENSIONLESS) and not value.replace(".", "").isdigit()
+
+
+def _has(value: str, dimension: object) -> bool:
+    try:
+        return parse_quantity(value).dimension == dimension
+    except (UnitError, ValueError):
+        return False

@@ -1,0 +1,106 @@
+"""Whole questions: a main clause and what is said of when, until when, for which values it is meant.
+
+Gives groups of texts in the words of the grammar, the likeliest first.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from freebody.questions.spoken import lookup, turning_round
+from freebody.questions.spoken.asking import quantities
+from freebody.questions.spoken.composing import Groups
+from freebody.questions.spoken.counting import counted, lost, time
+from freebody.questions.spoken.instants import timed
+from freebody.questions.spoken.lexicon import Word
+from freebody.questions.spoken.sentence import Sentence, parted
+from freebody.questions.spoken.words import Clause
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+_MARKS = ("when", "until", "after", "while")
+
+
+def meanings(names: Names, words: list[Word]) -> Groups:
+    """What words can ask for."""
+    words = [word for word in words if word.kind != "filler"]
+    if any(word.kind == "other" for word in words):
+        return
+    yield from turning_round.parameters(names, words, meanings)
+    sentence = parted(words)
+    if sentence is None or any(mark not in _MARKS for mark, _ in sentence.others):
+        return
+    for told in (_limit, _structure, _conserved, lost, time, counted, timed):
+        yield from told(names, sentence)
+
+
+def _limit(names: Names, sentence: Sentence) -> Groups:
+    """A quantity as a parameter tends to a value: the acceleration for M -> 0."""
+    arrows = [k for k, word in enumerate(sentence.main.words) if word == Word("relation", "->")]
+    clause = sentence.others[0][1] if len(sentence.others) == 1 and not arrows else sentence.main
+    words = clause.words
+    arrows = [k for k, word in enumerate(words) if word == Word("relation", "->")]
+    if len(arrows) != 1 or not 0 < arrows[0] == len(words) - 2 or words[arrows[0] - 1].kind != "name":
+        return
+    k = arrows[0]
+    parameter, value = words[k - 1].what, words[k + 1].what
+    head = Clause(words[: k - 1]) if clause is sentence.main else sentence.main
+    head = head.without("verb", "limit").without("quantity", "limit")
+    if parameter in names.parameters and words[k + 1].kind in ("value", "name"):
+        for group in quantities(names, head):
+            yield [f"{text} as {parameter} -> {value}" for text in group]
+
+
+def _structure(names: Names, sentence: Sentence) -> Groups:
+    """What is asked of the system itself: whether it stays at rest, turns fully, is stable, can be assembled."""
+    main = sentence.main
+    verbs, of = set(main.all("verb")), [name for _, name in main.names]
+    grown = [
+        own.names[0][1] for mark, own in sentence.others if mark == "when" and own.has("verb", "grow") and own.names
+    ]
+    if verbs & {"tip"} and verbs & {"slide"} and len(verbs - {"start", "move"}) == 2 and len(grown) == 1:
+        yield [f"does it tip or slide as {grown[0]} grows"]
+    if sentence.others or main.has("value") or main.has("relation") or main.has("turns"):
+        return
+    if main.has("quantity", "degrees of freedom") and main.only("quantity", "ask", "pronoun", "preposition", "verb"):
+        yield ["degrees of freedom"]
+    asks_nothing = not (main.has("ask") or main.has("not") or main.has("degree") or main.has("quantity"))
+    everything = all(lookup.is_all_that_moves(names, name) for name in of)
+    if {"hold"} <= verbs <= {"hold", "move"} and asks_nothing and everything:
+        yield ["does it hold"]
+    if (
+        verbs == {"move"}
+        and main.only("verb", "pronoun", "name")
+        and all(lookup.is_all_that_moves(names, n) for n in of)
+    ):
+        yield ["does it hold"] if lookup.rests(names) else []
+    if verbs & {"stable", "unstable"} and main.only("verb", "quantity", "pronoun", "preposition", "name", "instant"):
+        asked = main.all("quantity")
+        if asked == ["equilibrium"] or (not asked and (not of or "in equilibrium" in main.all("instant"))):
+            yield ["stability of equilibrium"]
+    if "turn_fully" in verbs and main.only("verb", "name", "ask") and len(of) == 1 and not main.has("ask"):
+        yield [f"does {of[0]} turn fully"]
+    if "assemble" in verbs and not main.has("quantity") and not of:
+        yield ["when does the loop assemble"]
+    if verbs == {"damped"} and main.only("verb", "name", "pronoun"):
+        yield ["damping ratio"]
+    if verbs & {"tip"} and verbs & {"slide"} and len(verbs - {"start", "move"}) == 2:
+        grows = [name for name in of if name in names.parameters]
+        yield [f"does it tip or slide as {name} grows" for name in grows]
+
+
+def _conserved(names: Names, sentence: Sentence) -> Groups:
+    """Is the total energy conserved? When is it?"""
+    main = sentence.main
+    if not main.has("verb", "conserved") or main.has("not"):
+        return
+    asks_when = main.has("ask", "when", "with")
+    others = [clause for _, clause in sentence.others]
+    if (main.has("ask") and not asks_when) or others:
+        return
+    kept = Clause(
+        [w for w in main.words if w.kind not in ("ask",) and w not in (Word("verb", "conserved"), Word("verb", "move"))]
+    )
+    for group in quantities(names, kept):
+        yield [f"{'when is' if asks_when else 'is'} {text} conserved" for text in group]

@@ -1,0 +1,159 @@
+"""Forces, moments and impulses in the grammar: of a connection, or of that between the things that are named."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from freebody.questions.spoken import lookup
+from freebody.questions.spoken.composing import SILENT, Groups, said_of, without_owners
+from freebody.questions.spoken.words import Clause
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+_TRANSMITTED = (
+    *("tension", "normal force", "friction force", "contact force", "axial force", "tooth force", "driving torque"),
+    *("driving force", "reaction", "bearing reaction", "force", "moment", "torque", "impulse", "angular impulse"),
+)
+_KINDS = {  # kinds of what is said so, by how likely they are meant
+    "force": ("force", "reaction"),
+    "contact force": ("normal force", "reaction"),
+    "torque": ("driving torque", "torque", "moment"),
+    "moment": ("moment", "torque"),
+    "driving force": ("driving force", "force"),
+    "axial force": ("tension", "reaction"),
+    "bearing reaction": ("bearing reaction", "reaction"),
+}
+
+
+@said_of(*_TRANSMITTED)
+def _transmitted(names: Names, quantity: str, rest: Clause) -> Groups:
+    """A force that a connection transmits: of the connection, or of that between things."""
+    if not rest.only("name", "part", *SILENT):
+        return
+    own = {row.reaction for row in names.constraint_rows}
+    kinds = _KINDS.get(quantity, (quantity,))
+    if quantity == "tension" and quantity not in own:
+        kinds = tuple(
+            kind for kind in sorted(own) if kind.endswith(" force") and kind.split()[0] in ("belt", "rope", "cable")
+        )
+    for kind in kinds:
+        yield from _of_joint(names, kind, rest)
+
+
+def _of_joint(names: Names, kind: str, rest: Clause) -> Groups:
+    of = rest.names
+    bearings: list[str] = []
+    if kind == "bearing reaction":
+        kind, bearings = "reaction", lookup.axles(names)
+    joints = [name for _, name in of if name in names.connections]
+    loads = [name for _, name in of if name in names.loads]
+    things = [(before, name) for before, name in of if name not in names.connections and name not in names.loads]
+    on = [name for before, name in things if before == "on"]
+    about = [name for before, name in things if before in ("about", "relative")]
+    along = [name for before, name in things if before in ("along", "up", "down")]
+    ends = "".join([*(f" about {name}" for name in about), *(f" along {name}" for name in along)])
+    things = [(before, name) for before, name in things if name not in (*about, *along)]
+    head = _headed(kind, rest)
+    if head is None or len(loads) > 1 or len(joints) > 1 or (loads and joints):
+        return
+    if loads:
+        if kind in ("force", "torque", "moment") and not about:
+            tail = "".join(f" on {name}" for _, name in things[:1])
+            yield (
+                [f"force of {loads[0]}{tail}{ends}", f"torque of {loads[0]}"]
+                if things or ends
+                else [f"force in {loads[0]}"]
+            )
+            yield [f"torque of {loads[0]}"]
+    elif joints:
+        yield from _at_joint(names, kind, head, joints[0], things, ends)
+    elif kind != "force":
+        yield from _between(names, kind, head, things, on, ends, bearings)
+
+
+def _headed(kind: str, rest: Clause) -> str | None:
+    """The kind with the part of it that is meant: horizontal reaction, size of reaction."""
+    parts = [part for part in rest.all("part") if part in ("horizontal", "vertical", "size")]
+    if len(parts) != len(rest.all("part")) or len(parts) > 1:
+        return None
+    if not parts:
+        return kind
+    if kind not in ("reaction", "impulse", "moment", "angular impulse", "force"):
+        return None
+    return f"{parts[0]} of {kind}" if parts[0] == "size" else f"{parts[0]} {kind}"
+
+
+def _at_joint(names: Names, kind: str, head: str, joint: str, things: list[tuple[str, str]], ends: str) -> Groups:
+    """A force of a connection that is named, with the body on which, or the place at which it acts."""
+    if kind == "force":
+        own = list(dict.fromkeys(row.reaction for row in names.constraint_rows if row.connection == joint))
+        if (
+            head == "force" and len(own) == 1 and own[0] not in ("force", "reaction") and not ends
+        ):  # the force of a rope is its tension
+            yield from _at_joint(names, own[0], own[0], joint, things, ends)
+        return
+    if not things:
+        yield [f"{head} of {joint}{ends}"]
+        return
+    of = without_owners([name for _, name in things])
+    on = next((name for before, name in things if before == "on"), None)
+    if len(of) == 2 and all(lookup.touches(names, joint, name) for name in of) and kind != "tension":
+        has_side = kind in ("reaction", "moment", "impulse") and on is not None
+        yield [f"{head} of {joint}{f' on {on}' if has_side else ''}{ends}"]
+    elif len(of) == 2:
+        yield [f"{head} of {joint} between {of[0]} and {of[1]}{ends}"]
+    elif kind in ("reaction", "moment", "impulse", "angular impulse"):
+        if things[0][0] == "on":
+            yield [f"{head} of {joint} on {of[0]}{ends}"]
+        else:
+            yield [f"{head} of {joint}{ends}"] if lookup.touches(names, joint, of[0]) else []
+    else:
+        yield [f"{head} of {joint} at {of[0]}{ends}"]
+        yield [f"{head} of {joint}{ends}"] if lookup.touches(names, joint, of[0]) else []
+
+
+def _between(
+    names: Names,
+    kind: str,
+    head: str,
+    things: list[tuple[str, str]],
+    on: list[str],
+    ends: str,
+    only: list[str],
+) -> Groups:
+    """A force of the connection between things that are named, or of the only one that has such a force."""
+    of = without_owners([name for _, name in things])
+    if len(of) > 2:
+        return
+    strange = [name for name in of if not lookup.is_known(names, name)]
+    if strange:  # the grammar says what the model lacks
+        yield [f"{head} of {strange[0]}"]
+        return
+    first, second = (*of, "", "")[:2]
+    joints = lookup.joints(names, first, second, kind)
+    joints = [joint for joint in joints if joint in only] or ([] if only else joints)
+    has_sides = kind in ("reaction", "moment", "impulse")
+    if has_sides and len(of) == 1 and not ends and on and len(joints) != 1:
+        return
+    if len(of) == 2 and kind == "tension":
+        yield [f"tension of {joint} between {of[0]} and {of[1]}" for joint in joints]
+    target = next((name for name in on if name in names.bodies), None) if has_sides else None
+    yield [f"{head} of {joint}{f' on {target}' if target else ''}{ends}" for joint in joints]
+    if len(of) == 1 and kind == "tension":
+        yield [f"tension of {joint} at {of[0]}" for joint in joints]
+
+
+@said_of("spring force")
+def _in_spring(names: Names, quantity: str, rest: Clause) -> Groups:
+    """The force of a spring, which is named or the only one."""
+    of = [name for _, name in rest.names]
+    if rest.only("name", *SILENT) and len(of) <= 1:
+        yield [f"force in {name}" for name in of or lookup.springs(names)]
+
+
+@said_of("power", "work")
+def _work(names: Names, quantity: str, rest: Clause) -> Groups:
+    of = [name for _, name in rest.names]
+    if rest.only("name", *SILENT) and len(of) == 1:
+        yield [f"{quantity} of {of[0]}"]

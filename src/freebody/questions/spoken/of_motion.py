@@ -1,0 +1,130 @@
+"""Where something is, how fast it moves, and how it is accelerated, in the grammar."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from freebody.questions.spoken import lookup
+from freebody.questions.spoken.composing import ALONG, SILENT, Groups, said_of, without_owners
+from freebody.questions.spoken.words import Clause
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+
+@said_of("velocity", "speed", "acceleration", "angular velocity", "angular acceleration")
+def motion(names: Names, quantity: str, rest: Clause) -> Groups:
+    """A velocity or an acceleration of a body, a point or a measure, along a direction, relative to another body."""
+    found = _directed(names, rest)
+    if found is None or not rest.only("name", "part", *SILENT):
+        return
+    of, relative, along = found
+    if len(of) > 1 or (rest.has("part", "initial", "size", "only", "driving")):
+        return
+    end = f"{relative}{along}"
+    if not of and rest.has("pronoun", "system"):
+        return
+    if not of:
+        moving = (
+            lookup.moving(names)
+            if quantity == "speed" or along or quantity.startswith("angular")
+            else lookup.measured(names)
+        )
+        yield [f"{quantity} of {name}{end}" for name in moving]
+        return
+    [name] = of
+    axle = lookup.axle_of(names, name) if not end and not quantity.startswith("angular") else ""
+    if quantity == "speed" and axle:  # what turns about its centre has no other speed
+        yield [f"angular velocity of {name}", *([f"speed of {name}"] if axle == "beside" else [])]
+        return
+    yield [f"{quantity} of {name}{end}"]
+    if quantity == "speed":
+        yield [f"|velocity of {name}|"] if not end else []
+    if quantity.startswith("angular "):
+        yield [f"{quantity.removeprefix('angular ')} of {name}{end}"] if name in names.measures else []
+    elif name in names.bodies and quantity != "speed":
+        yield [f"{quantity} of {name}{end}"]
+
+
+def _directed(names: Names, rest: Clause) -> tuple[list[str], str, str] | None:
+    """What a clause names: things, `relative to` which, `along` which direction; None where these contradict."""
+    of: list[str] = []
+    relative, along = "", ""
+    for before, name in rest.names:
+        line = lookup.direction(names, name)
+        is_line = line is not None
+        if before == "relative" and not is_line and not relative:
+            relative = f" relative to {name}"
+        elif before in ("along", "up", "down") or (is_line and before in ("on", "in", "of", "from") and not along):
+            if along or (before in ("up", "down") and not lookup.points(names, line or name, before)):
+                return None
+            along = f" along {line or name}"
+        else:
+            of.append(name)
+    for part in rest.all("part"):
+        if part in ALONG:
+            if along:
+                return None
+            along = f" along {ALONG[part]}"
+    of = without_owners(of)
+    return of, relative, along
+
+
+@said_of("deceleration", "angular deceleration")
+def _slowing(names: Names, quantity: str, rest: Clause) -> Groups:
+    """How strongly something is slowed down: the size of its acceleration."""
+    of = [name for _, name in rest.names]
+    who = next(iter(of), "")
+    turns = quantity.startswith("angular") or lookup.axle_of(names, who) == "center"
+    if rest.only("name", *SILENT) and len(of) <= 1:
+        measures = lookup.angles(names, who) if turns else lookup.places(names, who)
+        yield [f"|acceleration of {measure}|" for measure in measures]
+        yield [f"|angular acceleration of {who}|"] if turns and who in names.bodies else []
+
+
+@said_of("position")
+def _position(names: Names, quantity: str, rest: Clause) -> Groups:
+    found = _directed(names, rest)
+    if found is None or not rest.only("name", "part", *SILENT) or len(found[0]) > 1 or found[1]:
+        return
+    of, _, along = found
+    name = next(iter(of), "")
+    if along and name:
+        yield [f"position of {name}{along}"]
+    elif not along:
+        yield lookup.places(names, name)
+        yield lookup.angles(names, name)
+
+
+@said_of("displacement")
+def _displacement(names: Names, quantity: str, rest: Clause) -> Groups:
+    of = [name for _, name in rest.names]
+    if rest.only("name", *SILENT) and len(of) <= 1:
+        yield lookup.ways(names, next(iter(of), ""))
+
+
+@said_of("angle")
+def _angle(names: Names, quantity: str, rest: Clause) -> Groups:
+    found = _directed(names, rest)
+    if found is None or not rest.only("name", *SILENT) or len(found[0]) > 1 or found[2]:
+        return
+    of, relative, _ = found
+    name = next(iter(of), "")
+    if not relative:
+        yield lookup.angles(names, name)
+    yield [f"angle of {name}{relative}"] if name else []
+
+
+@said_of("height")
+def _height(names: Names, quantity: str, rest: Clause) -> Groups:
+    if rest.only("name", *SILENT) and len(rest.names) <= 1:
+        name = rest.names[0][1] if rest.names else ""
+        yield [f"height of {body}" for body in ([name] if name else lookup.moving(names))]
+        yield [height for height, sense in lookup.heights(names, name) if sense > 0]
+
+
+@said_of("distance")
+def _distance(names: Names, quantity: str, rest: Clause) -> Groups:
+    of = [name for _, name in rest.names]
+    if len(of) == 2 and rest.only("name", *SILENT):
+        yield [f"distance from {of[0]} to {of[1]}"]

@@ -1,0 +1,89 @@
+"""Energies, momenta, periods and what else is asked of a whole system, in the grammar."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from freebody.questions.spoken import lookup
+from freebody.questions.spoken.composing import ALONG, SILENT, Groups, said_of
+from freebody.questions.spoken.of_motion import motion
+from freebody.questions.spoken.words import Clause
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+
+@said_of("kinetic energy", "potential energy", "total energy")
+def _energy(names: Names, quantity: str, rest: Clause) -> Groups:
+    of = [name for _, name in rest.names]
+    if rest.only("name", *SILENT) and len(of) <= 1:
+        yield [" of ".join((quantity, *of))]
+
+
+@said_of("energy")
+def _whole_energy(names: Names, quantity: str, rest: Clause) -> Groups:
+    yield from _energy(names, "total energy", rest)
+
+
+@said_of("linear momentum", "angular momentum")
+def _momentum(names: Names, quantity: str, rest: Clause) -> Groups:
+    about = [name for before, name in rest.names if before in ("about", "relative")]
+    along = [name for before, name in rest.names if before in ("along", "up", "down")]
+    along += [ALONG[part] for part in rest.all("part") if part in ALONG]
+    of = [name for before, name in rest.names if before not in ("about", "relative", "along", "up", "down")]
+    if not rest.only("name", "part", *SILENT) or len(about) > 1 or len(along) > 1 or (about and quantity[0] == "l"):
+        return
+    ends = [f" about {name}" for name in about] + [f" along {name}" for name in along]
+    whose = f" of {' and '.join(of)}" if of else ""
+    yield [f"{quantity}{whose}{''.join(ends)}"]
+
+
+@said_of("period")
+def _period(names: Names, quantity: str, rest: Clause) -> Groups:
+    of = [name for _, name in rest.names]
+    if rest.has("part", "small"):
+        yield ["period of small oscillations"]
+    elif rest.only("name", *SILENT) and len(of) <= 1:
+        if of and of[0] in names.measures:
+            yield [f"period of {of[0]}"]
+        else:
+            yield ["period of the motion" if lookup.swings(names) else "period of small oscillations"]
+
+
+@said_of("equilibrium")
+def _equilibrium(names: Names, quantity: str, rest: Clause) -> Groups:
+    of = [name for _, name in rest.names]
+    if not rest.only("name", *SILENT) or len(of) > 1:
+        return
+    measures = lookup.places(names, of[0]) + lookup.angles(names, of[0]) if of else lookup.measured(names)
+    yield [f"equilibrium of {name}" for name in dict.fromkeys(measures)]
+
+
+@said_of("stroke", "time ratio", "extremes", "steady amplitude", "phase lag", "resonance frequency")
+def _of_coordinate(names: Names, quantity: str, rest: Clause) -> Groups:
+    """What is asked of the place of something: its stroke, its time ratio."""
+    of = [name for _, name in rest.names]
+    if not of and quantity in ("steady amplitude", "phase lag", "resonance frequency") and rest.only(*SILENT):
+        yield [f"{quantity} of {name}" for name in names.measures]
+    if len(of) == 1 and rest.only("name", "instant", *SILENT):
+        yield [f"{quantity} of {name}" for name in lookup.places(names, of[0]) or lookup.angles(names, of[0])]
+
+
+@said_of("transmissibility")
+def _transmissibility(names: Names, quantity: str, rest: Clause) -> Groups:
+    of = [name for _, name in rest.names]
+    if len(of) == 1 and rest.only("name", *SILENT):
+        yield [f"transmissibility to {of[0]}"]
+
+
+@said_of("terminal velocity")
+def _terminal(names: Names, quantity: str, rest: Clause) -> Groups:
+    for group in motion(names, "velocity", rest):
+        yield [f"{text} when t grows" for text in group]
+
+
+@said_of("gear ratio")
+def _gear_ratio(names: Names, quantity: str, rest: Clause) -> Groups:
+    of = [name for _, name in rest.names]
+    if len(of) == 2 and rest.only("name", *SILENT):
+        yield [f"ratio of angular velocity of {of[0]} to angular velocity of {of[1]}"]

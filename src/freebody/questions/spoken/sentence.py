@@ -1,0 +1,47 @@
+"""A question parted into its main clause and the clauses beside it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from freebody.questions.spoken import lookup
+from freebody.questions.spoken.lexicon import Word
+from freebody.questions.spoken.words import Clause
+
+_COMMA = Word("preposition", ",")
+
+
+@dataclass(frozen=True)
+class Sentence:
+    """A main clause, and clauses beside it with what leads to each."""
+
+    main: Clause
+    others: tuple[tuple[str, Clause], ...] = ()
+
+
+def parted(words: list[Word]) -> Sentence | None:
+    """A question and its clauses: the main one comes first, or behind a comma."""
+    if words and words[0] == Word("ask", "when") and _COMMA in words:
+        after = words[words.index(_COMMA) + 1 :]
+        if any(word.kind in ("ask", "quantity") for word in after[:3]):
+            words = [Word("mark", "when"), *words[1:]]
+    parts: list[tuple[str, list[Word]]] = [("", [])]
+    for k, word in enumerate(words):
+        if word.kind == "mark":
+            parts.append((word.what, []))
+        elif word == _COMMA and parts[0][1] == [] and len(parts) > 1 and k + 1 < len(words):
+            parts.append(("", []))
+        elif word != _COMMA:
+            parts[-1][1].append(word)
+    main = [own for mark, own in parts if not mark and own]
+    if len(main) != 1:
+        return None
+    return Sentence(Clause(main[0]), tuple((mark, Clause(own)) for mark, own in parts if mark))
+
+
+def clock(clause: Clause) -> str | None:
+    """A time since the start that a clause is."""
+    values = clause.values
+    if len(values) == 1 and clause.only("value", "preposition", "pronoun") and lookup.is_time(values[0][1]):
+        return values[0][1]
+    return None

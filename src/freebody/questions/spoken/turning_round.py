@@ -1,0 +1,317 @@
+"""Questions turned round: for which value of a parameter, from which on, up to which something is so."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from freebody.questions.spoken import lookup
+from freebody.questions.spoken.asking import quantities
+from freebody.questions.spoken.composing import SILENT, Groups
+from freebody.questions.spoken.lexicon import Word
+from freebody.questions.spoken.words import Clause
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+_KIND_OF_PARAMETER = ("mass", "stiffness", "friction coefficient", "friction force", "length", "radius")
+# quantities that only say what kind of parameter a name is: the force F, the angle alpha
+_SAYS_KIND = (
+    "force",
+    "torque",
+    "angle",
+    "speed",
+    "velocity",
+    "height",
+    "distance",
+    "moment",
+    "driving torque",
+    "reaction",
+    "tension",
+)
+
+
+def parameters(names: Names, words: list[Word], whole: Callable[..., Groups]) -> Groups:
+    """What words can ask for if they ask for a parameter. whole: what other words can ask for."""
+    parted = _parted(names, words)
+    if parted is None:
+        return
+    chosen, relation, end = parted
+    for parameter in chosen:
+        for group in _so(names, relation, whole):
+            for text in group:
+                yield from _asked(parameter, text, end)
+
+
+def _asked(parameter: str, text: str, end: str) -> Groups:
+    """The values of a parameter for which a text holds, or one end of them."""
+    if text in ("it stays at rest", "it does not slip", "nothing slips"):
+        yield [f"{end} {parameter} so that {text}" if end else f"range of {parameter} that keeps it at rest"]
+    elif end:
+        yield [f"{end} {parameter} so that {text}"]
+    elif any(sign in text for sign in (" > ", " < ", " >= ", " <= ")):
+        yield [f"range of {parameter} for which {text}"]
+    elif " just reaches " in text or " = " in text or text.endswith((" is largest", " is least")):
+        yield [f"value of {parameter} for which {text}"]
+    else:
+        yield [f"range of {parameter} for which {text}"]
+
+
+def _parted(names: Names, words: list[Word]) -> tuple[list[str], Clause, str] | None:
+    """The parameters that can be meant, what is to be so, and which end of the values."""
+    marks = [k for k, word in enumerate(words) if word.kind == "mark" and word.what in ("so_that", "to")]
+    asks = bool(words) and words[0].kind == "ask"
+    if marks:
+        head, rest = Clause(words[: marks[0]]), Clause(words[marks[0] + 1 :])
+    elif (
+        asks
+        and words[0].what in ("for", "with", "what", "large", "much", "up_to", "from")
+        and not any(w == Word("mark", "until") for w in words)
+    ):
+        k = next((k for k, word in enumerate(words) if word.kind == "name" and word.what in names.parameters), None)
+        head, rest = Clause(words[: (k or 0) + 1]), Clause(words[(k or 0) + 1 :])
+        if k is None or (words[0].what == "with" and not rest.words):
+            return _without_mark(names, words)
+    else:
+        return _without_mark(names, words)
+    return _head(names, head, rest)
+
+
+def _without_mark(names: Names, words: list[Word]) -> tuple[list[str], Clause, str] | None:
+    """The least force F that holds the load; the largest F before it slips."""
+    k = _end_of_head(names, words)
+    if k is None:
+        return None
+    rest = Clause(words[k:])
+    if rest.words[0] == Word("mark", "until"):  # the largest before something happens is that with which it does not
+        rest = Clause([*rest.words[1:], Word("not", "before")])
+    return _head(names, Clause(words[:k]), rest)
+
+
+def _end_of_head(names: Names, words: list[Word]) -> int | None:
+    """Where the words for the parameter end: the least force F | that holds the load."""
+    asks = ("large", "heavy", "rough", "up_to", "from", "for", "much")
+    if not any(word.kind == "degree" or (word.kind == "ask" and word.what in asks) for word in words):
+        return None
+    chosen = [
+        k
+        for k, w in enumerate(words)
+        if (w.kind == "name" and w.what in names.parameters) or w.what in _KIND_OF_PARAMETER
+    ]
+    if not chosen and words[0] in (Word("ask", "heavy"), Word("ask", "rough")):
+        chosen = [k for k, word in enumerate(words) if word.kind == "name"]
+    if not chosen:
+        return None
+    begins = (
+        k
+        for k, w in enumerate(words)
+        if k > chosen[0]
+        and (w.kind in ("verb", "not", "relation") or w.what in ("until", "to", "in equilibrium", "equilibrium"))
+    )
+    k = next(begins, None)
+    if k is None:
+        return None
+    named = [j for j in range(chosen[0] + 1, k) if words[j].kind == "name" and words[j - 1].kind != "preposition"]
+    return named[0] if named else k  # who does something stands before the verb
+
+
+def _head(names: Names, head: Clause, rest: Clause) -> tuple[list[str], Clause, str] | None:
+    is_largest = head.has("ask", "large", "heavy") and (rest.has("not", "before") or rest.has("verb", "start"))
+    degrees = {"greatest"} if is_largest else set(head.all("degree")) - {"value", "range"}
+    if (
+        len(degrees) > 1
+        or head.has("verb", "hit", "leave", "roll", "slide", "turn")
+        or head.has("value")
+        or head.has("relation")
+    ):
+        return None
+    end = {"least": "least", "greatest": "largest"}.get(next(iter(degrees), ""), "")
+    named = [name for _, name in head.names if name in names.parameters]
+    others = [name for _, name in head.names if name not in names.parameters]
+    asked = head.all("quantity")
+    if len(named) == 1 and len(others) <= head.has("ask") and set(asked) <= {*_KIND_OF_PARAMETER, *_SAYS_KIND}:
+        return named, rest, end
+    if head.has("ask", "up_to", "from"):
+        end = "largest" if head.has("ask", "up_to") else "least"
+    if head.has("ask", "heavy", "rough") and not named and not asked:
+        asked = ["mass"] if head.has("ask", "heavy") else ["friction coefficient"]
+        end, others = end or "least" if head.has("ask", "rough") else end, others if head.has("ask", "heavy") else []
+    if not named and len(asked) == 1 and asked[0] in _KIND_OF_PARAMETER and len(others) <= 1:
+        of = next(iter(others), "")
+        found = lookup.parameters(names, asked[0].replace("friction force", "friction coefficient"), of)
+        return (found, rest, end) if found else None
+    return None
+
+
+# -- what is to be so -------------------------------------------------------------------------
+def _so(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
+    """What is to be so, in the words of the grammar."""
+    verbs, negated = set(clause.all("verb")), clause.has("not")
+    of = [name for _, name in clause.names]
+    who = next(iter(of), "")
+    everything = all(lookup.is_all_that_moves(names, name) for name in of)
+    plain = clause.only("verb", "name", "not", "quantity", "instant", *SILENT)
+    if clause.has("degree") and not clause.has("value") and not clause.has("relation"):
+        yield from _extremal(names, clause, whole)
+        return
+    if (
+        verbs
+        and verbs <= {"reach", "rise", "move", "turn"}
+        and len(of) >= 1
+        and not clause.has("quantity")
+        and not negated
+    ):
+        yield from _reaching(names, clause, of)
+    if clause.has("relation") or clause.has("value") or "vanish" in verbs or _is_negated_motion(clause):
+        yield from _relation(names, clause, whole)
+    if not plain:
+        return
+    if (verbs & {"hold"} and not negated and verbs <= {"hold", "move"}) or clause.all("quantity") == ["equilibrium"]:
+        yield ["it stays at rest"] if everything or _is_held(clause) else []
+    elif clause.all("instant") == ["in equilibrium"] and not verbs:
+        yield ["it stays at rest"] if everything else []
+    elif (
+        negated
+        and "slide" in verbs
+        and verbs <= {"slide", "start", "move"}
+        and all(lookup.is_all_that_slips(names, name) for name in of)
+    ):
+        yield ["it does not slip"]
+    elif negated and verbs and verbs <= {"slide", "start", "move", "fall", "tip"} and everything:
+        if verbs & {"slide"}:
+            yield ["it does not slip"] if "tip" not in verbs else ["it stays at rest"]
+        elif verbs & {"move", "fall"}:
+            yield ["it stays at rest"]
+    elif (
+        not negated
+        and "start" in verbs
+        and verbs & {"slide", "move"}
+        and verbs <= {"slide", "move", "start"}
+        and everything
+    ):
+        yield (
+            ["it does not slip"] if "slide" in verbs else ["it stays at rest"]
+        )  # the end of rest is where motion begins
+    yield from _happening(names, verbs, negated, who, of)
+
+
+def _extremal(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
+    """A quantity is to be as large or as small as it can be."""
+    ends = [degree for degree in clause.all("degree") if degree in ("greatest", "least")]
+    end = {"greatest": "largest", "least": "least"}.get(ends[-1]) if ends else None
+    kept = [word for word in clause.words if word.kind != "degree"]
+    for group in whole(names, kept) if end else ():
+        yield [f"{text} is {end}" for text in group]
+
+
+def _reaching(names: Names, clause: Clause, of: list[str]) -> Groups:
+    """A measure is to reach a value, or just to reach it."""
+    values = [value for _, value in clause.values]
+    if not values and len(of) == 2 and of[1] in names.parameters:
+        values = [of[1]]
+    if (
+        len(values) == 1
+        and clause.only("verb", "name", "value", "part", *SILENT)
+        and set(clause.all("part")) <= {"only"}
+    ):
+        just = " just" if clause.has("part", "only") else ""
+        measures = [of[0]] if of[0] in names.measures else lookup.ways(names, of[0])
+        yield [f"{measure}{just} reaches {values[0]}" for measure in measures]
+
+
+def _is_held(clause: Clause) -> bool:
+    """Whether what is named is what something holds: F that holds the load."""
+    kinds = [word.kind for word in clause.words if word.kind in ("verb", "name")]
+    return kinds == ["verb", "name"]
+
+
+def _is_negated_motion(clause: Clause) -> bool:
+    return clause.has("not") and clause.has("verb", "accelerate")
+
+
+def _happening(names: Names, verbs: set[str], negated: bool, who: str, of: list[str]) -> Groups:
+    """Something that lasts, or comes, or never does."""
+    other = of[1] if len(of) > 1 else ""
+    if len(of) > 2:
+        return
+    if verbs == {"roll", "start"} and not negated:
+        yield [f"{who} begins to roll" if who else "rolling begins"]
+    elif (verbs == {"roll"} and not negated) or (verbs == {"roll", "slide"} and negated):
+        yield [f"{who or 'it'} rolls without slipping"]
+    elif verbs == {"leave"} and negated:
+        yield [f"{who or 'it'} never leaves {other}".strip() if other else f"{who or 'it'} stays on"]
+    elif (verbs == {"slack"} and negated) or (verbs <= {"taut", "hold"} and "taut" in verbs and not negated):
+        yield [f"{who or 'it'} stays taut"]
+    elif verbs == {"turn_fully"} and not negated and who:
+        yield [f"{who} turns fully"]
+    elif verbs == {"stable"} and not negated:
+        yield ["the equilibrium is stable"]
+    elif verbs <= {"hit", "reach"} and verbs and not negated and who and not other:
+        yield [f"it hits {who}"]
+    elif verbs <= {"hit", "reach"} and verbs and not negated and other:
+        yield (
+            [f"{who} reaches {other}"]
+            if other in names.parameters or who in names.measures
+            else [f"{who} hits {other}"]
+        )
+        if other in names.parameters:
+            yield [f"{place} reaches {other}" for place in lookup.places(names, who)]
+
+
+def _relation(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
+    """An equation or an inequality between a quantity and a value, or two quantities."""
+    sides = _sides(names, clause)
+    if sides is None:
+        return
+    left, sign, right, tail = sides
+    for head in whole(names, left.words) if left.has("instant") else quantities(names, left):
+        for text in head:
+            if isinstance(right, str):
+                yield [f"{text} {sign} {right}{tail}"]
+            else:
+                for other in quantities(names, right):
+                    yield [f"{text} {sign} {what}{tail}" for what in other]
+
+
+def _as_sign(word: Word, after: list[Word]) -> Word:
+    """`mindestens 5 N` is an inequality."""
+    if word.kind == "degree" and after and after[0].kind == "value":
+        return {"least": Word("relation", ">="), "greatest": Word("relation", "<=")}.get(word.what, word)
+    return word
+
+
+def _sides(names: Names, clause: Clause) -> tuple[Clause, str, str | Clause, str] | None:
+    words, tail = clause.words, ""
+    if clause.has("instant", "at start"):
+        words, tail = clause.without("instant", "at start").words, " at start"
+    if any(word.kind == "mark" for word in words):
+        return None
+    if _is_negated_motion(clause):
+        left = [w for w in words if w.kind in ("name", "part")]
+        of = next((word.what for word in left if word.kind == "name"), "")
+        kind = "angular acceleration" if lookup.axle_of(names, of) else "acceleration"
+        return Clause([Word("quantity", kind), *left]), "=", "0", tail
+    words = [_as_sign(word, words[k + 1 : k + 2]) for k, word in enumerate(words)]
+    signs = [k for k, word in enumerate(words) if word.kind == "relation"]
+    if len(signs) == 1:
+        [k] = signs
+        right = Clause(words[k + 1 :])
+        left = Clause(words[:k]).without("verb", "reach", "move")
+        if right.only("value", "preposition") and len(right.values) == 1:
+            return left, words[k].what, right.values[0][1], tail
+        if right.only("name", "preposition") and len(right.names) == 1:
+            return left, words[k].what, right.names[0][1], tail
+        if right.has("verb", "vanish"):
+            return left, words[k].what, "0", tail
+        return left, words[k].what, right, tail
+    if not signs and clause.has("verb", "accelerate") and len(clause.values) == 1 and not clause.has("quantity"):
+        value = clause.values[0][1]
+        kept = [w for w in words if w.kind != "value" and w != Word("verb", "accelerate")]
+        return Clause([Word("quantity", "acceleration"), *kept]), "=", value, tail
+    if not signs and clause.has("verb", "vanish") and not clause.has("not"):
+        return Clause(words).without("verb", "vanish", "reach", "move"), "=", "0", tail
+    values = [word for word in words if word.kind == "value"]
+    if not signs and len(values) == 1 and not clause.has("not"):
+        kept = Clause([word for word in words if word != values[0]])
+        return kept.without("verb", "reach", "move"), "=", values[0].what, tail
+    return None

@@ -1,0 +1,189 @@
+"""A text as what its words mean, one after the other: names, values, and words of the lexicon."""
+
+from __future__ import annotations
+
+import difflib
+import re
+from collections.abc import Container, Iterator, Sequence
+from dataclasses import dataclass, field
+
+from freebody.errors import UnitError
+from freebody.language.units.reader import parse_unit
+from freebody.questions.spoken.lexicon import MARKED, Word, goes_beside, phrases_at, spelt, vocabulary
+from freebody.questions.spoken.naming import plain_names
+
+_NUMBER = r"\d+(?:\.\d+)?(?:e[+-]?\d+)?"
+_UNIT = r"(?: ?(?:[A-Za-zµ°%Ω][\w/^*²³·«»]*))"
+_OPERAND = rf"(?:{_NUMBER}|{MARKED}|[a-z]+\([^()]*\)|\([^()]*\)|pi\b)"
+_TOKEN = re.compile(
+    rf"(?P<rate>rate\({MARKED}\))"
+    rf"|(?P<formula>-?{_OPERAND}(?: ?(?:[*/^+]|- ) ?-?{_OPERAND})+|-{MARKED})"
+    rf"|(?P<name>{MARKED})"
+    rf"|(?P<number>-?{_NUMBER})(?P<unit>{_UNIT})?"
+    r"|(?P<relation>->|→|<=|>=|≤|≥|=|<|>)"
+    r"|(?P<axis>[^\W\d]\w*\.[xyz]\b)"
+    r"|(?P<word>’s|[^\W\d_][\w’-]*|,)"
+    r"|(?P<other>\S)",
+    re.IGNORECASE,
+)
+_SIGNS = {"≤": "<=", "≥": ">=", "→": "->"}
+_TURNS = re.compile(r"(?:turn|revolution|rotation|umdrehung|rev)", re.IGNORECASE)
+_LEAST_LIKE = 0.84  # of a word to one that is misspelt
+_NO_UNITS = ("", "in", "a", "as", "at")
+_SHORTEST = 5  # letters of a word that may be misspelt
+
+
+@dataclass(frozen=True)
+class Unknown(Exception):
+    """Words that a language does not have."""
+
+    words: tuple[str, ...]
+
+
+@dataclass
+class Clause:
+    """What the words of a clause mean, by kind, in their order; whoever uses a word takes it, so that none is lost.
+
+    names, values: each with the preposition before it."""
+
+    words: list[Word] = field(default_factory=list[Word])
+
+    def all(self, kind: str) -> list[str]:
+        return [word.what for word in self.words if word.kind == kind]
+
+    def has(self, kind: str, *whats: str) -> bool:
+        return any(word.kind == kind and (not whats or word.what in whats) for word in self.words)
+
+    def without(self, kind: str, *whats: str) -> Clause:
+        """The clause without words of a kind (and meaning)."""
+        return Clause([w for w in self.words if not (w.kind == kind and (not whats or w.what in whats))])
+
+    def only(self, *kinds: str) -> bool:
+        """Whether nothing else than words of some kinds is left."""
+        return all(word.kind in kinds for word in self.words)
+
+    def placed(self, kind: str) -> list[tuple[str, str]]:
+        """Names or values, each with the preposition before it."""
+        found: list[tuple[str, str]] = []
+        before = ""
+        for word in self.words:
+            if word.kind in ("preposition", "updown"):
+                before = word.what
+            elif word.kind == kind:
+                found.append((before, word.what))
+                before = ""
+            elif word.kind != "filler":
+                before = ""
+        return found
+
+    @property
+    def names(self) -> list[tuple[str, str]]:
+        return self.placed("name")
+
+    @property
+    def values(self) -> list[tuple[str, str]]:
+        return self.placed("value")
+
+
+def words_of(text: str, language: str, *, guess: bool = False) -> list[Word]:
+    """The words of a text in which names are marked. Raises Unknown for those that the language does not have, unless
+    one alone is to be taken for a name (guess)."""
+    found = list(_tokens(spelt(text, language)))
+    tokens = [token if isinstance(token, str) else "" for token in found]
+    taken: set[int] = set()
+    words: list[Word] = []
+    unknown: list[str] = []
+    for k, token in enumerate(found):
+        if k in taken:
+            continue
+        if not isinstance(token, str):
+            words.append(token)
+            continue
+        if _is_beside_name(token, found, k, language):
+            continue
+        end = next((j for j in range(k + 1, len(tokens)) if tokens[j] == ","), len(tokens))
+        meant = phrases_at(tokens, k, end, language)
+        means = next((m for m in meant if taken.isdisjoint(m[1]) and _fits(m[0], words)), None)
+        if means is None:
+            last = next((word for word in reversed(words) if word.kind != "filler"), None)
+            is_placed = last is not None and last.kind == "preposition"
+            unknown += [token] if is_placed else [token, token]  # behind `of` or `in` stands something
+            words.append(Word("name", token))
+            continue
+        taken.update(means[1])
+        words.append(means[0])
+    if unknown and not (guess and len(unknown) == 1):
+        raise Unknown(tuple(unknown))
+    return words
+
+
+def _is_beside_name(token: str, found: Sequence[str | Word], k: int, language: str) -> bool:
+    """Whether a word only says what a name beside it is: planet P1, the hanging weight, the left side."""
+    after = found[k + 1] if k + 1 < len(found) else ""
+    before = found[k - 1] if k else ""
+    return (isinstance(after, Word) and after.kind == "name" and goes_beside(token, "before", language)) or (
+        isinstance(before, Word) and before.kind == "name" and goes_beside(token, "behind", language)
+    )
+
+
+def _tokens(text: str) -> Iterator[str | Word]:
+    """Words to be looked up, and what is none: names, values, signs."""
+    at = 0
+    while at < len(text):
+        found = _TOKEN.match(text, at)
+        if found is None:
+            at += 1
+            continue
+        at = found.end()
+        if found["word"]:
+            yield found["word"].lower()
+        elif found["name"] or found["rate"] or found["axis"]:
+            yield Word("name", plain_names(found[0]))
+        elif found["relation"]:
+            yield Word("relation", _SIGNS.get(found[0], found[0]))
+        elif found["number"] is None:
+            yield Word("value" if found["formula"] else "other", plain_names(found[0]))
+        else:
+            unit = plain_names(found["unit"] or "").strip()
+            if _TURNS.match(unit):
+                yield Word("turns", found["number"])
+            elif unit in _NO_UNITS or not _is_unit(unit):
+                yield Word("value", found["number"])
+                at = found.end("number")
+            else:
+                yield Word("value", f"{found['number']} {unit}")
+
+
+def _fits(word: Word, before: list[Word]) -> bool:
+    """Whether a word can stand behind others: one asks where a sentence begins."""
+    return word.kind != "ask" or all(w.kind in ("filler", "ask") for w in before) or _is_new_start(before)
+
+
+def _is_new_start(before: list[Word]) -> bool:
+    """Whether a main clause may begin: behind a comma, or words that only lead to it."""
+    last = next((w for w in reversed(before) if w.kind != "filler"), None)
+    return last is not None and last == Word("preposition", ",")
+
+
+def _is_unit(text: str) -> bool:
+    try:
+        parse_unit(text)
+    except UnitError:
+        return False
+    return True
+
+
+def respelt(text: str, language: str, taken: Container[str]) -> str:
+    """The text with misspelt words of the language put right, where each is like one word alone.
+
+    taken: words for what the model has; they are never put in, for a name is not guessed."""
+    words = vocabulary(language)
+
+    def right(found: re.Match[str]) -> str:
+        word = found[0].lower()
+        if word in words or word in taken or len(word) < _SHORTEST:
+            return found[0]
+        near = difflib.get_close_matches(word, words, n=1, cutoff=_LEAST_LIKE)
+        return near[0] if near and near[0] not in taken else found[0]
+
+    return re.sub(r"[^\W\d_]+", right, text)
