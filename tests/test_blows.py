@@ -289,6 +289,25 @@ def test_impulses_belong_to_the_start() -> None:
         System.from_text(FREE_ROD.replace("J: 5 N s", "J: 5 N"))
 
 
+BRAKED = """
+parameters: {k1: 2 kg m^2, k2: 0.2 m}
+bodies: {p: {body: {mass: 0.5 kg, inertia: k1, center_of_mass: [k2, 0], radius: 0.125 m}}}
+connections:
+  rack: {rack_and_pinion: {pinion: p, rack: ground, along: down}}
+  brake: {brake: {between: [p, ground], torque: 0.125 N m}}
+loads: {blow: {impulse: {at: p, along: 30 deg, magnitude: 10 N s}}}
+"""
+
+
+def test_a_bounded_torque_has_no_impulse() -> None:
+    """What a brake can transmit, times no time, is nothing: it is said, and the rack's impulse is told as ever."""
+    system = System.from_text(BRAKED)
+    [braked] = fb.solve(system, question="angular impulse of brake about p.mass_center").answers
+    assert "bounded torque, which has no impulse" in str(braked.to_plain()["reason"])
+    [held] = fb.solve(system, question="size of impulse of rack").answers
+    assert held.value is not None
+
+
 def test_redundant_impulses_are_named() -> None:
     """Two pins on one axis: only the sum of what they transmit is determined."""
     text = PINNED_ROD.replace("connections: {", "connections: {B: {pin: [ground.A, rod.start]}, ")

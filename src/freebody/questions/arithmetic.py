@@ -68,14 +68,15 @@ class Joined(Quantity):
 
 def quotient(top: Any, bottom: Any) -> Any:
     """One value over another. Raises CannotAnswer for vectors, and where the lower one is zero."""
-    _refuse_vectors((top, bottom))
+    refuse_vectors((top, bottom))
     try:
         return top / bottom
     except ZeroDivisionError:
         raise CannotAnswer(Message("the ratio has no value, because what stands below is zero")) from None
 
 
-def _refuse_vectors(values: tuple[Any, ...]) -> None:
+def refuse_vectors(values: tuple[Any, ...]) -> None:
+    """Raises CannotAnswer where one of the values has components."""
     if any(isinstance(x, tuple) for x in values):
         raise CannotAnswer(Message("a vector stands where one calculates with numbers: ask for it along a direction"))
 
@@ -155,7 +156,7 @@ questions: {it: acceleration of x - acceleration of y}
         return tuple(q for _name, q in self.operands)
 
     def made_of(self, values: tuple[Any, ...], of: Functions) -> Any:
-        _refuse_vectors(values)
+        refuse_vectors(values)
         named = {name: x for (name, _quantity), x in zip(self.operands, values, strict=True)}
         return _calculated(self.form, named, of)
 

@@ -228,7 +228,11 @@ class Blow:
     def impulse(self, row: ConstraintRow) -> Ratio:
         """The impulse of a held row: it pushes in the direction in which its measure grows. Raises CannotAnswer naming
         the connections where it is not unique."""
-        found = self._impulses[row.name]
+        found = self._impulses.get(row.name)
+        if found is None:
+            raise CannotAnswer(
+                Message("{name} transmits a bounded torque, which has no impulse in a blow", name=row.connection)
+            )
         if isinstance(found, CannotAnswer):
             raise found
         return found

@@ -6,6 +6,7 @@ from functools import singledispatch
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
+from freebody.questions.arithmetic import refuse_vectors
 from freebody.questions.base import Quantity
 from freebody.questions.reading import Question
 from freebody.questions.steady import Extremes, SpinStability, SteadyStability, SteadyValue
@@ -48,6 +49,7 @@ def _number_of_turn(q: Extremes, setup: Setup, question: Question) -> Value:
     if q.what == "time ratio" or question.at_start:
         return None
     x = followed(setup, q)
+    refuse_vectors((x,))
     c = angle_of(setup.model, q, explicit(setup.model, setup.model.field.element(x)))
     least, largest = extremes_in_numbers(FullTurn(setup, setup.draws[0], c, q.of))
     return (least, largest) if q.what == "extremes" else largest - least
