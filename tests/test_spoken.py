@@ -18,6 +18,7 @@ from freebody.questions.reading import Question
 from freebody.system.system import System
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
+TEXTBOOK = Path(__file__).parent / "spoken_models"  # as a textbook has them, with the names a user would give
 
 STACKED = """
 parameters: {F: 20 N}
@@ -219,7 +220,8 @@ CASES = [
 
 @cache
 def example(name: str) -> System:
-    return fb.System.load(EXAMPLES / f"{name}.yaml")
+    folder = next(folder for folder in (EXAMPLES, TEXTBOOK) if (folder / f"{name}.yaml").exists())
+    return fb.System.load(folder / f"{name}.yaml")
 
 
 def meaning(question: Question) -> str:

@@ -46,6 +46,19 @@ def time(names: Names, sentence: Sentence) -> Groups:
         yield [f"time when {condition}" for condition in group]
 
 
+def stopping(names: Names, sentence: Sentence) -> Groups:
+    """How long it takes, and how far it goes, until something stops."""
+    main = sentence.main
+    of = next((name for _, name in main.names), "")
+    asked = main.all("quantity")
+    if sentence.others or not main.only("quantity", "ask", "name", *SILENT) or len(main.names) > 1:
+        return
+    if asked == ["stopping time"]:
+        yield [f"time when {of or 'it'} stops"]
+    elif asked == ["stopping distance"]:
+        yield [f"change of {way} until {of or 'it'} stops" for way in lookup.ways(names, of)]
+
+
 def _is_of_event(main: Clause) -> bool:
     """Whether a quantity beside the time says what is reached: time to reach a speed of 2 m/s."""
     return main.has("value") or main.has("verb", "vanish", "reach")

@@ -28,6 +28,8 @@ def timed(names: Names, sentence: Sentence) -> Groups:
     if main.has("ask", "high") and not others and main.has("verb") and main.only("ask", "verb", "name", "pronoun"):
         yield from _how_high(names, main)
         return
+    if main.has("ask", "where") and main.has("instant", "in equilibrium") and not main.has("quantity"):
+        main = Clause([Word("quantity", "equilibrium"), *main.without("ask").without("verb").without("instant").words])
     tails, main = _tails(names, main)
     if main.has("quantity", "impact speed"):
         main = Clause([Word("quantity", "speed") if w == Word("quantity", "impact speed") else w for w in main.words])

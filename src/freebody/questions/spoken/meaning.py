@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from freebody.questions.spoken import lookup, turning_round
 from freebody.questions.spoken.asking import quantities
 from freebody.questions.spoken.composing import Groups
-from freebody.questions.spoken.counting import counted, lost, time
+from freebody.questions.spoken.counting import counted, lost, stopping, time
 from freebody.questions.spoken.instants import timed
 from freebody.questions.spoken.lexicon import Word
 from freebody.questions.spoken.sentence import Sentence, parted
@@ -31,7 +31,7 @@ def meanings(names: Names, words: list[Word]) -> Groups:
     sentence = parted(words)
     if sentence is None or any(mark not in _MARKS for mark, _ in sentence.others):
         return
-    for told in (_limit, _structure, _conserved, lost, time, counted, timed):
+    for told in (_limit, _structure, _conserved, lost, time, stopping, counted, timed):
         yield from told(names, sentence)
 
 

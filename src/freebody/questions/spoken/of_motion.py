@@ -96,6 +96,18 @@ def _position(names: Names, quantity: str, rest: Clause) -> Groups:
         yield lookup.angles(names, name)
 
 
+@said_of("horizontal range")
+def _range(names: Names, quantity: str, rest: Clause) -> Groups:
+    """How far something has come sideways where it is as low as at the start, or lands."""
+    of = next((name for _, name in rest.names), "")
+    if rest.only("name", *SILENT) and len(rest.names) <= 1:
+        upright = {name for name, _ in lookup.heights(names, "")}
+        level = [name for name in lookup.places(names, of) if name not in upright]
+        yield [f"{name} when it lands" for name in level] if lookup.strikes(names) else []
+        down = [name for name in upright if name in names.started_at_zero]
+        yield [f"{name} when {height} = 0" for name in level for height in down]
+
+
 @said_of("displacement")
 def _displacement(names: Names, quantity: str, rest: Clause) -> Groups:
     of = [name for _, name in rest.names]

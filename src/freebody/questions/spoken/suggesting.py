@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import difflib
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from itertools import permutations
 from typing import TYPE_CHECKING
 
@@ -43,19 +43,20 @@ _COMMON = frozenset(  # words that say nothing of what is meant
         "how",
     }
 )
+_LIMIT = re.compile(r"\b(?:slip|slid|hold|rest\b|moves?\b|stay|tip|rutsch|gleit|ruhe|kipp|hält)", re.IGNORECASE)
 _RATIO = re.compile(r"ratio|übersetzung|verhältnis", re.IGNORECASE)
 
 
-def suggestions(names: Names, text: str, is_read: Callable[[str], bool]) -> list[str]:
-    """At most five questions that can be read, by how many of their words are those of the text."""
+def suggestions(names: Names, text: str, near: Iterable[str], is_read: Callable[[str], bool]) -> list[str]:
+    """At most five questions that can be read: first those that are near, then by how many of their words are those of
+    the text."""
     typed = _words(text)
-    near = sorted(dict.fromkeys(_askable(names)), key=lambda question: -_likeness(typed, _words(question)))
-    near = [*_turning_points(names, text), *_ratios(names, text), *near]
-    found: list[str] = []
-    for question in near:
-        if len(found) < MOST and is_read(question):
-            found.append(question)
-    return found
+    others = sorted(dict.fromkeys(_askable(names)), key=lambda question: -_likeness(typed, _words(question)))
+    found: dict[str, None] = {}
+    for question in (*near, *_limits(names, text), *_turning_points(names, text), *_ratios(names, text), *others):
+        if len(found) < MOST and question not in found and is_read(question):
+            found[question] = None
+    return list(found)
 
 
 def _askable(names: Names) -> Iterator[str]:
@@ -89,6 +90,13 @@ def _turning_points(names: Names, text: str) -> Iterator[str]:
     if _FARTHEST.search(text) is not None:
         measures = list(names.measures)[: MOST // 2]
         yield from (f"{name} when rate({name}) = 0" for name in measures)
+
+
+def _limits(names: Names, text: str) -> Iterator[str]:
+    """Limits of rest, if that is what a text is about: of the parameters that it names."""
+    if _LIMIT.search(text) is not None:
+        named = [name for name in re.findall(r"\w+", text) if name in names.parameters]
+        yield from (f"range of {name} that keeps it at rest" for name in dict.fromkeys(named))
 
 
 def _ratios(names: Names, text: str) -> Iterator[str]:

@@ -147,6 +147,8 @@ def _head(names: Names, head: Clause, rest: Clause) -> tuple[list[str], Clause, 
 def _so(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
     """What is to be so, in the words of the grammar."""
     verbs, negated = set(clause.all("verb")), clause.has("not")
+    if "end" in verbs:  # it no longer slips
+        verbs, negated = verbs - {"end"}, True
     of = [name for _, name in clause.names]
     who = next(iter(of), "")
     everything = all(lookup.is_all_that_moves(names, name) for name in of)

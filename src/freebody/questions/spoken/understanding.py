@@ -5,14 +5,15 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from itertools import islice
 from typing import TYPE_CHECKING, TypeVar
 
 from freebody.errors import Problem
 from freebody.language.sentences import Message
-from freebody.questions.spoken.lexicon import in_english_nouns, languages
+from freebody.questions.spoken.lexicon import Word, in_english_nouns, languages
 from freebody.questions.spoken.meaning import meanings
 from freebody.questions.spoken.naming import elements_of, linked
-from freebody.questions.spoken.suggesting import suggestions
+from freebody.questions.spoken.suggesting import MOST, suggestions
 from freebody.questions.spoken.words import Unknown, respelt, words_of
 
 if TYPE_CHECKING:
@@ -66,7 +67,7 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
     if len(nearest) == 1:
         return next((asked, words) for words, asked in nearest.items())
     if nearest:
-        ways = "\n    ".join(nearest)
+        ways = "\n    ".join(islice(nearest, MOST))
         several = Message("'{text}' can be meant in several ways. Ask for\n    {ways}", text=text, ways=ways)
         names.problem(several, "find")
     elif _is_specific(told) or instead or _has_form(told):
@@ -74,7 +75,12 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
             told if _is_specific(told) and not (_is_of_words(names, told) and instead) else instead or told
         )
     else:
-        fits = suggestions(names, text, lambda question: not isinstance(_read_quietly(names, question, read), Unread))
+        fits = suggestions(
+            names,
+            " ".join((text, *_concepts(names, text))),
+            _near(names, text),
+            lambda question: not isinstance(_read_quietly(names, question, read), Unread),
+        )
         askable = "\n    ".join(fits)
         none = Message("cannot read '{text}'. One can ask for\n    {askable}", text=text, askable=askable)
         names.unknown(text, none, "find")
@@ -145,6 +151,36 @@ def _meanings(names: Names, text: str, *, guess: bool = False) -> list[Meaning]:
                 continue
             found.append(Meaning(meanings(names, words), way.distance))
     return sorted(found, key=lambda meaning: meaning.distance)
+
+
+def _known(names: Names, text: str) -> Iterator[tuple[int, list[Word]]]:
+    """The words of a text that a language has, and how many it has not; those of few unknown words first."""
+    elements = elements_of(names)
+    found: list[tuple[int, list[Word]]] = []
+    for language in languages():
+        for way in islice(linked(elements, in_english_nouns(text, language)), MOST):
+            try:
+                found.append((0, words_of(way.text, language)))
+            except Unknown as error:
+                found.append((len(error.words), list(error.known)))
+    yield from sorted(found, key=lambda one: one[0])
+
+
+def _near(names: Names, text: str) -> Iterator[str]:
+    """What a text may be about: what it would mean without what nothing is known of, or only its quantity and names."""
+    for _, words in islice(_known(names, text), MOST):
+        for group in meanings(names, words):
+            yield from islice(group, 2)
+        kept = [word for word in words if word.kind in ("name", "preposition")]
+        for quantity in (word for word in words if word.kind == "quantity"):
+            for group in meanings(names, [quantity, *kept]):
+                yield from islice(group, 2)
+
+
+def _concepts(names: Names, text: str) -> Iterator[str]:
+    """What the words of a text mean, in words of the grammar."""
+    _, words = next(_known(names, text))
+    yield from (word.what for word in words if word.kind in ("quantity", "name", "verb"))
 
 
 def _respelt(names: Names, text: str, language: str) -> str:

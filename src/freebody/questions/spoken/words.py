@@ -35,9 +35,10 @@ _SHORTEST = 5  # letters of a word that may be misspelt
 
 @dataclass(frozen=True)
 class Unknown(Exception):
-    """Words that a language does not have."""
+    """Words that a language does not have. known: the others."""
 
     words: tuple[str, ...]
+    known: tuple[Word, ...]
 
 
 @dataclass
@@ -113,7 +114,8 @@ def words_of(text: str, language: str, *, guess: bool = False) -> list[Word]:
         taken.update(means[1])
         words.append(means[0])
     if unknown and not (guess and len(unknown) == 1):
-        raise Unknown(tuple(unknown))
+        strange = {Word("name", token) for token in unknown}
+        raise Unknown(tuple(unknown), tuple(word for word in words if word not in strange))
     return words
 
 
