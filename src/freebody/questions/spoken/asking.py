@@ -48,7 +48,7 @@ def _inferred(names: Names, clause: Clause) -> Clause:
     """The clause with the quantity that its question word and its verb stand for."""
     ask, verbs = set(clause.all("ask")), set(clause.all("verb"))
     quantity = ""
-    if "accelerate" in verbs and not clause.has("quantity") and ask & {"fast", "much", "large", ""}:
+    if "accelerate" in verbs and not clause.has("quantity") and (not ask or ask & {"fast", "much", "large"}):
         is_turned = clause.has("part", "angular") or any(
             lookup.axle_of(names, name) == "center" for _, name in clause.names
         )
@@ -87,7 +87,7 @@ def _extreme(names: Names, clause: Clause, degrees: list[str]) -> Groups:
         return
     of = [name for _, name in clause.names]
     if degree == "greatest" and clause.has("quantity", "height") and clause.only("quantity", "name", *SILENT):
-        yield [f"greatest height of {name}" for name in of]
+        yield [f"greatest height of {name}" for name in of or lookup.moving(names)]
         yield [
             f"{name} when {top}"
             for name in lookup.rising(names, next(iter(of), ""))
@@ -125,6 +125,8 @@ def _of_two(names: Names, clause: Clause) -> Groups:
         for one, other in product(list(quantities(names, first)), list(quantities(names, second))):
             alike = [(a, b) for a in one for b in other if a.partition(" of ")[0] == b.partition(" of ")[0]]
             pairs = [(a, b) for a, b in alike or product(one, other) if a != b]
+            if all(texts[0].startswith("angular velocity") for texts in (one, other) if texts):
+                pairs = pairs[:1]  # speeds of what turns about axles
             yield [f"ratio of {a} to {b}" if operator == "/" else f"{a} {operator} {b}" for a, b in pairs]
 
 

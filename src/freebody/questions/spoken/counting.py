@@ -84,6 +84,14 @@ def lost(names: Names, sentence: Sentence) -> Groups:
 def counted(names: Names, sentence: Sentence) -> Groups:
     """What comes together up to an event: a way, turns, heat."""
     main = sentence.main
+    if main.has("ask", "turned", "travelled") and not sentence.others:
+        who = next((name for _, name in main.names if name in names.bodies), "")
+        heads = [who] if who in lookup.turning(names) else lookup.turning(names)
+        heads = heads if main.has("ask", "turned") else lookup.ways(names, who)
+        what = "turns" if main.has("ask", "turned") else "change"
+        for condition in conditions(names, main.without("ask")):
+            yield [f"{what} of {head} until {text}" for head, text in product(heads, condition)]
+        return
     for group in _heads_counted(names, sentence):
         if sentence.others == () and main.has("instant", "in the impact"):
             yield group
@@ -107,7 +115,7 @@ def _heads_counted(names: Names, sentence: Sentence) -> Groups:
     elif asked == ["energy lost"] or (asked == ["energy"] and verbs == {"lost"}):
         yield ["energy lost"] if not of or lookup.is_all_that_moves(names, who) else []
     elif (main.has("ask", "far", "much", "high", "large") and not asked and goes) or (
-        asked in (["distance"], ["displacement"]) and (goes or not verbs)
+        asked in (["distance"], ["displacement"], ["horizontal range"]) and (goes or not verbs)
     ):
         down = "fall" in verbs or main.has("updown", "down") or main.has("part", "downward")
         up = "rise" in verbs or main.has("updown", "up") or main.has("part", "upward") or main.has("ask", "high")
@@ -119,6 +127,8 @@ def _heads_counted(names: Names, sentence: Sentence) -> Groups:
             yield [f"change of {name}" for name in lookup.angles(names, who)]
         else:
             yield [f"change of {name}" for name in lookup.ways(names, who)]
+    elif len(asked) == 1 == len(of) and asked[0] == "work" and who in names.loads:
+        yield [f"work of {who}"]
     elif asked == ["change"] and not verbs and who in names.measures:
         yield [f"change of {who}"]
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
+from freebody.measures.geometry import GROUND
 from freebody.questions.spoken import lookup
 from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.words import Clause
@@ -80,11 +81,12 @@ def _equations(names: Names, clause: Clause) -> Groups:
         yield from _quantity_is(names, left, value)
         return
     of = [name for _, name in left.names]
-    if (
-        left.only("name", "verb", *SILENT)
-        and 1 <= len(of) <= 2
-        and set(left.all("verb")) <= {"reach", "move", "return", "turn", "start"}
-    ):
+    doing = {"reach", "move", "return", "turn", "start", "hit"}
+    if not left.only("name", "verb", *SILENT) or not of or not set(left.all("verb")) <= doing:
+        return
+    measure = names.measures.get(of[-1])
+    owners = {GROUND, *(() if measure is None else measure.bodies())}
+    if len(of) == 1 or set(of[:-1]) <= owners:  # the ball reaches x = 2 m
         yield [f"{of[-1]} = {value}"]
 
 
@@ -169,7 +171,7 @@ def _happening(names: Names, clause: Clause, verbs: list[str]) -> Groups:
     """The ball hits the floor; rolling begins; the rope goes slack; it turns back."""
     if not clause.only("name", "verb", "degree", *SILENT) or set(clause.all("degree")) - {"first"}:
         return
-    doing = frozenset(verbs) - {"move"} if len(set(verbs)) > 1 else frozenset(verbs)
+    doing = frozenset(verbs) - ({"move", "reach"} if len(set(verbs)) > 1 else set())
     told = _TOLD.get(doing)
     if told is not None and len(clause.names) <= 2:
         yield from told(names, *_who(names, clause))

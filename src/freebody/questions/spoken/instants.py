@@ -28,6 +28,9 @@ def timed(names: Names, sentence: Sentence) -> Groups:
     if main.has("ask", "high") and not others and main.has("verb") and main.only("ask", "verb", "name", "pronoun"):
         yield from _how_high(names, main)
         return
+    if main.has("ask", "far") and not others and main.only("ask", "verb", "name", "pronoun", "updown", "part"):
+        yield from _how_far(names, main)
+        return
     if main.has("ask", "where") and main.has("instant", "in equilibrium") and not main.has("quantity"):
         main = Clause([Word("quantity", "equilibrium"), *main.without("ask").without("verb").without("instant").words])
     tails, main = _tails(names, main)
@@ -41,8 +44,10 @@ def timed(names: Names, sentence: Sentence) -> Groups:
         if not found:
             return
         tails.append([text for group in found for text in group])
-    if len(tails) > 1:
-        return
+    if len(tails) > 1:  # said twice: in the lowest position, theta = 0
+        tails = [[text for text in tails[0] if all(text in own for own in tails)]]
+        if not tails[0] or others:
+            return
     event = _event_within(names, main) if not tails else None
     if event is not None:
         head, conditions_ = event
@@ -63,6 +68,18 @@ def _how_high(names: Names, main: Clause) -> Groups:
     if set(main.all("verb")) <= {"move", "fly", "rise", "roll", "turn", "slide"} and len(main.names) <= 1:
         yield [f"{height} when {top}" for height in lookup.rising(names, who) for top in lookup.tops(names, who)]
         yield [f"greatest height of {body}" for body in ([who] if who else lookup.moving(names))]
+
+
+def _how_far(names: Names, main: Clause) -> Groups:
+    """How far does it swing, how far up does it slide? As far as where it turns back."""
+    who = next((name for _, name in main.names), "")
+    up = main.has("updown", "up") or main.has("part", "upward") or main.has("verb", "rise")
+    if len(main.names) > 1 or main.has("updown", "down") or main.has("verb", "fall"):
+        return
+    if up:
+        yield [f"{way} when rate({way}) = 0" for way, sense in lookup.inclined(names, who) if sense > 0]
+    elif set(main.all("verb")) == {"turn"}:
+        yield [f"{angle} when rate({angle}) = 0" for angle in lookup.angles(names, who)]
 
 
 def _grouped(names: Names, sentence: Sentence, tails: list[list[str]]) -> Iterator[list[str]]:
@@ -129,10 +146,17 @@ def _equation_at_end(main: Clause) -> tuple[Clause, str] | None:
     words = main.words
     k = next(k for k, word in enumerate(words) if word.kind == "relation")
     before, after = words[max(k - 2, 0) : k], words[k + 1 : k + 2]
-    is_placed = [word.kind for word in before] == ["preposition", "name"] and before[0].what in ("in", "of", "with")
+    is_placed = [word.kind for word in before] == ["preposition", "name"] and before[0].what in (
+        "in",
+        "of",
+        "with",
+        "on",
+    )
     if words[k].what != "=" or not after or after[0].kind not in ("value", "name") or not is_placed:
         return None
-    return Clause([*words[: k - 2], *words[k + 2 :]]), f"{before[1].what} = {after[0].what}"
+    return Clause([*words[: k - 2], *words[k + 2 :]]).without(
+        "verb", "return", "reach"
+    ), f"{before[1].what} = {after[0].what}"
 
 
 def _place_within(main: Clause, value: str) -> tuple[Clause, Clause] | None:
@@ -156,6 +180,9 @@ def _at(names: Names, mark: str, clause: Clause) -> Groups:
         time = clock(clause)
         if time is not None:
             yield [f" after {time}"]
+            return
+        if clause.has("verb", "hit", "bounce") and lookup.is_struck_at_start_alone(names):
+            yield [" at start"]
             return
         if clause.has("verb", "hit", "bounce"):
             yield (

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, cast
 
 from freebody.errors import UnitError
 from freebody.language.expression import Symbol
-from freebody.language.units import DIMENSIONLESS, FORCE, LENGTH, TIME
+from freebody.language.units import DIMENSIONLESS, FORCE, LENGTH, TIME, TORQUE
 from freebody.language.units.quantity import parse_quantity
 from freebody.measures.displacement import Displacement
 from freebody.measures.distance import Bearing
@@ -234,6 +234,11 @@ def is_known(names: Names, name: str) -> bool:
     return any(name.partition(".")[0] in own for own in things)
 
 
+def is_known_point(names: Names, name: str) -> bool:
+    body, _, point = name.partition(".")
+    return body in names.bodies and point in names.bodies[body].points
+
+
 def springs(names: Names) -> list[str]:
     """Loads that are springs."""
     return [name for name in names.loads if "spring" in names.called.get(name, ())]
@@ -267,6 +272,20 @@ def parameters(names: Names, kind: str, of: str) -> list[str]:
 def _given(spec: object) -> dict[str, object]:
     """What a file gives for an element, by its keys."""
     return vars(spec) if hasattr(spec, "__dict__") else {}
+
+
+def of_kind(names: Names, kind: str) -> list[str]:
+    """Parameters that are a force, an angle, a speed, as their units say."""
+    dimensions = {
+        **dict.fromkeys(("force", "reaction", "tension"), FORCE),
+        **dict.fromkeys(("torque", "moment", "driving torque"), TORQUE),
+        **dict.fromkeys(("speed", "velocity"), LENGTH / TIME),
+        **dict.fromkeys(("height", "distance"), LENGTH),
+    }
+    given = [parameter for parameter in names.parameters.values() if parameter.form is None]
+    if kind == "angle":
+        return [parameter.name for parameter in given if parameter.is_angle]
+    return [parameter.name for parameter in given if kind in dimensions and parameter.dimension == dimensions[kind]]
 
 
 def _is_at(names: Names, name: str, thing: str) -> bool:

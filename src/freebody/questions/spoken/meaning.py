@@ -37,6 +37,7 @@ def meanings(names: Names, words: list[Word]) -> Groups:
 
 def _limit(names: Names, sentence: Sentence) -> Groups:
     """A quantity as a parameter tends to a value: the acceleration for M -> 0."""
+    yield from _without(names, sentence)
     arrows = [k for k, word in enumerate(sentence.main.words) if word == Word("relation", "->")]
     clause = sentence.others[0][1] if len(sentence.others) == 1 and not arrows else sentence.main
     words = clause.words
@@ -50,6 +51,25 @@ def _limit(names: Names, sentence: Sentence) -> Groups:
     if parameter in names.parameters and words[k + 1].kind in ("value", "name"):
         for group in quantities(names, head):
             yield [f"{text} as {parameter} -> {value}" for text in group]
+
+
+def _without(names: Names, sentence: Sentence) -> Groups:
+    """A quantity where a body has no mass, or nothing has friction: the limit as these go to zero."""
+    words = [*sentence.main.words, *(word for _, own in sentence.others for word in own.words)]
+    if len(sentence.others) > 1 or not any(
+        word.kind == "verb" and word.what in ("massless", "smooth") for word in words
+    ):
+        return
+    k = next(k for k, word in enumerate(words) if word.kind == "verb" and word.what in ("massless", "smooth"))
+    beside = [j for j in (k + 1, k - 1) if 0 <= j < len(words) and words[j].kind == "name"][:1]
+    of = words[beside[0]].what if beside else ""
+    kind = "mass" if words[k].what == "massless" else "friction coefficient"
+    kept = [word for j, word in enumerate(words) if j not in (k, *beside)]
+    while kept and kept[-1].kind in ("preposition", "mark"):
+        kept.pop()
+    found = lookup.parameters(names, kind, of)
+    for group in quantities(names, Clause(kept)) if len(found) == 1 else ():
+        yield [f"{text} as {found[0]} -> 0" for text in group]
 
 
 def _structure(names: Names, sentence: Sentence) -> Groups:
@@ -67,6 +87,8 @@ def _structure(names: Names, sentence: Sentence) -> Groups:
         yield ["degrees of freedom"]
     asks_nothing = not (main.has("ask") or main.has("not") or main.has("degree") or main.has("quantity"))
     everything = all(lookup.is_all_that_moves(names, name) for name in of)
+    if verbs == {"stop"} and asks_nothing and everything and lookup.rests(names):
+        yield ["does it hold"]
     if {"hold"} <= verbs <= {"hold", "move"} and asks_nothing and everything:
         yield ["does it hold"]
     if (

@@ -88,6 +88,7 @@ def _at_joint(names: Names, kind: str, head: str, joint: str, things: list[tuple
     """A force of a connection that is named, with the body on which, or the place at which it acts."""
     if kind == "force":
         own = list(dict.fromkeys(row.reaction for row in names.constraint_rows if row.connection == joint))
+        own = ["tension"] if "tension" in own else own
         if (
             head == "force" and len(own) == 1 and own[0] not in ("force", "reaction") and not ends
         ):  # the force of a rope is its tension

@@ -55,6 +55,8 @@ def _directed(names: Names, rest: Clause) -> tuple[list[str], str, str] | None:
         is_line = line is not None
         if before == "relative" and not is_line and not relative:
             relative = f" relative to {name}"
+        elif before == "about" and "." in name and not lookup.is_known_point(names, name) and not along:
+            along = f" along {name}"
         elif before in ("along", "up", "down") or (is_line and before in ("on", "in", "of", "from") and not along):
             if along or (before in ("up", "down") and not lookup.points(names, line or name, before)):
                 return None
@@ -133,6 +135,17 @@ def _height(names: Names, quantity: str, rest: Clause) -> Groups:
         name = rest.names[0][1] if rest.names else ""
         yield [f"height of {body}" for body in ([name] if name else lookup.moving(names))]
         yield [height for height, sense in lookup.heights(names, name) if sense > 0]
+
+
+@said_of("highest place", "lowest place")
+def _extreme_place(names: Names, quantity: str, rest: Clause) -> Groups:
+    """How high or how low something comes, by the height that is measured."""
+    of = [name for _, name in rest.names]
+    if rest.only("name", *SILENT) and len(of) <= 1:
+        found = lookup.heights(names, next(iter(of), ""))
+        up = quantity == "highest place"
+        yield [f"{'greatest' if (sense > 0) == up else 'least'} {name}" for name, sense in found]
+        yield [f"{'greatest' if up else 'least'} height of {name}" for name in of if not found]
 
 
 @said_of("distance")

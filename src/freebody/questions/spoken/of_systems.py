@@ -69,6 +69,15 @@ def _of_coordinate(names: Names, quantity: str, rest: Clause) -> Groups:
         yield [f"{quantity} of {name}" for name in lookup.places(names, of[0]) or lookup.angles(names, of[0])]
 
 
+@said_of("dead points")
+def _dead_points(names: Names, quantity: str, rest: Clause) -> Groups:
+    """Of what is measured of something that is named, or of itself."""
+    of = [name for _, name in rest.names]
+    if len(of) == 1 and rest.only("name", *SILENT):
+        yield [f"dead points of {name}" for name in lookup.places(names, of[0]) or of]
+        yield [f"dead points of {of[0]}"]
+
+
 @said_of("transmissibility")
 def _transmissibility(names: Names, quantity: str, rest: Clause) -> Groups:
     of = [name for _, name in rest.names]

@@ -37,6 +37,8 @@ def parameters(names: Names, words: list[Word], whole: Callable[..., Groups]) ->
     if parted is None:
         return
     chosen, relation, end = parted
+    if relation.has("verb", "critical") and not relation.has("not"):
+        yield [f"critical damping of {parameter}" for parameter in chosen]
     for parameter in chosen:
         for group in _so(names, relation, whole):
             for text in group:
@@ -79,6 +81,9 @@ def _parted(names: Names, words: list[Word]) -> tuple[list[str], Clause, str] | 
 
 def _without_mark(names: Names, words: list[Word]) -> tuple[list[str], Clause, str] | None:
     """The least force F that holds the load; the largest F before it slips."""
+    if len(words) > 2 and words[0].what in names.parameters and words[1] == Word("preposition", "of"):
+        rest = Clause(words[2:])  # c for a damping ratio of 0.1
+        return ([words[0].what], rest, "") if words[0].kind == "name" and rest.has("value") else None
     k = _end_of_head(names, words)
     if k is None:
         return None
@@ -127,12 +132,15 @@ def _head(names: Names, head: Clause, rest: Clause) -> tuple[list[str], Clause, 
         return None
     end = {"least": "least", "greatest": "largest"}.get(next(iter(degrees), ""), "")
     named = [name for _, name in head.names if name in names.parameters]
-    others = [name for _, name in head.names if name not in names.parameters]
+    others = [name for before, name in head.names if name not in names.parameters and (not before or not named)]
     asked = head.all("quantity")
     if len(named) == 1 and len(others) <= head.has("ask") and set(asked) <= {*_KIND_OF_PARAMETER, *_SAYS_KIND}:
         return named, rest, end
     if head.has("ask", "up_to", "from"):
         end = "largest" if head.has("ask", "up_to") else "least"
+    if not named and not others and len(asked) == 1 and asked[0] in _SAYS_KIND:  # the only one that is a force
+        found = lookup.of_kind(names, asked[0])
+        return (found, rest, end) if len(found) == 1 and (end or head.has("ask")) else None
     if head.has("ask", "heavy", "rough") and not named and not asked:
         asked = ["mass"] if head.has("ask", "heavy") else ["friction coefficient"]
         end, others = end or "least" if head.has("ask", "rough") else end, others if head.has("ask", "heavy") else []
@@ -164,8 +172,11 @@ def _so(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
         and not negated
     ):
         yield from _reaching(names, clause, of)
-    if clause.has("relation") or clause.has("value") or "vanish" in verbs or _is_negated_motion(clause):
+    is_none = negated and clause.has("quantity") and verbs <= {"move", "stay"}
+    if clause.has("relation") or clause.has("value") or "vanish" in verbs or is_none or _is_negated_motion(clause):
         yield from _relation(names, clause, whole)
+    yield from _in_time(names, clause, whole)
+    yield from _failing_first(names, clause)
     if not plain:
         return
     if (verbs & {"hold"} and not negated and verbs <= {"hold", "move"}) or clause.all("quantity") == ["equilibrium"]:
@@ -194,7 +205,9 @@ def _so(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
         yield (
             ["it does not slip"] if "slide" in verbs else ["it stays at rest"]
         )  # the end of rest is where motion begins
-    yield from _happening(names, verbs, negated, who, of)
+    at_once = " at once" if clause.has("instant", "at once") else ""
+    for group in _happening(names, verbs, negated, who, of):
+        yield [f"{text}{at_once}" for text in group]
 
 
 def _extremal(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
@@ -209,6 +222,11 @@ def _extremal(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Gro
 def _reaching(names: Names, clause: Clause, of: list[str]) -> Groups:
     """A measure is to reach a value, or just to reach it."""
     values = [value for _, value in clause.values]
+    signs = [k for k, word in enumerate(clause.words) if word == Word("relation", "=")]
+    if len(signs) == 1 and len(of) <= 2 and clause.words[signs[0] - 1].kind == "name":  # it reaches x = d
+        of = [clause.words[signs[0] - 1].what, *[name for name in of if name in names.parameters]]
+        clause = clause.without("relation")
+        clause = Clause([w for w in clause.words if w.kind != "name" or w.what in of])
     if not values and len(of) == 2 and of[1] in names.parameters:
         values = [of[1]]
     if (
@@ -219,6 +237,29 @@ def _reaching(names: Names, clause: Clause, of: list[str]) -> Groups:
         just = " just" if clause.has("part", "only") else ""
         measures = [of[0]] if of[0] in names.measures else lookup.ways(names, of[0])
         yield [f"{measure}{just} reaches {values[0]}" for measure in measures]
+
+
+def _in_time(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
+    """It is to happen after so much time: it stops within 4 s."""
+    times = [value for _, value in clause.values if lookup.is_time(value)]
+    if (
+        len(times) == 1 == len(clause.values)
+        and clause.has("verb")
+        and not clause.has("quantity")
+        and not clause.has("not")
+    ):
+        kept = [w for w in clause.words if w.kind not in ("value", "mark")]
+        for group in whole(names, [Word("quantity", "time"), Word("mark", "when"), *kept]):
+            yield [f"{text} = {times[0]}" for text in group if text.startswith("time when ")]
+
+
+def _failing_first(names: Names, clause: Clause) -> Groups:
+    """It tips before it slides as a force grows."""
+    verbs = [verb for verb in clause.all("verb") if verb in ("tip", "slide")]
+    grows = [word.what for word in clause.words if word.kind == "name" and word.what in names.parameters]
+    if len(verbs) == 2 and verbs[0] != verbs[1] and len(grows) == 1 and clause.has("verb", "grow"):
+        first, second = (f"{verb}s" for verb in verbs)
+        yield [f"it {first} before it {second} as {grows[0]} grows"]
 
 
 def _is_held(clause: Clause) -> bool:
@@ -236,10 +277,14 @@ def _happening(names: Names, verbs: set[str], negated: bool, who: str, of: list[
     other = of[1] if len(of) > 1 else ""
     if len(of) > 2:
         return
+    if verbs == {"stay_on"}:
+        verbs, negated = {"leave"}, not negated
     if verbs == {"roll", "start"} and not negated:
         yield [f"{who} begins to roll" if who else "rolling begins"]
     elif (verbs == {"roll"} and not negated) or (verbs == {"roll", "slide"} and negated):
         yield [f"{who or 'it'} rolls without slipping"]
+    elif verbs == {"leave"} and not negated:
+        yield [f"{who or 'it'} leaves {other}".strip() if who or other else "contact is lost"]
     elif verbs == {"leave"} and negated:
         yield [f"{who or 'it'} never leaves {other}".strip() if other else f"{who or 'it'} stays on"]
     elif (verbs == {"slack"} and negated) or (verbs <= {"taut", "hold"} and "taut" in verbs and not negated):
@@ -261,15 +306,17 @@ def _happening(names: Names, verbs: set[str], negated: bool, who: str, of: list[
 
 
 def _relation(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
-    """An equation or an inequality between a quantity and a value, or two quantities."""
-    sides = _sides(names, clause)
+    """An equation or an inequality between a quantity and a value, or two quantities, perhaps at an instant."""
+    marks = [k for k, word in enumerate(clause.words) if word.kind == "mark"]
+    timed = clause.words[marks[0] :] if marks else []
+    sides = _sides(names, Clause(clause.words[: marks[0]]) if marks else clause)
     if sides is None:
         return
     left, sign, right, tail = sides
-    for head in whole(names, left.words) if left.has("instant") else quantities(names, left):
+    for head in whole(names, [*left.words, *timed]) if timed or left.has("instant") else quantities(names, left):
         for text in head:
             if isinstance(right, str):
-                yield [f"{text} {sign} {right}{tail}"]
+                yield [f"{text} is {right}" if timed and sign == "=" else f"{text} {sign} {right}{tail}"]
             else:
                 for other in quantities(names, right):
                     yield [f"{text} {sign} {what}{tail}" for what in other]
@@ -286,8 +333,6 @@ def _sides(names: Names, clause: Clause) -> tuple[Clause, str, str | Clause, str
     words, tail = clause.words, ""
     if clause.has("instant", "at start"):
         words, tail = clause.without("instant", "at start").words, " at start"
-    if any(word.kind == "mark" for word in words):
-        return None
     if _is_negated_motion(clause):
         left = [w for w in words if w.kind in ("name", "part")]
         of = next((word.what for word in left if word.kind == "name"), "")
@@ -306,6 +351,8 @@ def _sides(names: Names, clause: Clause) -> tuple[Clause, str, str | Clause, str
         if right.has("verb", "vanish"):
             return left, words[k].what, "0", tail
         return left, words[k].what, right, tail
+    if not signs and clause.has("not") and clause.has("quantity") and not clause.has("value"):  # it has no velocity
+        return Clause([w for w in words if w.kind not in ("not", "verb")]), "=", "0", tail
     if not signs and clause.has("verb", "accelerate") and len(clause.values) == 1 and not clause.has("quantity"):
         value = clause.values[0][1]
         kept = [w for w in words if w.kind != "value" and w != Word("verb", "accelerate")]

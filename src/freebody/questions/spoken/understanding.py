@@ -186,7 +186,6 @@ def _concepts(names: Names, text: str) -> Iterator[str]:
 def _respelt(names: Names, text: str, language: str) -> str:
     elements = elements_of(names)
     taken = {word for key in elements.spoken for word in key}
-    taken |= {word for element in elements.exact.values() for word in element.words}
     return respelt(text, language, taken)
 
 

@@ -28,7 +28,7 @@ _TOKEN = re.compile(
 )
 _SIGNS = {"≤": "<=", "≥": ">=", "→": "->"}
 _TURNS = re.compile(r"(?:turn|revolution|rotation|umdrehung|rev)", re.IGNORECASE)
-_LEAST_LIKE = 0.84  # of a word to one that is misspelt
+_LEAST_LIKE = 0.8  # of a word to one that is misspelt
 _NO_UNITS = ("", "in", "a", "as", "at")
 _SHORTEST = 5  # letters of a word that may be misspelt
 
@@ -188,4 +188,4 @@ def respelt(text: str, language: str, taken: Container[str]) -> str:
         near = difflib.get_close_matches(word, words, n=1, cutoff=_LEAST_LIKE)
         return near[0] if near and near[0] not in taken else found[0]
 
-    return re.sub(r"[^\W\d_]+", right, text)
+    return re.sub(r"(?<!\w)[^\W\d_]+(?![\w'’])", right, text)
