@@ -12,7 +12,7 @@ import re
 from collections.abc import Generator, Iterable, Mapping
 from contextlib import contextmanager, suppress
 from fractions import Fraction
-from typing import Any, Protocol, cast
+from typing import Any, ClassVar, Protocol, cast
 
 from freebody.errors import ExpressionError, InputError, NoQuantity, Problem, UnitError
 from freebody.language.expression import (
@@ -75,9 +75,22 @@ def did_you_mean(name: str, known: Iterable[str]) -> str:
 class Joining(Protocol):
     """What the description asks of connections while it is read."""
 
+    # it keeps its bodies as one; it leaves free how they turn; a body that only such hold hangs on them
+    is_rigid: ClassVar[bool]
+    lets_turn: ClassVar[bool]
+    lets_hang: ClassVar[bool]
+
     @property
     def is_one_force(self) -> bool:
         """Whether what it transmits at several places is one force to people."""
+        ...
+
+    def keeps_flat(self, names: Names) -> bool:
+        """In space: whether it does no more than to make a body one of the plane of x and y."""
+        ...
+
+    def guide_of(self, names: Names, body: str, *, turning: bool) -> Direction | None:
+        """The direction of the ground along which it guides a body, which may turn or not (turning: either)."""
         ...
 
     def rows(self, names: Names) -> list[ConstraintRow]:

@@ -20,7 +20,7 @@ import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, cast
 
-from freebody.connections.string_node import StringNode
+from freebody.connections.string.node import StringNode
 from freebody.language.expression import Call, Expr, Symbol, evaluate, multiply, negate, number
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, LENGTH
