@@ -20,7 +20,7 @@ from PIL import Image
 from freebody.connections.base import Connection
 from freebody.errors import InputError, ModelError
 from freebody.numeric.reference import Reference
-from freebody.numeric.rotation import matrix
+from freebody.numeric.rotation import matrices, matrix
 from freebody.present.corner import round_length
 from freebody.present.figures import Array, hull
 from freebody.present.names import footprints, names
@@ -32,7 +32,7 @@ from freebody.present.scene import Scene
 from freebody.present.space import solids
 from freebody.present.space.animation import write_animation
 from freebody.present.space.drawing import Drawing
-from freebody.present.space.motion import at_times, between, matrices, quaternions
+from freebody.present.space.motion import at_times, between, quaternions
 from freebody.present.space.order import back_to_front, overlap, seen_ball, seen_solid
 from freebody.present.space.painter import paint, painted, shots
 from freebody.present.space.solids import Solid

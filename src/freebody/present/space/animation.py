@@ -9,11 +9,12 @@ from pathlib import Path
 import numpy as np
 
 from freebody.errors import InputError
+from freebody.numeric.rotation import matrices
 from freebody.present.animation import FEWEST, Film, write_film
 from freebody.present.figures import Array
 from freebody.present.scene import Scene
 from freebody.present.space.drawing import Drawing
-from freebody.present.space.motion import at_times, largest_turn, matrices, quaternions
+from freebody.present.space.motion import at_times, largest_turn, quaternions
 from freebody.present.space.page import page
 from freebody.present.space.stills import show_of_space
 from freebody.present.stage import Show

@@ -29,8 +29,9 @@ from freebody.symbolic.equilibrium import find_equilibrium
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.forced import ForcedOscillation, Phasor, forced_oscillation
 from freebody.symbolic.functions import functions
+from freebody.symbolic.linear import determinant
 from freebody.symbolic.linearised import Linearised
-from freebody.symbolic.routh import determinant, squares
+from freebody.symbolic.quadratic import roots
 from freebody.symbolic.signs import Sign, sign_of
 
 FORCED = Message("frequency response of the full system, linearised in numbers")
@@ -343,4 +344,4 @@ def _squares_of(base: Ratio, omega: int) -> list[Ratio]:
                 n=len(c) - 1,
             )
         )
-    return squares(c[::2]) or []
+    return roots(c[::2]) or []

@@ -11,7 +11,7 @@ from freebody.language.sentences import Message
 from freebody.study.setup import Setup
 from freebody.study.steady.motion import Steady
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.routh import determinant
+from freebody.symbolic.linear import determinant
 from freebody.symbolic.tidy import tidy
 
 _SMALL = 1e-6  # [SI] a rate at the start that is none
