@@ -16,7 +16,7 @@ from freebody.study.setup import Setup
 from freebody.study.steady.evidence import during_steady_motion, in_steady_motion
 from freebody.study.steady.motion import Solutions, Steady, unknown_of
 from freebody.study.steady.reduced import odd_part, without_square_roots
-from freebody.symbolic.conditions import Condition, require
+from freebody.symbolic.conditions import Condition, insisted
 from freebody.symbolic.field import Field, Ratio
 from freebody.symbolic.tidy import tidy
 from freebody.tolerances import ROUND_OFF
@@ -62,11 +62,9 @@ def _ranges(x: Ratio, purpose: str) -> list[Condition]:
     for index in sorted(x.generators()):
         name, argument = f.arguments.get(index, ("", x))
         if name in ("acos", "asin"):
-            for room in (1 - argument, 1 + argument):
-                condition, possible = require(odd_part(room), ">=", purpose)
-                if not possible:
-                    raise CannotAnswer(Message("there is no such motion for any admissible values"))
-                found += [] if condition is None else [condition]
+            rooms = (odd_part(1 - argument), odd_part(1 + argument))
+            none = CannotAnswer(Message("there is no such motion for any admissible values"))
+            found += insisted((Condition(room, ">=", purpose) for room in rooms), none)
     return found
 
 
