@@ -30,6 +30,7 @@ from freebody.measures.combination import Combination
 from freebody.measures.geometry import GROUND, ONE, ZERO, Direction
 from freebody.model.elements import ConstraintRow, DryFriction
 from freebody.model.friction import Friction, read_friction
+from freebody.model.noting import did_you_mean
 from freebody.model.phrases import direction_angle
 from freebody.tolerances import ROUND_OFF
 
@@ -61,8 +62,6 @@ def frictions(names: Names, given: Any, passed: list[str]) -> dict[str, Friction
         found: dict[str, Friction] = {}
         for name, value in cast("dict[str, Any]", given).items():
             if name not in passed:
-                from freebody.model.names import did_you_mean
-
                 names.problem(
                     Message("the string does not slide over {name}.{hint}", name=name, hint=did_you_mean(name, passed)),
                     "friction",

@@ -28,7 +28,7 @@ from freebody.errors import CannotAnswer, InputError
 from freebody.language.sentences import Message
 from freebody.measures.geometry import GROUND
 from freebody.model.elements import ConstraintRow
-from freebody.model.names import did_you_mean
+from freebody.model.noting import did_you_mean
 from freebody.numeric.jets import TIME, Array
 from freebody.numeric.mobility.elimination import CircuitElimination, Unclear, unit_rows
 from freebody.numeric.mobility.exact import (

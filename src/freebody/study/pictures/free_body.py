@@ -26,7 +26,7 @@ from freebody.measures.base import Measure
 from freebody.measures.geometry import GROUND
 from freebody.model.elements import AppliedLoad, ConstraintRow, NonholonomicForm
 from freebody.model.glyphs import Rope
-from freebody.model.names import did_you_mean
+from freebody.model.noting import did_you_mean
 from freebody.numeric.instant import law
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Snapshot

@@ -11,7 +11,7 @@ import numpy as np
 from freebody.errors import CannotAnswer, InputError
 from freebody.language.sentences import Message
 from freebody.model.glyphs import Coil, ForceArrow, MomentArrow
-from freebody.model.names import did_you_mean
+from freebody.model.noting import did_you_mean
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Snapshot
 from freebody.present.picture.forces import Force

@@ -24,6 +24,7 @@ from freebody.study.steady.reduced import without_square_roots
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.linear import RHS, Row, solve
 from freebody.symbolic.model import SymbolicModel
+from freebody.symbolic.speeds import total_of
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.unknowns import Coordinate
@@ -233,13 +234,7 @@ class Steady:
                     conditions=further(*self.texts()),
                 )
             )
-        values: dict[int, Ratio] = {}
-        for column, row in done.pivots.items():
-            total = row.get(RHS, f.zero)
-            for free, coefficient in row.items():
-                if free != RHS:
-                    total = total + coefficient * f.variable(free)
-            values[column] = f.lowest_terms(total)
+        values = {column: f.lowest_terms(total_of(f, row)) for column, row in done.pivots.items()}
         return Solutions(speed, [values.pop(speed)], with_them=values)
 
     def at_position(self, c: Coordinate) -> Solutions:

@@ -11,7 +11,8 @@ from freebody.errors import ModelError
 from freebody.language.document import Document
 from freebody.language.expression import name_problem
 from freebody.language.sentences import Message, listed
-from freebody.model.names import Names, did_you_mean
+from freebody.model.names import Names
+from freebody.model.noting import did_you_mean
 from freebody.model.spec import Spec
 from freebody.system.kinds import register_kinds
 from freebody.system.unspecified import Unspecified

@@ -8,7 +8,7 @@ from freebody.language.expression import Expr
 from freebody.language.sentences import Message
 from freebody.language.units import TIME
 from freebody.measures.base import Measure
-from freebody.model.names import did_you_mean
+from freebody.model.noting import did_you_mean
 from freebody.system.reading.source import Source
 
 
