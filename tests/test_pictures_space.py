@@ -38,10 +38,7 @@ from freebody.present.space.painter import paint, painted, shots
 from freebody.present.space.solids import Solid
 from freebody.present.view import View
 from freebody.study.pictures.picture import draw, picture
-from freebody.system.kinds import register_kinds
 from freebody.system.system import System
-
-register_kinds()
 
 UP_Z = np.array((0.0, 0.0, 1.0))
 TOP = """

@@ -13,7 +13,7 @@ from freebody.measures.geometry import ZERO, Components
 from freebody.model.chains import read_chain
 from freebody.model.noting import did_you_mean
 from freebody.model.rotations import UNIT, Columns, applied, columns_of
-from freebody.model.shapes import Build, Shape
+from freebody.model.shapes.base import Build, Shape
 from freebody.model.tensors import moved, turned
 
 if TYPE_CHECKING:
