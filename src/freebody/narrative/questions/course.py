@@ -36,7 +36,7 @@ from freebody.symbolic.laws.decay import Decay
 from freebody.symbolic.laws.growth import Growth
 from freebody.symbolic.laws.oscillation import Oscillation
 from freebody.symbolic.laws.uniform import UniformLaw
-from freebody.symbolic.motion import Reached
+from freebody.symbolic.reached import Reached
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.unknowns import Coordinate

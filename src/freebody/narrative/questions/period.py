@@ -13,7 +13,7 @@ from freebody.narrative.questions.course import first_integral, say_first_integr
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
 from freebody.study.answering.repeated import coordinate_of, followed
-from freebody.symbolic.motion import Reached
+from freebody.symbolic.reached import Reached
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.unknowns import Coordinate
 

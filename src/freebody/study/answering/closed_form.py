@@ -41,8 +41,8 @@ from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition, insisted, require
 from freebody.symbolic.equilibrium import ClosedFormRest, equilibria, lies_in_family
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.motion import Reached
 from freebody.symbolic.on_the_way import MOVING, kept_until
+from freebody.symbolic.reached import Reached
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.small_motion import free_oscillations
 from freebody.symbolic.state import SymbolicState
@@ -83,7 +83,7 @@ class QuestionSolver:
 
     def _conserved(self) -> Answer:
         """The rate of the quantity, and whether it vanishes; `study/conservation/conserved.py` has more to say."""
-        from freebody.study.conservation.conserved import Judge
+        from freebody.study.conservation.judge import Judge
 
         found = Judge(self.setup).answer(self.question)
         answer = Message("conserved for every motion") if found.is_conserved else Message("not conserved")

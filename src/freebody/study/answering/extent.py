@@ -22,7 +22,7 @@ from freebody.study.answering.witness import run, snapshots
 from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition, insisted
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.motion import Reached
+from freebody.symbolic.reached import Reached
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.unknowns import Coordinate
 

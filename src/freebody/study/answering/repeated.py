@@ -31,7 +31,7 @@ from freebody.study.answering.witness import run
 from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition, insisted
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.motion import Reached
+from freebody.symbolic.reached import Reached
 from freebody.symbolic.unknowns import Coordinate
 
 LONGEST = 60.0  # [s] in which a motion without a closed form has to repeat itself
