@@ -23,7 +23,7 @@ from freebody.narrative.principles.loops import all_bound
 from freebody.narrative.principles.motion_equations import motion_equations
 from freebody.narrative.principles.reactions import name_reactions
 from freebody.numeric.jets import Array
-from freebody.numeric.start import start_velocities
+from freebody.numeric.start_velocities import start_velocities
 from freebody.questions.base import Quantity
 from freebody.questions.conservation import Conserved, GeneralizedMomentum
 from freebody.questions.momentum import AngularMomentum, Momentum, is_among
