@@ -9,7 +9,7 @@ from freebody.narrative.lines.glossary import World
 from freebody.narrative.lines.naming import asked_as, asked_entry
 from freebody.narrative.lines.script import Argument, DerivationStage, Script
 from freebody.narrative.principles.momentum import by_method
-from freebody.narrative.questions.course import first_integral, say_first_integral, say_integral, square_line
+from freebody.narrative.questions.course_by_energy import first_integral, say_first_integral, say_integral, square_line
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
 from freebody.study.answering.repeated import coordinate_of, followed
