@@ -28,7 +28,7 @@ from freebody.present.animation import write_animation
 from freebody.present.drawing import Drawing
 from freebody.present.figures import GROUND, Heading, Place
 from freebody.present.scene import Scene
-from freebody.present.space.drawing import Drawing as SpatialDrawing
+from freebody.present.space.drawing import SpatialDrawing
 from freebody.study.pictures.instant import start_of
 from freebody.study.pictures.picture import picture, poses_of
 from freebody.study.pictures.picture_in_space import poses_of as poses_in_space

@@ -21,7 +21,7 @@ from freebody.symbolic.unknowns import Coordinate
 
 
 @dataclass(frozen=True)
-class Passage:
+class UniformInstant:
     """A time, the rate then, which root it is, and what it needs."""
 
     time: Ratio
@@ -33,7 +33,7 @@ class Passage:
         return Reached(self.time, c, at, self.rate, self.notes, self.needs)
 
 
-def passage_at(name: str, law: UniformLaw, at: Ratio) -> Passage:
+def passage_at(name: str, law: UniformLaw, at: Ratio) -> UniformInstant:
     """When a place is reached first after the start. Raises NeverHappens where it is not, CannotAnswer where parameters
     decide by which root."""
     a, u0, distance = law.a, law.u0, law.model.field.lowest_terms(at - law.q0)
@@ -44,20 +44,20 @@ def passage_at(name: str, law: UniformLaw, at: Ratio) -> Passage:
             )
         if distance.is_zero():
             raise NeverHappens(HOLDS_ONCE)
-        return Passage(distance / u0, u0, [], [(distance / u0, ">")])
+        return UniformInstant(distance / u0, u0, [], [(distance / u0, ">")])
     if distance.is_zero():
         if u0.is_zero():
             raise NeverHappens(HOLDS_ONCE)
-        return Passage(-2 * u0 / a, -u0, [], [(-u0 / a, ">")])
+        return UniformInstant(-2 * u0 / a, -u0, [], [(-u0 / a, ">")])
     # at rest at the start, t = sqrt(2 d/a) reads better than sqrt(2 a d)/a
     if u0.is_zero():
         time = _sqrt(law, 2 * distance / a)
         note = Message("the root with the negative sign is a time before the start and is rejected")
-        return Passage(time, a * time, [note], [(distance / a, ">")])
+        return UniformInstant(time, a * time, [note], [(distance / a, ">")])
     return _one_of_two(name, law, distance, at)
 
 
-def _one_of_two(name: str, law: UniformLaw, distance: Ratio, at: Ratio) -> Passage:
+def _one_of_two(name: str, law: UniformLaw, distance: Ratio, at: Ratio) -> UniformInstant:
     """The roots of a t^2/2 + u0 t = d; their product is -2 d/a."""
     a, u0 = law.a, law.u0
     square = u0 * u0 + 2 * a * distance
@@ -93,7 +93,7 @@ def _one_of_two(name: str, law: UniformLaw, distance: Ratio, at: Ratio) -> Passa
         rises = all(v > 0 for v in law.model.samples.at_starts(a))
         needs.append((a if rises else -a, ">"))
     note = Stated(words, to_python(tidy(other)))
-    return Passage(chosen, root if pick == 0 else -root, [note], needs)
+    return UniformInstant(chosen, root if pick == 0 else -root, [note], needs)
 
 
 def _sqrt(law: UniformLaw, x: Ratio) -> Ratio:

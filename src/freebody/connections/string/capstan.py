@@ -41,7 +41,7 @@ _NO_WRAP = ROUND_OFF  # [rad] a string that is wrapped by less does not touch
 
 
 @dataclass(frozen=True)
-class Passage:
+class DrumPassage:
     """A string that runs round a drum: the leads before it since the last grip, as terms of a length, and the arm at
     which it pulls."""
 
@@ -75,7 +75,7 @@ def frictions(names: Names, given: Any, passed: list[str]) -> dict[str, Friction
     return dict.fromkeys(passed, one)
 
 
-def rub(names: Names, passage: Passage, friction: Friction, wrap: Any, connection: str) -> DryFriction | None:
+def rub(names: Names, passage: DrumPassage, friction: Friction, wrap: Any, connection: str) -> DryFriction | None:
     """The dry friction of one passage; None with a problem noted where it cannot be told."""
     label = drum_name(passage.node)
     if not passage.is_only:
@@ -133,7 +133,7 @@ def drum_name(node: StringNode) -> str:
     return node.body if node.radius != ZERO else str(node.point)
 
 
-def _wrap(names: Names, passage: Passage, given: Any, label: str) -> Expr | None:
+def _wrap(names: Names, passage: DrumPassage, given: Any, label: str) -> Expr | None:
     """The angle of wrap, given or between the directions of the leads."""
     if isinstance(given, dict) and label in given:
         beta = names.formula(cast("dict[str, Any]", given)[label], DIMENSIONLESS, "wrap", label)

@@ -13,7 +13,7 @@ from freebody.connections.base import Connection
 from freebody.connections.standing import is_parallel
 from freebody.connections.string.capstan import drum_name, frictions, rough_drums, rub
 from freebody.connections.string.hanging import Hook, askew
-from freebody.connections.string.laying import Run, check_ends, run_over
+from freebody.connections.string.laying import StringRun, check_ends, run_over
 from freebody.connections.string.node import StringNode
 from freebody.connections.string.sections import StringSection, sections_of
 from freebody.connections.string.way import is_held, named_on, read_way
@@ -113,7 +113,7 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
                     found.append(friction)
         return [], found
 
-    def _run(self, names: Names) -> Run | None:
+    def _run(self, names: Names) -> StringRun | None:
         """How the string lies; None with problems noted."""
         if self.path and (self.start or self.to or self.over or self.under):
             names.problem(Message("give the way either as path, or as from, over, under, to"))
@@ -131,7 +131,7 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
         names.laying.pop()
         return run
 
-    def _grips(self, names: Names, run: Run) -> set[str]:
+    def _grips(self, names: Names, run: StringRun) -> set[str]:
         """The pulleys on which it does not slip: all that can turn, or those that the model names."""
         pulleys = {node.body for node in run.way[1:-1] if node.radius != ZERO}
         pulleys = {p for p in pulleys if names.known(p).turns and not names.known(p).fixed}
@@ -148,7 +148,7 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
                     names.problem(told, "grips", k)
         return set(self.grips) & pulleys
 
-    def _hanging(self, names: Names, run: Run) -> list[ConstraintRow]:
+    def _hanging(self, names: Names, run: StringRun) -> list[ConstraintRow]:
         """Holds every body that hangs on this string, and on no other, across its lead."""
         me = self.own_name(names)
         rows: list[ConstraintRow] = []
@@ -167,7 +167,7 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
             )
         return rows
 
-    def _own_hooks(self, names: Names, run: Run) -> Iterator[tuple[str, Hook]]:
+    def _own_hooks(self, names: Names, run: StringRun) -> Iterator[tuple[str, Hook]]:
         """The bodies that hang on this string: each on that of its strings which is nearest to what is held, as on the
         rope that carries a pulley rather than on the one below it; of several on the first by name."""
         ranks, strings = _ranks(names), [c for c in names.connections.values() if isinstance(c, String)]

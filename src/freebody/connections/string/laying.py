@@ -24,7 +24,7 @@ _SIDES = {"left": (-1.0, 0.0), "right": (1.0, 0.0), "top": (0.0, 1.0), "bottom":
 
 
 @dataclass(frozen=True)
-class Run:
+class StringRun:
     """A string on its way: a place more than leads."""
 
     way: list[StringNode]
@@ -38,7 +38,7 @@ class Run:
         return hooks_of(self.way, self.leads, self.arms)
 
 
-def run_over(names: Names, way: list[StringNode], given: list[Heading] | None) -> Run:
+def run_over(names: Names, way: list[StringNode], given: list[Heading] | None) -> StringRun:
     """How a string lies. Bodies that the model puts where they would hang do so, and a lead runs along the guide of a
     body that is put where it does. given: the directions of the leads, if the model states them."""
     for k, node in enumerate(way):
@@ -51,14 +51,14 @@ def run_over(names: Names, way: list[StringNode], given: list[Heading] | None) -
     return _run(names, way, given)
 
 
-def _run(names: Names, way: list[StringNode], given: list[Heading] | None) -> Run:
+def _run(names: Names, way: list[StringNode], given: list[Heading] | None) -> StringRun:
     leads = _leads(names, way) if given is None else _stated(names, given, len(way) - 1)
     turns = [_turn(names, way, leads, k) for k in range(len(way))]
     arms = [multiply(number(s), n.radius) if s else ZERO for s, n in zip(turns, way, strict=True)]
-    return Run(way, leads, turns, arms)
+    return StringRun(way, leads, turns, arms)
 
 
-def _runs_along(names: Names, run: Run, k: int) -> bool:
+def _runs_along(names: Names, run: StringRun, k: int) -> bool:
     """Whether the leads to a guided body run along its guide from wheels, however long the parameters are. From a
     point the distance tells as much, and on which side of it the body is."""
     way, arms = run.way, run.arms
@@ -78,7 +78,7 @@ def _runs_along(names: Names, run: Run, k: int) -> bool:
     return True
 
 
-def _is_straight_below(names: Names, run: Run, k: int) -> bool:
+def _is_straight_below(names: Names, run: StringRun, k: int) -> bool:
     """Whether a body is put where it would hang, below what carries it."""
     hook, here = run.hooks[run.way[k].body], run.way[k].place
     if here is None:
@@ -92,7 +92,7 @@ def _is_straight_below(names: Names, run: Run, k: int) -> bool:
     return True
 
 
-def check_ends(names: Names, run: Run) -> None:
+def check_ends(names: Names, run: StringRun) -> None:
     """A lead along the common tangent of two circles needs them apart at the start."""
     for (first, second), lead, arms in zip(
         itertools.pairwise(run.way), run.leads, itertools.pairwise(run.arms), strict=True

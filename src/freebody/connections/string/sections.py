@@ -13,8 +13,8 @@ import itertools
 from collections.abc import Container
 from dataclasses import dataclass
 
-from freebody.connections.string.capstan import Passage, drum_name, slip_of
-from freebody.connections.string.laying import Run
+from freebody.connections.string.capstan import DrumPassage, drum_name, slip_of
+from freebody.connections.string.laying import StringRun
 from freebody.connections.string.node import StringNode
 from freebody.language.expression import Expr, add, negate
 from freebody.language.units import LENGTH
@@ -33,7 +33,7 @@ class StringSection:
 
     terms: tuple[tuple[Expr, Measure], ...]
     nodes: tuple[StringNode, ...]
-    passages: tuple[Passage, ...]
+    passages: tuple[DrumPassage, ...]
 
     @property
     def ends(self) -> tuple[str, ...]:
@@ -68,12 +68,12 @@ class StringSection:
         return tuple(found)
 
 
-def sections_of(run: Run, grips: Container[str]) -> list[StringSection]:
+def sections_of(run: StringRun, grips: Container[str]) -> list[StringSection]:
     """The sections of a string between its marks. grips: the wheels on which it does not slip."""
     way, leads, arms = run.way, run.leads, run.arms
     found: list[StringSection] = []
     terms: list[tuple[Expr, Measure]] = []
-    passages: list[Passage] = []
+    passages: list[DrumPassage] = []
     begin = 0
     if way[0].way == "drum":
         terms.append((negate(arms[0]), Angle(way[0].body)))
@@ -92,5 +92,5 @@ def sections_of(run: Run, grips: Container[str]) -> list[StringSection]:
             terms = [(negate(arms[k + 1]), Angle(b.body))] if marked else []
             begin, passages = k + 1, []
         else:
-            passages.append(Passage(b, tuple(terms), arms[k + 1], run.turns[k + 1], (direction, leads[k + 1])))
+            passages.append(DrumPassage(b, tuple(terms), arms[k + 1], run.turns[k + 1], (direction, leads[k + 1])))
     return found

@@ -34,7 +34,7 @@ MOST_ROOTS = 4
 
 
 @dataclass
-class Steady:
+class SteadyMotion:
     """The steady motions of a model, or those in which something has a given value: a coordinate that stays constant,
     or a rate, by generator."""
 
@@ -42,7 +42,7 @@ class Steady:
     given: Mapping[int, Ratio] = field(default_factory=dict[int, Ratio])
 
     @classmethod
-    def asked(cls, model: SymbolicModel, event: AskedEvent | None) -> Steady:
+    def asked(cls, model: SymbolicModel, event: AskedEvent | None) -> SteadyMotion:
         """With the value that an event states: when theta = 60 deg, when rate(psi) = 5 rad/s. Raises CannotAnswer
         where that is none of a steady motion."""
         steady = cls(model)
@@ -331,7 +331,7 @@ class Solutions:
     with_them: dict[int, Ratio] = field(default_factory=dict[int, Ratio])
 
 
-def unknown_of(steady: Steady, q: SteadyValue) -> Coordinate | None:
+def unknown_of(steady: SteadyMotion, q: SteadyValue) -> Coordinate | None:
     """The coordinate whose rate or, if it stays constant, whose value is asked for."""
     measure, order = q.of.watched or (None, 2)
     if order > 1:
