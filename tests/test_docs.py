@@ -104,9 +104,7 @@ def test_the_tour_is_true_and_names_every_room(monkeypatch: pytest.MonkeyPatch) 
 def test_every_kind_is_in_the_readme() -> None:
     from freebody.connections.base import Connection
     from freebody.loads.base import Load
-    from freebody.system.kinds import register_kinds
 
-    register_kinds()
     for kind in [*Connection.kinds, *Load.kinds]:
         if kind != "midpoint":
             assert f"`{kind}`" in README, kind

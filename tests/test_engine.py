@@ -27,12 +27,10 @@ from freebody.numeric.kernels import tape
 from freebody.numeric.kernels.declaring import plain
 from freebody.numeric.reference import Reference
 from freebody.study.settled import settled, start_mode
-from freebody.system.kinds import register_kinds
 from mechanisms import chain, ladder, tree
 
 ROOT = Path(__file__).parents[1]
 EXAMPLES = sorted(path.stem for path in (ROOT / "examples").glob("*.yaml"))
-register_kinds()
 KINDS = {**Connection.kinds, **Load.kinds}
 
 

@@ -20,7 +20,7 @@ from command import freebody
 from freebody.cli import commands
 from freebody.model.elements import ConstraintRow
 from freebody.numeric.jets import Array
-from freebody.present.picture.forces import Force
+from freebody.present.picture.forces import ShownForce
 from freebody.present.picture.picture import Picture
 from freebody.study.pictures import instant
 from freebody.study.pictures.free_body import FreeBody
@@ -40,7 +40,7 @@ def example(name: str) -> System:
     return System.load(next(path for path in EXAMPLES if path.stem == name))
 
 
-def cut(found: Instant, *bodies: str) -> tuple[Force, ...]:
+def cut(found: Instant, *bodies: str) -> tuple[ShownForce, ...]:
     return FreeBody(found.snapshot, bodies, closed=closed_bounds(found.snapshot)).forces()
 
 
@@ -49,7 +49,7 @@ def cross(a: Iterable[float], b: Iterable[float]) -> Array:
     return np.array([r[0] * f[1] - r[1] * f[0]]) if len(r) == 2 else np.cross(r, f)
 
 
-def wrench(forces: Iterable[Force], n: int) -> tuple[Array, Array]:
+def wrench(forces: Iterable[ShownForce], n: int) -> tuple[Array, Array]:
     """Force and moment about the mass centre, per unit of each force's value where it has one."""
     total, turn = np.zeros(n), np.zeros(3 if n == 3 else 1)
     for force in forces:

@@ -28,14 +28,12 @@ from freebody.present.animation import write_animation
 from freebody.present.drawing import Drawing
 from freebody.present.figures import GROUND, Heading, Place
 from freebody.present.scene import Scene
-from freebody.present.space.drawing import Drawing as SpatialDrawing
+from freebody.present.space.drawing import SpatialDrawing
 from freebody.study.pictures.instant import start_of
 from freebody.study.pictures.picture import picture, poses_of
 from freebody.study.pictures.picture_in_space import poses_of as poses_in_space
-from freebody.system.kinds import register_kinds
 from freebody.testing.conformance import check_connection, check_load
 
-register_kinds()
 GROOVE = '''"""A pin in a circular groove."""
 
 from __future__ import annotations

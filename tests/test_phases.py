@@ -16,8 +16,9 @@ from freebody.language.expression import evaluate
 from freebody.language.notation import to_python, to_text
 from freebody.questions.course import EnergyLost, Revolutions, Transition
 from freebody.study.answering.answer import NOT_VALID
+from freebody.study.phases.followed import follow
 from freebody.study.phases.result import Phases, phases
-from freebody.study.phases.witness import FollowedPhase, follow
+from freebody.study.phases.witness import FollowedPhase
 
 FOLDER = Path(__file__).parents[1] / "examples"
 Agree = Callable[[str, str], None]

@@ -13,8 +13,6 @@ from typing import Any
 
 import numpy as np
 import pytest
-from matplotlib.backends.backend_agg import FigureCanvasAgg
-from matplotlib.figure import Figure
 from PIL import Image
 
 import freebody as fb
@@ -30,7 +28,7 @@ from freebody.present.picture.label import equation
 from freebody.present.plots import plot, save
 from freebody.present.recording import Recording, Series
 from freebody.present.scene import Scene
-from freebody.present.stage import Stage, draw_frame, show_of_plane
+from freebody.present.stage import Stage, show_of_plane
 from freebody.present.strokes import Path as Outline
 from freebody.present.strokes import Strand, Stretch
 from freebody.system.system import System
@@ -357,18 +355,6 @@ def test_the_direction_of_a_lead_fixed_in_a_body_turns_with_it() -> None:
 
 
 # -- stills and animations --------------------------------------------------------------------
-def test_a_still_shows_names_and_the_directions_of_the_axes() -> None:
-    scene, poses = example("four_bar")
-    figure: Any = Figure()
-    FigureCanvasAgg(figure)
-    axes = figure.add_subplot()
-    draw_frame(scene, poses[0], axes, dark=True)
-    figure.canvas.draw()
-    assert {text.get_text() for text in axes.texts} == {"crank", "coupler", "rocker"}
-    assert (axes.get_xlabel(), axes.get_ylabel()) == ("x [m], to the right", "y [m], up")
-    assert axes.get_aspect() == 1.0
-
-
 @pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
 def test_names_of_a_film_stand_on_its_paper_and_not_on_each_other(path: Path) -> None:
     scene, poses = posed(path)

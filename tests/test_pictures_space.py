@@ -20,28 +20,25 @@ from PIL import Image
 from freebody.connections.base import Connection
 from freebody.errors import InputError, ModelError
 from freebody.numeric.reference import Reference
-from freebody.numeric.rotation import matrix
+from freebody.numeric.rotation import matrices, matrix
 from freebody.present.corner import round_length
 from freebody.present.figures import Array, hull
 from freebody.present.names import footprints, names
 from freebody.present.picture.arrows import Arrows, acting_at
-from freebody.present.picture.forces import Force
+from freebody.present.picture.forces import ShownForce
 from freebody.present.picture.label import name as symbol
 from freebody.present.picture.sketch import Sketch
 from freebody.present.scene import Scene
 from freebody.present.space import solids
 from freebody.present.space.animation import write_animation
-from freebody.present.space.drawing import Drawing
-from freebody.present.space.motion import at_times, between, matrices, quaternions
+from freebody.present.space.drawing import SpatialDrawing
+from freebody.present.space.motion import at_times, between, quaternions
 from freebody.present.space.order import back_to_front, overlap, seen_ball, seen_solid
 from freebody.present.space.painter import paint, painted, shots
 from freebody.present.space.solids import Solid
 from freebody.present.view import View
 from freebody.study.pictures.picture import draw, picture
-from freebody.system.kinds import register_kinds
 from freebody.system.system import System
-
-register_kinds()
 
 UP_Z = np.array((0.0, 0.0, 1.0))
 TOP = """
@@ -120,8 +117,8 @@ def posed(text: str) -> tuple[Scene, Array, Array]:
     return Scene.of(system, reference.number), centers, axes
 
 
-def drawn(text: str) -> Drawing:
-    return Drawing.of(*posed(text))
+def drawn(text: str) -> SpatialDrawing:
+    return SpatialDrawing.of(*posed(text))
 
 
 def spun(text: str, rate: float, duration: float = 1.0, n: int = 51) -> tuple[Scene, Array, Array, Array]:
@@ -132,7 +129,7 @@ def spun(text: str, rate: float, duration: float = 1.0, n: int = 51) -> tuple[Sc
     return scene, times, np.einsum("tij,nj->tni", turns, centers[0]), np.einsum("tij,njk->tnik", turns, axes[0])
 
 
-def looks(drawing: Drawing, body: str = "") -> list[str]:
+def looks(drawing: SpatialDrawing, body: str = "") -> list[str]:
     """How the pieces of a drawing look, or those that turn with one body."""
     index = {form.name: form.index for form in drawing.scene.figures}
     return [piece.look for piece in drawing.pieces if not body or piece.turn == index[body]]
@@ -331,7 +328,7 @@ def test_joints_have_their_signs() -> None:
 
 def test_an_axle_comes_out_of_the_bodies_that_it_joins() -> None:
     scene, centers, axes = posed(SLIDER_CRANK)
-    drawing = Drawing.of(scene, centers, axes)
+    drawing = SpatialDrawing.of(scene, centers, axes)
     crank = next(form for form in scene.figures if form.name == "crank")
     pieces = [p for p in drawing.pieces if p.look == "joint" and p.turn == crank.index and not p.radius]
     x = np.concatenate([p.placed(drawing.poses, 0)[0][:, 0] for p in pieces])
@@ -365,7 +362,7 @@ def test_a_torque_turns_right_handed_about_its_axis() -> None:
 def test_a_spring_follows_its_ends() -> None:
     scene, centers, axes = posed(FORMS)
     moved = np.concatenate((centers, centers + np.array((0.0, -0.4, 0.0))))
-    drawing = Drawing.of(scene, moved, np.concatenate((axes, axes)))
+    drawing = SpatialDrawing.of(scene, moved, np.concatenate((axes, axes)))
     spring = next(p for p in drawing.pieces if p.look == "spring")
     for frame, hook in ((0, (0.5, 0.35, 0.0)), (1, (0.5, -0.05, 0.0))):
         _points, (line,) = spring.placed(drawing.poses, frame)
@@ -492,7 +489,7 @@ def test_the_player_gets_all_pieces_and_the_poses_as_quaternions(tmp_path: Path)
     assert matrices(np.array(last[3:])) == pytest.approx(axes[-1, 1], abs=1e-4)
     assert {label["text"] for label in data["labels"]} == {"crank", "rod", "slider"}
     assert {piece["look"] for piece in data["pieces"]} <= set(data["looks"])
-    assert len(data["pieces"]) == len(Drawing.of(scene, centers, axes).pieces)
+    assert len(data["pieces"]) == len(SpatialDrawing.of(scene, centers, axes).pieces)
 
 
 def test_quaternions_are_as_good_as_axes(tmp_path: Path) -> None:
@@ -533,7 +530,7 @@ console.log(JSON.stringify(backToFront(all).map((s) => [s.k, s.depth])));
 """
     (tmp_path / "a.js").write_text(code, encoding="utf-8")
     printed = subprocess.run(["node", str(tmp_path / "a.js")], check=True, capture_output=True, text=True).stdout
-    drawing = Drawing.of(scene, centers[:1], axes[:1])
+    drawing = SpatialDrawing.of(scene, centers[:1], axes[:1])
     taken = shots(drawing, 0, drawing.view())
     number = {id(piece): k for k, piece in enumerate(drawing.pieces)}
     depths = dict(json.loads(printed))
@@ -654,8 +651,8 @@ def test_forces_and_couples_seen_along_z_are_those_of_the_plane() -> None:
     ) -> list[tuple[float, ...]]:
         sketch = Sketch(100.0, np.zeros(2))
         loads = [
-            Force("F", symbol("F"), "b", center, force, (0.0,) * len(moment)),
-            Force("M", symbol("M"), "b", center, (0.0,) * len(force), moment),
+            ShownForce("F", symbol("F"), "b", center, force, (0.0,) * len(moment)),
+            ShownForce("M", symbol("M"), "b", center, (0.0,) * len(force), moment),
         ]
         Arrows(sketch, acting_at(sketch, {"b": np.array(center)})).draw(loads)
         return [tuple(shape.points.ravel().round(9).tolist()) for shape in sketch.shapes]

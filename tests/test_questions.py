@@ -14,11 +14,8 @@ import pytest
 import freebody as fb
 import freebody.questions
 from freebody.questions.base import FORMS, Quantity
-from freebody.system.kinds import register_kinds
 from freebody.testing.questions import QUESTION_CHECKS, check_question
 from test_docs import CONTRIBUTING, blocks
-
-register_kinds()
 
 
 @pytest.mark.parametrize("kind", sorted(Quantity.kinds))

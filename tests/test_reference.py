@@ -20,7 +20,8 @@ from freebody.measures.distance import Bearing, Distance
 from freebody.measures.geometry import GROUND, ONE, RIGHT, UP, Direction, Point
 from freebody.measures.lead import Lead
 from freebody.model.elements import Component, NonholonomicForm
-from freebody.numeric.jets import JET_FUNCTIONS, Frame, Jet, JetGeometry
+from freebody.numeric.jet_geometry import Frame, JetGeometry
+from freebody.numeric.jets import JET_FUNCTIONS, Jet
 from freebody.numeric.reference import Reference, ReferenceTrajectory, Snapshot
 from freebody.system.system import System
 

@@ -17,9 +17,8 @@ import freebody as fb
 from freebody.budgets import effort
 from freebody.connections.base import Connection
 from freebody.loads.base import Load
-from freebody.model.shapes import Shape
+from freebody.model.shapes.base import Shape
 from freebody.numeric.reference import Reference
-from freebody.system.kinds import register_kinds
 from freebody.testing import MUTATIONS, RELATIONS, End, check, mutated, random_model, run
 from freebody.testing.__main__ import main
 from freebody.testing.models import Maker, is_assembled, maker
@@ -101,7 +100,6 @@ def test_every_study_of_a_random_model_is_answered_or_refused_in_words(seed: int
 
 
 def test_every_shape_states_an_example_that_can_be_read() -> None:
-    register_kinds()
     for name, kind in Shape.kinds.items():
         assert shape_fields(kind), name
         text = f"bodies: {{b: {{{name}: {kind.example}}}}}\n"

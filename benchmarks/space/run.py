@@ -196,7 +196,7 @@ FREE = {
 def free_body(tolerance: float) -> dict[str, Any]:
     """A body that tumbles about its middle axis for 1e4 s: how well energy and angular momentum are kept."""
     import freebody as fb
-    from freebody.numeric.spatial import matrices_of
+    from freebody.numeric.rotation import matrices
 
     system = fb.System.from_data(FREE)
     fb.simulate(system, 1.0)
@@ -207,7 +207,7 @@ def free_body(tolerance: float) -> dict[str, Any]:
     w = course.rotation.velocities_in_body[:, 0]
     momenta = w * [1.0, 2.0, 2.5]
     energy = 0.5 * (momenta * w).sum(axis=1)
-    vector = np.einsum("tij,tj->ti", matrices_of(course.rotation.quaternions[:, 0]), momenta)
+    vector = np.einsum("tij,tj->ti", matrices(course.rotation.quaternions[:, 0]), momenta)
     return {
         "motion": "free body, 1e4 s",
         "tolerance": tolerance,

@@ -103,10 +103,9 @@ def __getattr__(name: str) -> Any:
         # also what `from freebody import progress` asks first: is it an attribute? Then it is imported as a module
         raise AttributeError(f"module 'freebody' has no attribute {name!r}")
     # descriptions: shapes, connections and loads by their class names
-    import_module("freebody.model.composite")
     for base in ("Shape", "Connection", "Load"):
         home = {
-            "Shape": "freebody.model.shapes",
+            "Shape": "freebody.model.shapes.base",
             "Connection": "freebody.connections.base",
             "Load": "freebody.loads.base",
         }

@@ -57,7 +57,7 @@ def listed_examples() -> Iterator[tuple[str, str]]:
 
 def copy_examples(name: str | None, to: Path) -> list[Path]:
     """Copies one example, or all, into a folder. Existing files are not overwritten."""
-    from freebody.model.names import did_you_mean
+    from freebody.model.noting import did_you_mean
 
     known = [n for n, _title in listed_examples()]
     if name is not None and name.removesuffix(".yaml") not in known:

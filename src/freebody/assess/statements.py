@@ -26,7 +26,7 @@ from freebody.language.sentences import Message, in_turn
 from freebody.language.units import dimension_of
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import RIGHT, UP, Point
-from freebody.model.names import did_you_mean
+from freebody.model.noting import did_you_mean
 from freebody.questions.reading import Question
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import element

@@ -135,7 +135,7 @@ def _check_outputs(out: Path | None, plot: Path | None, animate: Path | None) ->
 def _check_shown(system: System, show: list[str]) -> None:
     """Curves that there will not be are told before the run."""
     from freebody.errors import InputError
-    from freebody.model.names import did_you_mean
+    from freebody.model.noting import did_you_mean
     from freebody.study.simulation.recorded import series_names
 
     known = series_names(system)

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING, Any, ClassVar, cast
 
+from freebody.connections.pairs import OutlinePair
 from freebody.language.expression import Expr
 from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
@@ -31,6 +32,10 @@ class Connection(Spec):
     example: ClassVar[str] = ""
     # in space it joins only bodies that a planar joint keeps in the plane of x and y
     in_plane: ClassVar[bool] = False
+    # it keeps its bodies as one; it leaves free how they turn; a body that only such hold hangs on them
+    is_rigid: ClassVar[bool] = False
+    lets_turn: ClassVar[bool] = False
+    lets_hang: ClassVar[bool] = False
 
     def __init_subclass__(cls, kind: str = "", **rest: Any) -> None:
         super().__init_subclass__(**rest)
@@ -51,9 +56,21 @@ class Connection(Spec):
         """Whether it is a connection of the plane."""
         return self.in_plane
 
+    def keeps_flat(self, names: Names) -> bool:
+        """In space: whether it does no more than to make a body one of the plane of x and y."""
+        return False
+
+    def guide_of(self, names: Names, body: str, *, turning: bool) -> Direction | None:
+        """The direction of the ground along which it guides a body, which may turn or not (turning: either)."""
+        return None
+
     def bounds(self, names: Names, connection: str) -> tuple[list[UnilateralConstraint], list[DryFriction]]:
         """The measures that it bounds, and those along which it resists by dry friction."""
         return [], []
+
+    def pairs(self, names: Names, connection: str) -> list[OutlinePair]:
+        """The pairs of outlines that it lets touch."""
+        return []
 
     def attitude(self, names: Names) -> Attitude | None:
         """In space: how one of its bodies is turned from the other, where it leaves few angles free."""
@@ -66,6 +83,10 @@ class Connection(Spec):
     def mentions(self, names: Names) -> set[str]:
         """Names of the bodies that it joins."""
         return {owner for owner, _point in self._named(names)}
+
+    def own_name(self, names: Names) -> str:
+        """What the model calls it; empty while it is not read yet."""
+        return next((name for name, other in names.connections.items() if other is self), "")
 
     def _named(self, names: Names) -> Iterator[tuple[str, str]]:
         """What its fields name of bodies: the body, and a point, a line or an axis of it, or nothing."""

@@ -38,11 +38,7 @@ connections: {it: {constraint: x - 2*y}}
         return [] if measure is None else [ConstraintRow("constraint", "constraint force", measure)]
 
     def glyphs(self, names: Names) -> Iterable[Glyph]:
-        measure = composed(names, self.expression, "expression")
-        bodies = dict.fromkeys(() if measure is None else measure.bodies())
-        points = tuple(names.known(body).center for body in bodies if body != GROUND)
-        yield glyphs.Relation(points)
-        yield from (glyphs.Equation(point, f"{self.expression} = 0") for point in points[:1])
+        return _equation(names, self)
 
 
 class VelocityConstraint(Connection, kind="velocity_constraint"):
@@ -99,8 +95,12 @@ connections: {it: {velocity_constraint: rate(y)*cos(theta) - rate(x)*sin(theta)}
         return [ConstraintRow("constraint", "constraint force", measure)]
 
     def glyphs(self, names: Names) -> Iterable[Glyph]:
-        measures = [row.measure for row in self.rows(names)]
-        bodies = dict.fromkeys(body for measure in measures for body in measure.bodies())
-        points = tuple(names.known(body).center for body in bodies if body != GROUND)
-        yield glyphs.Relation(points)
-        yield from (glyphs.Equation(point, f"{self.expression} = 0") for point in points[:1])
+        return _equation(names, self)
+
+
+def _equation(names: Names, held: Constraint | VelocityConstraint) -> Iterable[Glyph]:
+    """A line through the bodies that an expression speaks of, and the expression at the first one."""
+    bodies = dict.fromkeys(body for row in held.rows(names) for body in row.measure.bodies())
+    points = tuple(names.known(body).center for body in bodies if body != GROUND)
+    yield glyphs.Relation(points)
+    yield from (glyphs.Equation(point, f"{held.expression} = 0") for point in points[:1])

@@ -5,11 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
-from freebody.connections.base import Connection
-from freebody.connections.joints import read_joint
+from freebody.connections.joints import AxialJoint, Joint, read_joint
 from freebody.measures.base import Measure
 from freebody.model import glyphs
-from freebody.model.elements import Attitude, ConstraintRow
+from freebody.model.elements import ConstraintRow
 from freebody.model.glyphs import Glyph
 from freebody.model.spec import Heading
 
@@ -17,7 +16,7 @@ if TYPE_CHECKING:
     from freebody.model.names import Names
 
 
-class Cylindrical(Connection, kind="cylindrical"):
+class Cylindrical(AxialJoint, kind="cylindrical"):
     """`cylindrical: {first: ground.A, second: collar, about: x}`: the second point stays on the axis through the first,
     and the axes stay parallel (4 rows)."""
 
@@ -32,21 +31,14 @@ bodies: {collar: {box: {mass: 1 kg, size: [1 m, 0.1 m, 0.2 m]}}}
 connections: {it: {cylindrical: {first: ground.A, second: collar, about: x}}}
 """
 
-    def rows(self, names: Names) -> list[ConstraintRow]:
-        joint = read_joint(names, self, self.first, self.second, self.about, self.second_axis)
-        return [] if joint is None else [*joint.on_the_axis(), *joint.parallel()]
+    def joint(self, names: Names) -> Joint | None:
+        return read_joint(names, self, self.first, self.second, self.about, self.second_axis)
 
-    def attitude(self, names: Names) -> Attitude | None:
-        joint = read_joint(names, self, self.first, self.second, self.about, self.second_axis)
-        return None if joint is None else joint.attitude(turns=True)
+    def held(self, names: Names, joint: Joint) -> list[ConstraintRow]:
+        return [*joint.on_the_axis(), *joint.parallel()]
 
-    def offers(self, names: Names) -> Iterable[tuple[str, Measure]]:
-        joint = read_joint(names, self, self.first, self.second, self.about, self.second_axis)
-        if joint is not None:
-            yield "travel", joint.travel
-            yield "angle", joint.angle
+    def measured(self, joint: Joint) -> Iterable[tuple[str, Measure]]:
+        return (("travel", joint.travel), ("angle", joint.angle))
 
-    def glyphs(self, names: Names) -> Iterable[Glyph]:
-        joint = read_joint(names, self, self.first, self.second, self.about, self.second_axis)
-        if joint is not None:
-            yield glyphs.Rail(joint.first, joint.second, joint.axis, "about")
+    def sign(self, joint: Joint) -> Glyph:
+        return glyphs.Rail(joint.first, joint.second, joint.axis, "about")

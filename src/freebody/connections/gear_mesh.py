@@ -73,7 +73,7 @@ connections: {p: {pin: [ground.A, a]}, q: {pin: [ground.B, b]}, it: {gear_mesh: 
                 )
             )
             return
-        me = next((name for name, other in names.connections.items() if other is self), "")
+        me = self.own_name(names)
         names.assumptions.append(
             Message(
                 "{connection}: the pitch circles of {first} and {second} do not touch where these are put ({apart:.4g} "

@@ -10,15 +10,18 @@ the second, the rows
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, ClassVar
 
+from freebody.connections.base import Connection
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, ZERO, Direction, Point
 from freebody.measures.turn import Alignment, Turn
 from freebody.model.elements import Attitude, ConstraintRow
+from freebody.model.glyphs import Glyph
 from freebody.model.rotations import UNIT, perpendiculars
 from freebody.model.spec import Heading, Spec
 
@@ -157,3 +160,41 @@ def is_spatial(names: Names, spec: Spec) -> bool:
             )
         )
     return names.space
+
+
+class AxialJoint(Connection):
+    """A joint of space at two points and an axis: what it holds, offers and looks like it says of a `Joint`."""
+
+    turns_about_axis: ClassVar[bool] = True
+
+    def joint(self, names: Names) -> Joint | None:
+        """Its points and axes; None after noting a problem."""
+        raise NotImplementedError
+
+    def held(self, names: Names, joint: Joint) -> list[ConstraintRow]:
+        """The rows it holds."""
+        raise NotImplementedError
+
+    def measured(self, joint: Joint) -> Iterable[tuple[str, Measure]]:
+        """The measures it offers as coordinates."""
+        raise NotImplementedError
+
+    def sign(self, joint: Joint) -> Glyph:
+        """What it looks like."""
+        raise NotImplementedError
+
+    def rows(self, names: Names) -> list[ConstraintRow]:
+        joint = self.joint(names)
+        return [] if joint is None else self.held(names, joint)
+
+    def attitude(self, names: Names) -> Attitude | None:
+        joint = self.joint(names)
+        return None if joint is None else joint.attitude(turns=self.turns_about_axis)
+
+    def offers(self, names: Names) -> Iterable[tuple[str, Measure]]:
+        joint = self.joint(names)
+        return () if joint is None else self.measured(joint)
+
+    def glyphs(self, names: Names) -> Iterable[Glyph]:
+        joint = self.joint(names)
+        return () if joint is None else (self.sign(joint),)

@@ -81,9 +81,6 @@ class Hollow:
         return self.center.body
 
 
-Part = RoundPart | Straight | Hollow
-
-
 @dataclass(frozen=True)
 class Outline:
     """What of a body, or of the ground, can touch."""
@@ -200,4 +197,4 @@ def _turns(names: Names, body: RigidBody, corners: list[str]) -> list[float]:
     return [turn for turn in found if abs(turn) > ROUNDED * max(map(abs, found))]
 
 
-__all__ = ["KINDS", "Hollow", "Outline", "Part", "RoundPart", "Straight", "read_outline"]
+__all__ = ["KINDS", "Hollow", "Outline", "RoundPart", "Straight", "read_outline"]

@@ -34,6 +34,7 @@ class Pin(Connection, kind="pin"):
     radius: Formula | None = None
 
     in_plane = True
+    lets_turn: ClassVar[bool] = True
     example = """
 bodies: {rod: {rod: {mass: 1 kg, length: 1 m}}}
 connections: {it: {pin: [ground.A, rod.start]}}

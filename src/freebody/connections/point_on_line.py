@@ -14,6 +14,7 @@ from freebody.measures.geometry import Direction, Point
 from freebody.model import glyphs
 from freebody.model.elements import ConstraintRow
 from freebody.model.glyphs import Glyph
+from freebody.model.noting import did_you_mean
 from freebody.model.rotations import perpendiculars
 from freebody.model.spec import Heading
 
@@ -91,8 +92,6 @@ connections: {it: {point_on_plane: {point: rod.left, on: floor}}}
             return []
         point, plane = names.point(self.point, "point"), names.plane(self.on, "on")
         if plane is None:
-            from freebody.model.names import did_you_mean
-
             known = [f"{b.name}.{name}" for b in names.bodies.values() for name in b.planes]
             names.problem(
                 Message(

@@ -6,9 +6,7 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from freebody.connections.base import Connection
-from freebody.connections.slider import Slider
-from freebody.connections.slot import Slot
-from freebody.connections.standing import is_parallel, number_of, stands_at
+from freebody.connections.standing import ground_guide_of, is_parallel, number_of, stands_at
 from freebody.language.expression import Call, Expr, add, negate
 from freebody.language.sentences import Message
 from freebody.language.units import LENGTH
@@ -67,7 +65,7 @@ connections: {p: {pin: [ground.A, gear]}, g: {slider: {body: bar, along: right}}
     def _pitch_line(self, names: Names, rack: RigidBody, pinion: RigidBody) -> Direction:
         """Where the teeth run: what a guide on the ground lets the rack do must be a motion along them."""
         given = names.direction("right" if self.along is None else self.along, "along", body=rack.name)
-        guide = _guide_on_ground(names, pinion if rack.fixed else rack)
+        guide = ground_guide_of(names, (pinion if rack.fixed else rack).name, turning=True)
         here = _at_start(rack, given)
         if guide is None or here is None or is_parallel(names, guide, here):
             return given
@@ -89,7 +87,7 @@ connections: {p: {pin: [ground.A, gear]}, g: {slider: {body: bar, along: right}}
             return given
         x, y = (number_of(names, c) for c in guide.components[:2])
         line = guide if x > ROUND_OFF or (abs(x) <= ROUND_OFF and y > 0) else guide.reversed()
-        me = next((name for name, other in names.connections.items() if other is self), "")
+        me = self.own_name(names)
         whose = f"the guide of {pinion.name}" if rack.fixed else "its guide"
         names.assumptions.append(f"{me}: the teeth of {rack.name} run along {whose}")
         return line
@@ -110,16 +108,6 @@ connections: {p: {pin: [ground.A, gear]}, g: {slider: {body: bar, along: right}}
         pinion, rack = names.body(self.pinion), names.body(self.rack)
         along = self._pitch_line(names, rack, pinion)
         yield glyphs.Track(pinion.center, along, self._arm(names, pinion, rack, along), is_toothed=True)
-
-
-def _guide_on_ground(names: Names, body: RigidBody) -> Direction | None:
-    """The direction along which a slider or a slot on the ground lets a body move."""
-    for other in names.connections.values():
-        guided = other.body if isinstance(other, Slider) else other.pin if isinstance(other, Slot) else ""
-        if isinstance(other, (Slider, Slot)) and guided.partition(".")[0] == body.name and other.on == GROUND:
-            direction = names.direction(other.along, "along")
-            return direction if direction.body == GROUND else None
-    return None
 
 
 def _at_start(rack: RigidBody, along: Direction) -> Direction | None:

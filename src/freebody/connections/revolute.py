@@ -5,11 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, ClassVar
 
-from freebody.connections.base import Connection
-from freebody.connections.joints import read_joint
+from freebody.connections.joints import AxialJoint, Joint, read_joint
 from freebody.measures.base import Measure
 from freebody.model import glyphs
-from freebody.model.elements import Attitude, ConstraintRow
+from freebody.model.elements import ConstraintRow
 from freebody.model.glyphs import Glyph
 from freebody.model.spec import Heading
 
@@ -17,7 +16,7 @@ if TYPE_CHECKING:
     from freebody.model.names import Names
 
 
-class Revolute(Connection, kind="revolute"):
+class Revolute(AxialJoint, kind="revolute"):
     """`revolute: {first: ground.A, second: rod.start, about: z}`: the axis on the first body, on the second one
     `second_axis` (the same components). Holds the points and the direction of the axis (5 rows)."""
 
@@ -34,20 +33,14 @@ bodies: {rod: {box: {mass: 1 kg, size: [1 m, 0.1 m, 0.2 m]}}}
 connections: {it: {revolute: {first: ground.A, second: rod.left, about: z}}}
 """
 
-    def rows(self, names: Names) -> list[ConstraintRow]:
-        joint = read_joint(names, self, self.first, self.second, self.about, self.second_axis)
-        return [] if joint is None else [*joint.meeting(), *joint.parallel()]
+    def joint(self, names: Names) -> Joint | None:
+        return read_joint(names, self, self.first, self.second, self.about, self.second_axis)
 
-    def attitude(self, names: Names) -> Attitude | None:
-        joint = read_joint(names, self, self.first, self.second, self.about, self.second_axis)
-        return None if joint is None else joint.attitude(turns=True)
+    def held(self, names: Names, joint: Joint) -> list[ConstraintRow]:
+        return [*joint.meeting(), *joint.parallel()]
 
-    def offers(self, names: Names) -> Iterable[tuple[str, Measure]]:
-        joint = read_joint(names, self, self.first, self.second, self.about, self.second_axis)
-        if joint is not None:
-            yield "angle", joint.angle
+    def measured(self, joint: Joint) -> Iterable[tuple[str, Measure]]:
+        return (("angle", joint.angle),)
 
-    def glyphs(self, names: Names) -> Iterable[Glyph]:
-        joint = read_joint(names, self, self.first, self.second, self.about, self.second_axis)
-        if joint is not None:
-            yield glyphs.Pin(joint.first, joint.second, joint.axis)
+    def sign(self, joint: Joint) -> Glyph:
+        return glyphs.Pin(joint.first, joint.second, joint.axis)

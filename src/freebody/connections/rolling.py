@@ -19,6 +19,7 @@ from freebody.measures.geometry import ONE
 from freebody.model import glyphs
 from freebody.model.elements import ConstraintRow, Line, RigidBody
 from freebody.model.glyphs import Glyph
+from freebody.model.noting import did_you_mean
 from freebody.model.spec import Formula
 
 if TYPE_CHECKING:
@@ -80,8 +81,6 @@ connections: {it: {rolling: {body: wheel, on: floor}}}
         ]
 
     def _nothing_there(self, names: Names) -> list[ConstraintRow]:
-        from freebody.model.names import did_you_mean
-
         known = [f"{b.name}.{name}" for b in names.bodies.values() for name in (*b.lines, *b.planes)]
         told = Message(
             "{name} is neither a plane, a line nor a round body.{hint} For a plane: ground: {{planes: {{floor: "

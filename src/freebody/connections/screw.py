@@ -5,15 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
-from freebody.connections.base import Connection
-from freebody.connections.joints import read_joint
+from freebody.connections.joints import AxialJoint, Joint, read_joint
 from freebody.language.expression import PI, divide
 from freebody.language.units import LENGTH
 from freebody.measures.base import Measure
 from freebody.measures.combination import Combination
 from freebody.measures.geometry import ONE
 from freebody.model import glyphs
-from freebody.model.elements import Attitude, ConstraintRow
+from freebody.model.elements import ConstraintRow
 from freebody.model.glyphs import Glyph
 from freebody.model.spec import Formula, Heading
 
@@ -21,7 +20,7 @@ if TYPE_CHECKING:
     from freebody.model.names import Names
 
 
-class Screw(Connection, kind="screw"):
+class Screw(AxialJoint, kind="screw"):
     """`screw: {first: ground.A, second: nut, about: x, pitch: 2 mm}`: a cylindrical joint in which a turn of the second
     body moves it by the pitch along the axis (5 rows). A negative pitch is a left-hand thread."""
 
@@ -37,24 +36,16 @@ bodies: {nut: {box: {mass: 1 kg, size: [1 m, 0.1 m, 0.2 m]}}}
 connections: {it: {screw: {first: ground.A, second: nut, about: x, pitch: 0.1 m}}}
 """
 
-    def rows(self, names: Names) -> list[ConstraintRow]:
-        joint = read_joint(names, self, self.first, self.second, self.about, self.second_axis)
-        if joint is None:
-            return []
+    def joint(self, names: Names) -> Joint | None:
+        return read_joint(names, self, self.first, self.second, self.about, self.second_axis)
+
+    def held(self, names: Names, joint: Joint) -> list[ConstraintRow]:
         lead = divide(names.formula(self.pitch, LENGTH, "pitch"), 2 * PI)
         thread = Combination(((ONE, joint.travel), (-lead, joint.angle)), LENGTH)
         return [*joint.on_the_axis(), *joint.parallel(), ConstraintRow("thread", "thread force", thread)]
 
-    def attitude(self, names: Names) -> Attitude | None:
-        joint = read_joint(names, self, self.first, self.second, self.about, self.second_axis)
-        return None if joint is None else joint.attitude(turns=True)
+    def measured(self, joint: Joint) -> Iterable[tuple[str, Measure]]:
+        return (("angle", joint.angle),)
 
-    def offers(self, names: Names) -> Iterable[tuple[str, Measure]]:
-        joint = read_joint(names, self, self.first, self.second, self.about, self.second_axis)
-        if joint is not None:
-            yield "angle", joint.angle
-
-    def glyphs(self, names: Names) -> Iterable[Glyph]:
-        joint = read_joint(names, self, self.first, self.second, self.about, self.second_axis)
-        if joint is not None:
-            yield glyphs.Rail(joint.first, joint.second, joint.axis, "about", has_thread=True)
+    def sign(self, joint: Joint) -> Glyph:
+        return glyphs.Rail(joint.first, joint.second, joint.axis, "about", has_thread=True)

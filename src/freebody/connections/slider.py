@@ -76,6 +76,14 @@ def guide(
     return Guide(kept, Displacement(point, origin, direction))
 
 
+def ground_guide(names: Names, body: str, guided: str, along: Heading, on: str) -> Direction | None:
+    """The direction of a guide of this body, if it is one of the ground. guided: what the guide holds."""
+    if guided.partition(".")[0] != body or on != GROUND:
+        return None
+    direction = names.direction(along, "along")
+    return direction if direction.body == GROUND else None
+
+
 def _is_put(names: Names, point: Point, *, keeps_angle: bool) -> bool:
     """Whether the model says where on the ground a point is at the start."""
     body = names.known(point.body)
@@ -142,6 +150,9 @@ connections: {it: {slider: {body: block, along: right}}}
                 return along_of(body.start.at[1], along) if body.points[body.start.at[0]] == point.offset else None
             rail = self._guide(names, point)
         return stands_at(names, rail.across.origin, along, seen) if isinstance(rail.across, Displacement) else None
+
+    def guide_of(self, names: Names, body: str, *, turning: bool) -> Direction | None:
+        return ground_guide(names, body, self.body, self.along, self.on)
 
     def bounds(self, names: Names, connection: str) -> tuple[list[UnilateralConstraint], list[DryFriction]]:
         friction = read_friction(names, self.friction, DIMENSIONLESS)

@@ -6,11 +6,11 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from freebody.connections.base import Connection
-from freebody.connections.slider import guide
+from freebody.connections.slider import ground_guide, guide
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS
 from freebody.measures.base import Measure
-from freebody.measures.geometry import GROUND
+from freebody.measures.geometry import GROUND, Direction
 from freebody.model.elements import ConstraintRow, DryFriction, UnilateralConstraint
 from freebody.model.friction import read_friction
 from freebody.model.glyphs import Glyph
@@ -46,6 +46,9 @@ connections: {it: {slot: {pin: rod.end, along: up}}}
             names.problem(Message("the pin and the slot are both on {body}", body=point.body))
             return []
         return [ConstraintRow("normal", "normal force", rail.across)]
+
+    def guide_of(self, names: Names, body: str, *, turning: bool) -> Direction | None:
+        return ground_guide(names, body, self.pin, self.along, self.on) if turning else None
 
     def bounds(self, names: Names, connection: str) -> tuple[list[UnilateralConstraint], list[DryFriction]]:
         friction = read_friction(names, self.friction, DIMENSIONLESS)

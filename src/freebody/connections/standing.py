@@ -77,6 +77,12 @@ def distance_between(names: Names, first: Point, second: Point) -> float | None:
     return None if places[0] is None or places[1] is None else math.dist(places[0], places[1])
 
 
+def ground_guide_of(names: Names, body: str, *, turning: bool) -> Direction | None:
+    """The direction of the ground along which a connection guides a body. turning: also where it may turn."""
+    found = (connection.guide_of(names, body, turning=turning) for connection in names.connections.values())
+    return next((along for along in found if along is not None), None)
+
+
 def is_near(length: float, other: float) -> bool:
     """Whether two lengths that people have written are meant to be the same."""
     return abs(length - other) <= _AS_WRITTEN * max(abs(length), abs(other))
@@ -108,10 +114,10 @@ def vanishes(names: Names, x: Expr) -> bool:
 
 
 def number_of(names: Names, x: Expr, trial: float = _TRIALS[0], stretch: float = 0.0) -> float:
-    """An expression in numbers; parameters without a value are taken small and positive. stretch: by which share the
-    first parameter is larger than its value, the second by twice that, and so on."""
+    """An expression in numbers; parameters without a value are taken small, positive and different. stretch: by which
+    share the first parameter is larger than its value, the second by twice that, and so on."""
     values = {
-        p.name: (trial + 0.1 * k if p.value is None else p.value) * (1.0 + stretch * (k + 1))
+        p.name: (trial + 0.1 * k / (k + 1) if p.value is None else p.value) * (1.0 + stretch * (k + 1))
         for k, p in enumerate(names.parameters.values())
     }
     return float(evaluate(x, values))

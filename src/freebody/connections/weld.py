@@ -34,6 +34,7 @@ class Weld(Connection, kind="weld"):
     second: str
     turned: str | list[str] | None = None
 
+    is_rigid: ClassVar[bool] = True
     example = """
 bodies: {beam: {rod: {mass: 1 kg, length: 1 m}}}
 connections: {it: {weld: [ground.A, beam.start]}}

@@ -4,17 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import ClassVar, TypeVar
+from typing import TypeVar
 
 from freebody.language.expression import Expr
 from freebody.language.units import DIMENSIONLESS, Dimension
+from freebody.measures.base import Measure
 from freebody.measures.geometry import GROUND, ZERO, Geometry, Pose, Scalar, SpatialPose, Vector
 
 S = TypeVar("S", bound=Scalar)
 
 
 @dataclass(frozen=True)
-class Angle:
+class Angle(Measure):
     """theta_of - theta_origin - reference; not reduced to one turn. In space: of a body that moves in the plane of x
     and y of the other, the angle between their x axes."""
 
@@ -22,11 +23,13 @@ class Angle:
     origin: str = GROUND
     reference: Expr = ZERO
 
-    incremental: ClassVar[bool] = False
-
     @property
     def dimension(self) -> Dimension:
         return DIMENSIONLESS
+
+    @property
+    def is_angle(self) -> bool:
+        return True
 
     def value(self, g: Geometry[S]) -> S:
         return _between(g, g.pose(self.of), g.pose(self.origin)) - g.scalar(self.reference)

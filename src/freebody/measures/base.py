@@ -15,7 +15,12 @@ class Measure(Protocol):
     """One scalar that the configuration determines, stated once for every route."""
 
     # True if only changes of it mean something (an arc rolled, a length of string): held at its start value
-    incremental: ClassVar[bool]
+    incremental: ClassVar[bool] = False
+
+    @property
+    def is_angle(self) -> bool:
+        """Whether it says how far something is turned, so that a bare number given for it may be one of degrees."""
+        return False
 
     @property
     def dimension(self) -> Dimension: ...

@@ -15,7 +15,7 @@ S = TypeVar("S", bound=Scalar)
 
 
 @dataclass(frozen=True)
-class Combination:
+class Combination(Measure):
     """sum of coefficient * measure: an arc rolled, a length of string, a gear's mesh. Only its changes
     have a meaning, so it is held at its start value."""
 
@@ -40,18 +40,21 @@ class Combination:
 
 
 @dataclass(frozen=True)
-class Composed:
+class Composed(Measure):
     """An expression in other measures, the parameters and time."""
 
     expression: Expr
     measures: tuple[tuple[str, Measure], ...]
     dimension_: Dimension
 
-    incremental: ClassVar[bool] = False
-
     @property
     def dimension(self) -> Dimension:
         return self.dimension_
+
+    @property
+    def is_angle(self) -> bool:
+        """So is an angle that is counted the other way round, or in another unit."""
+        return len(self.measures) == 1 and self.measures[0][1].is_angle
 
     def value(self, g: Geometry[S]) -> S:
         return g.apply(self.expression, {name: measure.value(g) for name, measure in self.measures})

@@ -4,23 +4,22 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import ClassVar, TypeVar
+from typing import TypeVar
 
 from freebody.language.units import LENGTH, Dimension
+from freebody.measures.base import Measure
 from freebody.measures.geometry import Direction, Geometry, Point, Scalar, position, unit
 
 S = TypeVar("S", bound=Scalar)
 
 
 @dataclass(frozen=True)
-class Displacement:
+class Displacement(Measure):
     """Positive along the direction, which may turn with a body."""
 
     of: Point
     origin: Point
     along: Direction
-
-    incremental: ClassVar[bool] = False
 
     @property
     def dimension(self) -> Dimension:

@@ -4,23 +4,22 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import ClassVar, TypeVar
+from typing import TypeVar
 
 from freebody.language.expression import Expr
 from freebody.language.units import DIMENSIONLESS, LENGTH, Dimension
+from freebody.measures.base import Measure
 from freebody.measures.geometry import GROUND, ZERO, Geometry, Point, Scalar, SpatialPose, Vector, position
 
 S = TypeVar("S", bound=Scalar)
 
 
 @dataclass(frozen=True)
-class Distance:
+class Distance(Measure):
     """|r_B - r_A|; its gradient is the unit vector between the points."""
 
     start: Point
     end: Point
-
-    incremental: ClassVar[bool] = False
 
     @property
     def dimension(self) -> Dimension:
@@ -35,7 +34,7 @@ class Distance:
 
 
 @dataclass(frozen=True)
-class Bearing:
+class Bearing(Measure):
     """Angle of the line from A to B, counter-clockwise from `reference` on `origin`; in space that of its picture in
     the plane of x and y of the origin."""
 
@@ -44,11 +43,13 @@ class Bearing:
     origin: str = GROUND
     reference: Expr = ZERO
 
-    incremental: ClassVar[bool] = False
-
     @property
     def dimension(self) -> Dimension:
         return DIMENSIONLESS
+
+    @property
+    def is_angle(self) -> bool:
+        return True
 
     def value(self, g: Geometry[S]) -> S:
         between, origin = position(g, self.end) - position(g, self.start), g.pose(self.origin)

@@ -18,13 +18,14 @@ from typing import ClassVar, TypeVar
 
 from freebody.language.expression import Expr
 from freebody.language.units import LENGTH, Dimension
+from freebody.measures.base import Measure
 from freebody.measures.geometry import Geometry, Point, Scalar, Vector, position
 
 S = TypeVar("S", bound=Scalar)
 
 
 @dataclass(frozen=True)
-class Lead:
+class Lead(Measure):
     """l - rho a of the lead from one circle to the next, its share of the string's length."""
 
     start: Point

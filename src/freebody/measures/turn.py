@@ -9,23 +9,22 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import ClassVar, TypeVar
+from typing import TypeVar
 
 from freebody.language.expression import Expr
 from freebody.language.units import DIMENSIONLESS, Dimension
+from freebody.measures.base import Measure
 from freebody.measures.geometry import ZERO, Direction, Geometry, Scalar, Vector, unit
 
 S = TypeVar("S", bound=Scalar)
 
 
 @dataclass(frozen=True)
-class Alignment:
+class Alignment(Measure):
     """The cosine of the angle between two directions: 0 where they are perpendicular."""
 
     of: Direction
     along: Direction
-
-    incremental: ClassVar[bool] = False
 
     @property
     def dimension(self) -> Dimension:
@@ -39,7 +38,7 @@ class Alignment:
 
 
 @dataclass(frozen=True)
-class Turn:
+class Turn(Measure):
     """The angle by which a direction has turned from `start` towards `side`, two directions of the same length fixed
     in one body and perpendicular to each other: about the axis start x side, right-handed, not reduced to one turn."""
 
@@ -48,11 +47,13 @@ class Turn:
     side: Direction
     reference: Expr = ZERO
 
-    incremental: ClassVar[bool] = False
-
     @property
     def dimension(self) -> Dimension:
         return DIMENSIONLESS
+
+    @property
+    def is_angle(self) -> bool:
+        return True
 
     def value(self, g: Geometry[S]) -> S:
         of = unit(g, self.of)

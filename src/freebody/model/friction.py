@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, cast
 from freebody.language.expression import ZERO, Expr
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, Dimension
+from freebody.model.noting import did_you_mean
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -34,8 +35,6 @@ def read_friction(names: Names, value: Any, dimension: Dimension, field: str = "
     entry = cast("dict[str, Any]", value)
     for key in entry:
         if key not in ("static", "kinetic"):
-            from freebody.model.names import did_you_mean
-
             names.problem(
                 Message("friction has no {key}.{hint}", key=key, hint=did_you_mean(key, ("static", "kinetic"))),
                 field,

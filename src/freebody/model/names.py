@@ -1,55 +1,28 @@
-"""Resolves what a user wrote to what it means, and gathers every problem on the way.
-
-A resolver never stops at the first mistake: it notes the problem with its place and goes on with something
-harmless, so that one message can list them all.
-"""
+"""Resolves what a user wrote of bodies, points and directions to what it means."""
 
 from __future__ import annotations
 
-import difflib
-import math
 import re
-from collections.abc import Generator, Iterable, Mapping
-from contextlib import contextmanager, suppress
-from fractions import Fraction
-from typing import Any, Protocol, cast
+from collections.abc import Mapping
+from typing import Any, ClassVar, Protocol, cast
 
-from freebody.errors import ExpressionError, InputError, NoQuantity, Problem, UnitError
 from freebody.language.expression import (
-    FUNCTIONS,
     Call,
     Expr,
-    ProductOf,
-    Symbol,
-    evaluate,
-    free_symbols,
-    negate,
     number,
-    substitute,
 )
-from freebody.language.parser import parse
 from freebody.language.sentences import Message
 from freebody.language.units import (
     DIMENSIONLESS,
-    LARGEST,
-    LENGTH,
     Dimension,
-    dimension_of,
-    is_unit,
-    parse_quantity,
-    quantities_within,
 )
 from freebody.measures.base import Measure
-from freebody.measures.geometry import COMPASS, GROUND, ONE, Components, Direction, Point
-from freebody.model.elements import AppliedLoad, Attitude, BodyPlane, ConstraintRow, Line, Parameter, RigidBody
+from freebody.measures.geometry import COMPASS, GROUND, ONE, ZERO, Components, Direction, Point
+from freebody.model.elements import AppliedLoad, Attitude, BodyPlane, ConstraintRow, Line, RigidBody
+from freebody.model.formulas import Formulas
+from freebody.model.noting import did_you_mean
 from freebody.model.rotations import UNIT, Columns, applied
-from freebody.model.spec import Spec
 from freebody.tolerances import LEAST
-
-ZERO = number(0)
-PI = Symbol("pi")
-_QUANTITY = re.compile(r"\s*[+-]?[\d.]+([eE][+-]?\d+)?\s*[A-Za-zµμ°%]")
-_WITH_UNIT = re.compile(r"(?<![\w.])[\d.]+([eE][+-]?\d+)?\s+(?P<unit>[A-Za-zµμ°%]+)")
 
 
 def placeholder(name: str) -> RigidBody:
@@ -57,27 +30,25 @@ def placeholder(name: str) -> RigidBody:
     return RigidBody(name, ZERO, ZERO, {"center": (ZERO, ZERO)}, "center", radius=number(1), is_placeholder=True)
 
 
-def did_you_mean(name: str, known: Iterable[str]) -> str:
-    """' Did you mean x?', or the list of what there is. Of several that a name begins (gear_mesh, gear_pair for gear)
-    none is preferred."""
-    options = sorted(set(known))
-    if len(begun := [option for option in options if option.startswith(f"{name}_")]) > 1:
-        return Message(" Did you mean one of {names}?", names=", ".join(begun))
-    close = difflib.get_close_matches(name, options, n=1, cutoff=0.6)
-    if close:
-        return Message(" Did you mean {x}?", x=close[0])
-    if not options:
-        return ""
-    shown = ", ".join(options[:12]) + (" ..." if len(options) > 12 else "")
-    return Message(" There is: {names}.", names=shown)
-
-
 class Joining(Protocol):
     """What the description asks of connections while it is read."""
+
+    # it keeps its bodies as one; it leaves free how they turn; a body that only such hold hangs on them
+    is_rigid: ClassVar[bool]
+    lets_turn: ClassVar[bool]
+    lets_hang: ClassVar[bool]
 
     @property
     def is_one_force(self) -> bool:
         """Whether what it transmits at several places is one force to people."""
+        ...
+
+    def keeps_flat(self, names: Names) -> bool:
+        """In space: whether it does no more than to make a body one of the plane of x and y."""
+        ...
+
+    def guide_of(self, names: Names, body: str, *, turning: bool) -> Direction | None:
+        """The direction of the ground along which it guides a body, which may turn or not (turning: either)."""
         ...
 
     def rows(self, names: Names) -> list[ConstraintRow]:
@@ -97,20 +68,15 @@ class Joining(Protocol):
         ...
 
 
-class Names:
+class Names(Formulas):
     """The names of one model in the making."""
 
     def __init__(self) -> None:
-        self.parameters: dict[str, Parameter] = {}
+        super().__init__()
         self.bodies: dict[str, RigidBody] = {}
         self.measures: dict[str, Measure] = {}
-        self.problems: list[Problem] = []
-        self.assumptions: list[str] = []
-        self._path: tuple[str | int, ...] = ()
         self.connections: Mapping[str, Joining] = {}
         self.called: dict[str, tuple[str, ...]] = {}  # words for the kind of each body, connection and load
-        self.broken: set[str] = set()  # what could not be read: told where it stands, and nowhere else
-        self.is_cut_short = False  # a whole section of names could not be read
         self.started_at_zero: set[str] = set()  # named measures that the file lets start at zero
         self.starts_away = False  # a named measure, or its rate, starts away from zero
         self.start_rates: dict[str, Expr] = {}  # of named measures, as the file gives them
@@ -123,7 +89,6 @@ class Names:
         ] = []  # what the loads push, known before the connections say what they hold
         self.free_ground_points: dict[str, tuple[str | int, ...]] = {}
         self.laying: list[Joining] = []  # strings whose way is being found, which place nothing yet
-        self.space = False
         self.up: Components = (ZERO, ONE)
         self.frames: dict[str, tuple[str, Columns]] = {}  # the body each is fixed in, and its axes there
 
@@ -139,11 +104,6 @@ class Names:
         return {name: Direction(GROUND, components, name) for name, components in named.items()}
 
     @property
-    def origin(self) -> Components:
-        """The components of zero."""
-        return (ZERO, ZERO, ZERO) if self.space else (ZERO, ZERO)
-
-    @property
     def _example(self) -> str:
         return "[x, y, z]" if self.space else "[x, y]"
 
@@ -151,228 +111,6 @@ class Names:
     def ground_origin(self) -> Point:
         return Point(GROUND, self.origin, "ground.origin")
 
-    # -- problems -----------------------------------------------------------------------------
-    @contextmanager
-    def at(self, *path: str | int) -> Generator[None]:
-        """Problems noted inside stand at this place of the model."""
-        before = self._path
-        self._path = before + path
-        try:
-            yield
-        finally:
-            self._path = before
-
-    @contextmanager
-    def reading(self, section: str, name: str, *path: str | int) -> Generator[None]:
-        """As `at`; a name of which a problem is noted inside is broken."""
-        n_before = len(self.problems)
-        with self.at(section, name, *path):
-            yield
-        if len(self.problems) > n_before:
-            self.broken.add(name)
-
-    @contextmanager
-    def quietly(self) -> Generator[None]:
-        """Problems noted inside are told elsewhere."""
-        n_before = len(self.problems)
-        try:
-            yield
-        finally:
-            del self.problems[n_before:]
-
-    def is_broken_in(self, text: str) -> bool:
-        """Whether a text names what could not be read: it is told where that stands."""
-        return self.is_cut_short or any(name in self.broken for name in re.findall(r"\w+", text))
-
-    def unknown(self, name: str, message: str, *path: str | int) -> None:
-        """Notes a problem of a name that stands for nothing, but not where that follows from another problem."""
-        if name not in self.broken and not self.is_cut_short:
-            self.problem(message, *path)
-
-    def problem(self, message: str, *path: str | int) -> None:
-        noted = Problem(self._path + path, message)
-        if noted not in self.problems:
-            self.problems.append(noted)
-
-    # -- expressions --------------------------------------------------------------------------
-    def dimensions(self, *, in_time: bool = False) -> dict[str, Dimension]:
-        """Of the parameters; functions of time are among them where time may be."""
-        return {p.name: p.dimension for p in self.parameters.values() if p.form is None or in_time}
-
-    def angle(self, value: Any, *path: str | int) -> Expr:
-        """A formula for an angle; a number of more than a full turn needs a unit, since degrees are nearly always
-        meant."""
-        expr = self.formula(value, DIMENSIONLESS, *path)
-        plain = expr.factors[1] if isinstance(expr, ProductOf) and expr.factors[0] == number(-1) else expr
-        parameter = self.parameters.get(plain.name) if isinstance(plain, Symbol) else None
-        bare = _as_number(value) if parameter is None else None if parameter.is_angle else parameter.value
-        if bare is not None and abs(bare) > math.tau:
-            told = Message("the angle {value} has no unit: write {value} deg, or {value} rad", value=f"{bare:g}")
-            if parameter is not None:
-                told = Message(
-                    "{name} is used as an angle, and its value {value} has no unit: write {value} deg, or {value} rad",
-                    name=parameter.name,
-                    value=f"{bare:g}",
-                )
-            self.problem(told, *path)
-        return expr
-
-    def formula(
-        self,
-        value: Any,
-        dimension: Dimension,
-        *path: str | int,
-        extra: Mapping[str, Dimension] | None = None,
-    ) -> Expr:
-        """An expression in the parameters (and `extra` names), or a quantity with its unit."""
-        known = self.dimensions(in_time="t" in (extra or {})) | dict(extra or {})
-        if isinstance(value, str) and (mixed := self._with_quantities(value, dimension, known)) is not None:
-            return mixed
-        if isinstance(value, bool) or not isinstance(value, (str, int, float)):
-            self.problem(Message("expected a number or an expression, found {value}", value=repr(value)), *path)
-            return ZERO
-        if isinstance(value, (int, float)):
-            if not math.isfinite(value):
-                self.problem(Message("{value} is not a finite number", value=value), *path)
-                return ZERO
-            if abs(value) > LARGEST:
-                self.problem(
-                    Message(
-                        "{value} is too large to calculate with: sizes go up to {most:.0e}", value=value, most=LARGEST
-                    ),
-                    *path,
-                )
-                return ZERO
-            return number(value)
-        try:
-            expr = parse(value)
-        except ExpressionError as error:
-            return self._quantity(value, dimension, path, str(error))
-        unknown = sorted(free_symbols(expr) - set(known))
-        if free_symbols(expr) & self.broken or (unknown and self.is_cut_short):
-            return ZERO
-        if unknown and unknown[0] in self.parameters:
-            message = Message(
-                "{name} is a function of time; it may stand in drivers and in the laws of loads only", name=unknown[0]
-            )
-            return self._quantity(value, dimension, path, message)
-        if unknown:
-            message = Message(
-                "{name} in '{value}' is not a parameter.{hint} Add it under parameters, e.g. {name}: 1",
-                name=unknown[0],
-                value=value,
-                hint=did_you_mean(unknown[0], known),
-            )
-            return self._quantity(value, dimension, path, message)
-        try:
-            found = dimension_of(expr, known)
-        except UnitError as error:
-            return self._quantity(value, dimension, path, Message("in '{text}': {error}", text=value, error=error))
-        if found != dimension and expr != ZERO:
-            return self._quantity(value, dimension, path, _unit_differs(value, found, dimension))
-        return expr
-
-    def _with_quantities(self, text: str, dimension: Dimension, known: Mapping[str, Dimension]) -> Expr | None:
-        """An expression in which numbers have units, where it reads as no other: 180 deg - alpha."""
-        named, quantities = quantities_within(text, known)
-        if not quantities:
-            return None
-        dimensions = {**known, **{name: q.dimension for name, q in quantities.items()}}
-
-        def fits(written: str) -> Expr | None:
-            with suppress(ExpressionError, UnitError):
-                expr = parse(written)
-                if free_symbols(expr) <= dimensions.keys() and dimension_of(expr, dimensions) == dimension:
-                    return expr
-            return None
-
-        found = None if fits(text) is not None else fits(named)
-        values = {name: quantity_expression(q) for name, q in quantities.items()}
-        return None if found is None else substitute(found, values)
-
-    def _quantity(self, text: str, dimension: Dimension, path: tuple[str | int, ...], why_not: str) -> Expr:
-        quantity = None
-        if _QUANTITY.match(text):
-            try:
-                quantity = parse_quantity(text)
-            except NoQuantity:  # then it is meant as an expression
-                pass
-            except UnitError as error:
-                why_not = str(error)
-        if quantity is None:
-            self.problem(self._mixed(text) or why_not, *path)
-            return ZERO
-        if quantity.dimension != dimension:
-            self.problem(_unit_differs(text, quantity.dimension, dimension), *path)
-            return ZERO
-        return quantity_expression(quantity)
-
-    def _mixed(self, text: str) -> Message | None:
-        """What to say of an expression in which a value with its unit stands beside other things."""
-        names = {*self.parameters, *FUNCTIONS}
-        if not names.intersection(re.findall(r"\w+", text)) and not re.search(r"\S\s*\+|\s-\s", text):
-            return None
-        for found in _WITH_UNIT.finditer(text):
-            if found["unit"] not in self.parameters and is_unit(found["unit"]):
-                return Message(
-                    "'{value}' in '{text}': a value with its unit does not fit here. Give it a name with its unit "
-                    "under parameters, and write that name here",
-                    value=found.group(),
-                    text=text,
-                )
-        return None
-
-    def positive(self, spec: Spec, field: str, dimension: Dimension) -> Expr:
-        """A formula that must not be negative."""
-        expr = self.formula(getattr(spec, field), dimension, field)
-        value = self.numeric(expr)
-        if value is not None and value < 0:
-            self.problem(
-                Message(
-                    "{field} is negative ({value:g} {dimension}); give a positive one",
-                    field=field,
-                    value=value,
-                    dimension=dimension,
-                ),
-                field,
-            )
-        return expr
-
-    def optional(self, spec: Spec, field: str, dimension: Dimension) -> Expr | None:
-        return None if getattr(spec, field) is None else self.positive(spec, field, dimension)
-
-    def numeric(self, expr: Expr) -> float | None:
-        """Its value, where all parameters in it have values."""
-        values = {p.name: p.value for p in self.parameters.values() if p.value is not None}
-        try:
-            result = evaluate(expr, values)
-        except (InputError, ZeroDivisionError, OverflowError, ValueError):
-            return None
-        return float(result)
-
-    def vector(self, spec: Spec, field: str, dimension: Dimension) -> Components | None:
-        value = getattr(spec, field)
-        return None if value is None else self.components(value, dimension, field)
-
-    def components(self, value: Any, dimension: Dimension, *path: str | int) -> Components:
-        """[x, y], or [x, y, z] in space, where z may be left out."""
-        items = cast("list[Any]", value) if isinstance(value, (list, tuple)) else []
-        if self.space and len(items) == 2:
-            items = [*items, 0]
-        if len(items) != len(self.origin):
-            wanted = Message("three components [x, y, z]" if self.space else "two components [x, y]")
-            hint = Message(". For a model in space write space: true") if len(items) == 3 else ""
-            self.problem(
-                Message("expected {wanted}, found {value}{hint}", wanted=wanted, value=f"{value!r}", hint=hint),
-                *path,
-            )
-            return self.origin
-        return tuple(self.formula(item, dimension, *path, k) for k, item in enumerate(items))
-
-    def vectors(self, spec: Spec, field: str, dimension: Dimension) -> list[Components]:
-        return [self.components(v, dimension, field, k) for k, v in enumerate(getattr(spec, field))]
-
-    # -- bodies, points, directions -----------------------------------------------------------
     def body(self, name: str, *path: str | int) -> RigidBody:
         found = self.bodies.get(name)
         if found is None:
@@ -526,34 +264,3 @@ class Names:
             )
             return number(1)
         return body.radius
-
-    def length_or(self, spec: Spec, field: str, fallback: Expr | None = None) -> Expr | None:
-        value = getattr(spec, field)
-        return fallback if value is None else self.positive(spec, field, LENGTH)
-
-
-def quantity_expression(quantity: Any) -> Expr:
-    """A quantity in SI as an exact expression; degrees as fractions of pi."""
-    if quantity.degrees is not None:
-        return PI * Fraction(quantity.degrees, 180)
-    if quantity.exact is not None:
-        return number(quantity.exact)
-    return number(quantity.value)
-
-
-def _unit_differs(text: str, found: Dimension, wanted: Dimension) -> Message:
-    unit = Message("a pure number or an angle") if wanted == DIMENSIONLESS else str(wanted)
-    return Message("'{text}' has the unit {dimension}, expected {unit}", text=text, dimension=found, unit=unit)
-
-
-def _as_number(value: Any) -> float | None:
-    """A number without a unit; None for anything else."""
-    if isinstance(value, (int, float)) and not isinstance(value, bool):
-        return float(value)
-    try:
-        return float(value)
-    except (TypeError, ValueError):
-        return None
-
-
-__all__ = ["Names", "did_you_mean", "negate", "quantity_expression"]

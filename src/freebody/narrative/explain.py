@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from freebody.errors import CannotAnswer, ExpressionError, InputError, RoutesDisagree
 from freebody.language.sentences import Message
-from freebody.model.names import did_you_mean
+from freebody.model.noting import did_you_mean
 from freebody.narrative.closing import closing
 from freebody.narrative.contact.settings import has_phases
 from freebody.narrative.context import METHODS, Context, Derive, Method

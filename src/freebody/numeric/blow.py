@@ -19,9 +19,11 @@ from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.model.elements import ConstraintRow
 from freebody.numeric.instant import free_motion, held, law
-from freebody.numeric.jets import Array, JetGeometry
+from freebody.numeric.jet_geometry import JetGeometry
+from freebody.numeric.jets import Array
 from freebody.numeric.split import Split, stack
-from freebody.numeric.start import Wanted, start_velocities
+from freebody.numeric.start import Wanted
+from freebody.numeric.start_velocities import start_velocities
 from freebody.numeric.system import NumericSystem
 from freebody.tolerances import ROUND_OFF
 

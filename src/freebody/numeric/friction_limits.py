@@ -28,7 +28,8 @@ from freebody.language.expression import FLOAT_FUNCTIONS, Expr, evaluate
 from freebody.language.sentences import Message
 from freebody.model.elements import ConstraintRow, DryFriction
 from freebody.numeric.instant import forces
-from freebody.numeric.jets import TIME, Array, JetGeometry
+from freebody.numeric.jet_geometry import JetGeometry
+from freebody.numeric.jets import TIME, Array
 from freebody.numeric.reference import Reference
 from freebody.numeric.solvers import optimize
 from freebody.numeric.split import stack

@@ -26,7 +26,8 @@ from freebody.language.units import DIMENSIONLESS
 from freebody.model.elements import RATE, VALUE, AppliedLoad, ConstraintRow, NonholonomicForm
 from freebody.numeric import spatial
 from freebody.numeric.checks import finite, named
-from freebody.numeric.jets import TIME, Array, Jet, JetGeometry
+from freebody.numeric.jet_geometry import JetGeometry
+from freebody.numeric.jets import TIME, Array, Jet
 from freebody.numeric.split import RANK_CUT, Split, stack
 from freebody.numeric.system import NumericSystem
 from freebody.tolerances import ROUND_OFF, ROUNDED

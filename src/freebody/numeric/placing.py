@@ -23,7 +23,8 @@ from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, LENGTH, Dimension
 from freebody.measures.base import Measure
 from freebody.model.elements import NonholonomicForm
-from freebody.numeric.jets import LARGE, Array, Branch, Frame, Jet, JetGeometry
+from freebody.numeric.jet_geometry import Branch, Frame, JetGeometry
+from freebody.numeric.jets import LARGE, Array, Jet
 from freebody.numeric.sizes import Sizes
 from freebody.numeric.sparse import SparseRows
 from freebody.numeric.split import Split

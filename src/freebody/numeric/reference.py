@@ -23,7 +23,8 @@ from freebody.numeric.blow import blow
 from freebody.numeric.jets import Array
 from freebody.numeric.linearised import frequencies, linearised
 from freebody.numeric.snapshot import Snapshot, snapshot_of
-from freebody.numeric.start import N_STARTS, assembled, start_velocities
+from freebody.numeric.start import N_STARTS, assembled
+from freebody.numeric.start_velocities import start_velocities
 from freebody.numeric.system import NumericSystem
 from freebody.numeric.trajectory import ReferenceTrajectory, integrate
 

@@ -27,7 +27,8 @@ from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.numeric.instant import each_force, law
-from freebody.numeric.jets import Array, Branch, Jet, JetGeometry
+from freebody.numeric.jet_geometry import Branch, JetGeometry
+from freebody.numeric.jets import Array, Jet
 from freebody.numeric.placing import ACCEPTED, PoseEquation
 from freebody.numeric.potential import potential
 from freebody.numeric.small_motion import LinearisationPoint

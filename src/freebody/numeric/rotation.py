@@ -8,6 +8,8 @@ Source: Shuster, J. Astronaut. Sci. 41 (1993) 439.
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -52,28 +54,45 @@ def quaternion(R: Array) -> Array:
 def from_quaternion(q: Array) -> Array:
     """(3, 3) of a quaternion (4,) of any length but zero."""
     w, x, y, z = (float(c) for c in q / np.linalg.norm(q))
-    return np.array(
-        [
-            [1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y - w * z), 2.0 * (x * z + w * y)],
-            [2.0 * (x * y + w * z), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z - w * x)],
-            [2.0 * (x * z - w * y), 2.0 * (y * z + w * x), 1.0 - 2.0 * (x * x + y * y)],
-        ]
-    )
+    return np.array(_matrix_rows(w, x, y, z))
+
+
+def matrices(q: Array) -> Array:
+    """(..., 3, 3) of unit quaternions (..., 4)."""
+    return np.moveaxis(np.array(_matrix_rows(*np.moveaxis(q, -1, 0))), (0, 1), (-2, -1))
+
+
+def _matrix_rows(w: Any, x: Any, y: Any, z: Any) -> list[list[Any]]:
+    return [
+        [1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y - w * z), 2.0 * (x * z + w * y)],
+        [2.0 * (x * y + w * z), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z - w * x)],
+        [2.0 * (x * z - w * y), 2.0 * (y * z + w * x), 1.0 - 2.0 * (x * x + y * y)],
+    ]
+
+
+def rotation_vectors(q: Array) -> Array:
+    """(..., 3) of unit quaternions (..., 4), at most pi long."""
+    q = np.where(q[..., :1] < 0.0, -q, q)
+    sine = np.linalg.norm(q[..., 1:], axis=-1, keepdims=True)
+    angle = 2.0 * np.arctan2(sine, q[..., :1])
+    return q[..., 1:] * np.where(sine > 0.0, angle / np.where(sine > 0.0, sine, 1.0), 2.0)
 
 
 def product(p: Array, q: Array) -> Array:
     """(..., 4) quaternions p o q: first the turn q, seen from the axes that p makes."""
-    a, b, c, d = np.moveaxis(p, -1, 0)
-    w, x, y, z = np.moveaxis(q, -1, 0)
-    return np.stack(
-        [
-            a * w - b * x - c * y - d * z,
-            a * x + b * w + c * z - d * y,
-            a * y + c * w + d * x - b * z,
-            a * z + d * w + b * y - c * x,
-        ],
-        axis=-1,
-    )
+    return np.stack(product_of_parts(np.moveaxis(p, -1, 0), np.moveaxis(q, -1, 0)), axis=-1)
+
+
+def product_of_parts(p: Iterable[Any], q: Iterable[Any]) -> list[Any]:
+    """The four parts of p o q, of numbers of any kind."""
+    a, b, c, d = p
+    w, x, y, z = q
+    return [
+        a * w - b * x - c * y - d * z,
+        a * x + b * w + c * z - d * y,
+        a * y + c * w + d * x - b * z,
+        a * z + d * w + b * y - c * x,
+    ]
 
 
 def inverse(q: Array) -> Array:

@@ -36,7 +36,8 @@ from freebody.measures.base import Measure
 from freebody.model.elements import NonholonomicForm
 from freebody.numeric.directional import derivative
 from freebody.numeric.instant import check_inertia, dynamics, each_force, forces
-from freebody.numeric.jets import Array, Branch, Jet, JetGeometry
+from freebody.numeric.jet_geometry import Branch, JetGeometry
+from freebody.numeric.jets import Array, Jet
 from freebody.numeric.spatial import gyroscopic
 from freebody.numeric.split import Split, stack
 from freebody.numeric.system import NumericSystem

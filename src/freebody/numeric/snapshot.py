@@ -21,7 +21,8 @@ from freebody.model.elements import AppliedLoad, ConstraintRow, NonholonomicForm
 from freebody.model.state import not_beside
 from freebody.numeric.blow import Blow, blow, impulse
 from freebody.numeric.instant import Dynamics, dynamics, held, law
-from freebody.numeric.jets import Array, Branch, Jet, JetGeometry
+from freebody.numeric.jet_geometry import Branch, JetGeometry
+from freebody.numeric.jets import Array, Jet
 from freebody.numeric.potential import potential
 from freebody.numeric.rotation import matrix
 from freebody.numeric.system import NumericSystem

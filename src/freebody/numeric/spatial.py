@@ -113,22 +113,3 @@ def tensor_of(body: RigidBody, number: Number) -> Array:
     """The inertia tensor (3, 3) about the mass centre in body axes [kg m^2]."""
     xx, yy, zz, xy, xz, yz = (number(e) for e in body.tensor) if body.tensor else (0.0,) * 6
     return np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
-
-
-def matrices_of(quaternions: Array) -> Array:
-    """(..., 3, 3) of quaternions (..., 4), (w, x, y, z)."""
-    w, x, y, z = np.moveaxis(quaternions, -1, 0)
-    rows = [
-        [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
-        [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
-        [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
-    ]
-    return np.moveaxis(np.array(rows), (0, 1), (-2, -1))
-
-
-def vectors_of(quaternions: Array) -> Array:
-    """(..., 3) rotation vectors of quaternions (..., 4), at most pi long."""
-    q = np.where(quaternions[..., :1] < 0.0, -quaternions, quaternions)
-    sine = np.linalg.norm(q[..., 1:], axis=-1, keepdims=True)
-    angle = 2.0 * np.arctan2(sine, q[..., :1])
-    return q[..., 1:] * np.where(sine > 0.0, angle / np.where(sine > 0.0, sine, 1.0), 2.0)

@@ -24,19 +24,16 @@ from freebody.measures.geometry import GROUND, Point, SpatialPose
 from freebody.model.elements import Attitude, NonholonomicForm, RigidBody, Start
 from freebody.numeric import spatial
 from freebody.numeric.described import axes_of, start_pose
-from freebody.numeric.jets import LARGE, Array, Branch, Gradient, Jet, JetGeometry, entries_of
+from freebody.numeric.jet_geometry import Branch, JetGeometry
+from freebody.numeric.jets import LARGE, Array, Jet
 from freebody.numeric.outward import placed_outward
 from freebody.numeric.placing import ACCEPTED, N_STEPS, TOLERANCE, Fit, PoseEquation
 from freebody.numeric.rotation import matrix, rotation_vector
 from freebody.numeric.senses import turned_over, turned_to_face
-from freebody.numeric.sparse import SparseRows
-from freebody.numeric.split import NO_GRADIENT, Split, stack
 from freebody.numeric.system import NumericSystem
-from freebody.tolerances import ROUND_OFF, ROUNDED
 
 N_STARTS = 16
 MOST_STEPS = 3200  # of all starts together
-NO_ENERGY = 1e-7  # of a motion of unit size: it moves massless bodies only
 SINGULAR = 1e-6  # the volume that three unit axes span
 Wanted = Sequence[tuple[Measure | NonholonomicForm, float]]  # values that measures, or their rates, must have
 
@@ -320,119 +317,3 @@ def _attitude(body: str, R: Array) -> list[PoseEquation]:
         PoseEquation(f"turned of {body}", "rad", lambda g, i=i, j=j: gap(g, i, j), frozenset({body}))
         for i, j in ((0, 1), (1, 2), (2, 0))
     ]
-
-
-# -- the velocities ---------------------------------------------------------------------------
-_Rate = tuple[str, Jet, float]  # whose rate, the jet that has it, and what it must be
-
-
-def start_velocities(reference: NumericSystem, g: JetGeometry, extra: Wanted, *, with_start: bool) -> Array:
-    """The velocities of least kinetic energy with all wanted rates; see `Reference.velocities`."""
-    n = len(g.q)
-    wanted = list(wanted_rates(reference, g, extra, with_start))
-    b = np.array([rate - jet.rate for _name, jet, rate in wanted])
-    if not b.any():
-        return np.zeros(n)
-    v = _given(reference, g.q) if with_start else None
-    J: Array | SparseRows = _rates_matrix([jet for _name, jet, _rate in wanted], n)
-    if v is None or np.abs(J @ v - b).max() > ROUNDED * np.abs(b).max():
-        v = _least_velocities(reference, J, b)
-    gaps = np.abs(J @ v - b)
-    if gaps.size and gaps.max() > ROUND_OFF * max(1.0, float(np.abs(b).max())):
-        k = int(gaps.argmax())
-        raise CannotAnswer(
-            Message(
-                "the velocities contradict each other: at best {name} is off by {gap:.3g} (in SI "
-                "units). Change or remove one of them",
-                name=wanted[k][0],
-                gap=gaps[k],
-            )
-        )
-    return v
-
-
-def _rates_matrix(jets: Sequence[Jet], n: int) -> Array | SparseRows:
-    """The coefficients of velocities in some rates. Raises CannotAnswer for infinite ones."""
-    if n <= LARGE:
-        return stack([jet.row(n) for jet in jets], n)
-    J = SparseRows([jet.gradient for jet in jets], n)
-    if not J.are_finite:
-        raise CannotAnswer(NO_GRADIENT)
-    return J
-
-
-def _least_velocities(reference: NumericSystem, J: Array | SparseRows, b: Array) -> Array:
-    """The velocities of least kinetic energy with J v = b, or the nearest to that."""
-    D = reference.sizes.small_moves
-    if isinstance(J, SparseRows) and reference.masses.all():
-        return J.least(D, b)
-    split = Split(J.whole if isinstance(J, SparseRows) else J, D)
-    return _of_least_energy(reference.masses, split.null, split.least(b))
-
-
-def _of_least_energy(masses: Array, free: Array, v: Array) -> Array:
-    """The velocities of least kinetic energy, masses (n,) as they are, from v (n,): those of the smallest move, where
-    massless bodies count as light ones. free: (n, k) the velocities that may be added. Of several the smallest move."""
-    if masses.all() or not free.size:
-        return v
-    roots = np.sqrt(masses)
-    U, sizes, Vt = np.linalg.svd(roots[:, None] * free, full_matrices=False)  # sizes: 1 where only masses move
-    has_energy = sizes > NO_ENERGY
-    along = (U[:, has_energy].T @ (roots * v)) / sizes[has_energy]
-    return v - free @ (Vt[has_energy].T @ along)
-
-
-def _given(reference: NumericSystem, q: Array) -> Array | None:
-    """The velocities, if the model gives those of every body."""
-    v = np.zeros(len(reference.masses))
-    for body in reference.system.moving:
-        rates, columns = list(_body_rates(reference, body, q)), reference.columns(body.name)
-        if len(rates) < len(columns):
-            return None
-        if reference.system.space:
-            rows = np.array([jet.row(len(v))[list(columns)] for _name, jet, _rate in rates])
-            v[list(columns)] = rows.T @ np.array([rate for _name, _jet, rate in rates])  # the rows are orthonormal
-            continue
-        v[list(columns)] = [rate for _name, _jet, rate in rates]
-    return v
-
-
-def wanted_rates(reference: NumericSystem, g: JetGeometry, extra: Wanted, with_start: bool) -> Iterator[_Rate]:
-    """Held measures keep up with their targets; then the rates of the model's start, unless an extra one
-    replaces them, and the extra ones. What closes at the start does not hold before."""
-    system = reference.system
-    for row in system.constraint_rows:
-        if row.closes and with_start:
-            continue
-        yield row.name, reference.gap(row, g), 0.0
-    given = {name: reference.number(expr) for name, expr in system.start_rates.items()}
-    for name, rate in given.items() if with_start else ():
-        measure = system.measures[name]
-        if all(measure != other for other, _ in extra):
-            yield f"rate({name})", reference.jet(g, measure, name), rate
-    for measure, rate in extra:
-        name = reference.name_of(measure)
-        yield f"the rate of {name}", reference.jet(g, measure, name), rate
-    for body in system.moving if with_start else ():
-        yield from _body_rates(reference, body, g.q)
-
-
-def _body_rates(reference: NumericSystem, body: RigidBody, q: Array) -> Iterator[_Rate]:
-    """A velocity or an angular velocity that the model gives to a body at the start."""
-    start, columns = body.start, reference.columns(body.name)
-    if start.rates is not None and body.turns:
-        own = list(columns[3:])
-        P = reference.frame.principal[body.name]
-        axes = P if start.rates_in_body else matrix(q[own])  # of the components, along the principal axes
-        for along, expr in zip(axes, start.rates, strict=True):
-            row = entries_of(own, along, len(reference.masses))
-            yield f"angular_velocity of {body.name}", Jet(0.0, row), reference.number(expr)
-
-    def unit_row(k: int) -> Gradient:
-        return entries_of((columns[k],), np.ones(1), len(reference.masses))
-
-    for k, expr in enumerate(start.velocity or ()):
-        yield f"velocity of {body.name}", Jet(0.0, unit_row(k)), reference.number(expr)
-    if start.angular_velocity is not None and body.turns:
-        spin = reference.number(start.angular_velocity)
-        yield f"angular_velocity of {body.name}", Jet(0.0, unit_row(2)), spin

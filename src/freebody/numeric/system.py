@@ -21,7 +21,8 @@ from freebody.model.elements import ConstraintRow, NonholonomicForm, RigidBody
 from freebody.numeric import spatial
 from freebody.numeric.checks import finite, named
 from freebody.numeric.described import start_pose
-from freebody.numeric.jets import TIME, Array, Branch, Frame, Jet, JetGeometry
+from freebody.numeric.jet_geometry import Branch, Frame, JetGeometry
+from freebody.numeric.jets import TIME, Array, Jet
 from freebody.numeric.numbers import Numbers
 from freebody.numeric.placing import Placing, PoseEquation
 from freebody.numeric.rotation import matrix

@@ -8,13 +8,14 @@ in space the bodies that stand still have indices after those that move, the gro
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, fields, is_dataclass
-from typing import Any, NamedTuple, cast
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from freebody.measures.turned import within
 from freebody.model import glyphs
 
 Array = NDArray[np.float64]
@@ -143,23 +144,12 @@ class Wall:
 
 def owners(sign: Drawn) -> set[int]:
     """The bodies that a glyph is fixed in or runs between, by index."""
-    return {part.body for part in _parts(sign)}
+    return {part.body for part in within(sign, Place, Heading)}
 
 
 def places_in(sign: Drawn) -> list[Place]:
     """The places that a glyph names, in its order."""
-    return [part for part in _parts(sign) if isinstance(part, Place)]
-
-
-def _parts(value: Any) -> Iterator[Place | Heading]:
-    if isinstance(value, (Place, Heading)):
-        yield value
-    elif isinstance(value, tuple):
-        for item in cast("tuple[Any, ...]", value):
-            yield from _parts(item)
-    elif is_dataclass(value) and not isinstance(value, type):
-        for field in fields(value):
-            yield from _parts(getattr(value, field.name))
+    return list(within(sign, Place))
 
 
 def turned(angle: float | Array, x: float, y: float) -> Array:

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from freebody.present.figures import Array
+from freebody.present.picture.placer import points_along
 from freebody.present.picture.shapes import Shape
 
 _N_AROUND = 16
@@ -66,7 +67,7 @@ class Footprint:
         outlines = [own.outline for own in painted if len(own.outline)]
         middles = [own.middle[None] for own in painted if own.middle is not None]
         rims = [np.concatenate((outline, outline[:1])) for outline in outlines]
-        dense = np.concatenate([np.zeros((0, 2)), *middles, *(_dense(line, step) for line in (*lines, *rims))])
+        dense = np.concatenate([np.zeros((0, 2)), *middles, *(_points_on(line, step) for line in (*lines, *rims))])
         return cls(np.unique(np.round(dense / step), axis=0) * step, tuple(outlines))
 
     def has(self, at: Array) -> bool:
@@ -163,10 +164,5 @@ def _gap(at: Array, half: Array, points: Array) -> float:
     return float(np.linalg.norm(np.maximum(np.abs(points - at) - half, 0.0), axis=1).min())
 
 
-def _dense(way: Array, step: float) -> Array:
-    """(m, 2) points along a line (n, 2), not farther apart than said."""
-    arms = way[1:] - way[:-1]
-    n = np.clip(np.hypot(*arms.T) / step, 0, 200).astype(int) + 1
-    begins = np.repeat(np.cumsum(n) - n, n)
-    share = (np.arange(int(n.sum())) - begins) / np.repeat(n, n)
-    return np.concatenate((np.repeat(way[:-1], n, axis=0) + share[:, None] * np.repeat(arms, n, axis=0), way[-1:]))
+def _points_on(way: Array, step: float) -> Array:
+    return np.concatenate((points_along(way, step, 200), way[-1:]))

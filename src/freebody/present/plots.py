@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, cast
 import numpy as np
 
 from freebody.errors import InputError
-from freebody.model.names import did_you_mean
+from freebody.model.noting import did_you_mean
 from freebody.present.figures import Array
 from freebody.present.files import replaced
 from freebody.present.recording import Recording

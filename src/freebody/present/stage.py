@@ -126,34 +126,9 @@ class Stage:
         return [*artists, *(self._text(name.at, name.text, "ink") for name in found)]
 
     def _text(self, at: Array, text: str, color: str) -> Any:
-        return _text(self.axes, at, text, self.theme, color)
+        from matplotlib.patheffects import withStroke
 
-
-def _text(axes: Any, at: Array, text: str, theme: Theme, color: str = "ink") -> Any:
-    from matplotlib.patheffects import withStroke
-
-    halo = [withStroke(linewidth=2.5, foreground=theme.paper)]
-    look: dict[str, Any] = {"fontsize": _FONT, "parse_math": False, "path_effects": halo, "zorder": 9}
-    return axes.text(at[0], at[1], text, ha="center", va="center_baseline", color=theme.color(color, -1), **look)
-
-
-def draw_frame(scene: Scene, pose: Array, axes: Any, *, dark: bool = False) -> None:
-    """Draws one instant of the plane into Matplotlib axes, for figures of one's own. pose: (n_moving_bodies, 3), x and
-    y of the mass centre [m] and the angle [rad], in the order of `scene.names`."""
-    drawing, theme = Drawing.of(scene, np.asarray(pose, dtype=np.float64)[None]), THEMES["dark" if dark else "light"]
-    axes.set_xlim(drawing.low[0], drawing.high[0])
-    axes.set_ylim(drawing.low[1], drawing.high[1])
-    axes.set_aspect("equal")
-    axes.set_facecolor(theme.paper)
-    for spine in axes.spines.values():
-        spine.set_color(theme.faint)
-    axes.tick_params(colors=theme.muted, labelsize=8)
-    axes.set_xlabel("x [m], to the right", color=theme.muted, fontsize=8)
-    axes.set_ylabel("y [m], up", color=theme.muted, fontsize=8)
-    show, letter = show_of_plane(drawing), 1.5 * drawing.symbol
-    painted = show.painted(0, dark)
-    pixels.paint([shape for own in painted for shape in own.shapes], axes, dark=dark)
-    size = _LETTER * letter, letter
-    found = names(footprints(painted, letter), show.called, size, (drawing.low, drawing.high))
-    for at, text in (*((name.at, name.text) for name in found), *show.words(0)):
-        _text(axes, at, text, theme)
+        halo = [withStroke(linewidth=2.5, foreground=self.theme.paper)]
+        look: dict[str, Any] = {"fontsize": _FONT, "parse_math": False, "path_effects": halo, "zorder": 9}
+        color = self.theme.color(color, -1)
+        return self.axes.text(at[0], at[1], text, ha="center", va="center_baseline", color=color, **look)

@@ -20,7 +20,7 @@ from freebody.language.parser import parse
 from freebody.language.sentences import Message, Sentence
 from freebody.language.units import DIMENSIONLESS, Dimension
 from freebody.language.units.inference import dimension_of
-from freebody.model.names import quantity_expression
+from freebody.model.formulas import quantity_expression
 from freebody.model.state import State
 from freebody.questions.base import Described, Passage, Path, Quantity
 from freebody.questions.operands import number_with_unit

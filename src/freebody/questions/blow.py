@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any, ClassVar, Literal
 
-from freebody.language.sentences import NOTHING, Argument, Message, Sentence
+from freebody.language.sentences import Message, Sentence
 from freebody.language.units import ANGULAR_MOMENTUM, ENERGY, IMPULSE, Dimension
 from freebody.model.elements import ConstraintRow
 from freebody.model.state import State
 from freebody.questions.base import NAME, POINT, Described, Found, Path, Quantity, asked
 from freebody.questions.energy import Energy
 from freebody.questions.reactions import Wrench, read_moment, read_wrench
-from freebody.questions.vectors import IN_BASIS, has_name, said_along
+from freebody.questions.vectors import IN_BASIS
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -34,6 +34,7 @@ questions: {it: impulse of pivot along right}
 """
     is_of_start = True
     is_reaction = False
+    said_as: ClassVar[tuple[str, str]] = ("impulse", "angular_impulse")
 
     @property
     def struck(self) -> frozenset[str]:
@@ -55,20 +56,6 @@ questions: {it: impulse of pivot along right}
         if self.moment:
             return Message("the angular impulse of {connection} on {body}", connection=connection, body=body)
         return Message("the impulse of {connection} on {body}", connection=connection, body=body)
-
-    def sentence(self, system: Described) -> Sentence | None:
-        if not has_name(self.along, self.basis):
-            return None
-        what, size = "angular_impulse" if self.moment else "impulse", "size_" if self.size else ""
-        on = NOTHING if self.on is None else Sentence("what.on", {"body": self.on})
-        about = NOTHING if self.about is None else Sentence("what.about", {"point": str(self.about)})
-        args: dict[str, Argument] = {
-            "connection": self.connection,
-            "on": on,
-            "along": said_along(self.along),
-            "about": about,
-        }
-        return Sentence(f"what.{size}{what}", args)
 
 
 @dataclass(frozen=True)

@@ -16,7 +16,7 @@ from freebody.language.sentences import Message, Sentence
 from freebody.language.units import DIMENSIONLESS, ENERGY, TIME, Dimension
 from freebody.measures.base import Measure
 from freebody.measures.geometry import GROUND
-from freebody.model.names import did_you_mean
+from freebody.model.noting import did_you_mean
 from freebody.model.phrases import read_measure
 from freebody.questions.base import Described, Found, Passage, Path, Quantity, angular_unit, asked
 from freebody.questions.sudden import side_of_blow

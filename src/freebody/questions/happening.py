@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Literal
 
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, Dimension
-from freebody.model.names import did_you_mean
+from freebody.model.noting import did_you_mean
 from freebody.questions.base import NAME, Path, Quantity
 from freebody.questions.course import Transition, connections_of, read_transition
 from freebody.questions.event import AskedEvent, read_event

@@ -13,7 +13,7 @@ from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, LENGTH, Dimension
 from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
-from freebody.model.names import did_you_mean
+from freebody.model.noting import did_you_mean
 from freebody.questions.base import NAME, Found, Path, Quantity, asked
 
 if TYPE_CHECKING:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message, Sentence
 from freebody.language.units import ENERGY, POWER, Dimension
-from freebody.model.names import did_you_mean
+from freebody.model.noting import did_you_mean
 from freebody.model.state import State
 from freebody.questions.base import NAME, Described, Found, Passage, Path, Quantity, asked
 from freebody.questions.course import Counted

@@ -12,7 +12,7 @@ from freebody.language.units import DIMENSIONLESS, LENGTH, TIME, Dimension
 from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
 from freebody.measures.geometry import GROUND, Direction, Point
-from freebody.model.names import did_you_mean
+from freebody.model.noting import did_you_mean
 from freebody.model.phrases import read_measure
 from freebody.model.spins import spin
 from freebody.model.state import State

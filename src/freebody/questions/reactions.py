@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import difflib
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import NOTHING, Argument, Message, Sentence, listed
 from freebody.language.units import FORCE, LENGTH, TORQUE, Dimension
 from freebody.measures.geometry import RIGHT, UP, Direction, Point
 from freebody.model.elements import ConstraintRow, StringStretch
-from freebody.model.names import did_you_mean
+from freebody.model.noting import did_you_mean
 from freebody.model.state import State
 from freebody.questions.base import NAME, PLACE, POINT, Described, Found, Path, Quantity, asked
 from freebody.questions.loads import LoadForce
@@ -85,6 +85,8 @@ questions: {it: tension of rod}
         return self.transmits
 
     is_reaction = True
+    # the keys of its words, of a force and of a moment
+    said_as: ClassVar[tuple[str, str]] = ("force", "moment")
 
     @property
     def may_jump(self) -> bool:
@@ -133,6 +135,8 @@ questions: {it: reaction of rod on bob}
         return TORQUE if self.moment else FORCE
 
     is_reaction = True
+    # the keys of its words, of a force and of a moment
+    said_as: ClassVar[tuple[str, str]] = ("force", "moment")
 
     @property
     def may_jump(self) -> bool:
@@ -214,7 +218,7 @@ questions: {it: reaction of rod on bob}
     def sentence(self, system: Described) -> Sentence | None:
         if not has_name(self.along, self.basis):
             return None
-        what, size = "moment" if self.moment else "force", "size_" if self.size else ""
+        what, size = self.said_as[self.moment], "size_" if self.size else ""
         on = NOTHING if self.on is None else Sentence("what.on", {"body": self.on})
         about = NOTHING if self.about is None else Sentence("what.about", {"point": str(self.about)})
         along = said_along(self.along)

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Literal
 from freebody.language.sentences import Message
 from freebody.language.units import FORCE, LENGTH, TORQUE, Dimension
 from freebody.model.elements import ConstraintRow, Parameter
-from freebody.model.names import did_you_mean
+from freebody.model.noting import did_you_mean
 from freebody.questions.base import NAME, Found, Path, Quantity, angular_unit, asked
 from freebody.questions.reactions import has_connection
 

@@ -16,7 +16,7 @@ from freebody.language.expression import Symbol, number
 from freebody.language.sentences import Message, Sentence
 from freebody.language.units import ANGULAR_VELOCITY, DIMENSIONLESS, TIME, Dimension
 from freebody.measures.base import Measure
-from freebody.model.names import did_you_mean
+from freebody.model.noting import did_you_mean
 from freebody.model.phrases import measure_of
 from freebody.questions.base import NAME, Described, Found, Path, Quantity, angular_unit, asked
 from freebody.questions.reading import read_calculation

@@ -11,7 +11,7 @@ from freebody.language.sentences import NOTHING, Argument, Message, Sentence
 from freebody.measures.angle import Angle
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, ONE, RIGHT, UP, ZERO, Direction, Point
-from freebody.model.names import did_you_mean
+from freebody.model.noting import did_you_mean
 from freebody.model.rotations import UNIT
 from freebody.model.spins import spin
 from freebody.model.state import State

@@ -9,7 +9,8 @@ from freebody.language.expression import Expr
 from freebody.language.sentences import Message, lines
 from freebody.language.units import DIMENSIONLESS, TIME, parse_quantity
 from freebody.measures.base import Measure
-from freebody.model.names import Names, did_you_mean
+from freebody.model.names import Names
+from freebody.model.noting import did_you_mean
 from freebody.system.system import System
 
 

@@ -24,7 +24,7 @@ from functools import cached_property
 
 from freebody.model.elements import DryFriction
 from freebody.symbolic.field import Field, Ratio
-from freebody.symbolic.linear import RHS, Row
+from freebody.symbolic.linear import RHS, Row, determinant, reduced
 from freebody.symbolic.parameter_roots import Values, slope, without_roots_below
 from freebody.symbolic.state import SymbolicState
 
@@ -334,19 +334,8 @@ def overdetermined(field: Field, rows: Sequence[Row], columns: Sequence[int], pa
         return []
     chosen = itertools.islice(itertools.combinations(left, len(unknown) + 1), MOST_DETERMINANTS)
     full = [*unknown, RHS]
-    found = [_determinant(field, [[row.get(c, field.zero) for c in full] for row in some]) for some in chosen]
+    found = [determinant([[row.get(c, field.zero) for c in full] for row in some]) for some in chosen]
     return [x for x in found if not x.is_zero()]
-
-
-def _determinant(field: Field, A: list[list[Ratio]]) -> Ratio:
-    if len(A) == 1:
-        return A[0][0]
-    total = field.zero
-    for k, x in enumerate(A[0]):
-        if not x.is_zero():
-            minor = [row[:k] + row[k + 1 :] for row in A[1:]]
-            total = total + (-1) ** k * x * _determinant(field, minor)
-    return field.lowest_terms(total)
 
 
 def _reduced(
@@ -354,38 +343,15 @@ def _reduced(
 ) -> tuple[list[tuple[int, Row]], list[Row]]:
     """Pivot rows, completely reduced, and the rows that are left; no pivot contains the generator `without`."""
     order = {c: k for k, c in enumerate(columns)}
-    work = [{c: x for c, x in row.items() if not x.is_zero()} for row in rows]
-    done: list[tuple[int, Row]] = []
-    while work:
-        best: tuple[tuple[int, int, int], int, int] | None = None
-        for position, row in enumerate(work):
-            for column, entry in row.items():
-                if column == RHS or (without is not None and without in field.ingredients(entry)):
-                    continue
-                size = len(entry.num) + (0 if entry.den is None else len(entry.den))
-                rank = (0 if not entry.generators() else 1 + size, len(row), order[column])
-                if best is None or rank < best[0]:
-                    best = rank, position, column
-        if best is None:
-            break
-        pivot_row, column = work.pop(best[1]), best[2]
-        pivot = pivot_row[column]
-        scaled = {c: field.lowest_terms(x / pivot) for c, x in pivot_row.items() if c != column}
-        work = [_without(field, row, column, scaled) for row in work]
-        done = [(c, _without(field, row, column, scaled)) for c, row in done]
-        done.append((column, scaled))
-    return done, work
 
+    def worth(column: int, entry: Ratio, row: Row) -> tuple[int, ...] | None:
+        if without is not None and without in field.ingredients(entry):
+            return None
+        return (1 + entry.n_terms if entry.generators() else 0, len(row), order[column])
 
-def _without(field: Field, row: Row, column: int, scaled: Row) -> Row:
-    factor = row.get(column)
-    if factor is None:
-        return row
-    result = {c: x for c, x in row.items() if c != column}
-    for c, x in scaled.items():
-        value = field.lowest_terms(result[c] - factor * x) if c in result else field.lowest_terms(-factor * x)
-        if value.is_zero():
-            result.pop(c, None)
-        else:
-            result[c] = value
-    return result
+    def kept(x: Ratio) -> Ratio | None:
+        least = field.lowest_terms(x)
+        return None if least.is_zero() else least
+
+    done, left = reduced(field, rows, worth, kept)
+    return done, [row for _k, row in left]

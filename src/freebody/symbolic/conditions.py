@@ -5,10 +5,11 @@ Factors whose sign is known are dropped; what is then true for all admissible va
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 
+from freebody.errors import CannotAnswer
 from freebody.language.expression import ZERO, Expr, Number, ProductOf, Sum, add, multiply, negate
 from freebody.language.notation import Stated, compared, reworded
 from freebody.language.sentences import Message, in_turn
@@ -91,6 +92,17 @@ def require(x: Ratio, relation: str, purpose: str = "") -> tuple[Condition | Non
         if decide(part, "!=") is not True:
             total = total * part
     return Condition(total, relation, purpose), True
+
+
+def insisted(needed: Iterable[Condition], otherwise: CannotAnswer) -> list[Condition]:
+    """What is open of conditions. Raises `otherwise` where one cannot hold."""
+    found: list[Condition] = []
+    for c in needed:
+        condition, possible = require(c.element, c.relation, c.purpose)
+        if not possible:
+            raise otherwise
+        found += [] if condition is None else [condition]
+    return found
 
 
 def _open_factors(x: Ratio) -> list[Ratio]:

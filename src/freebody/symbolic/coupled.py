@@ -17,8 +17,9 @@ from dataclasses import dataclass
 from freebody.errors import CannotAnswer
 from freebody.symbolic.field import Field, Ratio
 from freebody.symbolic.functions import functions
+from freebody.symbolic.linear import determinant
 from freebody.symbolic.model import SymbolicModel
-from freebody.symbolic.routh import determinant
+from freebody.symbolic.quadratic import roots
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.start import StartState
 from freebody.symbolic.unknowns import Coordinate
@@ -115,13 +116,10 @@ def _eigenvalues(model: SymbolicModel, A: Matrix) -> list[Ratio] | None:
         if index not in base.generators():
             continue
         c = base.coefficients(index)
-        if len(c) > 3:
+        own = roots(c, model.samples.is_negative)
+        if own is None:
             return None
-        if len(c) == 2:
-            found.append(f.lowest_terms(-c[0] / c[1]))
-            continue
-        root = f.sqrt(c[1] * c[1] - 4 * c[0] * c[2], model.samples.is_negative)
-        found += [f.lowest_terms((-c[1] + sign * root) / (2 * c[2])) for sign in (-1, 1)]
+        found += [f.lowest_terms(x) for x in own]
     return found
 
 

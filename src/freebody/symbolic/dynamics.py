@@ -22,6 +22,7 @@ from freebody.symbolic.linear import RHS, Row, solve
 from freebody.symbolic.loads import SymbolicLoads
 from freebody.symbolic.samples import Samples
 from freebody.symbolic.speeds import Speeds
+from freebody.symbolic.unknowns import Coordinate
 from freebody.system.system import System
 
 
@@ -89,6 +90,14 @@ class SymbolicDynamics:
             for k in range(j):
                 M[j][k] = M[k][j]
         return M
+
+    def generalized_force(self, c: Coordinate) -> Ratio:
+        """Along an independent coordinate: the sum of law times d(rate of the measure)/du over all loads."""
+        f, k, total = self.field, self._speeds.coordinates.index(c), self.field.zero
+        for body, wrench in self._loads.wrenches.items():
+            for part, slope in zip(wrench, self._kinematics.partial_velocities[body][k], strict=True):
+                total = total + part * slope
+        return f.lowest_terms(total)
 
     @cached_property
     def forcing(self) -> list[Ratio]:

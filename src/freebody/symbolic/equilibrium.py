@@ -26,10 +26,9 @@ from freebody.symbolic.conditions import Condition, closed, require
 from freebody.symbolic.decide import decide, sign_given
 from freebody.symbolic.existence import exists
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.linear import solve
+from freebody.symbolic.linear import determinant, solve
 from freebody.symbolic.linearised import Linearised, stand_still
 from freebody.symbolic.model import SymbolicModel
-from freebody.symbolic.routh import determinant
 from freebody.symbolic.signs import Sign
 from freebody.symbolic.start import StartState
 from freebody.symbolic.state import SymbolicState

@@ -160,6 +160,11 @@ class Ratio:
         return hash(self.key())
 
     # -- questions ----------------------------------------------------------------------------
+    @property
+    def n_terms(self) -> int:
+        """Of the numerator, and of the denominator where there is one."""
+        return len(self.num) + (0 if self.den is None else len(self.den))
+
     def is_zero(self) -> bool:
         return bool(self.num.is_zero())
 

@@ -79,6 +79,23 @@ class FieldGeometry:
         return [(evaluate(part, names, self.functions), relation) for part, relation in domain(expr)]
 
 
+Compute = Callable[[Mapping[int, Any], Any], Any]
+
+
+def tangent_in_numbers(field: Field, v: Vector[Ratio], offset: Ratio) -> tuple[Compute, Compute]:
+    """How length and angle of a tangent are computed from the values of generators."""
+
+    def size(values: Mapping[int, Any], fn: Any) -> Any:
+        x, y, r = (field.evaluate(e, values, fn) for e in (v.x, v.y, offset))
+        return fn.sqrt(x * x + y * y - r * r)
+
+    def turn(values: Mapping[int, Any], fn: Any) -> Any:
+        x, y, r = (field.evaluate(e, values, fn) for e in (v.x, v.y, offset))
+        return fn.atan2(y, x) - fn.atan2(r, fn.sqrt(x * x + y * y - r * r))
+
+    return size, turn
+
+
 def straight_tangent(field: Field, is_negative: Callable[[Ratio], bool] | None) -> Tangent:
     """Length and angle of a vector whose components are known elements:
     e = (l v - offset n(v)) / |v|^2 with l = sqrt(|v|^2 - offset^2)."""

@@ -10,10 +10,13 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
+from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
 from freebody.symbolic.field import Field, Ratio
 
 Row = dict[int, Ratio]  # column -> entry; the right-hand side is column -1
 RHS = -1
+MOST_ROWS = 8
 
 
 @dataclass(frozen=True)
@@ -24,6 +27,23 @@ class Solved:
     free: tuple[int, ...]
     redundant: tuple[int, ...]  # indices of rows that follow from the others
     contradictory: tuple[int, ...]  # indices of rows that read 0 = r with r not zero
+
+
+# what makes an entry a good pivot, the smallest first; None where it is none
+Worth = Callable[[int, Ratio, Row], "tuple[int, ...] | None"]
+
+
+def determinant(A: Sequence[Sequence[Ratio]], most: int = MOST_ROWS) -> Ratio:
+    """Laplace expansion; matrices here are small. Raises CannotAnswer for more rows than `most`."""
+    if len(A) == 1:
+        return A[0][0]
+    if len(A) > most:
+        raise CannotAnswer(Message("more than {n} degrees of freedom; ask for numbers", n=most))
+    total = A[0][0].field.zero
+    for k, entry in enumerate(A[0]):
+        if not entry.is_zero():
+            total = total + (-1) ** k * entry * determinant([[*row[:k], *row[k + 1 :]] for row in A[1:]])
+    return total
 
 
 def solve(
@@ -37,55 +57,58 @@ def solve(
     """Reduces `sum entry * column = RHS` completely. With `in_order` the columns become pivots in their order,
     so that the last ones stay free; otherwise the simplest entries do."""
     order = {c: k for k, c in enumerate(columns)}
-    work: list[tuple[int, Row]] = []
-    for k, row in enumerate(rows):
-        work.append((k, {c: x for c, x in row.items() if not is_zero(x)}))
-    done: list[tuple[int, Row]] = []
-    redundant: list[int] = []
-    contradictory: list[int] = []
-    while work:
-        best: tuple[tuple[int, int, int], int, int] | None = None
-        for position, (_k, row) in enumerate(work):
-            n_entries = len(row)
-            for column, entry in row.items():
-                if column == RHS:
-                    continue
-                cost = 0 if not entry.generators() else 1 if entry.is_constant() else 2 + _size(entry)
-                place = order[column]
-                rank = (place, cost, n_entries) if in_order else (cost, n_entries, place)
-                if best is None or rank < best[0]:
-                    best = rank, position, column
-        if best is None:
-            for k, row in work:
-                (contradictory if RHS in row else redundant).append(k)
-            break
-        _k, pivot_row = work.pop(best[1])
-        column = best[2]
-        pivot = pivot_row[column]
-        scaled = {c: field.lowest_terms(x / pivot) for c, x in pivot_row.items() if c != column}
-        work = [(k, _eliminate(row, column, scaled, is_zero)) for k, row in work]
-        done = [(c, _eliminate(row, column, scaled, is_zero)) for c, row in done]
-        done.append((column, scaled))
+
+    def worth(column: int, entry: Ratio, row: Row) -> tuple[int, ...]:
+        cost = 0 if not entry.generators() else 1 if entry.is_constant() else 2 + entry.n_terms
+        return (order[column], cost, len(row)) if in_order else (cost, len(row), order[column])
+
+    done, left = reduced(field, rows, worth, lambda x: None if is_zero(x) else x)
     solved_columns = {c for c, _row in done}
     free = tuple(c for c in columns if c not in solved_columns)
     pivots: dict[int, Row] = {}
     for column, row in done:
         pivots[column] = {c: field.lowest_terms(x if c == RHS else -x) for c, x in row.items()}
-    return Solved(pivots, free, tuple(redundant), tuple(contradictory))
+    return Solved(
+        pivots,
+        free,
+        redundant=tuple(k for k, row in left if RHS not in row),
+        contradictory=tuple(k for k, row in left if RHS in row),
+    )
 
 
-def _size(x: Ratio) -> int:
-    return len(x.num) + (0 if x.den is None else len(x.den))
+def reduced(
+    field: Field, rows: Sequence[Row], worth: Worth, kept: Callable[[Ratio], Ratio | None]
+) -> tuple[list[tuple[int, Row]], list[tuple[int, Row]]]:
+    """Rows of pivots by their columns, completely reduced, and the rows without a pivot by their numbers. kept: an
+    entry as it is kept, None where it vanishes."""
+    work = [(k, {c: y for c, x in row.items() if (y := kept(x)) is not None}) for k, row in enumerate(rows)]
+    done: list[tuple[int, Row]] = []
+    while True:
+        best: tuple[tuple[int, ...], int, int] | None = None
+        for position, (_k, row) in enumerate(work):
+            for column, entry in row.items():
+                rank = None if column == RHS else worth(column, entry, row)
+                if rank is not None and (best is None or rank < best[0]):
+                    best = rank, position, column
+        if best is None:
+            return done, work
+        _rank, position, column = best
+        _k, pivot_row = work.pop(position)
+        pivot = pivot_row[column]
+        scaled = {c: field.lowest_terms(x / pivot) for c, x in pivot_row.items() if c != column}
+        work = [(k, _eliminate(row, column, scaled, kept)) for k, row in work]
+        done = [(c, _eliminate(row, column, scaled, kept)) for c, row in done]
+        done.append((column, scaled))
 
 
-def _eliminate(row: Row, column: int, scaled: Row, is_zero: Callable[[Ratio], bool]) -> Row:
+def _eliminate(row: Row, column: int, scaled: Row, kept: Callable[[Ratio], Ratio | None]) -> Row:
     factor = row.get(column)
     if factor is None:
         return row
     result = {c: x for c, x in row.items() if c != column}
     for c, x in scaled.items():
-        value = result[c] - factor * x if c in result else -factor * x
-        if is_zero(value):
+        value = kept(result[c] - factor * x if c in result else -factor * x)
+        if value is None:
             result.pop(c, None)
         else:
             result[c] = value

@@ -25,8 +25,8 @@ from functools import cached_property
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.symbolic.field import Ratio
+from freebody.symbolic.linear import determinant
 from freebody.symbolic.model import SymbolicModel
-from freebody.symbolic.routh import determinant
 from freebody.symbolic.unknowns import Coordinate
 
 Matrix = list[list[Ratio]]

@@ -7,7 +7,7 @@ whose unknowns stay keep them, and all others are written out in the coordinates
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from typing import Any
 
 from freebody.measures.base import Measure
@@ -17,7 +17,7 @@ from freebody.symbolic.bodies import ElementMap
 from freebody.symbolic.elimination import Elimination, RowEquation, TangentPair
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import cos_sin, sum_of_angles
-from freebody.symbolic.geometry import straight_tangent
+from freebody.symbolic.geometry import straight_tangent, tangent_in_numbers
 from freebody.symbolic.samples import Samples
 from freebody.symbolic.unknowns import TANGENT_ANGLE, TANGENT_LENGTH, ModelUnknowns
 
@@ -82,15 +82,7 @@ class Lines:
 
     def _new_line(self, key: Any, v: Vector[Ratio], offset: Ratio) -> tuple[Ratio, Ratio]:
         f = self.field
-
-        def size(values: Mapping[int, Any], fn: Any) -> Any:
-            x, y, r = (f.evaluate(e, values, fn) for e in (v.x, v.y, offset))
-            return fn.sqrt(x * x + y * y - r * r)
-
-        def turn(values: Mapping[int, Any], fn: Any) -> Any:
-            x, y, r = (f.evaluate(e, values, fn) for e in (v.x, v.y, offset))
-            return fn.atan2(y, x) - fn.atan2(r, fn.sqrt(x * x + y * y - r * r))
-
+        size, turn = tangent_in_numbers(f, v, offset)
         k = len(self._tangents)
         label = self._new_label(self._label or f"line{k + 1}")
         length = self.unknowns.new(f"length_{label}", (TANGENT_LENGTH, -k), compute=size)

@@ -10,62 +10,31 @@ Every root that solves an equation but not the problem is reported with the reas
 
 from __future__ import annotations
 
-import math
 from collections.abc import Generator
 from contextlib import contextmanager
-from dataclasses import dataclass, field
 from functools import cached_property
 
 from freebody.errors import CannotAnswer, NeverHappens, NotReached
-from freebody.language.notation import Stated, compared, reworded, to_python, to_text
+from freebody.language.notation import compared, reworded
 from freebody.language.sentences import Message
 from freebody.questions.reading import QuestionEvent
 from freebody.symbolic.closure import Closure
 from freebody.symbolic.coupled import CoupledMotion, coupled_with
-from freebody.symbolic.elliptic import EllipticTime
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.first_integrals import FirstIntegrals, is_driven
-from freebody.symbolic.functions import functions
 from freebody.symbolic.laws import Freely, LawInstant, MotionLaw, first, law_of
 from freebody.symbolic.laws.damped import Damped
 from freebody.symbolic.laws.quadratic_resistance import Resisted
 from freebody.symbolic.laws.uniform import UniformLaw
 from freebody.symbolic.model import SymbolicModel
+from freebody.symbolic.reached import HOLDS_ALWAYS, HOLDS_ONCE, Reached
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.start import StartState
 from freebody.symbolic.tidy import tidy
+from freebody.symbolic.uniform_passage import passage_at
 from freebody.symbolic.unknowns import Coordinate
 from freebody.symbolic.way import EnergyPath
 from freebody.symbolic.zeros import solve_linear
-
-_HOLDS_ONCE = Message("it holds at the start (t = 0), and never again")
-_HOLDS_ALWAYS = Message("it holds at the start (t = 0) and all the time after it")
-
-
-@dataclass
-class Reached:
-    """An event in closed form: when, and the state there; `notes` name the rejected roots."""
-
-    time: Ratio | None
-    coordinate: Coordinate | None  # None: a combination of several, of which `at` and `speed` are value and rate
-    at: Ratio  # value of the coordinate
-    speed: Ratio | None
-    notes: list[str] = field(default_factory=list[str])
-    conditions: list[tuple[Ratio, str]] = field(default_factory=list[tuple[Ratio, str]])  # must be ">" or ">=" zero
-    why_no_time: str = ""
-    says: list[str] = field(default_factory=list[str])  # conditions that have no formula
-    limits: dict[int, Ratio] | None = None  # as the time grows without end: what tends to a value
-    integral: EllipticTime | None = None  # of the time, where energy gives it
-    timed: list[tuple[Ratio, str]] = field(default_factory=list[tuple[Ratio, str]])  # what the time needs besides
-    settled: Ratio | None = None  # by when it is there, but for round-off
-
-    @property
-    def values(self) -> dict[int, Ratio]:
-        """The coordinate and its speed there, by generator."""
-        c = self.coordinate
-        if c is None:
-            return {}
-        return {c.index: self.at} | ({} if self.speed is None else {c.speed: self.speed})
 
 
 class SmoothMotion:
@@ -77,7 +46,6 @@ class SmoothMotion:
         self.field = model.field
         self.integrals = FirstIntegrals(model, start)
         self._on_one_side = False
-        self._sqrt = functions(model.field, model.samples.is_negative)["sqrt"]
 
     # -- the event ----------------------------------------------------------------------------
     def reach(self, event: QuestionEvent) -> Reached:
@@ -91,7 +59,7 @@ class SmoothMotion:
         begins = self.field.follow(self.model.in_independent_speeds(value - target), self.start.values).is_zero()
         if self.stands_still and not self.field.ingredients(value) & self._in_time:
             raise NeverHappens(
-                _HOLDS_ALWAYS
+                HOLDS_ALWAYS
                 if begins
                 else Message(
                     "it starts at rest in an equilibrium, and stays there (an unstable equilibrium is left only if "
@@ -261,10 +229,10 @@ class SmoothMotion:
         if law is not None and law.is_still:
             holds = (at - law.q0).is_zero()
             raise NeverHappens(
-                _HOLDS_ALWAYS if holds else Message("{x} stays where it starts: at rest, and not accelerated", x=c.name)
+                HOLDS_ALWAYS if holds else Message("{x} stays where it starts: at rest, and not accelerated", x=c.name)
             )
         if isinstance(law, UniformLaw):
-            return self._uniform(c.name, law, at).of(c, at)
+            return passage_at(c.name, law, at).of(c, at)
         instants = None if law is None else law.places(at)
         if instants is not None:
             return self._first(c, c.name, *instants)
@@ -281,7 +249,7 @@ class SmoothMotion:
             return None
         time = f.lowest_terms(time)
         if time.is_zero():
-            raise NeverHappens(_HOLDS_ONCE)
+            raise NeverHappens(HOLDS_ONCE)
         return Reached(time, None, target, f.derivative(value, index), conditions=[(time, ">")])
 
     def _together(
@@ -310,70 +278,11 @@ class SmoothMotion:
         moving = Freely(self.model, first, a, f.lowest_terms(q0), f.lowest_terms(u0), self._takes_side)
         law = law_of(moving) if moving.is_alone else None
         if isinstance(law, UniformLaw) and not order:
-            return self._uniform(text, law, target).of(None, target)
+            return passage_at(text, law, target).of(None, target)
         if law is None or law.is_still:
             return None
         instants = law.rates(target) if order else law.places(target)
         return None if instants is None else self._first(None, text, *instants)
-
-    def _uniform(self, name: str, law: UniformLaw, at: Ratio) -> _Passage:
-        a, u0, distance = law.a, law.u0, self.field.lowest_terms(at - law.q0)
-        if a.is_zero():
-            if u0.is_zero():
-                raise NeverHappens(
-                    _HOLDS_ALWAYS if distance.is_zero() else Message("it does not change: {event}", event=name)
-                )
-            if distance.is_zero():
-                raise NeverHappens(_HOLDS_ONCE)
-            return _Passage(distance / u0, u0, [], [(distance / u0, ">")])
-        if distance.is_zero():
-            if u0.is_zero():
-                raise NeverHappens(_HOLDS_ONCE)
-            return _Passage(-2 * u0 / a, -u0, [], [(-u0 / a, ">")])
-        # at rest at the start, t = sqrt(2 d/a) reads better than sqrt(2 a d)/a
-        if u0.is_zero():
-            time = self._sqrt(2 * distance / a)
-            note = Message("the root with the negative sign is a time before the start and is rejected")
-            return _Passage(time, a * time, [note], [(distance / a, ">")])
-        return self._one_of_two(name, law, distance, at)
-
-    def _one_of_two(self, name: str, law: UniformLaw, distance: Ratio, at: Ratio) -> _Passage:
-        """The roots of a t^2/2 + u0 t = d; their product is -2 d/a."""
-        a, u0 = law.a, law.u0
-        square = u0 * u0 + 2 * a * distance
-        root = self._sqrt(square)
-        plus, minus = (-u0 + root) / a, (-u0 - root) / a
-        values = zip(self.model.samples.at_starts(plus), self.model.samples.at_starts(minus), strict=True)
-        # samples where the place is out of reach have no root at all
-        pairs = [(p, m) for p, m in values if not math.isnan(p)]
-        picks = {_first_positive(p, m) for p, m in pairs} or {None}
-        if len(picks) != 1:
-            raise CannotAnswer(
-                Message("which root is the first time at which {x} is reached depends on the parameter values", x=name)
-            )
-        pick = picks.pop()
-        if pick is None:
-            raise NotReached(
-                Message(
-                    "{x} is never {value} after the start at any of the parameter values that were tried",
-                    x=name,
-                    value=to_text(tidy(at)),
-                )
-            )
-        chosen, other = (plus, minus) if pick == 0 else (minus, plus)
-        shown = to_text(tidy(other))
-        needs = [(square, ">=")]
-        if all(v < 0 for v in self.model.samples.at_starts(other)):
-            words = Message("rejected root: t = {t} is negative, a time before the start", t=shown)
-            needs.append((distance / a, ">"))
-        else:
-            words = Message("other root: t = {t} is later, when {x} passes again on the way back", t=shown, x=name)
-            needs.append((chosen, ">"))
-        if not sign_of(a).is_strict:  # it decides which root is the larger one
-            rises = all(v > 0 for v in self.model.samples.at_starts(a))
-            needs.append((a if rises else -a, ">"))
-        note = Stated(words, to_python(tidy(other)))
-        return _Passage(chosen, root if pick == 0 else -root, [note], needs)
 
     def _first(
         self, c: Coordinate | None, name: str, instants: list[LawInstant], needs: list[tuple[Ratio, str]]
@@ -385,7 +294,7 @@ class SmoothMotion:
             if instants and all(i.period is None and _is_past(i) for i in instants):
                 raise NeverHappens(Message("{x} does not get there after the start", x=name))
             if all(i.time.is_zero() and i.period is None for i in instants):
-                raise NeverHappens(_HOLDS_ONCE if instants else Message("{x} only tends to that", x=name))
+                raise NeverHappens(HOLDS_ONCE if instants else Message("{x} only tends to that", x=name))
             raise NotReached(Message("{x} does not get there at any of the parameter values that were tried", x=name))
         i = found.instant
         lowest = self.field.lowest_terms
@@ -409,15 +318,15 @@ class SmoothMotion:
         law = self.law_of(c, takes_side=self._takes_side)
         if law is not None and law.is_still:
             raise NeverHappens(
-                _HOLDS_ALWAYS if wanted.is_zero() else Message("{x} stays at rest: nothing accelerates it", x=c.name)
+                HOLDS_ALWAYS if wanted.is_zero() else Message("{x} stays at rest: nothing accelerates it", x=c.name)
             )
         if isinstance(law, UniformLaw):
             if law.a.is_zero():
                 same = (wanted - law.u0).is_zero()
-                raise NeverHappens(_HOLDS_ALWAYS if same else Message("the rate of {x} is constant", x=c.name))
+                raise NeverHappens(HOLDS_ALWAYS if same else Message("the rate of {x} is constant", x=c.name))
             time = self.field.lowest_terms((wanted - law.u0) / law.a)
             if time.is_zero():
-                raise NeverHappens(_HOLDS_ONCE)
+                raise NeverHappens(HOLDS_ONCE)
             at = law.q0 + (wanted * wanted - law.u0 * law.u0) / (2 * law.a)
             return Reached(time, c, at, wanted, conditions=[(time, ">")])
         instants = None if law is None else law.rates(wanted)
@@ -521,24 +430,6 @@ class SmoothMotion:
         return self.integrals.speed_squared(c, at)
 
 
-@dataclass(frozen=True)
-class _Passage:
-    """A time, the rate then, which root it is, and what it needs."""
-
-    time: Ratio
-    rate: Ratio
-    notes: list[str]
-    needs: list[tuple[Ratio, str]]
-
-    def of(self, c: Coordinate | None, at: Ratio) -> Reached:
-        return Reached(self.time, c, at, self.rate, self.notes, self.needs)
-
-
 def _is_past(instant: LawInstant) -> bool:
     """Whether an instant is proved to be before the start."""
     return instant.key is not None and not instant.key.is_zero() and sign_of(instant.key) is Sign.NEGATIVE
-
-
-def _first_positive(plus: float, minus: float) -> int | None:
-    good = [(t, k) for k, t in enumerate((plus, minus)) if t > 0]
-    return min(good)[1] if good else None

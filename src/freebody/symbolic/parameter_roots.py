@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from freebody.symbolic.field import Field, Ratio
+from freebody.symbolic.quadratic import roots
 
 Values = Mapping[int, Ratio]  # of a parameter, and of functions of it that are known by themselves
 
@@ -34,7 +35,7 @@ def solutions(field: Field, residual: Ratio, parameter: int) -> list[Values]:
         inside = factor.generators()
         made = [g for g in inside if parameter in field.generators[g].made_of]
         if parameter in inside and not made:
-            found += [{parameter: x} for x in _roots(field, factor.coefficients(parameter))]
+            found += [{parameter: x} for x in roots(factor.coefficients(parameter)) or ()]
         elif parameter not in inside and made:
             found += [{parameter: x} for x in _angles(field, factor, parameter, made)]
             found += _logarithms(field, factor, parameter, made) or _inverted(field, factor, parameter, made)
@@ -54,20 +55,11 @@ def _inverted(field: Field, factor: Ratio, parameter: int, made: Sequence[int]) 
 
     name, u = field.arguments[outer[0]]
     inverse, found = functions(field)[_INVERSES[name]], list[Values]()
-    for x in _roots(field, factor.coefficients(outer[0])):
+    for x in roots(factor.coefficients(outer[0])) or ():
         if parameter not in field.ingredients(x):
             equation = field.lowest_terms(u - inverse(x)).numerator()
             found += [{**values, outer[0]: x} for values in solutions(field, equation, parameter)]
     return found
-
-
-def _roots(field: Field, c: list[Ratio]) -> list[Ratio]:
-    if len(c) == 2:
-        return [-c[0] / c[1]]
-    if len(c) == 3:
-        root = field.sqrt(c[1] * c[1] - 4 * c[2] * c[0])
-        return [(-c[1] + root) / (2 * c[2]), (-c[1] - root) / (2 * c[2])]
-    return []
 
 
 def _logarithms(field: Field, factor: Ratio, parameter: int, made: Sequence[int]) -> list[Values]:
@@ -81,7 +73,7 @@ def _logarithms(field: Field, factor: Ratio, parameter: int, made: Sequence[int]
     if parameter in field.ingredients(rate) or not (u - rate * field.variable(parameter)).is_zero():
         return []
     log = functions(field)["log"]
-    return [{parameter: log(x) / rate, made[0]: x} for x in _roots(field, factor.coefficients(made[0]))]
+    return [{parameter: log(x) / rate, made[0]: x} for x in roots(factor.coefficients(made[0])) or ()]
 
 
 def _angles(field: Field, factor: Ratio, parameter: int, made: Sequence[int]) -> list[Ratio]:
@@ -110,7 +102,7 @@ def _angles(field: Field, factor: Ratio, parameter: int, made: Sequence[int]) ->
         a, b, d = (table.get(k, field.zero) for k in ((1, 0), (0, 1), (0, 0)))
         if (d - a).is_zero():
             return [2 * f["atan"](-a / b)]
-        return [2 * f["atan"](x) for x in _roots(field, [d + a, 2 * b, d - a])]
+        return [2 * f["atan"](x) for x in roots([d + a, 2 * b, d - a]) or ()]
     return []
 
 

@@ -228,7 +228,7 @@ def parted(x: Ratio, relation: str, purpose: str, sign_at: Callable[[Ratio], int
     rest = field.one
     n_open = 0
     for base, exponent in _factors(condition.element):
-        root = _radicand(base)
+        root = radicand_of(base)
         if root is not None:
             found += parted(root, relation, purpose, sign_at)
             continue
@@ -264,8 +264,8 @@ def _factors(x: Ratio) -> list[tuple[Ratio, int]]:
     return found
 
 
-def _radicand(base: Ratio) -> Ratio | None:
-    """Of a factor that is a root."""
+def radicand_of(base: Ratio) -> Ratio | None:
+    """What stands under the root that a factor is, if it is one of something that is no number."""
     field = base.field
     if len(base.generators()) != 1 or base.den is not None:
         return None

@@ -9,29 +9,14 @@ oscillating  a polynomial in s^2 (conservative and gyroscopic forces) has imagin
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.signs import Sign, sign_of
 
-MOST_ROWS = 8
 _MOST_SQUARES = 3
-
-
-def determinant(A: Sequence[Sequence[Ratio]]) -> Ratio:
-    """Laplace expansion; matrices here are small. Raises CannotAnswer for more than eight rows."""
-    if len(A) == 1:
-        return A[0][0]
-    if len(A) > MOST_ROWS:
-        raise CannotAnswer(Message("more than {n} degrees of freedom; ask for numbers", n=MOST_ROWS))
-    total = A[0][0].field.zero
-    for k, entry in enumerate(A[0]):
-        if not entry.is_zero():
-            minor = [[*row[:k], *row[k + 1 :]] for row in A[1:]]
-            total = total + (-1) ** k * entry * determinant(minor)
-    return total
 
 
 def hurwitz(c: Sequence[Ratio]) -> list[Ratio]:
@@ -66,16 +51,6 @@ def oscillating(c: Sequence[Ratio]) -> list[Ratio]:
         return [ratios[1] * ratios[1] - 4 * ratios[0], *ratios]
     r, q, p = ratios
     return [p * p * q * q - 4 * q * q * q - 4 * p * p * p * r + 18 * p * q * r - 27 * r * r, *ratios]
-
-
-def squares(c: Sequence[Ratio], is_negative: Callable[[Ratio], bool] | None = None) -> list[Ratio] | None:
-    """The roots m of a linear or quadratic polynomial; None for others."""
-    if len(c) == 2:
-        return [-c[0] / c[1]]
-    if len(c) == 3:
-        root = c[0].field.sqrt(c[1] * c[1] - 4 * c[0] * c[2], is_negative)
-        return [(-c[1] - root) / (2 * c[2]), (-c[1] + root) / (2 * c[2])]
-    return None
 
 
 def without_implied(elements: Sequence[Ratio]) -> list[Ratio]:

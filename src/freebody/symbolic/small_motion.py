@@ -33,10 +33,11 @@ from freebody.language.sentences import Message
 from freebody.symbolic.equilibrium import GYROSCOPIC, ClosedFormRest, find_equilibrium
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import functions
+from freebody.symbolic.linear import determinant
 from freebody.symbolic.linearised import Linearised
 from freebody.symbolic.model import SymbolicModel
+from freebody.symbolic.quadratic import roots
 from freebody.symbolic.residues import Coefficients, ResidueField
-from freebody.symbolic.routh import determinant
 from freebody.symbolic.start import StartState
 from freebody.symbolic.tidy import tidy
 
@@ -130,11 +131,9 @@ class FreeOscillations:
 
     def _roots(self, factor: ModeFactor) -> list[Ratio]:
         c, f = factor.coefficients, self.model.field
-        if factor.degree == 1:
-            return [f.lowest_terms(-c[0] / c[1])]
-        if factor.degree == 2:
-            root = f.sqrt(c[1] * c[1] - 4 * c[0] * c[2], self.model.samples.is_negative)
-            return [(-c[1] - root) / (2 * c[2]), (-c[1] + root) / (2 * c[2])]
+        found = roots(c, self.model.samples.is_negative)
+        if found is not None:
+            return found
         if factor.degree == MOST_ROOTS and self.linear.is_symmetric(self.linear.stiffness):
             return self._by_vieta(*(f.lowest_terms(x / c[3]) for x in reversed(c[:3])))
         raise CannotAnswer(

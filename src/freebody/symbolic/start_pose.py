@@ -20,7 +20,7 @@ from freebody.model.elements import NonholonomicForm
 from freebody.symbolic.elimination import GIVEN, Elimination, RowEquation, TangentPair, Unknown
 from freebody.symbolic.field import Field, Generator, Ratio
 from freebody.symbolic.functions import cos_sin
-from freebody.symbolic.geometry import AnyPose, FieldGeometry, straight_tangent
+from freebody.symbolic.geometry import AnyPose, FieldGeometry, straight_tangent, tangent_in_numbers
 from freebody.system.system import System
 from freebody.tolerances import ROUND_OFF
 
@@ -148,14 +148,7 @@ class StartPose:
             return self._tangents[key]
         f, k = self.field, len(self._tangents)
 
-        def size(values: Mapping[int, Any], fn: Any) -> Any:
-            x, y, r = (f.evaluate(e, values, fn) for e in (v.x, v.y, offset))
-            return fn.sqrt(x * x + y * y - r * r)
-
-        def turn(values: Mapping[int, Any], fn: Any) -> Any:
-            x, y, r = (f.evaluate(e, values, fn) for e in (v.x, v.y, offset))
-            return fn.atan2(y, x) - fn.atan2(r, fn.sqrt(x * x + y * y - r * r))
-
+        size, turn = tangent_in_numbers(f, v, offset)
         length, angle = (self._line_unknown(f"@start {what} {k}", k, how) for what, how in (("l", size), ("a", turn)))
         c, s = cos_sin(f, angle)
         name = f"line {k}"

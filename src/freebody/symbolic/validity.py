@@ -19,7 +19,7 @@ from freebody.symbolic.conditions import Condition, both, relation_text, require
 from freebody.symbolic.decide import decide, possible, sign_given
 from freebody.symbolic.existence import FORMAL
 from freebody.symbolic.field import Field, Ratio
-from freebody.symbolic.relations import readable, solved_for
+from freebody.symbolic.relations import radicand_of, readable, solved_for
 from freebody.symbolic.signs import Sign
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.waves import square_variants
@@ -87,7 +87,7 @@ def _parts(c: Condition) -> Iterator[Condition]:
     factors = x.field.factor(x.num)[1]
     if condition.relation == "!=":
         for base, _exponent in factors:
-            inside = _radicand(base)
+            inside = radicand_of(base)
             if inside is not None:
                 yield from _parts(replace(c, element=inside, relation=">"))
                 continue
@@ -95,7 +95,7 @@ def _parts(c: Condition) -> Iterator[Condition]:
             if part is not None:
                 yield part
         return
-    if len(factors) == 1 and (inside := _radicand(factors[0][0])) is not None and x.den is None:
+    if len(factors) == 1 and (inside := radicand_of(factors[0][0])) is not None and x.den is None:
         yield from _parts(replace(condition, element=inside))
         return
     yield from _split(condition)
@@ -113,16 +113,6 @@ def _split(c: Condition) -> Iterator[Condition]:
                 yield from (replace(c, element=signs * x) for x in (first, second))
                 return
     yield c
-
-
-def _radicand(base: Ratio) -> Ratio | None:
-    """Of a factor that is a root of something that is no number."""
-    field = base.field
-    if len(base.generators()) != 1 or base.den is not None:
-        return None
-    (index,) = base.generators()
-    is_root = field.generators[index].kind == "root" and bool(field.generators[index].made_of)
-    return field.radicand(index) if is_root and base == field.variable(index) else None
 
 
 def _merged(parts: Sequence[Condition]) -> list[Condition]:

@@ -7,6 +7,7 @@ from typing import Protocol
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import functions
 from freebody.symbolic.model import SymbolicModel
+from freebody.symbolic.quadratic import roots
 from freebody.symbolic.signs import Sign, sign_of
 
 
@@ -67,16 +68,13 @@ def _quadratic_zeros(model: SymbolicModel, base: Ratio, c: Indexed) -> list[Rati
     if any(c.index in f.ingredients(part) for part in parts):
         return []
     if len(parts) == 5 and parts[1].is_zero() and parts[3].is_zero():  # of the second degree in the square
-        root = f.sqrt(parts[2] * parts[2] - 4 * parts[0] * parts[4], model.samples.is_negative)
-        squares = ((-parts[2] - root) / (2 * parts[4]), (-parts[2] + root) / (2 * parts[4]))
+        squares = roots(parts[::2], model.samples.is_negative) or []
         return [sign * f.sqrt(f.lowest_terms(x), model.samples.is_negative) for x in squares for sign in (-1, 1)]
     if len(parts) != 3:
         return []
-    discriminant = f.lowest_terms(parts[1] * parts[1] - 4 * parts[0] * parts[2])
-    if sign_of(discriminant) is Sign.NEGATIVE:
+    if sign_of(f.lowest_terms(parts[1] * parts[1] - 4 * parts[0] * parts[2])) is Sign.NEGATIVE:
         return []  # nowhere
-    root = f.sqrt(discriminant, model.samples.is_negative)
-    return [(-parts[1] - root) / (2 * parts[2]), (-parts[1] + root) / (2 * parts[2])]
+    return roots(parts, model.samples.is_negative) or []
 
 
 def _trigonometric_zeros(model: SymbolicModel, base: Ratio, c: Indexed) -> list[Ratio]:

@@ -9,7 +9,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from freebody.language.expression import free_symbols
 from freebody.language.sentences import Message, in_turn
 from freebody.model.elements import AppliedLoad, ConstraintRow
 from freebody.questions.reading import AskedEvent
@@ -67,8 +66,3 @@ def gathered(
         )
         for text in sorted(events)
     )
-
-
-def counts_time(blow: BlowEvent) -> bool:
-    """Whether what closes is held at functions of the time, of which a motion has none before."""
-    return any(row.target is not None and "t" in free_symbols(row.target) for row in blow.rows)

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 
 from freebody.connections.base import Connection
-from freebody.connections.contact import OutlinePair
+from freebody.connections.pairs import OutlinePair
 from freebody.language.document import Document
 from freebody.language.expression import Expr
 from freebody.language.units import Dimension

@@ -7,9 +7,8 @@ from typing import Any
 
 from freebody.connections.base import Connection
 from freebody.loads.base import Load
-from freebody.model.shapes import Shape
+from freebody.model.shapes.base import Shape
 from freebody.model.spec import Spec
-from freebody.system.kinds import register_kinds
 
 _FORMULA = {"type": ["string", "number"], "description": "an expression, or a quantity such as 3 kg"}
 # components: two in the plane, three in space
@@ -45,7 +44,6 @@ def _named(value: Mapping[str, Any]) -> dict[str, Any]:
 
 def json_schema() -> dict[str, Any]:
     """JSON Schema (draft 2020-12) of a model file."""
-    register_kinds()
     line = {
         "type": "object",
         "additionalProperties": False,

@@ -16,7 +16,7 @@ from freebody.errors import InputError
 from freebody.language.document import Document
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS
-from freebody.model.names import did_you_mean
+from freebody.model.noting import did_you_mean
 from freebody.model.spec import Spec
 from freebody.questions.reading import Question
 from freebody.system.description import SystemDescription

@@ -18,7 +18,7 @@ from freebody.language.units import LENGTH
 from freebody.measures.geometry import GROUND
 from freebody.model.elements import Parameter, Sign
 from freebody.model.names import Names
-from freebody.model.shapes import Shape
+from freebody.model.shapes.base import Shape
 
 Place = tuple[str | int, ...]  # where a dimension would stand in the document
 ShapeT = TypeVar("ShapeT", bound=Shape)

@@ -32,7 +32,6 @@ from freebody.study.answering.crosscheck import element_at
 from freebody.study.pictures.picture import picture
 from freebody.study.setup import Setup
 from freebody.study.simulation.simulator import Simulator
-from freebody.system.kinds import register_kinds
 from freebody.system.modes import ContactMode, in_mode
 from freebody.system.schema import json_schema
 from freebody.system.system import System as Description
@@ -71,7 +70,6 @@ def _of_loads(check: Check) -> Check:
 @cache
 def described(kind: str) -> System:
     """The smallest model with a connection, with weights, so that there is something to transmit."""
-    register_kinds()
     return System.from_text(Connection.kinds[kind].example + _GRAVITY)
 
 
@@ -88,7 +86,6 @@ def closed(kind: str) -> Description:
 @cache
 def loaded(kind: str) -> System:
     """The example of a load."""
-    register_kinds()
     return System.from_text(Load.kinds[kind].example)
 
 

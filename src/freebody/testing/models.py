@@ -26,10 +26,9 @@ from freebody.language.units import (
 )
 from freebody.loads.base import Load
 from freebody.model.phrases import PHRASES
-from freebody.model.shapes import Shape
+from freebody.model.shapes.base import Shape
 from freebody.model.spec import Spec
 from freebody.questions.base import FORMS
-from freebody.system.kinds import register_kinds
 from freebody.testing.patterns import PatternSlot, fields_of, filled, options_of, phrase, shape_fields
 
 _SIZES = ("1", "2", "0.5", "0.2", "3", "0.125", "10", "1/3")
@@ -66,7 +65,6 @@ class Maker:
     """Draws one model."""
 
     def __init__(self, rng: random.Random, taste: Taste) -> None:
-        register_kinds()
         self.rng, self.taste = rng, taste
         self.is_space = rng.random() < taste.space
         self.is_extreme = rng.random() < 0.3  # extremes come together, most models have none

@@ -27,7 +27,6 @@ from freebody.questions.reading import Question, is_of_start
 from freebody.study.answering.answer import Answer
 from freebody.study.answering.crosscheck import element_at
 from freebody.study.setup import Setup
-from freebody.system.kinds import register_kinds
 from freebody.testing.conformance import equal
 
 Check = Callable[[str], None]
@@ -48,7 +47,6 @@ def _of_questions(check: Check) -> Check:
 @cache
 def example_of(kind: str) -> System:
     """The smallest model in which it is asked for."""
-    register_kinds()
     return System.from_text(Quantity.kinds[kind].example)
 
 

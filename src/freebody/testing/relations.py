@@ -21,7 +21,7 @@ from typing import Any, cast
 from freebody.api import System
 from freebody.errors import FreebodyError
 from freebody.language.units import DIMENSIONLESS, Dimension
-from freebody.model.shapes import Shape
+from freebody.model.shapes.base import Shape
 from freebody.questions.reading import Question
 from freebody.testing import documents
 from freebody.testing.documents import Data, section

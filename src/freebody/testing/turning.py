@@ -13,7 +13,7 @@ from typing import Any, cast
 
 from freebody.connections.base import Connection
 from freebody.loads.base import Load
-from freebody.model.shapes import Shape
+from freebody.model.shapes.base import Shape
 from freebody.model.spec import Heading, Spec
 from freebody.system.system import System
 from freebody.testing.documents import Data, section

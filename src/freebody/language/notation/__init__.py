@@ -6,6 +6,7 @@ All writers see an expression the same way: a sum is signed terms, a product is 
 parts      what the writers share
 stated     statements in words that carry the same for machines
 one_line   for Python, and for reading
+typeset    the walk that the writers of typeset mathematics share:
 latex      for LaTeX
 mathml     for browsers
 typst      for Typst

@@ -1,73 +1,22 @@
 """Expressions in presentation MathML, as browsers draw it (MathML Core): elements to stand in an `mrow` or a `math`.
 
-As on one line, every text carries how strongly its top operation binds; what is above or below a bar, under a root
-or raised needs no bracket. Source: W3C, MathML Core, 2025.
+Source: W3C, MathML Core, 2025.
 """
 
 from __future__ import annotations
 
-from freebody.language.expression import Call, Expr, Number, PowerOf, ProductOf, Sum, Symbol, children
-from freebody.language.notation.parts import (
-    ATOM,
-    LETTER_OF,
-    LETTER_OF_INTEGRAL,
-    MINUS,
-    POWER,
-    PRODUCT,
-    SUM,
-    as_decimal,
-    is_whole,
-    quotient,
-    signed_terms,
-    split_name,
-)
+from collections.abc import Sequence
 
-_NAMES = {"asin": "arcsin", "acos": "arccos", "atan": "arctan", "log": "log"}
+from freebody.language.expression import Call, Expr, PowerOf, Symbol
+from freebody.language.notation.parts import ATOM, LETTER_OF, split_name
+from freebody.language.notation.typeset import Typesetter, dotted, letters_and_index
+
+_NAMES = {"asin": "arcsin", "acos": "arccos", "atan": "arctan"}
 _DOTS = ("", "˙", "¨", "˙˙˙", "˙˙˙˙")
 _MINUS = "<mo>−</mo>"
 _APPLIED = "<mo>&#x2061;</mo>"
 _TIMES = "<mo>&#x2062;</mo>"
 _THIN_SPACE = '<mspace width="0.17em"/>'
-
-
-def mathml(expr: Expr, is_followed: bool = False) -> tuple[str, int]:
-    """The elements and their strength; before another factor (`is_followed`) sin x is written sin(x)."""
-    match expr:
-        case Number(value):
-            decimal = as_decimal(abs(value)) or (str(abs(value)) if is_whole(expr) else None)
-            return _fraction((expr,)) if decimal is None else _decimal(decimal, value < 0)
-        case Symbol():
-            return _indexed(*_letter_and_index(expr)), ATOM
-        case Sum(terms):
-            text = ""
-            for is_subtracted, term in signed_terms(terms):
-                sign = _MINUS if is_subtracted else "<mo>+</mo>" if text else ""
-                text += sign + _at_least(PRODUCT, term)
-            return text, SUM
-        case ProductOf(factors):
-            return _fraction(factors)
-        case PowerOf(_, Number(value)) if value < 0:
-            return _fraction((expr,))
-        case PowerOf(Call("sin" | "cos" | "tan" | "sinh" | "cosh" | "tanh" as function, argument), exponent) if (
-            is_whole(exponent)
-        ):
-            operator = f"<msup><mi>{function}</mi>{row(mathml(exponent)[0])}</msup>"
-            return operator + _argument(argument, is_followed), PRODUCT
-        case PowerOf(base, exponent):
-            return _raised(base, row(mathml(exponent)[0])), POWER
-        case Call("sqrt", argument):
-            return f"<msqrt>{mathml(argument)[0]}</msqrt>", POWER
-        case Call("abs", argument):
-            return f'<mrow><mo form="prefix">|</mo>{mathml(argument)[0]}<mo form="postfix">|</mo></mrow>', ATOM
-        case Call("rate"):
-            return _indexed(*_letter_and_index(expr)), ATOM
-        case Call("exp", argument):
-            return f"<msup><mi>e</mi>{row(mathml(argument)[0])}</msup>", POWER
-        case Call(function) if function in LETTER_OF_INTEGRAL:
-            arguments = "<mo>,</mo>".join(mathml(x)[0] for x in children(expr))
-            return f"<mi>{LETTER_OF_INTEGRAL[function]}</mi>{_APPLIED}{in_brackets(arguments)}", ATOM
-        case Call(function, argument):
-            return f"<mi>{_NAMES.get(function, function)}</mi>" + _argument(argument, is_followed), PRODUCT
 
 
 def row(elements: str) -> str:
@@ -82,62 +31,61 @@ def in_brackets(elements: str) -> str:
     return f'<mrow><mo form="prefix"{fixed}>(</mo>{elements}<mo form="postfix"{fixed}>)</mo></mrow>'
 
 
-def _at_least(strength: int, expr: Expr, is_followed: bool = False) -> str:
-    elements, own = mathml(expr, is_followed)
-    return elements if own >= strength else in_brackets(elements)
+class _MathML(Typesetter):
+    e = "<mi>e</mi>"
+    minus = _MINUS
+    between = ("<mo>+</mo>", _MINUS)
+    dot = "<mo>⋅</mo>"
 
+    def in_brackets(self, text: str) -> str:
+        return in_brackets(text)
 
-def _decimal(decimal: str, is_negative: bool) -> tuple[str, int]:
-    mantissa, _, exponent = decimal.partition("e")
-    text = f"<mn>{mantissa}</mn>"
-    if exponent:
+    def superscript(self, base: str, exponent: str) -> str:
+        return f"<msup>{base}{row(exponent)}</msup>"
+
+    def over(self, above: str, below: str) -> str:
+        return f"<mfrac>{row(above)}{row(below)}</mfrac>"
+
+    def root(self, argument: str) -> str:
+        return f"<msqrt>{argument}</msqrt>"
+
+    def size(self, argument: str) -> str:
+        return f'<mrow><mo form="prefix">|</mo>{argument}<mo form="postfix">|</mo></mrow>'
+
+    def operator(self, function: str) -> str:
+        return f"<mi>{_NAMES.get(function, function)}</mi>"
+
+    def applied(self, argument: str, is_bare: bool) -> str:
+        return _APPLIED + (_THIN_SPACE + argument if is_bare else in_brackets(argument))
+
+    def integral(self, letter: str, arguments: Sequence[str]) -> str:
+        return f"<mi>{letter}</mi>{_APPLIED}{in_brackets('<mo>,</mo>'.join(arguments))}"
+
+    def name(self, name: str, n_dots: int) -> tuple[str, int]:
+        letter, index = _letter_and_index(name, n_dots)
+        return (f"<msub>{letter}{index}</msub>" if index else letter), ATOM
+
+    def digits(self, mantissa: str, exponent: str) -> str:
+        text = f"<mn>{mantissa}</mn>"
+        if not exponent:
+            return text
         sign = _MINUS if exponent.startswith("-") else ""
-        power = f"<msup><mn>10</mn><mrow>{sign}<mn>{exponent.lstrip('-')}</mn></mrow></msup>"
-        text = power if mantissa == "1" else f"{text}<mo>⋅</mo>{power}"
-    return (_MINUS + text, MINUS) if is_negative else (text, PRODUCT if exponent else ATOM)
+        power = self.superscript("<mn>10</mn>", f"{sign}<mn>{exponent.lstrip('-')}</mn>")
+        return power if mantissa == "1" else f"{text}{self.dot}{power}"
 
+    def raised(self, base: Expr, exponent: str) -> str:
+        """A power; the index of a symbol and its exponent stand above each other."""
+        if isinstance(base, Symbol) or (isinstance(base, Call) and base.function == "rate"):
+            letter, index = _letter_and_index(*dotted(base))
+            if index:
+                return f"<msubsup>{letter}{index}{row(exponent)}</msubsup>"
+        return self.superscript(row(self.at_least(ATOM, base)), exponent)
 
-def _argument(argument: Expr, is_followed: bool) -> str:
-    elements = mathml(argument)[0]
-    is_plain = isinstance(argument, Symbol) and not is_followed
-    return _APPLIED + (_THIN_SPACE + elements if is_plain else in_brackets(elements))
-
-
-def _raised(base: Expr, exponent: str) -> str:
-    """A power; the index of a symbol and its exponent stand above each other."""
-    is_name = isinstance(base, Symbol) or (isinstance(base, Call) and base.function == "rate")
-    if is_name:
-        letter, index = _letter_and_index(base)
-        if index:
-            return f"<msubsup>{letter}{index}{exponent}</msubsup>"
-    return f"<msup>{row(_at_least(ATOM, base))}{exponent}</msup>"
-
-
-def _fraction(factors: tuple[Expr, ...]) -> tuple[str, int]:
-    parts = quotient(factors)
-    sign = _MINUS if parts.is_negative else ""
-    text = _beside(parts.above)
-    if sign and not parts.below and len(parts.above) == 1:
-        text = _at_least(PRODUCT, parts.above[0])
-    if parts.below:
-        text = f"<mfrac>{row(text)}{row(_beside(parts.below))}</mfrac>"
-    elif len(factors) == 1 and not sign:
-        return text, ATOM
-    return sign + text, MINUS if sign else PRODUCT
-
-
-def _beside(factors: tuple[Expr, ...]) -> str:
-    if len(factors) == 1:
-        return mathml(factors[0])[0]
-    text = ""
-    for i, factor in enumerate(factors):
-        written = _at_least(PRODUCT, factor, is_followed=i < len(factors) - 1)
-        if text:
-            is_number = written.startswith(("<mn>", "<msup><mrow><mn>", "<msup><mn>"))
-            is_spaced = _is_word(factor) or _is_word(factors[i - 1], is_before=True)
-            text += "<mo>⋅</mo>" if is_number else _TIMES + (_THIN_SPACE if is_spaced else "")
-        text += written
-    return text
+    def joint(self, factors: tuple[Expr, ...], i: int, written: str) -> str:
+        if written.startswith(("<mn>", "<msup><mrow><mn>", "<msup><mn>")):
+            return self.dot
+        is_spaced = _is_word(factors[i]) or _is_word(factors[i - 1], is_before=True)
+        return _TIMES + (_THIN_SPACE if is_spaced else "")
 
 
 def _is_word(factor: Expr, is_before: bool = False) -> bool:
@@ -157,12 +105,9 @@ def _is_word(factor: Expr, is_before: bool = False) -> bool:
             return False
 
 
-def _letter_and_index(expr: Expr) -> tuple[str, str]:
+def _letter_and_index(name: str, n_dots: int) -> tuple[str, str]:
     """The letter of a symbol, with the dots of its rates, and its index or nothing."""
-    n_dots = 0
-    while isinstance(expr, Call):
-        expr, n_dots = expr.argument, n_dots + 1
-    letters, rest = split_name(expr.name if isinstance(expr, Symbol) else "?")
+    letters, index = letters_and_index(name)
     letter = LETTER_OF.get(letters, letters)
     # A single letter is set in italics, save the capital Greek ones.
     upright = ' mathvariant="normal"' if letters in LETTER_OF and letters[0].isupper() else ""
@@ -173,7 +118,7 @@ def _letter_and_index(expr: Expr) -> tuple[str, str]:
         # Three single dots drawn together: browsers misplace the sign of three.
         close = ' style="letter-spacing:-0.08em"' if n_dots > 2 else ""
         text = f'<mover accent="true">{text}<mo stretchy="false"{close}>{_DOTS[n_dots]}</mo></mover>'
-    return text, _index(rest.removeprefix("_").replace("_", ","))
+    return text, _index(index)
 
 
 def _index(index: str) -> str:
@@ -184,5 +129,4 @@ def _index(index: str) -> str:
     return f"<mi>{index}</mi>" if len(index) == 1 else f'<mi mathvariant="normal">{index}</mi>'
 
 
-def _indexed(letter: str, index: str) -> str:
-    return f"<msub>{letter}{index}</msub>" if index else letter
+mathml = _MathML().write

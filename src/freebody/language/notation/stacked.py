@@ -6,6 +6,7 @@ mathematics is one of boxes: beside, over, raised, in brackets, under a root.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from freebody.language.expression import Call, Expr, Number, PowerOf, ProductOf, Sum
@@ -40,13 +41,14 @@ class TextBox:
 
 
 def stacked(expr: Expr) -> tuple[TextBox, int]:
+    """The box of an expression and how strongly its top operation binds."""
     match expr:
         case Sum(terms):
             row: list[TextBox] = []
             for is_subtracted, term in signed_terms(terms):
                 sign = (" - " if row else "-") if is_subtracted else (" + " if row else "")
-                row += [_flat(sign), _box_at_least(PRODUCT, term)]
-            return _beside(row), SUM
+                row += [flat(sign), _box_at_least(PRODUCT, term)]
+            return beside(row), SUM
         case ProductOf(factors):
             return _box_of_quotient(factors)
         case Number(value) if value.denominator != 1 and as_decimal(abs(value)) is None:
@@ -60,20 +62,20 @@ def stacked(expr: Expr) -> tuple[TextBox, int]:
         case Call("abs", argument):
             inner = stacked(argument)[0]
             bar = TextBox(("│",) * len(inner.lines), inner.baseline)
-            return _beside([bar, inner, bar]), ATOM
+            return beside([bar, inner, bar]), ATOM
         case Call(function, argument, modulus) if function in LETTER_OF_INTEGRAL:
-            arguments = [stacked(argument)[0]] + ([] if modulus is None else [_flat(", "), stacked(modulus)[0]])
-            return _beside([_flat(LETTER_OF_INTEGRAL[function]), _in_brackets(_beside(arguments))]), ATOM
+            arguments = [stacked(argument)[0]] + ([] if modulus is None else [flat(", "), stacked(modulus)[0]])
+            return beside([flat(LETTER_OF_INTEGRAL[function]), in_brackets(beside(arguments))]), ATOM
         case Call(function, argument) if function != "rate":
-            return _beside([_flat(function), _in_brackets(stacked(argument)[0])]), ATOM
+            return beside([flat(function), in_brackets(stacked(argument)[0])]), ATOM
         case _:
             text, strength = TEXT.write(expr)
-            return _flat(text), strength
+            return flat(text), strength
 
 
 def _box_at_least(strength: int, expr: Expr) -> TextBox:
     box, own = stacked(expr)
-    return box if own >= strength else _in_brackets(box)
+    return box if own >= strength else in_brackets(box)
 
 
 def _box_of_quotient(factors: tuple[Expr, ...]) -> tuple[TextBox, int]:
@@ -81,9 +83,9 @@ def _box_of_quotient(factors: tuple[Expr, ...]) -> tuple[TextBox, int]:
     box = _box_row(parts.above)
     if parts.is_negative:
         is_sum = len(parts.above) == 1 and isinstance(parts.above[0], Sum)
-        box = _beside([_flat("-"), _in_brackets(box) if is_sum else box])
+        box = beside([flat("-"), in_brackets(box) if is_sum else box])
     if parts.below:
-        box = _over(box, _box_row(parts.below))
+        box = over(box, _box_row(parts.below))
     return box, MINUS if parts.is_negative else PRODUCT
 
 
@@ -92,15 +94,17 @@ def _box_row(factors: tuple[Expr, ...]) -> TextBox:
         return stacked(factors[0])[0]
     row: list[TextBox] = []
     for factor in factors:
-        row += [*([_flat("⋅")] if row else []), _box_at_least(PRODUCT, factor)]
-    return _beside(row)
+        row += [*([flat("⋅")] if row else []), _box_at_least(PRODUCT, factor)]
+    return beside(row)
 
 
-def _flat(text: str) -> TextBox:
+def flat(text: str) -> TextBox:
+    """One line."""
     return TextBox((text,), 0)
 
 
-def _beside(boxes: list[TextBox]) -> TextBox:
+def beside(boxes: Sequence[TextBox]) -> TextBox:
+    """Boxes in a row, their baselines on one line."""
     above = max(box.baseline for box in boxes)
     height = above + 1 + max(box.below for box in boxes)
     lines = [""] * height
@@ -112,7 +116,8 @@ def _beside(boxes: list[TextBox]) -> TextBox:
     return TextBox(tuple(lines), above)
 
 
-def _over(above: TextBox, below: TextBox) -> TextBox:
+def over(above: TextBox, below: TextBox) -> TextBox:
+    """One over the other with a bar between, at which the fraction stands."""
     width = max(above.width, below.width)
     rows = [line.center(width) for line in above.lines]
     rows += ["─" * width, *(line.center(width) for line in below.lines)]
@@ -125,7 +130,8 @@ def _raised(base: TextBox, exponent: TextBox) -> TextBox:
     return TextBox(tuple(lines), len(exponent.lines) + base.baseline)
 
 
-def _in_brackets(box: TextBox) -> TextBox:
+def in_brackets(box: TextBox) -> TextBox:
+    """Brackets as high as what they hold."""
     n = len(box.lines)
     if n == 1:
         return TextBox((f"({box.lines[0]})",), 0)

@@ -22,10 +22,11 @@ from freebody.questions.reading import AskedEvent
 from freebody.study.answering.draws import Draw
 from freebody.study.phases.evidence import run as followed
 from freebody.study.phases.evidence import stage
+from freebody.study.phases.followed import changed, follow
 from freebody.study.phases.phase import Phase
 from freebody.study.phases.pieces import AnswerBranch
 from freebody.study.phases.tree import PhaseTree
-from freebody.study.phases.witness import FollowedPhase, NumericMode, PhaseSnapshot, changed, follow
+from freebody.study.phases.witness import FollowedPhase, NumericMode, PhaseSnapshot
 
 N_MOTIONS = 3
 TIMES = (0.37, 0.71)  # of the duration of a phase

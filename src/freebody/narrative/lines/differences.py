@@ -7,7 +7,7 @@ theirs.
 from __future__ import annotations
 
 from abc import abstractmethod
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from typing import Any
 
 from freebody.language.expression import FLOAT_FUNCTIONS, Expr, Symbol, evaluate, rate_key
@@ -16,7 +16,6 @@ from freebody.present.report.blocks import Derivative, Difference, Side
 STEP = 1e-4
 
 Shifts = Mapping[str, float]
-Function = Callable[[Shifts], float]
 
 
 class SymbolValues(Mapping[str, Any]):

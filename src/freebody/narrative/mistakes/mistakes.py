@@ -103,7 +103,7 @@ class _MistakeSearch:
     def _leading(self, mistakes: Iterable[Mistake]) -> Iterator[tuple[str, Sentence]]:
         """Letters to which mistakes lead."""
         numbers = [PointAnswers(self.answers, p) for p in self.points]
-        cost = 2 * sum(len(x.num) + (0 if x.den is None else len(x.den)) for x in self.answers) + 4
+        cost = 2 * sum(x.n_terms for x in self.answers) + 4
         for mistake in mistakes:
             self.steps -= cost
             if self.steps < 0 or not self.left:

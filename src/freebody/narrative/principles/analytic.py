@@ -63,7 +63,7 @@ def by_energy(context: Context, script: Script, asked: Sequence[int]) -> dict[in
     with script.stage("stage.energy", "hint.energy"):
         t_line = _kinetic_line(context, script, T)
         rate = f.lowest_terms(model.rate(T))
-        power = f.lowest_terms(generalized_force(model, c) * u)
+        power = f.lowest_terms(model.dynamics.generalized_force(c) * u)
         d_line = script.line(
             Derivative(kinetic_symbol(context), Symbol("t")),
             tidy(rate),
@@ -121,17 +121,6 @@ def kinetic_energy(context: Context) -> Ratio:
     return f.lowest_terms(f.element(Energy("kinetic", None).value(context.system, state)))
 
 
-def generalized_force(model: SymbolicModel, c: Coordinate) -> Ratio:
-    """sum of law * d(rate of the measure)/du over all loads."""
-    f = model.field
-    k = model.coordinates.index(c)
-    total = f.zero
-    for body, wrench in model.loads.wrenches.items():
-        for part, slope in zip(wrench, model.kinematics.partial_velocities[body][k], strict=True):
-            total = total + part * slope
-    return f.lowest_terms(total)
-
-
 def _check(model: SymbolicModel, asked: Sequence[int], what: str) -> None:
     if not set(asked) <= set(model.accelerations):
         raise CannotAnswer(Message("{what} know no reactions; take newton, or ask for an acceleration", what=what))
@@ -182,7 +171,7 @@ def _equation(context: Context, script: Script, c: Coordinate, T: Ratio, t_line:
     r_line = script.line(Derivative(of_speed, Symbol("t")), tidy(rate), uses=(p_line,))
     slope = f.lowest_terms(f.derivative(T, c.index)) if _moves_with(model, T, c) else f.zero
     s_line = script.line(of_place, tidy(slope), uses=(t_line,))
-    force = generalized_force(model, c)
+    force = model.dynamics.generalized_force(c)
     symbol = context.symbol(f"Q_{c.name}", f"Q_gen_{c.name}")
     what = Sentence("symbol.generalized_force", {"name": c.name})
     script.introduce(Meaning(symbol, what, _force_reader(context, c)))

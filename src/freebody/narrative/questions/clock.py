@@ -10,14 +10,15 @@ from freebody.language.sentences import Message
 from freebody.narrative.context import Context, Method
 from freebody.narrative.lines.script import DerivationStage, Script
 from freebody.narrative.principles.momentum import by_method
-from freebody.narrative.questions.course import TIME, AtEvent, EventWay, coordinates_asked, law_lines, tell_asked
+from freebody.narrative.questions.course_by_law import law_lines
+from freebody.narrative.questions.event_way import TIME, AtEvent, EventWay, coordinates_asked, tell_asked
 from freebody.questions.clock import Clock
 from freebody.questions.motion import rates_of
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
 from freebody.symbolic.conditions import Condition
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.motion import Reached
+from freebody.symbolic.reached import Reached
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.unknowns import Coordinate

@@ -23,7 +23,7 @@ from freebody.narrative.principles.loops import all_bound
 from freebody.narrative.principles.motion_equations import motion_equations
 from freebody.narrative.principles.reactions import name_reactions
 from freebody.numeric.jets import Array
-from freebody.numeric.start import start_velocities
+from freebody.numeric.start_velocities import start_velocities
 from freebody.questions.base import Quantity
 from freebody.questions.conservation import Conserved, GeneralizedMomentum
 from freebody.questions.momentum import AngularMomentum, Momentum, is_among
@@ -32,7 +32,8 @@ from freebody.questions.vectors import Group
 from freebody.study.answering.answer import Answer
 from freebody.study.answering.crosscheck import element_at
 from freebody.study.conservation.balance import RateBalance, RatePrinciple
-from freebody.study.conservation.conserved import ConservationFinding, Judge
+from freebody.study.conservation.judge import Judge
+from freebody.study.conservation.vanishing_rates import ConservationFinding
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.vanishing import cases_where_zero, motion_terms, texts_of
 from freebody.system.system import System
@@ -79,7 +80,7 @@ class _ConservingTelling:
         self.context, self.answer = context, answer
         self.system, self.model = context.system, context.setup.model
         self.script: Script = context.script()
-        self.judge = Judge(context.setup)
+        self.rates = Judge(context.setup).rates
         self.known: set[str] = set()
         self.words: Argument = asked.of.sentence(self.system) or f"@{asked.name}"
         self.parts = self._parts(asked)
@@ -89,11 +90,11 @@ class _ConservingTelling:
         of, components = asked.of, asked.of.components(self.system)
         if not components:
             symbol = Symbol(fresh(self.context, letter, f"{letter}_c"))
-            return [_Part(of, asked.name, symbol, self.judge.finding(of, asked.name))]
+            return [_Part(of, asked.name, symbol, self.rates.finding(of, asked.name))]
         found: list[_Part] = []
         for axis, q in components:
             symbol = Symbol(fresh(self.context, f"{letter}_{axis}", f"{letter}_{axis}_c"))
-            found.append(_Part(q, f"{asked.name} along {axis}", symbol, self.judge.finding(q, asked.name)))
+            found.append(_Part(q, f"{asked.name} along {axis}", symbol, self.rates.finding(q, asked.name)))
         return found
 
     # -- in order -----------------------------------------------------------------------------
@@ -273,14 +274,14 @@ class _ConservingTelling:
     def _coefficients(self, part: _Part) -> None:
         """What stands before each product of what moves, and when it is zero."""
         rate = part.finding.balance.rate
-        terms = motion_terms(rate, self.judge.is_parameter)
+        terms = motion_terms(rate, self.rates.is_parameter)
         moving = sorted({g for m, _c in terms for g in m.generators()})
         names = tuple(self.model.field.generators[g].display for g in moving)
         line = part.lines[-1] if part.lines else 0
         self.script.say("conserved.each" if names else "conserved.constant", names=names, line=line)
         rows: list[tuple[Sentence | Expr | str, ...]] = []
         for m, c in terms[:MOST_ROWS]:
-            cases = cases_where_zero([c], self.judge.may_vanish)
+            cases = cases_where_zero([c], self.rates.may_vanish)
             when = _either(texts_of(cases)) if cases else Sentence("conserved.never_zero")
             rows.append((tidy(m), tidy(c), when))
         header = tuple(Sentence(f"conserved.table_{n}") for n in ("before", "coefficient", "zero"))
@@ -288,7 +289,7 @@ class _ConservingTelling:
             self.script.add(FormulaTable(header, tuple(rows)))
         if len(terms) > MOST_ROWS:
             self.script.say("conserved.more", n=len(terms) - MOST_ROWS)
-        provided = self.judge.provided(part.finding)
+        provided = self.rates.provided(part.finding)
         if provided:
             self.script.say("conserved.provided", names=tuple(Symbol(n) for n in provided))
 

@@ -8,7 +8,7 @@ from freebody.narrative.context import Context, Method, refuse
 from freebody.narrative.lines.glossary import World
 from freebody.narrative.lines.naming import asked_as, asked_entry
 from freebody.narrative.lines.script import Argument, DerivationStage
-from freebody.narrative.questions.course import first_integral, say_first_integral, square_line
+from freebody.narrative.questions.course_by_energy import first_integral, say_first_integral, square_line
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
 from freebody.study.answering.extent import extent_in_numbers, turn_of

@@ -9,11 +9,11 @@ from freebody.narrative.lines.glossary import World
 from freebody.narrative.lines.naming import asked_as, asked_entry
 from freebody.narrative.lines.script import Argument, DerivationStage, Script
 from freebody.narrative.principles.momentum import by_method
-from freebody.narrative.questions.course import first_integral, say_first_integral, say_integral, square_line
+from freebody.narrative.questions.course_by_energy import first_integral, say_first_integral, say_integral, square_line
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
 from freebody.study.answering.repeated import coordinate_of, followed
-from freebody.symbolic.motion import Reached
+from freebody.symbolic.reached import Reached
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.unknowns import Coordinate
 

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from freebody.errors import FreebodyError, InputError, ModelError
 from freebody.language.sentences import Message, lines
-from freebody.model.names import did_you_mean
+from freebody.model.noting import did_you_mean
 from freebody.narrative.lines.script import Sentence
 from freebody.narrative.sheets.answer_key import key_table
 from freebody.narrative.sheets.content import SOLUTIONS, SheetContent, Solutions

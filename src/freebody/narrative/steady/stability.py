@@ -22,7 +22,7 @@ from freebody.study.answering.answer import Answer
 from freebody.study.answering.draws import Draw
 from freebody.study.steady.linear import Linear, linear_at_start
 from freebody.study.steady.linearised import About
-from freebody.study.steady.motion import Steady
+from freebody.study.steady.motion import SteadyMotion
 from freebody.study.steady.spin import slopes_beside
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
@@ -161,7 +161,7 @@ def tell_stability(context: Context, question: Question, answer: Answer) -> list
         raise CannotAnswer(
             Message("stability is decided here by the signs in Routh's array, which are not told step by step")
         )
-    steady = Steady(context.setup.model)
+    steady = SteadyMotion(context.setup.model)
     linear = linear_at_start(context.setup, steady)
     script = context.script()
     with script.stage("unclosed.equations", "unclosed.equations_hint"):

@@ -29,7 +29,7 @@ from freebody.questions.steady import SteadyValue
 from freebody.study.answering.answer import Answer
 from freebody.study.setup import Setup
 from freebody.study.steady.evidence import motions
-from freebody.study.steady.motion import Solutions, Steady, unknown_of
+from freebody.study.steady.motion import Solutions, SteadyMotion, unknown_of
 from freebody.symbolic.tidy import tidy
 
 N_WORLDS = 3
@@ -39,7 +39,7 @@ class SteadyGlossary(Glossary):
     """Symbols whose values at the "event" are those of steady motions of the full system: rates at random, one motion
     for each root."""
 
-    def __init__(self, setup: Setup, steady: Steady, solutions: Solutions | None) -> None:
+    def __init__(self, setup: Setup, steady: SteadyMotion, solutions: Solutions | None) -> None:
         super().__init__(setup)
         self.steady, self.solutions = steady, solutions
         self._found: list[list[World]] | None = None
@@ -66,13 +66,13 @@ class _SteadyTelling:
     context: Context
     question: Question
     answer: Answer
-    steady: Steady
+    steady: SteadyMotion
     script: Script
 
 
 def tell_steady(context: Context, question: Question, answer: Answer, q: SteadyValue) -> list[DerivationStage]:
     """The equations of motion, what they become, the roots, and the quantity that is asked for."""
-    steady = Steady.asked(context.setup.model, question.event)
+    steady = SteadyMotion.asked(context.setup.model, question.event)
     unknown = unknown_of(steady, q)
     is_place = q.of.watched is not None and q.of.watched[1] == 0
     solutions: Solutions | None

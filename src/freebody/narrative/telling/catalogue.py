@@ -17,7 +17,7 @@ from freebody.errors import InputError
 from freebody.language.expression import Call, Number, PowerOf, ProductOf, Sum, Symbol
 from freebody.language.notation import Stated
 from freebody.language.sentences import Message
-from freebody.model.names import did_you_mean
+from freebody.model.noting import did_you_mean
 from freebody.narrative.lines.script import Argument, Sentence
 from freebody.narrative.telling.phrases import GENERAL, MESSAGES, TABLE, phrases_of
 from freebody.narrative.words import languages, tables_of

@@ -20,11 +20,12 @@ import numpy as np
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message, further, in_turn
-from freebody.numeric.contact.bounded import Bounded, ContactInstant, ModeOf, within
+from freebody.numeric.contact.bounded import Bounded
 from freebody.numeric.contact.least import least_within
 from freebody.numeric.contact.problem import OutcomeCount as Consistency
 from freebody.numeric.contact.problem import OutcomeCount as Outcome
 from freebody.numeric.contact.record import PhaseRecord, merged
+from freebody.numeric.contact.rows import ContactInstant, ModeOf, within
 from freebody.numeric.contact.sudden import SuddenBlows
 from freebody.numeric.contact.transition import HELD_ALONE, After, Choice, InstantTransition
 from freebody.numeric.contact.words import events_between

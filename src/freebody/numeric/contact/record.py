@@ -6,7 +6,8 @@ from dataclasses import dataclass, fields
 
 import numpy as np
 
-from freebody.numeric.contact.bounded import Bounded, FrictionRow, ModeOf
+from freebody.numeric.contact.bounded import Bounded
+from freebody.numeric.contact.rows import FrictionRow, ModeOf
 from freebody.numeric.engine.course import (
     BlowRecord,
     Collision,

@@ -16,7 +16,8 @@ from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
 from freebody.model.elements import NonholonomicForm, UnilateralConstraint
 from freebody.numeric.instant import forces
-from freebody.numeric.jets import Array, JetGeometry
+from freebody.numeric.jet_geometry import JetGeometry
+from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference
 from freebody.system.system import System
 

@@ -13,10 +13,11 @@ import numpy as np
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.model.elements import NonholonomicForm
-from freebody.numeric.blow import impulse, struck
+from freebody.numeric.blow import Blow, impulse, struck
 from freebody.numeric.engine.course import BlowRecord
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference
+from freebody.numeric.system import NumericSystem
 from freebody.system.modes import at_blow
 from freebody.system.system import System
 from freebody.tolerances import ROUND_OFF
@@ -68,16 +69,7 @@ class SuddenBlows:
                 )
         found = struck(reference, g, v)
         self._refuse_friction(name, reference, found.multipliers)
-        impulses: dict[str, float] = {}
-        unknown: list[str] = []
-        for row in reference.system.constraint_rows:
-            try:
-                impulses[row.name] = row.sign * impulse(reference, found, row)
-            except CannotAnswer:
-                unknown.append(row.name)
-        M = reference.masses
-        change = 0.5 * float(found.after @ (M * found.after) - v @ (M * v))
-        return found.after, BlowRecord(t, name, impulses, tuple(unknown), change)
+        return found.after, recorded(reference, found, name, t)
 
     def _refuse_friction(self, name: str, reference: Reference, multipliers: Array) -> None:
         loads = {load for rub in self.system.dry_friction if not rub.of for load in rub.load}
@@ -92,3 +84,17 @@ class SuddenBlows:
                         connection=row.connection,
                     )
                 )
+
+
+def recorded(reference: NumericSystem, blow: Blow, name: str, time: float) -> BlowRecord:
+    """What is kept of a blow: its impulses, as far as they are unique, and what it does to the kinetic energy."""
+    impulses: dict[str, float] = {}
+    unknown: list[str] = []
+    for row in reference.system.constraint_rows:
+        try:
+            impulses[row.name] = row.sign * impulse(reference, blow, row)
+        except CannotAnswer:
+            unknown.append(row.name)
+    M = reference.masses
+    change = 0.5 * float(blow.after @ (M * blow.after) - blow.before @ (M * blow.before))
+    return BlowRecord(time, name, impulses, tuple(unknown), change)

@@ -18,12 +18,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from freebody.language.sentences import Message, in_turn
-from freebody.numeric.contact.bounded import TOUCHING, Bounded, ContactInstant, ModeOf, RowProblem
+from freebody.numeric.contact.bounded import TOUCHING, Bounded
 from freebody.numeric.contact.forces import contact_forces, is_admissible
 from freebody.numeric.contact.impacts import impact
 from freebody.numeric.contact.impulses import ImpactOutcome
 from freebody.numeric.contact.keller import impact_without_collision
 from freebody.numeric.contact.problem import ForceOutcome, OutcomeCount, RowState
+from freebody.numeric.contact.rows import ContactInstant, ModeOf, RowProblem
 from freebody.numeric.kernels.arrays import Floats
 from freebody.numeric.options import Law
 from freebody.tolerances import ROUND_OFF, ROUNDED

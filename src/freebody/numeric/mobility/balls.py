@@ -29,9 +29,8 @@ from freebody.numeric.mobility.exact import (
     parameter_ball,
     size_of,
     spatial_place,
-    turned,
 )
-from freebody.numeric.rotation import matrix, quaternion, rotation_vector
+from freebody.numeric.rotation import matrix, product_of_parts, quaternion, rotation_vector
 from freebody.numeric.split import RANK_CUT
 from freebody.numeric.system import NumericSystem
 from freebody.tolerances import ROUNDED
@@ -119,7 +118,7 @@ class BallRows:
         for turn in chain:
             axis = [self.number(c) for c in turn.axis]
             size = BALLS.functions["sqrt"](sum(c * c for c in axis))
-            total = turned(total, _about([c / size for c in axis], self.number(turn.by)))
+            total = product_of_parts(total, _about([c / size for c in axis], self.number(turn.by)))
         return total
 
     # -- poses --------------------------------------------------------------------------------
@@ -145,7 +144,7 @@ class BallRows:
         attitude = pose.attitudes[body]
         if all(bool(x == 0) for x in further):
             return attitude
-        return turned(attitude, [BALLS.number(1), *(x / 2 for x in further)])
+        return product_of_parts(attitude, [BALLS.number(1), *(x / 2 for x in further)])
 
     def coordinates(self, pose: BallPose) -> Array:
         """The same pose as coordinates of `reference`, rounded."""

@@ -23,8 +23,9 @@ from freebody.errors import CannotAnswer, InputError
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.model.elements import NonholonomicForm
-from freebody.model.names import did_you_mean
-from freebody.numeric.jets import Array, Branch, JetGeometry
+from freebody.model.noting import did_you_mean
+from freebody.numeric.jet_geometry import Branch, JetGeometry
+from freebody.numeric.jets import Array
 from freebody.numeric.mobility.chart import Chart
 from freebody.numeric.placing import ACCEPTED
 from freebody.numeric.reference import Reference

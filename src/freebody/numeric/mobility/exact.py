@@ -253,18 +253,6 @@ def spatial_place(
     return SpatialPose(Vector(*center), (axis(0), axis(1), axis(2)))
 
 
-def turned(p: Quaternion, q: Quaternion) -> list[Any]:
-    """The quaternion p o q: first the turn q, seen from the axes that p makes."""
-    a, b, c, d = p
-    w, x, y, z = q
-    return [
-        a * w - b * x - c * y - d * z,
-        a * x + b * w + c * z - d * y,
-        a * y + c * w + d * x - b * z,
-        a * z + d * w + b * y - c * x,
-    ]
-
-
 class ExactDualGeometry:
     """A `Geometry[ExactDual]`: bodies at their places, symbols with their values."""
 

@@ -28,7 +28,7 @@ from freebody.errors import CannotAnswer, InputError
 from freebody.language.sentences import Message
 from freebody.measures.geometry import GROUND
 from freebody.model.elements import ConstraintRow
-from freebody.model.names import did_you_mean
+from freebody.model.noting import did_you_mean
 from freebody.numeric.jets import TIME, Array
 from freebody.numeric.mobility.elimination import CircuitElimination, Unclear, unit_rows
 from freebody.numeric.mobility.exact import (
@@ -43,9 +43,9 @@ from freebody.numeric.mobility.exact import (
     precision,
     size_of,
     spatial_place,
-    turned,
 )
 from freebody.numeric.mobility.rank import ZERO, Rank
+from freebody.numeric.rotation import product_of_parts
 from freebody.system.generic import GenericModel, generic_model
 from freebody.system.system import System
 from freebody.tolerances import LEAST
@@ -315,7 +315,7 @@ class Framework:
             else:
                 turns.setdefault(head, [1, 0, 0, 0])[k - head] = -dx / 2
         for head, further in turns.items():
-            numbers[head : head + 4] = turned([numbers[head + k] for k in range(4)], further)
+            numbers[head : head + 4] = product_of_parts([numbers[head + k] for k in range(4)], further)
 
     def _gaps(
         self,

@@ -13,7 +13,8 @@ from freebody.language.sentences import Message
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, RIGHT, UP, position, unit
 from freebody.model.elements import ConstraintRow
-from freebody.numeric.jets import Array, JetGeometry
+from freebody.numeric.jet_geometry import JetGeometry
+from freebody.numeric.jets import Array
 from freebody.numeric.mobility.idle_in_space import AloneInSpace
 from freebody.numeric.mobility.rank import gradients
 from freebody.numeric.mobility.scene import joined, leaves, pinning

@@ -29,7 +29,8 @@ from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, Point, position
 from freebody.model.elements import NonholonomicForm
-from freebody.numeric.jets import Array, Branch, Jet
+from freebody.numeric.jet_geometry import Branch
+from freebody.numeric.jets import Array, Jet
 from freebody.numeric.mobility.coordinates import independent_measures
 from freebody.numeric.placing import ACCEPTED, Fit, PoseEquation
 from freebody.numeric.snapshot import snapshot_of

@@ -25,7 +25,8 @@ import numpy as np
 
 from freebody.errors import CannotAnswer
 from freebody.model.elements import ConstraintRow, NonholonomicForm
-from freebody.numeric.jets import Array, Jet, JetGeometry
+from freebody.numeric.jet_geometry import JetGeometry
+from freebody.numeric.jets import Array, Jet
 from freebody.numeric.mobility.rank import gradients
 from freebody.numeric.placing import PoseEquation
 from freebody.numeric.reference import Reference

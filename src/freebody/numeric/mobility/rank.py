@@ -24,7 +24,7 @@ import numpy as np
 from freebody.errors import FreebodyError, InputError
 from freebody.language.sentences import Message
 from freebody.model.elements import ConstraintRow
-from freebody.model.names import did_you_mean
+from freebody.model.noting import did_you_mean
 from freebody.numeric.jets import Array
 from freebody.numeric.mobility.balls import BallRows, refined, row_lengths
 from freebody.numeric.mobility.elimination import CircuitElimination, Unclear, unit_rows

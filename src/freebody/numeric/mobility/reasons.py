@@ -61,19 +61,21 @@ def at_this_pose(what: str, *, is_shaky: bool) -> str:
 
 # -- special geometry -------------------------------------------------------------------------
 def _parallel_bars(scene: CircuitScene) -> Iterator[str]:
-    for group in in_groups(scene.bars, lambda a, b: _same_length(scene, a, b) and _is_parallel(a.along, b.along)):
-        names = [bar.name for bar in group if scene.rests_on(bar.change)]
-        if len(names) > 1:
-            length = f"{group[0].length:.6g} m"
-            yield Message("{bodies} are equally long ({length}) and parallel", bodies=listed(names), length=length)
+    for length, names in _bars_alike(scene, lambda a, b: _same_length(scene, a, b) and _is_parallel(a.along, b.along)):
+        yield Message("{bodies} are equally long ({length}) and parallel", bodies=listed(names), length=length)
 
 
 def _equal_bars(scene: CircuitScene) -> Iterator[str]:
-    for group in in_groups(scene.bars, lambda a, b: _same_length(scene, a, b)):
+    for length, names in _bars_alike(scene, lambda a, b: _same_length(scene, a, b)):
+        yield Message("{bodies} are equally long ({length})", bodies=listed(names), length=length)
+
+
+def _bars_alike(scene: CircuitScene, is_alike: Callable[[Bar, Bar], bool]) -> Iterator[tuple[str, list[str]]]:
+    """The length of bars that are alike, and the names of those on which the dependence rests."""
+    for group in in_groups(scene.bars, is_alike):
         names = [bar.name for bar in group if scene.rests_on(bar.change)]
         if len(names) > 1:
-            length = f"{group[0].length:.6g} m"
-            yield Message("{bodies} are equally long ({length})", bodies=listed(names), length=length)
+            yield f"{group[0].length:.6g} m", names
 
 
 def _same_length(scene: CircuitScene, a: Bar, b: Bar) -> bool:

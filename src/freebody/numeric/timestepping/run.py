@@ -54,11 +54,7 @@ class Stepped:
     losses: Floats  # (n_times,): work of contacts and friction since the start, negative [J]
     penetration: float  # the deepest, after each step [m]
     residual: float  # the largest change of a velocity in the last sweep of a step [m/s or rad/s]
-    residual_share: float  # the same by the speeds of its step
     n_capped: int  # steps whose iteration ended at the cap
-    n_softened: int  # steps in which restitution would have added energy
-    n_sweeps: int
-    n_rebuilt: int
 
     def names(self) -> list[str]:
         """The name of every entry of `contacts`."""
@@ -341,11 +337,7 @@ class _Run:
             np.array(losses),
             max(self._deepest, float(m.clock[marching.DEEPEST])),
             float(m.clock[marching.WORST_RESIDUAL]),
-            float(m.clock[marching.WORST_SHARE]),
             int(m.count[marching.CAPPED]),
-            int(m.count[marching.SOFTENED]),
-            int(m.count[marching.SWEEPS]),
-            int(m.count[marching.REBUILDS]),
         )
 
     def _multipliers(self, held: Floats, keys: list[NDArray[np.intp]]) -> Floats:

@@ -13,8 +13,8 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from freebody.connections.contact import OutlinePair
 from freebody.connections.outlines import Hollow, Outline, RoundPart, Straight
+from freebody.connections.pairs import OutlinePair
 from freebody.language.expression import ZERO, Expr, Symbol
 from freebody.measures.geometry import GROUND, Components, Direction, Point
 from freebody.model.elements import Line

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from freebody.connections.contact import ContactSurface, OutlinePair
+from freebody.connections.pairs import ContactSurface, OutlinePair
 from freebody.errors import CannotAnswer
 from freebody.language.expression import ONE, ZERO, Expr, Symbol, differentiate, evaluate, free_symbols, substitute
 from freebody.language.sentences import Message

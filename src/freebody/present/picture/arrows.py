@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from freebody.present.figures import Array
-from freebody.present.picture.forces import Force
+from freebody.present.picture.forces import ShownForce
 from freebody.present.picture.label import Label, Run, beside
 from freebody.present.picture.placer import Wish, around
 from freebody.present.picture.shapes import Ink, Shape
@@ -27,14 +27,14 @@ _TURN = 1.25 * math.pi
 _HEAD_ON, _SHORTEST = 0.2, 0.45  # shares of its length that an arrow of space is seen with
 INKS = {"weight": Ink("force"), "load": Ink("force"), "reaction": Ink("reaction")}
 
-Where = Callable[[Force], tuple[Array, Array]]  # the point of action and the middle of the body, in points
+Where = Callable[[ShownForce], tuple[Array, Array]]  # the point of action and the middle of the body, in points
 
 
 @dataclass(frozen=True)
 class Drawn:
     """An arrow as it is drawn. start, end: (2,) [points]."""
 
-    force: Force
+    force: ShownForce
     start: Array
     end: Array
 
@@ -42,14 +42,14 @@ class Drawn:
 class Arrows:
     """Draws forces into a sketch. where: on paper; lengths: [points] by the force, else all alike."""
 
-    def __init__(self, sketch: Sketch, where: Where, lengths: Callable[[Force], float] | None = None) -> None:
+    def __init__(self, sketch: Sketch, where: Where, lengths: Callable[[ShownForce], float] | None = None) -> None:
         self.sketch, self.where = sketch, where
         self.lengths = lengths or _usual_length
         self.taken: list[tuple[Array, Array]] = []  # points and ways of arrows
         self.couples: list[Array] = []
         self.drawn: list[Drawn] = []
 
-    def draw(self, forces: Sequence[Force]) -> None:
+    def draw(self, forces: Sequence[ShownForce]) -> None:
         ordered = sorted(forces, key=lambda force: force.kind != "weight")
         for force in ordered:
             vector = np.array(force.moment if force.is_couple else force.force)
@@ -62,7 +62,7 @@ class Arrows:
                 self._head_on(force, float(seen[2]))
 
     # -- forces -------------------------------------------------------------------------------
-    def _arrow(self, force: Force, seen: Array) -> None:
+    def _arrow(self, force: ShownForce, seen: Array) -> None:
         """seen: (2,) of a unit vector."""
         at, middle = self.where(force)
         share = float(np.hypot(*seen))
@@ -91,7 +91,7 @@ class Arrows:
         unit = tuple((a, w / float(np.hypot(*w))) for a, w in places)
         self.sketch.wish(Wish(labelled(force), unit, 11.0, ink, weight=5.0))
 
-    def _head_on(self, force: Force, towards: float) -> None:
+    def _head_on(self, force: ShownForce, towards: float) -> None:
         """An arrow along the view: a circle with a dot where it comes, with a cross where it goes."""
         at, _middle = self.where(force)
         at = at + 6.0 * sum(float(np.hypot(*(at - other))) < 3.0 for other in self.couples) * np.array((1.0, 1.0))
@@ -111,7 +111,7 @@ class Arrows:
         return is_into, False
 
     # -- couples ------------------------------------------------------------------------------
-    def _couple(self, force: Force, towards: float) -> None:
+    def _couple(self, force: ShownForce, towards: float) -> None:
         """An arc about an axis along the view, counter-clockwise where it comes."""
         at, _middle = self.where(force)
         others = sum(float(np.hypot(*(at - other))) < 3.0 for other in self.couples)
@@ -130,18 +130,18 @@ class Arrows:
 def acting_at(sketch: Sketch, centers: Mapping[str, Array]) -> Where:
     """Forces at their points. centers: (2 or 3,) [m] of the bodies as they are drawn."""
 
-    def where(force: Force) -> tuple[Array, Array]:
+    def where(force: ShownForce) -> tuple[Array, Array]:
         center = centers[force.body]
         return sketch.seen(center + np.array(force.at)), sketch.seen(center)
 
     return where
 
 
-def _usual_length(_force: Force) -> float:
+def _usual_length(_force: ShownForce) -> float:
     return LENGTH
 
 
-def labelled(force: Force) -> Label:
+def labelled(force: ShownForce) -> Label:
     """Its symbol, and its value where that is known."""
     if force.value is None:
         return force.label

@@ -10,7 +10,7 @@ import numpy as np
 from freebody.present.drawing import Drawing
 from freebody.present.figures import Array, Figure, positions
 from freebody.present.picture.arrows import Arrows, axes_cross
-from freebody.present.picture.forces import Force
+from freebody.present.picture.forces import ShownForce
 from freebody.present.picture.label import words
 from freebody.present.picture.picture import Picture
 from freebody.present.picture.placer import Wish, around
@@ -28,7 +28,7 @@ def free_body_picture(
     scene: Scene,
     pose: Array,
     bodies: Sequence[str],
-    forces: Sequence[Force],
+    forces: Sequence[ShownForce],
     title: str,
     dimensions: Callable[[Sketch, Drawing], None] | None = None,
 ) -> Picture:
@@ -41,7 +41,7 @@ def free_body_picture(
     def center(figure: Figure) -> Array:
         return positions(drawing.poses, figure.mass_center)[0]
 
-    def where(force: Force) -> tuple[Array, Array]:
+    def where(force: ShownForce) -> tuple[Array, Array]:
         figure = figures[force.body]
         middle = positions(drawing.poses, figure.center)[0] if figure.radius else center(figure)
         return sketch.seen(center(figure) + np.array(force.at)), sketch.seen(middle)
@@ -100,14 +100,14 @@ def add_axes(sketch: Sketch) -> None:
             sketch.add(item)
 
 
-def description(bodies: Sequence[str], forces: Sequence[Force]) -> str:
+def description(bodies: Sequence[str], forces: Sequence[ShownForce]) -> str:
     """What acts on the bodies, in words."""
     acting = [_in_words(force, len(bodies) > 1) for force in forces]
     head = f"Free-body diagram of {', '.join(bodies)}."
     return f"{head} {'; '.join(acting)}." if acting else f"{head} Nothing acts from outside."
 
 
-def _in_words(force: Force, many: bool) -> str:
+def _in_words(force: ShownForce, many: bool) -> str:
     what = f"{force.about} {force.label.text}" if force.about else force.label.text
     on = f" on {force.body}" if many else ""
     if force.is_couple:

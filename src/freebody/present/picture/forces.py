@@ -12,7 +12,7 @@ Kind = Literal["weight", "load", "reaction"]
 
 
 @dataclass(frozen=True)
-class Force:
+class ShownForce:
     """What acts on a body at a point, per unit of a reaction or load.
 
     name: of the row or load; label: what the arrow is, such as 2 T; at: [m] the point, from the body's mass centre;

@@ -79,6 +79,15 @@ def _below(word: Word, points: Array) -> int:
     return int((near[:, 0] & near[:, 1]).sum())
 
 
+def points_along(way: Array, step: float, most: int) -> Array:
+    """(m, 2) points along a line (n, 2) but its last one, not farther apart than said, `most` on a piece of it."""
+    arms = way[1:] - way[:-1]
+    n = np.clip(np.hypot(*arms.T) / step, 0, most).astype(int) + 1
+    begins = np.repeat(np.cumsum(n) - n, n)
+    share = (np.arange(int(n.sum())) - begins) / np.repeat(n, n)
+    return np.repeat(way[:-1], n, axis=0) + share[:, None] * np.repeat(arms, n, axis=0)
+
+
 def dense(shapes: Sequence[Shape]) -> Array:
     """(n, 2) points along all lines and edges."""
     found = [np.zeros((0, 2))]
@@ -86,10 +95,6 @@ def dense(shapes: Sequence[Shape]) -> Array:
         if shape.scheme == "dark" or (shape.stroke is None and shape.fill is None):
             continue
         way = np.concatenate((shape.points, shape.points[:1])) if shape.is_closed else shape.points
-        arms = way[1:] - way[:-1]
-        n = np.clip(np.hypot(*arms.T) / _STEP, 0, 400).astype(int) + 1
-        begins = np.repeat(np.cumsum(n) - n, n)
-        share = (np.arange(int(n.sum())) - begins) / np.repeat(n, n)
-        found.append(np.repeat(way[:-1], n, axis=0) + share[:, None] * np.repeat(arms, n, axis=0))
+        found.append(points_along(way, _STEP, 400))
     every = np.concatenate(found)
     return np.unique(np.round(every / _STEP), axis=0) * _STEP

@@ -14,7 +14,7 @@ from freebody.present.figures import Array, Place
 from freebody.present.names import footprints, names
 from freebody.present.picture.arrows import Arrows
 from freebody.present.picture.bodies_free import description as described_forces
-from freebody.present.picture.forces import Force
+from freebody.present.picture.forces import ShownForce
 from freebody.present.picture.label import name, words
 from freebody.present.picture.picture import Picture
 from freebody.present.picture.placer import Wish, around
@@ -23,7 +23,7 @@ from freebody.present.picture.sketch import Sketch
 from freebody.present.picture.whole import Whole
 from freebody.present.places import Places
 from freebody.present.scene import Scene
-from freebody.present.space.drawing import Drawing, shells_of
+from freebody.present.space.drawing import SpatialDrawing, shells_of
 from freebody.present.space.figures import Poses
 from freebody.present.space.looks import OF_BODIES
 from freebody.present.space.painter import paint, painted_shot, shots
@@ -41,7 +41,7 @@ class SpaceSketch(Sketch):
 
     def __init__(
         self,
-        drawing: Drawing,
+        drawing: SpatialDrawing,
         angles: tuple[float, float],
         room: tuple[float, float] = _ROOM,
         *,
@@ -101,7 +101,7 @@ class SpaceSketch(Sketch):
             label = words(text) if len(text) > 1 else name(text)
             self.words.append(Word(label, self.at(at), _SIZE, Ink(color)))
 
-    def name_loads(self, forces: Sequence[Force]) -> None:
+    def name_loads(self, forces: Sequence[ShownForce]) -> None:
         """Symbols beside the arrows that the drawing has for forces and torques, in their order."""
         pieces = iter(piece for piece in self.drawing.pieces if piece.look == "force")
         called = {force.name: force for force in reversed(forces)}
@@ -145,13 +145,13 @@ class WholeInSpace(Whole):
         system: System,
         places: Places,
         poses: tuple[Array, Array],
-        loads: Sequence[Force],
+        loads: Sequence[ShownForce],
         angles: tuple[float, float],
         *,
         perspective: bool,
     ) -> None:
         """poses: (1, n_moving, 3) centres and (1, n_moving, 3, 3) axes."""
-        drawing = Drawing.of(Scene.of(system, places.number), *poses)
+        drawing = SpatialDrawing.of(Scene.of(system, places.number), *poses)
         sketch = SpaceSketch(drawing, angles, perspective=perspective)
         centers = {form.name: drawing.poses.centers[0, form.index] for form in drawing.scene.figures}
         super().__init__(system, places, drawing.scene, sketch, centers)
@@ -175,7 +175,7 @@ def free_body_in_space(
     scene: Scene,
     poses: tuple[Array, Array],
     bodies: Sequence[str],
-    forces: Sequence[Force],
+    forces: Sequence[ShownForce],
     title: str,
     angles: tuple[float, float],
     *,
@@ -185,16 +185,16 @@ def free_body_in_space(
     """poses: (1, n_moving, 3) centres and (1, n_moving, 3, 3) axes; partners: which bodies a force acts between, by its
     name."""
     part = replace(scene, figures=tuple(form for form in scene.figures if form.name in bodies), shown=(), planes=())
-    drawing, shells = Drawing.of(part, *poses), shells_of(scene, poses)
+    drawing, shells = SpatialDrawing.of(part, *poses), shells_of(scene, poses)
     if any(form.index in shells.forms for form in part.figures):  # of made-up size: as in the whole picture
-        whole = Drawing.of(scene, *poses)
+        whole = SpatialDrawing.of(scene, *poses)
         own = {form.index for form in part.figures}
         pieces = [p for p in whole.pieces if p.look in OF_BODIES and p.turn in own and p.place.body in own]
         drawing = replace(whole, scene=part, pieces=[p for p in pieces if p.end is None])
     sketch = SpaceSketch(drawing, angles, _ROOM_FREE, perspective=perspective, with_names=False)
     index = {form.name: form.index for form in part.figures}
 
-    def where(force: Force) -> tuple[Array, Array]:
+    def where(force: ShownForce) -> tuple[Array, Array]:
         center = drawing.poses.centers[0, index[force.body]]
         apart = _apart(scene, drawing.poses, shells, partners.get(force.name, frozenset()), index[force.body])
         return sketch.seen(center + np.array(force.at) + apart), sketch.seen(center)

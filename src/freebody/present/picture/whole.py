@@ -17,7 +17,7 @@ from freebody.present.picture.arrows import Arrows, acting_at, axes_cross
 from freebody.present.picture.bodies_free import name_beside
 from freebody.present.picture.coordinates import Coordinates
 from freebody.present.picture.dimensions import Dimensions
-from freebody.present.picture.forces import Force
+from freebody.present.picture.forces import ShownForce
 from freebody.present.picture.label import Label, Run, equation, name, words
 from freebody.present.picture.placer import Wish, around
 from freebody.present.picture.plane import sketched
@@ -45,8 +45,8 @@ class Whole(ABC):
         self, system: System, places: Places, scene: Scene, sketch: Sketch, centers: Mapping[str, Array]
     ) -> None:
         self.system, self.places, self.scene, self.sketch, self.centers = system, places, scene, sketch, centers
-        self.loads: Sequence[Force] = ()
-        self.lengths: Callable[[Force], float] = lambda _force: _LENGTH
+        self.loads: Sequence[ShownForce] = ()
+        self.lengths: Callable[[ShownForce], float] = lambda _force: _LENGTH
 
     @abstractmethod
     def at(self, place: Place) -> Array:
@@ -119,7 +119,7 @@ class Whole(ABC):
 class WholeInPlane(Whole):
     """pose: (n_moving_bodies, 3)."""
 
-    def __init__(self, system: System, places: Places, pose: Array, loads: Sequence[Force]) -> None:
+    def __init__(self, system: System, places: Places, pose: Array, loads: Sequence[ShownForce]) -> None:
         scene = Scene.of(system, places.number)
         self.drawing, sketch = sketched(scene, pose, _ROOMS.get(len(scene.figures), _ROOM), _LEAST)
         centers = {f.name: positions(self.drawing.poses, f.mass_center)[0] for f in scene.figures}

@@ -9,11 +9,12 @@ from pathlib import Path
 import numpy as np
 
 from freebody.errors import InputError
+from freebody.numeric.rotation import matrices
 from freebody.present.animation import FEWEST, Film, write_film
 from freebody.present.figures import Array
 from freebody.present.scene import Scene
-from freebody.present.space.drawing import Drawing
-from freebody.present.space.motion import at_times, largest_turn, matrices, quaternions
+from freebody.present.space.drawing import SpatialDrawing
+from freebody.present.space.motion import at_times, largest_turn, quaternions
 from freebody.present.space.page import page
 from freebody.present.space.stills import show_of_space
 from freebody.present.stage import Show
@@ -64,10 +65,10 @@ class _Turning:
     centers: Array
     turns: Array
 
-    def drawn(self, scene: Scene, n_frames: int) -> tuple[Drawing, Array, Array]:
+    def drawn(self, scene: Scene, n_frames: int) -> tuple[SpatialDrawing, Array, Array]:
         """The drawing of frames at equally spaced times, these times, and the quaternions."""
         shown, centers, turns = at_times(self.times, self.centers, self.turns, n_frames)
-        return Drawing.of(scene, centers, matrices(turns)), shown, turns
+        return SpatialDrawing.of(scene, centers, matrices(turns)), shown, turns
 
 
 def _checked(scene: Scene, times: Array, centers: Array, axes: Array) -> _Turning:

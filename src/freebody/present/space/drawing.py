@@ -31,7 +31,7 @@ Sheet = tuple[Place, Heading]  # a point and the normal of a plane
 
 
 @dataclass(frozen=True)
-class Drawing:
+class SpatialDrawing:
     """A scene on its way. symbol: [m] the size of symbols; low, high: (3,) [m] corners of a box round the motion."""
 
     scene: Scene
@@ -43,7 +43,7 @@ class Drawing:
     has_lengths: bool = True  # or all of them are made up
 
     @classmethod
-    def of(cls, scene: Scene, centers: Array, axes: Array) -> Drawing:
+    def of(cls, scene: Scene, centers: Array, axes: Array) -> SpatialDrawing:
         """centers: (n_times, n_moving, 3) [m] of mass centres; axes: (n_times, n_moving, 3, 3), whose columns are the
         axes of the bodies, in the order of `scene.names`."""
         poses = poses_of(scene, np.asarray(centers, dtype=np.float64), np.asarray(axes, dtype=np.float64))

@@ -21,17 +21,6 @@ def quaternions(axes: Array) -> Array:
     return found
 
 
-def matrices(q: Array) -> Array:
-    """(..., 3, 3) rotations of unit quaternions (..., 4)."""
-    w, x, y, z = np.moveaxis(q, -1, 0)
-    rows = (
-        (1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)),
-        (2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)),
-        (2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)),
-    )
-    return np.stack([np.stack(row, axis=-1) for row in rows], axis=-2)
-
-
 def between(p: Array, q: Array, share: Array) -> Array:
     """(..., 4) a share (..., 1) of the turn from one unit quaternion to another, the shorter way round: with the
     angle h between them, (sin((1 - s) h) p + sin(s h) q) / sin h."""

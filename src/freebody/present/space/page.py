@@ -9,7 +9,7 @@ import numpy as np
 
 from freebody.present.figures import Array
 from freebody.present.page import Pages, digits_of, place_data, rounded
-from freebody.present.space.drawing import Drawing
+from freebody.present.space.drawing import SpatialDrawing
 from freebody.present.space.looks import LOOKS, OF_BODIES
 from freebody.present.space.painter import DASHES, LIGHT
 from freebody.present.space.pieces import Piece
@@ -20,7 +20,7 @@ _TURN_DIGITS = 5
 
 
 def page(
-    drawing: Drawing,
+    drawing: SpatialDrawing,
     times: Array,
     turns: Array,
     title: str,

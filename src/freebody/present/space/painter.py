@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from freebody.present.figures import Array
 from freebody.present.names import Painted
 from freebody.present.picture.shapes import Shape, area, line
-from freebody.present.space.drawing import Drawing
+from freebody.present.space.drawing import SpatialDrawing
 from freebody.present.space.looks import LOOKS, OF_BODIES, Look
 from freebody.present.space.order import Seen, back_to_front, seen_ball, seen_solid
 from freebody.present.space.pieces import Piece
@@ -43,7 +43,7 @@ class Shot:
         return self.normals[:, 2] > 0.0
 
 
-def shots(drawing: Drawing, frame: int, view: View) -> list[Shot]:
+def shots(drawing: SpatialDrawing, frame: int, view: View) -> list[Shot]:
     """All pieces at one instant, from the back to the front. Planes are behind what stands on them, or before it."""
     taken = [_shot(drawing, piece, frame, view) for piece in drawing.pieces]
     flats = [shot for shot in taken if shot.piece.look == "plane"]
@@ -53,7 +53,7 @@ def shots(drawing: Drawing, frame: int, view: View) -> list[Shot]:
     return [*below, *(rest[k] for k in back_to_front([shot.seen for shot in rest])), *above]
 
 
-def painted(drawing: Drawing, frame: int, view: View, *, is_dark: bool = False) -> list[Painted]:
+def painted(drawing: SpatialDrawing, frame: int, view: View, *, is_dark: bool = False) -> list[Painted]:
     """All pieces at one instant, from the back to the front."""
     return [painted_shot(shot, tuple(paint(shot, is_dark=is_dark))) for shot in shots(drawing, frame, view)]
 
@@ -65,7 +65,7 @@ def painted_shot(shot: Shot, shapes: Sequence[Shape]) -> Painted:
     return Painted(owner, tuple(shapes), shot.seen.outline, shot.points[0, :2] if piece.radius else None)
 
 
-def _shot(drawing: Drawing, piece: Piece, frame: int, view: View) -> Shot:
+def _shot(drawing: SpatialDrawing, piece: Piece, frame: int, view: View) -> Shot:
     placed, lines = piece.placed(drawing.poses, frame)
     points = view.seen(placed)
     if piece.radius:

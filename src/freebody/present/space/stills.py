@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from freebody.present.names import Painted
 from freebody.present.scene import Scene
-from freebody.present.space.drawing import Drawing
+from freebody.present.space.drawing import SpatialDrawing
 from freebody.present.space.painter import painted
 from freebody.present.stage import Show
 
@@ -14,7 +14,7 @@ def description(scene: Scene) -> str:
     return f"{scene.title}, drawn in space; bodies: {', '.join(form.name for form in scene.figures)}"
 
 
-def show_of_space(drawing: Drawing, angles: tuple[float, float], *, perspective: bool) -> Show:
+def show_of_space(drawing: SpatialDrawing, angles: tuple[float, float], *, perspective: bool) -> Show:
     """A drawing seen from an azimuth and an elevation [deg]."""
     view = drawing.view(angles, perspective=perspective)
 

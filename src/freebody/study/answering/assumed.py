@@ -14,7 +14,7 @@ from freebody.language.sentences import Message
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference
 from freebody.numeric.split import Split, stack
-from freebody.numeric.start import wanted_rates
+from freebody.numeric.start_velocities import wanted_rates
 from freebody.study.answering.answer import Answer
 from freebody.study.setup import Setup
 from freebody.symbolic.field import Ratio

@@ -38,11 +38,11 @@ from freebody.study.answering.passage import smooth_passage
 from freebody.study.answering.scope import for_all
 from freebody.study.answering.witness import motion_to
 from freebody.study.setup import Setup
-from freebody.symbolic.conditions import Condition, require
+from freebody.symbolic.conditions import Condition, insisted, require
 from freebody.symbolic.equilibrium import ClosedFormRest, equilibria, lies_in_family
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.motion import Reached
 from freebody.symbolic.on_the_way import MOVING, kept_until
+from freebody.symbolic.reached import Reached
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.small_motion import free_oscillations
 from freebody.symbolic.state import SymbolicState
@@ -83,7 +83,7 @@ class QuestionSolver:
 
     def _conserved(self) -> Answer:
         """The rate of the quantity, and whether it vanishes; `study/conservation/conserved.py` has more to say."""
-        from freebody.study.conservation.conserved import Judge
+        from freebody.study.conservation.judge import Judge
 
         found = Judge(self.setup).answer(self.question)
         answer = Message("conserved for every motion") if found.is_conserved else Message("not conserved")
@@ -208,13 +208,9 @@ class QuestionSolver:
         event = self.question.event
         assert event is not None
         self._reached = reached = self._reach(event)
-        conditions: list[Condition] = []
-        for x, relation in reached.conditions:
-            condition, possible = require(x, relation, Message("{event} is reached", event=event.text))
-            if not possible:
-                raise NeverHappens(Message("{event} is never reached after the start", event=event.text))
-            if condition is not None:
-                conditions.append(condition)
+        purpose = Message("{event} is reached", event=event.text)
+        never = NeverHappens(Message("{event} is never reached after the start", event=event.text))
+        conditions = insisted((Condition(x, relation, purpose) for x, relation in reached.conditions), never)
         x: Elements = q.counted(smooth_passage(self.setup, reached, self._elements))
         if has_integrals(x):
             conditions += [c for c, _possible in (require(*need) for need in reached.timed) if c is not None]
@@ -294,15 +290,11 @@ class QuestionSolver:
 
         found = free_oscillations(self.model, self.setup.start)
         f = self.model.field
-        resting, swings = self._at_rest(found.rest, ">"), list[Condition]()
+        resting = self._at_rest(found.rest, ">")
         squares, notes = [found.squares[k] for k in found.swinging], list(found.notes)
         wanted = [x for k in found.swinging for x in found.positive(found.modes[k])]
-        for square in dict.fromkeys(wanted):
-            condition, possible = require(square, ">", Message("oscillates"))
-            if not possible:
-                raise CannotAnswer(further(*found.notes, Message("there is no oscillation about it: it is unstable")))
-            if condition is not None:
-                swings.append(condition)
+        unstable = CannotAnswer(further(*found.notes, Message("there is no oscillation about it: it is unstable")))
+        swings = insisted((Condition(x, ">", Message("oscillates")) for x in dict.fromkeys(wanted)), unstable)
         if q.what == "frequencies":
             squares = list(found.squares)
         elif not squares:

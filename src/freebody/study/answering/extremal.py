@@ -27,7 +27,7 @@ from freebody.study.answering.numbers import number_at
 from freebody.study.answering.ranges import RangeSearch
 from freebody.study.answering.turned_round import Formula, PutBack, domain_of, quantity_with
 from freebody.study.setup import Setup
-from freebody.symbolic.conditions import Condition, require
+from freebody.symbolic.conditions import Condition, insisted
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import functions
 from freebody.symbolic.limits import derivative_by
@@ -133,15 +133,10 @@ def _no_summit(monotone: _Monotone, own: Draw, name: str) -> Message:
 
 
 def _conditions(setup: Setup, wanted: Wanted, formula: Formula, place: Ratio, index: int) -> list[Condition]:
-    field, found = setup.model.field, list[Condition]()
+    field = setup.model.field
     needed = [replace(c, element=field.lowest_terms(field.follow(c.element, {index: place}))) for c in formula.needed]
-    for c in [*domain_of(setup.system.parameters[wanted.parameter], place), *real(place), *needed]:
-        condition, possible = require(c.element, c.relation, c.purpose)
-        if not possible:
-            raise CannotAnswer(Message("the formula is not true where it would be largest or least"))
-        if condition is not None:
-            found.append(condition)
-    return found
+    untrue = CannotAnswer(Message("the formula is not true where it would be largest or least"))
+    return insisted([*domain_of(setup.system.parameters[wanted.parameter], place), *real(place), *needed], untrue)
 
 
 def _evidence(

@@ -42,7 +42,7 @@ from freebody.study.answering.turned_round import (
     without_roots,
 )
 from freebody.study.setup import Setup
-from freebody.symbolic.conditions import Condition, require
+from freebody.symbolic.conditions import Condition, insisted
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.parameter_roots import solutions
 from freebody.symbolic.signs import sign_of
@@ -340,14 +340,7 @@ class RangeSearch:
         for truth in self.truths:  # what does not depend on the parameter, and holds here
             free = [c for c in truth.conditions if self.index not in self.field.ingredients(c.element)]
             needs += [c for c in free if self._is_so(c.element, c.relation, numbers, True)]
-        kept: list[Condition] = []
-        for c in needs:
-            condition, possible = require(c.element, c.relation, c.purpose)
-            if not possible:
-                raise CannotAnswer(Message("where that holds has ends for which no closed form was found"))
-            if condition is not None:
-                kept.append(condition)
-        return kept
+        return insisted(needs, CannotAnswer(Message("where that holds has ends for which no closed form was found")))
 
     # -- evidence -----------------------------------------------------------------------------
     def _evidence(self, found: Sequence[_Interval], conditions: Sequence[Condition]) -> Evidence:

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable, Sequence
 
 import numpy as np
 
-from freebody.budgets import allowed
 from freebody.errors import CannotAnswer, NeverHappens
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS
@@ -15,7 +15,7 @@ from freebody.numeric.engine.course import Status, Trajectory
 from freebody.numeric.engine.engine import Engine
 from freebody.numeric.engine.evaluator import EngineWatch
 from freebody.numeric.jets import Array
-from freebody.numeric.options import SimulationOptions
+from freebody.study.answering.answer import Evidence
 from freebody.study.answering.crosscheck import (
     MIN_DRAWS,
     MOTION_TOLERANCE,
@@ -27,10 +27,11 @@ from freebody.study.answering.crosscheck import (
 )
 from freebody.study.answering.draws import Draw
 from freebody.study.answering.finding import Finding, NotHere
-from freebody.study.answering.witness import MOST_STEPS, TOLERANCE
+from freebody.study.answering.witness import run
 from freebody.study.setup import Setup
-from freebody.symbolic.conditions import Condition, require
-from freebody.symbolic.motion import Reached
+from freebody.symbolic.conditions import Condition, insisted
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.reached import Reached
 from freebody.symbolic.unknowns import Coordinate
 
 LONGEST = 60.0  # [s] in which a motion without a closed form has to repeat itself
@@ -46,27 +47,39 @@ def find(setup: Setup, question: str, measure: Measure | None) -> Finding:
     found = setup.motion.period(c)
     period = found.time
     assert period is not None
-    conditions: list[Condition] = []
-    for x, relation in found.conditions:
-        condition, possible = require(x, relation, Message("the motion repeats itself"))
-        if not possible:
-            raise NeverHappens(Message("the motion does not repeat itself"))
-        if condition is not None:
-            conditions.append(condition)
+    conditions = insisted(
+        (Condition(x, relation, Message("the motion repeats itself")) for x, relation in found.conditions),
+        NeverHappens(Message("the motion does not repeat itself")),
+    )
     check = CrossCheck(question, Message("numerical integration over more than one period"), MOTION_TOLERANCE)
-
-    def compare(draw: Draw) -> None:
-        (exact,) = element_at(setup, (period,), draw, draw.start())
-        if all(holds(setup, condition, draw, draw.start()) for condition in conditions):
-            check.compare(draw, exact, followed(setup, measure, c, draw, found))
-
-    check.gather(setup.draw_stream(), compare)
-    if len(check.pairs) < MIN_DRAWS and setup.has_values and (missed := broken(setup, conditions)):
-        needs = ", ".join(missed)
+    evidence = checked(setup, check, period, conditions, lambda draw: followed(setup, measure, c, draw, found))
+    if evidence is None:
+        needs = ", ".join(broken(setup, conditions))
         raise NotHere(
             Message("the motion does not repeat itself so at the model's own values: that needs {x}", x=needs)
         )
-    return Finding(period, check.evidence(), conditions, list(found.notes), list(found.says))
+    return Finding(period, evidence, conditions, list(found.notes), list(found.says))
+
+
+def checked(
+    setup: Setup,
+    check: CrossCheck,
+    x: Ratio,
+    conditions: Sequence[Condition],
+    number: Callable[[Draw], float],
+) -> Evidence | None:
+    """An element against what a motion in numbers shows, at draws that satisfy conditions. None where too little was
+    compared because the model's own values break them."""
+
+    def compare(draw: Draw) -> None:
+        (exact,) = element_at(setup, (x,), draw, draw.start())
+        if all(holds(setup, condition, draw, draw.start()) for condition in conditions):
+            check.compare(draw, exact, number(draw))
+
+    check.gather(setup.draw_stream(), compare)
+    if len(check.pairs) < MIN_DRAWS and setup.has_values and broken(setup, conditions):
+        return None
+    return check.evidence()
 
 
 def coordinate_of(setup: Setup, measure: Measure | None) -> Coordinate:
@@ -114,12 +127,7 @@ def period_in_numbers(draw: Draw, measure: Measure, until: float, *, is_exact: b
     begin, rate = start.value(measure), start.rate(measure)
     whole = begin + math.copysign(2 * math.pi, rate)
     watches = [EngineWatch("turn", measure, 1, size=1e-3), EngineWatch("over", measure, 0, whole, size=1.0)]
-    reference = draw.reference
-    engine = Engine(reference.numbers(), watches)
-    y = engine.state(*reference.by_body(start.q, start.v))
-    engine.align(y, start.t, start.value)
-    options = SimulationOptions(method="dop853", tolerance=TOLERANCE, max_steps=allowed(MOST_STEPS))
-    course = engine.run(y, until, options, start=start.t, outputs=np.array([start.t, until]))
+    engine, course = run(draw.reference, start, np.array([start.t, until]), watches)
     if course.status not in (Status.FINISHED, Status.TOO_LONG):
         raise SaysNothing(course.message or Message("the motion does not go on"))
     turns = [h.time for h in course.events if h.name == "turn" and h.kind in _CROSSED and h.time > start.t]

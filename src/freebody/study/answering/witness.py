@@ -6,7 +6,7 @@ Where rows depend on each other, the dense solution of the reference route says 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from functools import cached_property
@@ -149,22 +149,44 @@ def _followed(
     reference: Reference, start: Snapshot, until: float, watches: Sequence[EngineWatch], times: Array | None
 ) -> tuple[Trajectory, tuple[NumericSnapshot, ...]]:
     """A motion, and its states at the wanted times and at what is watched."""
-    engine = Engine(reference.numbers(), watches)
-    y = engine.state(*reference.by_body(start.q, start.v))
-    engine.align(y, start.t, start.value)
     outputs = np.linspace(start.t, until, N_LINKS) if times is None else times
-    options = SimulationOptions(method="dop853", tolerance=TOLERANCE, max_steps=allowed(MOST_STEPS))
-    course = engine.run(y, until, options, start=start.t, outputs=outputs)
+    engine, course = run(reference, start, outputs, watches, until)
     links: list[NumericSnapshot] = []
-    near = start
-    for k, t in enumerate(course.times):
-        q, v = map(reference.by_column, engine.coordinates(engine.state_at(course, k)))
-        near = NumericSnapshot(reference.snapshot(q, v, float(t), near), engine)
+    for snapshot in snapshots(reference, engine, course, start):
+        near = NumericSnapshot(snapshot, engine)
         for measure in reference.system.measures.values():
             with suppress(CannotAnswer, ArithmeticError, ValueError):
                 near.value(measure)  # angles of lines are counted on where they are looked at
         links.append(near)
     return course, tuple(links)
+
+
+def run(
+    reference: Reference,
+    start: Snapshot,
+    outputs: Array,
+    watches: Sequence[EngineWatch] = (),
+    until: float | None = None,
+    tolerance: float = TOLERANCE,
+    most_steps: int = MOST_STEPS,
+) -> tuple[Engine, Trajectory]:
+    """The motion from a start to `until`, the last of the outputs where it is not given [s]. most_steps: at the usual
+    effort."""
+    engine = Engine(reference.numbers(), watches)
+    y = engine.state(*reference.by_body(start.q, start.v))
+    engine.align(y, start.t, start.value)
+    options = SimulationOptions(method="dop853", tolerance=tolerance, max_steps=allowed(most_steps))
+    end = float(outputs[-1]) if until is None else until
+    return engine, engine.run(y, end, options, start=start.t, outputs=outputs)
+
+
+def snapshots(reference: Reference, engine: Engine, course: Trajectory, start: Snapshot) -> Iterator[Snapshot]:
+    """The states of a motion, in which angles are counted on from one to the next."""
+    near = start
+    for k, t in enumerate(course.times):
+        q, v = map(reference.by_column, engine.coordinates(engine.state_at(course, k)))
+        near = reference.snapshot(q, v, float(t), near)
+        yield near
 
 
 def _turn_at(

@@ -234,10 +234,7 @@ class RateBalance:
     def _of_conjugate(self, q: GeneralizedMomentum) -> RatePrinciple:
         c = self._coordinate(q.coordinate)
         m, k = self.model, self.model.coordinates.index(c)
-        force = change = self.field.zero
-        for name, wrench in m.loads.wrenches.items():
-            for w, slope in zip(wrench, m.kinematics.partial_velocities[name][k], strict=True):
-                force = force + w * slope
+        force, change = m.dynamics.generalized_force(c), self.field.zero
         for name, partials in m.kinematics.partial_velocities.items():
             turning = map(self._in_speeds, m.dynamics.turning_momentum(name))
             for momentum, slope, gyroscopic in zip(self._momentum_of(name), partials[k], turning, strict=True):

@@ -17,7 +17,6 @@ from typing import Any
 
 import numpy as np
 
-from freebody.budgets import allowed
 from freebody.errors import CannotAnswer, RoutesDisagree
 from freebody.language.expression import Expr, Symbol, number, substitute
 from freebody.language.sentences import Message
@@ -268,18 +267,13 @@ def _with_forms(system: System, forms: Mapping[str, Expr]) -> System:
 
 def _run(draw: Draw, seed: int) -> list[SimulatedRun]:
     """A motion from a general pose and speed; none if it ends at once."""
-    from freebody.numeric.engine.engine import Engine
-    from freebody.numeric.options import SimulationOptions
+    from freebody.study.answering.witness import run
 
     reference = draw.reference
     start = draw.anywhere(seed, 0.0, 0.3)
-    engine = Engine(reference.numbers())
-    y = engine.state(*reference.by_body(start.q, start.v))
-    engine.align(y, start.t, start.value)
     outputs = np.linspace(start.t, start.t + _DURATION, _N_TIMES)
-    options = SimulationOptions(method="dop853", tolerance=_STEP_TOLERANCE, max_steps=allowed(_MOST_STEPS))
     try:
-        course = engine.run(y, float(outputs[-1]), options, start=start.t, outputs=outputs)
+        engine, course = run(reference, start, outputs, tolerance=_STEP_TOLERANCE, most_steps=_MOST_STEPS)
     except (np.linalg.LinAlgError, ZeroDivisionError):  # gradients that are not finite, or nothing with inertia
         return []
     times = course.times[np.isin(course.times, outputs)]  # where the steps ran out is no time to compare at

@@ -41,7 +41,6 @@ from freebody.tolerances import ROUND_OFF, ROUNDED
 TOLERANCE = 1e-8  # relative: limits are found by halving margins of linear programs
 END = {1: Message("upper"), -1: Message("lower")}
 ROUTE = Message("the linear programs of all reactions that rest allows")
-_ENDS = {1: "at most", -1: "at least"}
 
 
 @dataclass(frozen=True)

@@ -20,7 +20,7 @@ from freebody.study.friction.touching import TouchingAtRest
 from freebody.study.setup import Setup
 from freebody.symbolic.active_set import Failure, ReducedColumns, RestEquations, Slot
 from freebody.symbolic.angle_factors import open_parts
-from freebody.symbolic.conditions import Condition, closed, require
+from freebody.symbolic.conditions import Condition, closed, insisted
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.inequalities import Inequality, Line, without_free, without_implied
 from freebody.symbolic.linear import RHS, Row
@@ -243,12 +243,8 @@ class Ends:
         if len(parts) > 1:
             values = [self.number(part, draw) for part in parts]
             parts = [-p if v is not None and v < 0 else p for p, v in zip(parts, values, strict=True)]
-        for part in parts:
-            condition, is_possible = require(part, relation, purpose)
-            if not is_possible:
-                raise CannotAnswer(Message("this case is empty: {purpose}", purpose=purpose))
-            if condition is not None:
-                yield condition
+        empty = CannotAnswer(Message("this case is empty: {purpose}", purpose=purpose))
+        yield from insisted((Condition(part, relation, purpose) for part in parts), empty)
 
     def _reserves(
         self, failure: Failure, at_end: ReducedColumns, at: Values, draw: Draw

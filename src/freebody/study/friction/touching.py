@@ -18,7 +18,8 @@ from freebody.language.sentences import Message
 from freebody.measures.displacement import Displacement
 from freebody.model.elements import ConstraintRow, DryFriction, UnilateralConstraint
 from freebody.numeric.contact.start import far_sides, is_within
-from freebody.numeric.jets import Array, JetGeometry
+from freebody.numeric.jet_geometry import JetGeometry
+from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference
 from freebody.study.answering.draws import SEED, draw_parameters
 from freebody.system.modes import ContactMode, ideal_bounds, in_mode

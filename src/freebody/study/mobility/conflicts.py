@@ -26,7 +26,8 @@ from freebody.measures.angle import Angle
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, Point
 from freebody.numeric.described import axes_of
-from freebody.numeric.jets import Array, Jet, JetGeometry
+from freebody.numeric.jet_geometry import JetGeometry
+from freebody.numeric.jets import Array, Jet
 from freebody.numeric.mobility.described import attitude, described
 from freebody.numeric.placing import ACCEPTED, TOLERANCE, Fit, PoseEquation
 from freebody.numeric.reference import Reference

@@ -16,7 +16,7 @@ from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
 from freebody.measures.combination import Combination
 from freebody.model.elements import NonholonomicForm
-from freebody.model.names import did_you_mean
+from freebody.model.noting import did_you_mean
 from freebody.numeric.jets import Array
 from freebody.numeric.mobility.coordinates import own_measures
 from freebody.numeric.mobility.modes import AssemblyMode, AssemblyModes, assembly_modes

@@ -17,11 +17,12 @@ from freebody.questions.course import Transition
 from freebody.questions.event import QuestionEvent
 from freebody.questions.happening import Happening, Lasting
 from freebody.study.answering.finding import NO_FORM, why
+from freebody.study.phases.changes_asked import begins_with, comes_behind, is_meant
 from freebody.study.phases.events import first_events
 from freebody.study.phases.nodes import PhaseEnd, PhaseNode, WayToPhase
 from freebody.study.phases.numbers import Chosen
 from freebody.study.phases.phase import PhaseWatch
-from freebody.study.phases.pieces import begins_with, comes_behind, is_meant, watches_of
+from freebody.study.phases.pieces import watches_of
 from freebody.study.phases.tree import PhaseTree
 from freebody.study.phases.words import ROLLING
 from freebody.symbolic.conditions import Condition

@@ -22,10 +22,11 @@ from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference
 from freebody.questions.base import Quantity
 from freebody.questions.energy import Energy
+from freebody.study.phases.followed import changed
 from freebody.study.phases.home import Home
 from freebody.study.phases.nodes import PhaseImpact, PhaseNode
 from freebody.study.phases.quantities import plain, value_in_mode
-from freebody.study.phases.witness import FollowedPhase, changed
+from freebody.study.phases.witness import FollowedPhase
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.phases.friction import named_rows
 from freebody.system.modes import ContactMode, in_mode

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from typing import Any, cast
@@ -16,6 +16,15 @@ from freebody.questions.course import Transition
 from freebody.questions.reading import AskedEvent, Question, is_of_start
 from freebody.study.answering.conditions import as_written, at_instant, real
 from freebody.study.answering.finding import NO_FORM, Elements, why
+from freebody.study.phases.changes_asked import (
+    begins_with,
+    comes_behind,
+    is_before_impact,
+    is_meant,
+    is_same,
+    is_struck_in,
+    rebounds,
+)
 from freebody.study.phases.ends import FirstEvent, PhaseOutcome
 from freebody.study.phases.events import first_events
 from freebody.study.phases.in_blow import after_in_formulas, not_struck
@@ -165,18 +174,8 @@ def _at_transition(
                 if not comes_behind(asked, edge.first.watch, node):
                     yield from _at_transition(tree, question, asked, [way.on(edge, node)])
                 else:
-                    after = node if asked.kind == "opens" and _rebounds(node, asked) else None
+                    after = node if asked.kind == "opens" and rebounds(node, asked) else None
                     yield _piece(tree, question, way, edge.first, conditions, node.sets, after)
-
-
-def comes_behind(asked: Transition, watch: PhaseWatch, node: PhaseNode) -> bool:
-    """Whether a change of a contact comes with the phase that follows on an event: slip ends and rolling follows, an
-    edge ends and nothing touches behind it, or what is struck parts again."""
-    if asked.kind == "rolls":
-        return node.phase.mode.states.get(watch.name) == 0 and is_meant(asked, watch)
-    if asked.kind != "opens":
-        return False
-    return (watch.kind == "edge ends" and _is_left(node, asked, watch.connection)) or _rebounds(node, asked)
 
 
 def _beside_blow(
@@ -262,48 +261,6 @@ def _of_blow(
     return AnswerBranch(value, True, list(way.nodes), first, conditions, node.sets, time, notes, after, in_blow=True)
 
 
-def is_struck_in(node: PhaseNode, of: Sequence[str]) -> bool:
-    """Whether a phase begins with a blow or an impact of what is named."""
-    if node.impact is None:
-        return False
-    struck = {name.partition(".")[0] for name in node.impact.hits}
-    if node.impact.blow is not None:
-        struck |= {*node.impact.blow.closing, *node.impact.blow.striking}
-    return not of or bool(struck.intersection(of))
-
-
-def _is_left(node: PhaseNode, asked: Transition, connection: str) -> bool:
-    """Whether no place of a connection touches any more, where an edge has ended."""
-    still = {name.partition(".")[0] for name in node.phase.mode.closed}
-    return _is_named(asked, connection) and connection not in still
-
-
-def _rebounds(node: PhaseNode, asked: Transition) -> bool:
-    """Whether a phase begins with an impact that parts what is meant."""
-    hits = () if node.impact is None else node.impact.hits
-    return any(name not in node.phase.mode.closed and _is_named(asked, name.partition(".")[0]) for name in hits)
-
-
-def begins_with(tree: PhaseTree, asked: Transition, node: PhaseNode) -> str:
-    """Why what is asked for happens at the start: nothing slips and yet friction cannot hold, what touches parts, or it
-    begins with an impact."""
-    phase = node.phase
-    if asked.kind == "slips":
-        for name, state in phase.mode.states.items():
-            is_still = name in tree.slips and tree.slips[name].is_zero()
-            if state and is_still and _is_named(asked, name.partition(".")[0]):
-                return Message("{contact} cannot hold at the start: it slips at once", contact=label(name))
-    hits = () if node.impact is None or asked.kind != "touches" else node.impact.hits
-    for name in hits:
-        if _is_named(asked, name.partition(".")[0]):
-            return Message("{contact} is struck at once", contact=label(name))
-    if asked.kind == "opens":
-        for name in sorted((tree.closed | tree.moving) - phase.mode.closed):
-            if _is_named(asked, name.partition(".")[0]):
-                return Message("{contact} touches at the start only: it opens at once", contact=label(name))
-    return ""
-
-
 def _at_the_start(tree: PhaseTree, question: Question, way: WayToPhase, why: str) -> AnswerBranch:
     zero = tree.home.model.field.zero
     notes, is_given = [why], way.last.impact is None or is_before_impact(question)
@@ -320,28 +277,6 @@ def _at_the_start(tree: PhaseTree, question: Question, way: WayToPhase, why: str
     else:
         value = question.quantity.counted(passage_of(tree, way, zero, way.last.sets))
     return AnswerBranch(value, True, [way.last], None, list(way.conditions), way.last.sets, zero, notes)
-
-
-def is_before_impact(question: Question) -> bool:
-    """Whether a place or a velocity is asked for where something is struck: it is that just before."""
-    asked = question.transition
-    if asked is None or asked.kind == "before":
-        return asked is not None
-    return asked.kind == "touches" and question.quantity.kinematic_order in (0, 1)
-
-
-def _is_named(asked: Transition, connection: str) -> bool:
-    return not asked.of or connection in asked.of
-
-
-def is_meant(asked: Transition, watch: PhaseWatch) -> bool:
-    kind = {"rolls": "slip ends"}.get(asked.kind, asked.kind)
-    return watch.kind == kind and _is_named(asked, watch.connection)
-
-
-def _is_same(watch: PhaseWatch, other: PhaseWatch) -> bool:
-    """Whether two watches are for one event; those for blows are made anew."""
-    return watch is other or (watch.kind == other.kind == STRIKES and watch.name == other.name)
 
 
 # -- a measure reaches a value ----------------------------------------------------------------
@@ -384,7 +319,7 @@ def _in_phase(
             conditions = [*given, *outcome.given, *tree.outcome_conditions(node.phase, outcome)]
             yield _piece(tree, question, way, outcome.first, conditions, outcome.sets)
     for edge in node.edges:
-        mine = [o.sets for o in outcomes if edge.first and o.first and _is_same(o.first.watch, edge.first.watch)]
+        mine = [o.sets for o in outcomes if edge.first and o.first and is_same(o.first.watch, edge.first.watch)]
         for after in edge.nodes:
             later = np.intersect1d(after.sets, np.concatenate(mine)) if mine else after.sets[:0]
             if len(later):

@@ -12,7 +12,7 @@ from freebody.errors import InputError
 from freebody.language.expression import Symbol
 from freebody.language.notation import to_text
 from freebody.language.sentences import Message
-from freebody.model.names import did_you_mean
+from freebody.model.noting import did_you_mean
 from freebody.numeric.jets import Array
 from freebody.study.phases.numbers import coefficients_of_friction, holds
 from freebody.study.phases.tree import PhaseTree

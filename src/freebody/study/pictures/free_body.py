@@ -26,11 +26,11 @@ from freebody.measures.base import Measure
 from freebody.measures.geometry import GROUND
 from freebody.model.elements import AppliedLoad, ConstraintRow, NonholonomicForm
 from freebody.model.glyphs import Rope
-from freebody.model.names import did_you_mean
+from freebody.model.noting import did_you_mean
 from freebody.numeric.instant import law
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Snapshot
-from freebody.present.picture.forces import Force, Kind
+from freebody.present.picture.forces import Kind, ShownForce
 from freebody.present.picture.label import Label, Run, beside, formula, name
 from freebody.study.pictures.action import Action, cross
 from freebody.study.pictures.load_symbols import LoadSymbols, without_sign
@@ -86,19 +86,19 @@ class FreeBody:
     def load_symbols(self) -> LoadSymbols:
         return LoadSymbols(self.system, self.symbols, self.labels)
 
-    def forces(self) -> tuple[Force, ...]:
+    def forces(self) -> tuple[ShownForce, ...]:
         """What acts from outside, in the order of the model: loads, then reactions."""
         return tuple(self._all(only_outside=True))
 
-    def all_forces(self) -> tuple[Force, ...]:
+    def all_forces(self) -> tuple[ShownForce, ...]:
         """Those between the bodies too, on each of both."""
         return tuple(self._all(only_outside=False))
 
-    def loads(self) -> tuple[Force, ...]:
+    def loads(self) -> tuple[ShownForce, ...]:
         """The loads, those between the bodies too."""
         return tuple(self._loads(only_outside=False))
 
-    def impulses(self) -> tuple[Force, ...]:
+    def impulses(self) -> tuple[ShownForce, ...]:
         """Those of the blow at the start."""
         return tuple(force for push in self.system.impulses for force in self._load(push))
 
@@ -112,7 +112,7 @@ class FreeBody:
                     return self.load_symbols.of(push)[1] * self.snapshot.law(push)
         return None
 
-    def _all(self, *, only_outside: bool) -> Iterator[Force]:
+    def _all(self, *, only_outside: bool) -> Iterator[ShownForce]:
         yield from self._loads(only_outside=only_outside)
         for _connection, group in groupby(self.rows, key=lambda row: row.connection):
             yield from self._connection(list(group), only_outside=only_outside)
@@ -130,7 +130,7 @@ class FreeBody:
         return all(max(map(abs, self.snapshot.gradient(measure, body))) < small for body in others)
 
     # -- reactions ----------------------------------------------------------------------------
-    def _connection(self, rows: Sequence[ConstraintRow], *, only_outside: bool) -> Iterator[Force]:
+    def _connection(self, rows: Sequence[ConstraintRow], *, only_outside: bool) -> Iterator[ShownForce]:
         rope = None if self.system.space else rope_of(self.system, rows[0].connection)
         leads = rope.sign.leads if rope is not None and isinstance(rope.sign, Rope) else ()
         taut = [row for row in rows if row.component in {lead.row for lead in leads}]
@@ -141,7 +141,7 @@ class FreeBody:
             if not (only_outside and self._is_internal(row.measure)):
                 yield from self._reaction(row, rest)
 
-    def _string(self, row: ConstraintRow, found: Sequence[Pull], *, only_outside: bool) -> Iterator[Force]:
+    def _string(self, row: ConstraintRow, found: Sequence[Pull], *, only_outside: bool) -> Iterator[ShownForce]:
         """Its pulls at the bodies that are cut free, without those from each other."""
         label = self._label_of(row)
         own = [
@@ -156,7 +156,7 @@ class FreeBody:
         for body, at, pull in own:
             away = tuple(map(float, at - self.action.center(body)))
             size = float(np.hypot(*pull))
-            yield Force(row.name, scaled(label, size), body, away, _components(pull), (0.0,), about=row.reaction)
+            yield ShownForce(row.name, scaled(label, size), body, away, _components(pull), (0.0,), about=row.reaction)
 
     def _adds_up(self, row: ConstraintRow, found: Sequence[tuple[str, Array, Array]]) -> bool:
         """Whether pulls at points are all that a row does to its bodies."""
@@ -172,7 +172,7 @@ class FreeBody:
                 return False
         return True
 
-    def _reaction(self, row: ConstraintRow, siblings: Sequence[ConstraintRow]) -> Iterator[Force]:
+    def _reaction(self, row: ConstraintRow, siblings: Sequence[ConstraintRow]) -> Iterator[ShownForce]:
         for body in self.bodies:
             if body in set(row.measure.bodies()):
                 f, m = self.action.wrench(row.measure, body)
@@ -185,7 +185,7 @@ class FreeBody:
         return name(symbol.name if given is None else given)
 
     # -- loads --------------------------------------------------------------------------------
-    def _loads(self, *, only_outside: bool) -> Iterator[Force]:
+    def _loads(self, *, only_outside: bool) -> Iterator[ShownForce]:
         for applied_loads in self._pushes():
             if len(applied_loads) > 1:
                 yield from self._resultant(applied_loads, only_outside=only_outside)
@@ -207,7 +207,7 @@ class FreeBody:
         own = self.system.loads[applied_loads[0].load]
         return float(own.pulls_with([self.snapshot.law(push) for push in applied_loads], math.sqrt))
 
-    def _resultant(self, applied_loads: Sequence[AppliedLoad], *, only_outside: bool) -> Iterator[Force]:
+    def _resultant(self, applied_loads: Sequence[AppliedLoad], *, only_outside: bool) -> Iterator[ShownForce]:
         """A force of several components in the sense in which it acts in this pose: where it is zero it has none."""
         total = self._total(applied_loads)
         if total < sum(self._unsettled(push) for push in applied_loads):
@@ -237,7 +237,7 @@ class FreeBody:
         here = reference.jet(geometry, push.measure)
         return abs(law(reference, geometry, push, here + ON_LINE * self.size) - law(reference, geometry, push, here))
 
-    def _load(self, push: AppliedLoad) -> Iterator[Force]:
+    def _load(self, push: AppliedLoad) -> Iterator[ShownForce]:
         is_weight = isinstance(self.system.loads.get(push.load), Gravity)
         label, sign = self.load_symbols.of(push)
         about = "weight" if is_weight else f"load {push.load}"
@@ -258,7 +258,7 @@ class FreeBody:
         m: Array,
         label: Label,
         kind: Kind,
-    ) -> Iterator[Force]:
+    ) -> Iterator[ShownForce]:
         """A force at its point of action, a couple, or both."""
         size, center = float(np.linalg.norm(f)), self.action.center(body)
         about = of.reaction if isinstance(of, ConstraintRow) else ""
@@ -270,7 +270,7 @@ class FreeBody:
             away = at - center
             rest = rest - cross(away, f)
             away_components, label_f = tuple(map(float, away)), scaled(label, size)
-            yield Force(of.name, label_f, body, away_components, _components(f), nothing, kind, about=about)
+            yield ShownForce(of.name, label_f, body, away_components, _components(f), nothing, kind, about=about)
         if turns and float(np.abs(rest).max()) > ON_LINE * (self.size if size > ROUND_OFF else 1.0):
             amount = float(np.linalg.norm(rest))
             own = self.action.couple_point(of, siblings, body)
@@ -278,7 +278,7 @@ class FreeBody:
             unit = self._lever(of, body, amount)
             label_m = scaled(label, amount) if unit is None else beside(unit, label, "\u2009")
             still = (0.0,) * len(f)
-            yield Force(of.name, label_m, body, away_components, still, _components(rest), kind, about=about)
+            yield ShownForce(of.name, label_m, body, away_components, still, _components(rest), kind, about=about)
 
     def _lever(self, of: ConstraintRow | AppliedLoad, body: str, amount: float) -> Label | None:
         """The arm of a couple as the model writes it: R of R F."""

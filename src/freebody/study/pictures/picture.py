@@ -11,10 +11,10 @@ import numpy as np
 from freebody.errors import CannotAnswer, InputError
 from freebody.language.sentences import Message
 from freebody.model.glyphs import Coil, ForceArrow, MomentArrow
-from freebody.model.names import did_you_mean
+from freebody.model.noting import did_you_mean
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Snapshot
-from freebody.present.picture.forces import Force
+from freebody.present.picture.forces import ShownForce
 from freebody.present.picture.picture import Picture, checked_path
 from freebody.present.picture.whole import Whole, WholeInPlane, described
 from freebody.present.places import Places
@@ -47,7 +47,7 @@ def picture(
     found = instant_of(system, at, in_motion=bool(set(show) & {"acceleration", "force"}), at_rest=not show)
     title = system.title if not at else f"{system.title}, t = {at:g} s"
     moving = [body.name for body in system.moving]
-    acting: Sequence[Force] = ()
+    acting: Sequence[ShownForce] = ()
     if moving:
         free = FreeBody(found.snapshot, moving)
         acting = free.loads() if at else (*free.loads(), *free.impulses())
@@ -157,7 +157,7 @@ def _check_view(system: System, view: View, *, perspective: bool) -> None:
         raise InputError(Message("a view from the side is for models in space; this one is in the plane"))
 
 
-def _valued(force: Force, found: Instant) -> Force:
+def _valued(force: ShownForce, found: Instant) -> ShownForce:
     """A force with its value in an instant, where it is unique."""
     value = found.reactions.get(force.name)
     if force.kind != "reaction":
@@ -165,7 +165,7 @@ def _valued(force: Force, found: Instant) -> Force:
     return replace(force, value=value)
 
 
-def _in_the_plane(found: Instant, acting: Sequence[Force]) -> WholeInPlane:
+def _in_the_plane(found: Instant, acting: Sequence[ShownForce]) -> WholeInPlane:
     system, reference = found.snapshot.reference.system, found.snapshot.reference
     # dry friction that slides is a load of its own
     arrow = (ForceArrow, MomentArrow, Coil)

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from freebody.numeric.jets import Array
-from freebody.present.picture.forces import Force
+from freebody.present.picture.forces import ShownForce
 from freebody.present.picture.picture import Picture
 from freebody.present.picture.space import WholeInSpace, free_body_in_space
 from freebody.present.places import Places
@@ -18,7 +18,7 @@ from freebody.study.pictures.points import points_of
 View = tuple[float, float]
 
 
-def whole_in_space(found: Instant, acting: Sequence[Force], view: View, *, perspective: bool) -> WholeInSpace:
+def whole_in_space(found: Instant, acting: Sequence[ShownForce], view: View, *, perspective: bool) -> WholeInSpace:
     """A system in space at an instant."""
     system = found.snapshot.reference.system
     places = Places(system, found.snapshot.reference.number)
@@ -29,7 +29,7 @@ def whole_in_space(found: Instant, acting: Sequence[Force], view: View, *, persp
 def free_body(
     found: Instant,
     bodies: Sequence[str],
-    forces: Sequence[Force],
+    forces: Sequence[ShownForce],
     title: str,
     *,
     view: View,

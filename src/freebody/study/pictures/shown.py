@@ -12,7 +12,7 @@ from freebody.language.sentences import Message
 from freebody.measures.geometry import GROUND
 from freebody.model.elements import RigidBody
 from freebody.numeric.jets import Array
-from freebody.present.picture.forces import Force
+from freebody.present.picture.forces import ShownForce
 from freebody.present.picture.label import name
 from freebody.present.picture.motion import add_centres, add_vectors
 from freebody.present.picture.shapes import Ink
@@ -42,7 +42,7 @@ def add_shown(whole: Whole, found: Instant, show: Sequence[str]) -> None:
         add_centres(whole.sketch, [(pair, whole.sketch.seen(at)) for pair, at in _centres(system, found)])
 
 
-def lengths_of(forces: Sequence[Force]) -> Callable[[Force], float]:
+def lengths_of(forces: Sequence[ShownForce]) -> Callable[[ShownForce], float]:
     """[points] of arrows, by the size of the force."""
     largest = max((force.size for force in forces if not force.is_couple), default=0.0) or 1.0
     return lambda force: 30.0 if force.is_couple else 16.0 + 40.0 * force.size / largest
@@ -64,12 +64,12 @@ def _centres(system: System, found: Instant) -> list[tuple[str, Array]]:
     return [(b if a == GROUND else f"{a}\u2013{b}", np.array(at)) for (a, b), at in known]
 
 
-def forces_in_numbers(found: Instant) -> list[Force]:
+def forces_in_numbers(found: Instant) -> list[ShownForce]:
     """Loads, and reactions at the first of their bodies that moves: components at one point as their resultant."""
     system = found.snapshot.reference.system
     moving = [body.name for body in system.moving]
     free = FreeBody(found.snapshot, moving, closed=closed_bounds(found.snapshot))
-    valued: list[Force] = []
+    valued: list[ShownForce] = []
     seen: set[str] = set()
     for force in free.all_forces():
         value = found.reactions.get(force.name) if force.kind == "reaction" else free.load_value(force.name)
@@ -82,11 +82,11 @@ def forces_in_numbers(found: Instant) -> list[Force]:
     return [_positive(force) for force in found_forces if force.size > _NOTHING * largest]
 
 
-def _resultants(forces: Sequence[Force], system: System) -> list[Force]:
+def _resultants(forces: Sequence[ShownForce], system: System) -> list[ShownForce]:
     """Components of one connection at one point of a body in one arrow."""
     connections = {row.name: row.connection for row in system.rows}
-    merged: list[Force] = []
-    groups: dict[tuple[str, str, tuple[float, ...]], list[Force]] = {}
+    merged: list[ShownForce] = []
+    groups: dict[tuple[str, str, tuple[float, ...]], list[ShownForce]] = {}
     for force in forces:
         if force.kind == "reaction" and not force.is_couple and len(axis := force.name.split(".")[-1]) == 1 and axis:
             at = tuple(round(x, 9) for x in force.at)
@@ -105,7 +105,7 @@ def _resultants(forces: Sequence[Force], system: System) -> list[Force]:
     return merged
 
 
-def _positive(force: Force) -> Force:
+def _positive(force: ShownForce) -> ShownForce:
     """An arrow in the direction in which a force really acts."""
     if force.value is None or force.value >= 0.0:
         return force

@@ -8,10 +8,10 @@ from typing import Any
 
 import numpy as np
 
-from freebody.errors import CannotAnswer, InputError
+from freebody.errors import InputError
 from freebody.language.sentences import Message
-from freebody.numeric.blow import impulse
 from freebody.numeric.contact.admissible import admissible_reactions
+from freebody.numeric.contact.sudden import recorded
 from freebody.numeric.engine.course import BlowRecord, Collision
 from freebody.numeric.jets import Array
 from freebody.study.simulation.contact_series import final_states
@@ -90,16 +90,7 @@ class MeasuredMotion(SimulatedMotion):
         reference, struck = self.simulator.reference, self.simulator.blow
         if struck is None or self.course.times[0] > 0.0:
             return None
-        impulses: dict[str, float] = {}
-        unknown: list[str] = []
-        for row in reference.system.constraint_rows:
-            try:
-                impulses[row.name] = row.sign * impulse(reference, struck, row)
-            except CannotAnswer:
-                unknown.append(row.name)
-        M = reference.masses
-        change = 0.5 * float(struck.after @ (M * struck.after) - struck.before @ (M * struck.before))
-        return BlowRecord(0.0, "start", impulses, tuple(unknown), change)
+        return recorded(reference, struck, "start", 0.0)
 
     def _blow_summary(self) -> dict[str, Any]:
         """The blow at the start, and those on the way: the kinetic energy that is lost [J], and the impulses [N s,

@@ -43,7 +43,7 @@ from freebody.model.elements import RATE, VALUE, AppliedLoad, ConstraintRow, Non
 from freebody.numeric.engine.course import RotationHistory, Trajectory
 from freebody.numeric.jets import Array
 from freebody.numeric.potential import ARRAY_FUNCTIONS
-from freebody.numeric.spatial import matrices_of, vectors_of
+from freebody.numeric.rotation import matrices, rotation_vectors
 from freebody.present.recording import Recording, Series
 from freebody.study.simulation.observed import observed
 from freebody.system.system import System
@@ -125,11 +125,9 @@ def _bodies_in_space(course: Trajectory, rotation: RotationHistory) -> dict[str,
         place, per = _FIXED_NAMES[2 * order], ("", "/s", "/s^2")[order]
         data[f"body_{place}"] = (axes, array[:, :-1], _named("m" + per, f"{place} of the mass centre"))
     turned = rotation.quaternions[:, :-1]
-    matrices = matrices_of(turned)
-    vectors = vectors_of(turned)
     data["body_quaternion"] = (("time", "body", "quaternion"), turned, _named("1", "quaternion of the body's axes"))
-    data["body_rotation_matrix"] = ((*axes, "body_axis"), matrices, _named("1", "axes of the body"))
-    data["body_rotation_vector"] = (axes, vectors, _named("rad", "rotation vector of the body's axes"))
+    data["body_rotation_matrix"] = ((*axes, "body_axis"), matrices(turned), _named("1", "axes of the body"))
+    data["body_rotation_vector"] = (axes, rotation_vectors(turned), _named("rad", "rotation vector of the body's axes"))
     for name, array, per, what in (
         ("angular_velocity", rotation.velocities, "/s", "angular velocity"),
         ("angular_velocity_in_body", rotation.velocities_in_body, "/s", "angular velocity along the body's axes"),

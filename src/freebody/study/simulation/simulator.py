@@ -12,7 +12,7 @@ import numpy as np
 from freebody.errors import CannotAnswer, InputError, ModelError
 from freebody.language.sentences import Message, further
 from freebody.measures.base import Measure
-from freebody.model.names import did_you_mean
+from freebody.model.noting import did_you_mean
 from freebody.numeric.blow import checked_blow
 from freebody.numeric.contact.bounded import Bounded
 from freebody.numeric.contact.hybrid import Hybrid

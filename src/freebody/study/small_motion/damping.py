@@ -15,8 +15,8 @@ from freebody.study.answering.at_equilibrium import NOTHING_DRIVES_BACK
 from freebody.study.answering.crosscheck import SaysNothing
 from freebody.study.answering.finding import Finding
 from freebody.study.setup import Setup
-from freebody.study.small_motion.resting import AtRest, compared, oscillates
-from freebody.symbolic.conditions import require
+from freebody.study.small_motion.resting import AtRest, beside, compared, oscillates
+from freebody.symbolic.conditions import Condition, insisted
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.small_motion import free_oscillations
 
@@ -43,10 +43,8 @@ def damping(setup: Setup, question: Question, q: Damping, at_rest: AtRest) -> Fi
             parts.append(f.lowest_terms(decay / (2 * omega)))
             continue
         left = f.lowest_terms(mode.square - decay * decay / 4)
-        condition, possible = require(left, ">", Message("underdamped"))
-        if not possible:
-            raise CannotAnswer(Message("it is overdamped for all values: it creeps back without swinging"))
-        conditions += [] if condition is None else [condition]
+        creeps = CannotAnswer(Message("it is overdamped for all values: it creeps back without swinging"))
+        conditions += insisted([Condition(left, ">", Message("underdamped"))], creeps)
         damped = f.sqrt(left, is_negative)
         parts.append(
             damped
@@ -55,7 +53,8 @@ def damping(setup: Setup, question: Question, q: Damping, at_rest: AtRest) -> Fi
             if q.what == "period"
             else f.lowest_terms(f.pi * decay / damped)
         )
-    evidence = compared(setup, question, parts, free.equilibrium, conditions, lambda small: damped_values(small, q))
+    read = beside(lambda small: damped_values(small, q))
+    evidence = compared(setup, question, parts, free.equilibrium, conditions, read)
     notes = list(free.notes)
     if not free.linear.is_damped:
         notes.append(Message("nothing damps the motion"))

@@ -23,7 +23,8 @@ from freebody.model.elements import NonholonomicForm
 from freebody.numeric.equilibrium import RestSearch
 from freebody.numeric.families import goes_on, nearest_of_family
 from freebody.numeric.instant import UNIQUE
-from freebody.numeric.jets import TIME, Array, JetGeometry
+from freebody.numeric.jet_geometry import JetGeometry
+from freebody.numeric.jets import TIME, Array
 from freebody.numeric.reference import Reference
 from freebody.numeric.rest import LoadBalance
 from freebody.numeric.small_motion import SmallMotion, gradient_of

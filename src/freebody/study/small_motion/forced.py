@@ -24,13 +24,14 @@ from freebody.study.answering.finding import Finding
 from freebody.study.setup import Setup
 from freebody.study.small_motion.forced_numbers import ForcedNumbers
 from freebody.study.small_motion.resting import TOLERANCE, AtRest
-from freebody.symbolic.conditions import Condition, require
+from freebody.symbolic.conditions import Condition, insisted, require
 from freebody.symbolic.equilibrium import find_equilibrium
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.forced import ForcedOscillation, Phasor, forced_oscillation
 from freebody.symbolic.functions import functions
+from freebody.symbolic.linear import determinant
 from freebody.symbolic.linearised import Linearised
-from freebody.symbolic.routh import determinant, squares
+from freebody.symbolic.quadratic import roots
 from freebody.symbolic.signs import Sign, sign_of
 
 FORCED = Message("frequency response of the full system, linearised in numbers")
@@ -82,13 +83,10 @@ class _Forced:
 
     def _dissipates(self) -> list[Condition]:
         """That damping takes energy: the leading minors of C are not negative."""
-        C, found = self.linear.damping, list[Condition]()
-        for size in range(1, len(C) + 1):
-            condition, possible = require(determinant([row[:size] for row in C[:size]]), ">=", Message("damps"))
-            if not possible:
-                raise CannotAnswer(Message("the damping feeds energy into the motion, which grows"))
-            found += [] if condition is None else [condition]
-        return found
+        C = self.linear.damping
+        minors = (determinant([row[:size] for row in C[:size]]) for size in range(1, len(C) + 1))
+        grows = CannotAnswer(Message("the damping feeds energy into the motion, which grows"))
+        return insisted((Condition(x, ">=", Message("damps")) for x in minors), grows)
 
     def of(self, q: Quantity) -> Phasor:
         """The swing of a quantity, multiplied by the determinant of D."""
@@ -234,11 +232,8 @@ def _resonance(q: ResonanceFrequency, told: _Forced, question: Question) -> Find
     sought = f.lowest_terms(f.partial(square, omega)).numerator() if is_bounded else square.denominator()
     places = [x for base, _times in f.factor(sought.num)[1] for x in _squares_of(base, omega)]
     best = _largest(told, places, square, omega) if is_bounded else _positive(told, places)
-    for x in best:
-        condition, possible = require(x, ">", Message("there is a resonance"))
-        if not possible:
-            raise CannotAnswer(Message("the amplitude has no maximum at any frequency above zero"))
-        told.conditions += [] if condition is None else [condition]
+    none = CannotAnswer(Message("the amplitude has no maximum at any frequency above zero"))
+    told.conditions += insisted([Condition(x, ">", Message("there is a resonance")) for x in best], none)
     roots = tuple(f.sqrt(x, told.model.samples.is_negative) for x in best)
     if not is_bounded:
         told.notes.append(Message("without damping the amplitude grows without bound there"))
@@ -343,4 +338,4 @@ def _squares_of(base: Ratio, omega: int) -> list[Ratio]:
                 n=len(c) - 1,
             )
         )
-    return squares(c[::2]) or []
+    return roots(c[::2]) or []

@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from freebody.errors import CannotAnswer, InputError
 from freebody.language.expression import free_symbols
 from freebody.language.sentences import Message, in_turn
-from freebody.model.names import did_you_mean
+from freebody.model.noting import did_you_mean
 from freebody.numeric.directional import derivative
 from freebody.numeric.instant import forces
 from freebody.numeric.jets import Array

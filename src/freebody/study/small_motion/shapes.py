@@ -16,7 +16,7 @@ from freebody.questions.small_motion import ModeShapes
 from freebody.study.answering.crosscheck import SaysNothing
 from freebody.study.answering.finding import Finding
 from freebody.study.setup import Setup
-from freebody.study.small_motion.resting import NONE, TOLERANCE, AtRest, compared, oscillates
+from freebody.study.small_motion.resting import NONE, TOLERANCE, AtRest, beside, compared, oscillates
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.small_motion import FreeOscillations, Mode, free_oscillations
 
@@ -36,7 +36,7 @@ def mode_shapes(setup: Setup, question: Question, q: ModeShapes, at_rest: AtRest
         shape = free.shape(modes[k])
         parts += [modes[k].residues.at(x, modes[k].square) for x in shape]
         notes.append(_mode_told(k, free, modes[k], len(parts) - len(shape)))
-    evidence = compared(setup, question, parts, free.equilibrium, conditions, ModeReader(setup, wanted))
+    evidence = compared(setup, question, parts, free.equilibrium, conditions, beside(ModeReader(setup, wanted)))
     if len({str(m.dimension) for c in coordinates if (m := setup.model.measure_of(c)) is not None}) > 1:
         notes.append(Message("components of unlike coordinates are in SI units, angles in rad"))
     return Finding(tuple(parts), evidence, conditions, notes, may_be_complex=free.are_real_by_symmetry)

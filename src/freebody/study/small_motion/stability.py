@@ -6,7 +6,7 @@ negative direction the equilibrium stays unstable (Kelvin, Tait and Chetaev).
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -16,12 +16,11 @@ from freebody.numeric.linearised import condensed
 from freebody.numeric.small_motion import SmallMotion
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Evidence
-from freebody.study.answering.at_equilibrium import NOTHING_DRIVES_BACK, insist_on_rest, places_at, small_motions_at
-from freebody.study.answering.crosscheck import CrossCheck, element_at, holds
-from freebody.study.answering.draws import Draw
+from freebody.study.answering.at_equilibrium import NOTHING_DRIVES_BACK
+from freebody.study.answering.crosscheck import element_at
 from freebody.study.answering.finding import Finding
 from freebody.study.setup import Setup
-from freebody.study.small_motion.resting import LINEARISED, NONE, TOLERANCE, AtRest
+from freebody.study.small_motion.resting import NONE, AtRest, Compared, compared
 from freebody.study.steady.verdict import stable_if
 from freebody.symbolic.conditions import Condition
 from freebody.symbolic.equilibrium import find_equilibrium
@@ -32,7 +31,6 @@ from freebody.symbolic.small_motion import FreeOscillations
 _SQUARES = Message(
     "the squares of the exponents λ of small disturbances e^(λ t): stable where all are real and negative"
 )
-_Read = Callable[[SmallMotion, tuple[float, ...]], tuple[tuple[float, ...], tuple[float, ...]]]
 _SIGNS = Message("what has to be positive so that small disturbances stay small (Descartes' rule of signs)")
 
 
@@ -59,10 +57,10 @@ def equilibrium_stability(setup: Setup, question: Question, at_rest: AtRest) -> 
     try:
         squares = [-mode.square for mode in free.modes if not mode.square.is_zero()]
     except CannotAnswer:
-        evidence = _compared(setup, question, free, signs, conditions, _verdict)
+        evidence = compared(setup, question, signs, free.equilibrium, conditions, _verdict)
         return _finding(signs, evidence, conditions, [_SIGNS, *notes], stable_if(signs), unit="")
     ordered = squares[::-1]
-    evidence = _compared(setup, question, free, ordered, conditions, _roots)
+    evidence = compared(setup, question, ordered, free.equilibrium, conditions, _roots)
     if linear.is_damped:
         notes.append(Message("without damping; dissipative damping leaves the verdict as it is"))
     return _finding(ordered, evidence, conditions, [_SQUARES, *notes], stable_if(signs))
@@ -102,12 +100,12 @@ def _at_own_values(setup: Setup, signs: Sequence[Ratio]) -> list[str]:
 
 
 # -- evidence ---------------------------------------------------------------------------------
-def _roots(small: SmallMotion, exact: tuple[float, ...]) -> tuple[tuple[float, ...], tuple[float, ...]]:
+def _roots(small: SmallMotion, exact: tuple[float, ...]) -> Compared:
     """Exact and numeric squares of exponents, in one order."""
     return tuple(sorted(exact)), tuple(exponents(small))
 
 
-def _verdict(small: SmallMotion, exact: tuple[float, ...]) -> tuple[tuple[float, ...], tuple[float, ...]]:
+def _verdict(small: SmallMotion, exact: tuple[float, ...]) -> Compared:
     return (float(all(x > 0 for x in exact)),), (float(all(x > 0 for x in _eigenvalues(small))),)
 
 
@@ -122,24 +120,3 @@ def _eigenvalues(small: SmallMotion) -> list[float]:
     found = np.linalg.eigvals(np.linalg.solve(mass, K)).real
     largest = float(np.abs(found).max())
     return [float(x) for x in found if abs(x) > NONE * largest]
-
-
-def _compared(
-    setup: Setup,
-    question: Question,
-    free: FreeOscillations,
-    x: Sequence[Ratio],
-    conditions: Sequence[Condition],
-    read: _Read,
-) -> Evidence:
-    check = CrossCheck(question.text, LINEARISED, TOLERANCE)
-
-    def compare(draw: Draw) -> None:
-        start = draw.start()
-        if all(holds(setup, c, draw, start) for c in conditions):
-            exact = element_at(setup, tuple(x), draw, start)
-            small = small_motions_at(setup, draw, places_at(setup, free.equilibrium, draw))
-            check.compare(draw, *read(small, exact))
-
-    insist_on_rest(setup, check.gather(setup.draw_stream(), compare), conditions)
-    return check.evidence()

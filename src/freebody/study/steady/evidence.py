@@ -19,7 +19,7 @@ from freebody.study.answering.crosscheck import CrossCheck, NotReal, element_at
 from freebody.study.answering.draws import SEED, Draw
 from freebody.study.answering.magnitude import magnitude
 from freebody.study.setup import Setup
-from freebody.study.steady.motion import Solutions, Steady
+from freebody.study.steady.motion import Solutions, SteadyMotion
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.unknowns import Coordinate
 
@@ -27,7 +27,7 @@ _RATES = (1.0, 3.0, 10.0, 30.0, 100.0, 300.0, 1000.0)  # rad/s, m/s: slow ones f
 _TOLERANCE = 1e-7  # relative, of accelerations: rates that formulas give are solved for, with condition numbers to 1e6
 
 
-def in_steady_motion(setup: Setup, question: str, steady: Steady, solutions: Solutions) -> Evidence:
+def in_steady_motion(setup: Setup, question: str, steady: SteadyMotion, solutions: Solutions) -> Evidence:
     """With the claimed rates, at a general pose, no coordinate may accelerate."""
     witness = CrossCheck(
         question, Message("accelerations of the full system at random poses with these rates"), _TOLERANCE
@@ -44,7 +44,7 @@ def in_steady_motion(setup: Setup, question: str, steady: Steady, solutions: Sol
 def during_steady_motion(
     setup: Setup,
     question: str,
-    steady: Steady,
+    steady: SteadyMotion,
     solutions: Solutions | None,
     quantity: Quantity,
     by_root: Sequence[tuple[Ratio, ...]],
@@ -63,7 +63,7 @@ def during_steady_motion(
     return witness.evidence()
 
 
-def motions(setup: Setup, steady: Steady, solutions: Solutions | None) -> Iterator[tuple[Draw, list[Snapshot]]]:
+def motions(setup: Setup, steady: SteadyMotion, solutions: Solutions | None) -> Iterator[tuple[Draw, list[Snapshot]]]:
     """Steady motions, one for each root, at the draws at which there are some."""
     for k, draw in enumerate(setup.draw_stream()):
         found = _motion(setup, steady, solutions, draw, k)
@@ -71,7 +71,7 @@ def motions(setup: Setup, steady: Steady, solutions: Solutions | None) -> Iterat
             yield draw, found
 
 
-def _motion(setup: Setup, steady: Steady, solutions: Solutions | None, draw: Draw, k: int) -> list[Snapshot]:
+def _motion(setup: Setup, steady: SteadyMotion, solutions: Solutions | None, draw: Draw, k: int) -> list[Snapshot]:
     """Rates at random, larger and larger until there is a steady motion with them."""
     rng = np.random.default_rng(SEED + k)
     q = general_pose(setup, draw, k)
@@ -88,7 +88,7 @@ def _motion(setup: Setup, steady: Steady, solutions: Solutions | None, draw: Dra
 
 
 def _with_roots(
-    setup: Setup, steady: Steady, solutions: Solutions | None, draw: Draw, q: Array, rates: dict[int, float]
+    setup: Setup, steady: SteadyMotion, solutions: Solutions | None, draw: Draw, q: Array, rates: dict[int, float]
 ) -> list[Snapshot]:
     first = moving(steady, draw, q, rates)
     if solutions is None:
@@ -105,7 +105,7 @@ def _with_roots(
     return found
 
 
-def _placed(steady: Steady, draw: Draw, q: Array, place: Coordinate, value: float) -> Array:
+def _placed(steady: SteadyMotion, draw: Draw, q: Array, place: Coordinate, value: float) -> Array:
     measure = steady.model.measure_of(place)
     if measure is None:
         raise NotReal(Message("{place} is no measure", place=place.name))
@@ -113,7 +113,7 @@ def _placed(steady: Steady, draw: Draw, q: Array, place: Coordinate, value: floa
     return draw.reference.pose_near(q, [*kept, (measure, value)])
 
 
-def _places(steady: Steady, draw: Draw, q: Array) -> list[tuple[Coordinate, Measure, float]]:
+def _places(steady: SteadyMotion, draw: Draw, q: Array) -> list[tuple[Coordinate, Measure, float]]:
     """The coordinates that are measures, with their values at a pose."""
     here = draw.reference.snapshot(q, np.zeros_like(q))
     measures = [(c, steady.model.measure_of(c)) for c in steady.model.coordinates]
@@ -129,7 +129,7 @@ def general_pose(setup: Setup, draw: Draw, k: int) -> Array:
     return draw.q
 
 
-def moving(steady: Steady, draw: Draw, q: Array, rates: dict[int, float]) -> Snapshot:
+def moving(steady: SteadyMotion, draw: Draw, q: Array, rates: dict[int, float]) -> Snapshot:
     """Cyclic coordinates with given rates, the others at rest."""
     wanted: list[tuple[Measure, float]] = []
     for c in steady.model.coordinates:
@@ -141,14 +141,14 @@ def moving(steady: Steady, draw: Draw, q: Array, rates: dict[int, float]) -> Sna
     return draw.reference.snapshot(q, draw.reference.velocities(q, wanted, with_start=False))
 
 
-def coordinate_accelerations(steady: Steady, draw: Draw, snapshot: Snapshot) -> Array:
+def coordinate_accelerations(steady: SteadyMotion, draw: Draw, snapshot: Snapshot) -> Array:
     """Of the coordinates that are measures, by the engine."""
     seen = draw.seen(snapshot)
     measures = [steady.model.measure_of(c) for c in steady.model.coordinates]
     return np.array([seen.acceleration(m) for m in measures if m is not None])
 
 
-def _unevenness(steady: Steady, draw: Draw, snapshot: Snapshot) -> float:
+def _unevenness(steady: SteadyMotion, draw: Draw, snapshot: Snapshot) -> float:
     """The largest acceleration, beside what the coordinate has at rest there and with these rates doubled."""
     here = coordinate_accelerations(steady, draw, snapshot)
     others = [

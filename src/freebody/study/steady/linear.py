@@ -9,9 +9,9 @@ from freebody.errors import CannotAnswer
 from freebody.language.notation import to_text
 from freebody.language.sentences import Message
 from freebody.study.setup import Setup
-from freebody.study.steady.motion import Steady
+from freebody.study.steady.motion import SteadyMotion
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.routh import determinant
+from freebody.symbolic.linear import determinant
 from freebody.symbolic.tidy import tidy
 
 _SMALL = 1e-6  # [SI] a rate at the start that is none
@@ -22,7 +22,7 @@ class Linear:
     """The linearised equations about one steady motion. `place`: what stays constant at a known value, by generator;
     `rates`: the cyclic rates that follow from the others, or are zero. What is in neither stays a symbol."""
 
-    steady: Steady
+    steady: SteadyMotion
     place: dict[int, Ratio]
     rates: dict[int, Ratio] = field(default_factory=dict[int, Ratio])
 
@@ -74,7 +74,7 @@ class Linear:
         return sum(n for base, n in factors if base == self.exponent) - len(self.steady.cyclic)
 
 
-def linear_at_start(setup: Setup, steady: Steady) -> Linear:
+def linear_at_start(setup: Setup, steady: SteadyMotion) -> Linear:
     """The steady motion of the start, as general as possible: in any pose with any rates; in the pose of the start;
     with one rate such that it is steady; as it is. What is zero, or a quarter of a turn, stays so."""
     model, start = setup.model, setup.start
@@ -121,7 +121,7 @@ def _is_quarter(x: Ratio) -> bool:
     return quarters is not None and quarters.denominator == 1
 
 
-def _check_rest(setup: Setup, steady: Steady) -> None:
+def _check_rest(setup: Setup, steady: SteadyMotion) -> None:
     """Raises CannotAnswer where something moves at the start that has to rest in a steady motion."""
     start = setup.draws[0].start()
     for c in steady.others:

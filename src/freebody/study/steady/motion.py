@@ -24,6 +24,7 @@ from freebody.study.steady.reduced import without_square_roots
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.linear import RHS, Row, solve
 from freebody.symbolic.model import SymbolicModel
+from freebody.symbolic.speeds import total_of
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.unknowns import Coordinate
@@ -33,7 +34,7 @@ MOST_ROOTS = 4
 
 
 @dataclass
-class Steady:
+class SteadyMotion:
     """The steady motions of a model, or those in which something has a given value: a coordinate that stays constant,
     or a rate, by generator."""
 
@@ -41,7 +42,7 @@ class Steady:
     given: Mapping[int, Ratio] = field(default_factory=dict[int, Ratio])
 
     @classmethod
-    def asked(cls, model: SymbolicModel, event: AskedEvent | None) -> Steady:
+    def asked(cls, model: SymbolicModel, event: AskedEvent | None) -> SteadyMotion:
         """With the value that an event states: when theta = 60 deg, when rate(psi) = 5 rad/s. Raises CannotAnswer
         where that is none of a steady motion."""
         steady = cls(model)
@@ -233,13 +234,7 @@ class Steady:
                     conditions=further(*self.texts()),
                 )
             )
-        values: dict[int, Ratio] = {}
-        for column, row in done.pivots.items():
-            total = row.get(RHS, f.zero)
-            for free, coefficient in row.items():
-                if free != RHS:
-                    total = total + coefficient * f.variable(free)
-            values[column] = f.lowest_terms(total)
+        values = {column: f.lowest_terms(total_of(f, row)) for column, row in done.pivots.items()}
         return Solutions(speed, [values.pop(speed)], with_them=values)
 
     def at_position(self, c: Coordinate) -> Solutions:
@@ -336,7 +331,7 @@ class Solutions:
     with_them: dict[int, Ratio] = field(default_factory=dict[int, Ratio])
 
 
-def unknown_of(steady: Steady, q: SteadyValue) -> Coordinate | None:
+def unknown_of(steady: SteadyMotion, q: SteadyValue) -> Coordinate | None:
     """The coordinate whose rate or, if it stays constant, whose value is asked for."""
     measure, order = q.of.watched or (None, 2)
     if order > 1:

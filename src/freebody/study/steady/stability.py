@@ -23,22 +23,23 @@ from freebody.study.answering.finding import Finding
 from freebody.study.setup import Setup
 from freebody.study.steady.linear import Linear, linear_at_start
 from freebody.study.steady.linearised import agrees
-from freebody.study.steady.motion import Steady
+from freebody.study.steady.motion import SteadyMotion
 from freebody.study.steady.verdict import stable_if
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.routh import hurwitz, oscillating, squares
+from freebody.symbolic.quadratic import roots as roots_of
+from freebody.symbolic.routh import hurwitz, oscillating
 from freebody.symbolic.tidy import tidy
 
 
 def steady_stability(setup: Setup, question: Question) -> Finding:
     """The squares of the exponents of small disturbances, or what has to be positive."""
-    linear = linear_at_start(setup, Steady(setup.model))
+    linear = linear_at_start(setup, SteadyMotion(setup.model))
     signs: list[Ratio] = []
     roots: list[Ratio] | None = []
     for c in linear.factors:
         is_even = all(x.is_zero() for x in c[1::2])
         signs += oscillating(c[::2]) if is_even else hurwitz(c)
-        own = squares(c[::2]) if is_even else None
+        own = roots_of(c[::2]) if is_even else None
         roots = None if own is None or roots is None else [*roots, *own]
     if not signs:
         raise CannotAnswer(Message("all exponents are zero: disturbances lead to neighbouring motions"))

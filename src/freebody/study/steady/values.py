@@ -14,9 +14,9 @@ from freebody.questions.steady import SteadyValue
 from freebody.study.answering.finding import Finding
 from freebody.study.setup import Setup
 from freebody.study.steady.evidence import during_steady_motion, in_steady_motion
-from freebody.study.steady.motion import Solutions, Steady, unknown_of
+from freebody.study.steady.motion import Solutions, SteadyMotion, unknown_of
 from freebody.study.steady.reduced import odd_part, without_square_roots
-from freebody.symbolic.conditions import Condition, require
+from freebody.symbolic.conditions import Condition, insisted
 from freebody.symbolic.field import Field, Ratio
 from freebody.symbolic.tidy import tidy
 from freebody.tolerances import ROUND_OFF
@@ -26,7 +26,7 @@ _THERE_IS = Message("there is such a motion")
 
 def steady_value(setup: Setup, question: Question, q: SteadyValue) -> Finding:
     """A rate or a place by the conditions of steady motion, or any other quantity during one."""
-    steady = Steady.asked(setup.model, question.event)
+    steady = SteadyMotion.asked(setup.model, question.event)
     unknown = unknown_of(steady, q)
     if unknown is None:
         return _during(setup, question, q, steady)
@@ -62,15 +62,13 @@ def _ranges(x: Ratio, purpose: str) -> list[Condition]:
     for index in sorted(x.generators()):
         name, argument = f.arguments.get(index, ("", x))
         if name in ("acos", "asin"):
-            for room in (1 - argument, 1 + argument):
-                condition, possible = require(odd_part(room), ">=", purpose)
-                if not possible:
-                    raise CannotAnswer(Message("there is no such motion for any admissible values"))
-                found += [] if condition is None else [condition]
+            rooms = (odd_part(1 - argument), odd_part(1 + argument))
+            none = CannotAnswer(Message("there is no such motion for any admissible values"))
+            found += insisted((Condition(room, ">=", purpose) for room in rooms), none)
     return found
 
 
-def _during(setup: Setup, question: Question, q: SteadyValue, steady: Steady) -> Finding:
+def _during(setup: Setup, question: Question, q: SteadyValue, steady: SteadyMotion) -> Finding:
     """Another quantity: by what stays open, or, where what is given determines the motion, by the parameters alone."""
     f, solutions = setup.model.field, steady.eliminated()
     value = q.of.value(setup.system, steady.state)
@@ -99,7 +97,7 @@ def _during(setup: Setup, question: Question, q: SteadyValue, steady: Steady) ->
     return Finding(element, evidence, [*ranges, *held], notes, says, has_value=has_value)
 
 
-def _with(steady: Steady, solutions: Solutions | None, x: Ratio) -> Ratio:
+def _with(steady: SteadyMotion, solutions: Solutions | None, x: Ratio) -> Ratio:
     """An element of a condition with what is given, and with what follows from it where that is one value."""
     x = steady.put_in(x)
     if solutions is None or len(solutions.roots) > 1:
@@ -112,7 +110,7 @@ def _is_given(setup: Setup, x: Ratio) -> bool:
     return not x.field.ingredients(x) & setup.model.moving
 
 
-def _starts_steadily(setup: Setup, steady: Steady) -> bool:
+def _starts_steadily(setup: Setup, steady: SteadyMotion) -> bool:
     """Whether the start of the first draw is a steady motion: what the equations contain does not change there."""
     draw = setup.draws[0]
     snapshot = draw.start()

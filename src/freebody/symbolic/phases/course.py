@@ -24,6 +24,7 @@ from freebody.symbolic.laws.base import MotionLaw
 from freebody.symbolic.laws.uniform import UniformLaw
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.motion import SmoothMotion
+from freebody.symbolic.quadratic import roots
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.start import StartState
 from freebody.symbolic.unknowns import Coordinate
@@ -292,7 +293,7 @@ class EnergyMotion(ClosedFormMotion):
         for base, _exponent in factors:
             parts = base.coefficients(index) if index in base.generators() else []
             if len(parts) == 3 and not any(index in f.ingredients(p) for p in parts):
-                found += quadratic_roots(self.model, parts)
+                found += roots(parts, self.model.samples.is_negative) or []
             elif index in f.ingredients(base):
                 found += zeros_of(self.model, base, self.coordinate)
         return found
@@ -346,22 +347,10 @@ def polynomial_roots(model: SymbolicModel, c: list[Ratio]) -> list[Ratio]:
         c.pop(0)
     if len(c) < 2:
         return []
-    f = model.field
-    if len(c) == 2:
-        return [f.lowest_terms(-c[0] / c[1])]
-    if len(c) == 3:
-        return quadratic_roots(model, c)
-    raise CannotAnswer(Message("the time is a root of a polynomial of degree {n}", n=len(c) - 1))
-
-
-def quadratic_roots(model: SymbolicModel, c: list[Ratio]) -> list[Ratio]:
-    """Of c[0] + c[1] x + c[2] x^2."""
-    f = model.field
-    if c[1].is_zero():
-        root = f.sqrt(-c[0] / c[2], model.samples.is_negative)
-        return [root, -root]
-    root = f.sqrt(c[1] * c[1] - 4 * c[0] * c[2], model.samples.is_negative)
-    return [(-c[1] - root) / (2 * c[2]), (-c[1] + root) / (2 * c[2])]
+    found = roots(c, model.samples.is_negative)
+    if found is None:
+        raise CannotAnswer(Message("the time is a root of a polynomial of degree {n}", n=len(c) - 1))
+    return found
 
 
 def course_of(model: SymbolicModel, start: StartState) -> ClosedFormMotion:

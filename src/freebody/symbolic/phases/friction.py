@@ -20,7 +20,7 @@ from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.model.elements import AppliedLoad, ConstraintRow, DryFriction
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.linear import RHS, Row, solve
+from freebody.symbolic.linear import RHS, Row, determinant, solve
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.tidy import tidy
 from freebody.system.system import System
@@ -84,22 +84,13 @@ def solve_loads(
                 rest = rest - slope * f.variable(column)
         row[RHS] = f.lowest_terms(rest)
         equations.append({k: v for k, v in row.items() if k == RHS or not v.is_zero()})
-    determinant = _determinant([[row.get(c, f.zero) for c in columns] for row in equations], f.one)
+    slopes = [[row.get(c, f.zero) for c in columns] for row in equations]
+    divisor = determinant(slopes, len(slopes)) if slopes else f.one
     solved = solve(f, equations, list(columns), model.samples.vanishes)
     if solved.free or solved.contradictory:
         raise CannotAnswer(Message("the friction forces that slide here are not determined"))
     values = {name: f.lowest_terms(solved.pivots[column].get(RHS, f.zero)) for column, name in columns.items()}
-    return FrictionLoads(values, f.lowest_terms(determinant))
-
-
-def _determinant(A: list[list[Ratio]], one: Ratio) -> Ratio:
-    if not A:
-        return one
-    total = one - one
-    for k, entry in enumerate(A[0]):
-        if not entry.is_zero():
-            total = total + (-1) ** k * entry * _determinant([row[:k] + row[k + 1 :] for row in A[1:]], one)
-    return total
+    return FrictionLoads(values, f.lowest_terms(divisor))
 
 
 def with_loads(system: System, model: SymbolicModel, loads: FrictionLoads) -> System:

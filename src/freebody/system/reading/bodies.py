@@ -11,8 +11,9 @@ from freebody.language.units import LENGTH
 from freebody.measures.geometry import GROUND, Components
 from freebody.model.chains import read_chain
 from freebody.model.elements import BodyPlane, Line, RigidBody, Rotation
-from freebody.model.names import did_you_mean, placeholder
-from freebody.model.shapes import Build, Shape
+from freebody.model.names import placeholder
+from freebody.model.noting import did_you_mean
+from freebody.model.shapes.base import Build, Shape
 from freebody.system.reading.body_start import POSE_KEYS, start_of_body
 from freebody.system.reading.frames import read_frames
 from freebody.system.reading.lines import read_line, read_plane

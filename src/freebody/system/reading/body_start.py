@@ -11,7 +11,8 @@ from freebody.language.units import ANGULAR_VELOCITY, LENGTH, VELOCITY
 from freebody.measures.geometry import Components
 from freebody.model.chains import read_chain
 from freebody.model.elements import Start
-from freebody.model.names import Names, did_you_mean
+from freebody.model.names import Names
+from freebody.model.noting import did_you_mean
 from freebody.system.reading.source import known_keys
 
 POSE_KEYS = {False: ("at", "angle"), True: ("at", "turned")}  # what says where a body is: in the plane, in space

@@ -7,8 +7,7 @@ from dataclasses import replace
 from typing import Any, cast
 
 from freebody.connections.base import Connection
-from freebody.connections.contact import Contact, OutlinePair
-from freebody.connections.planar import Planar
+from freebody.connections.pairs import OutlinePair
 from freebody.language.expression import free_symbols, substitute
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure
@@ -119,8 +118,7 @@ def read_attitudes(names: Names, connections: Mapping[str, Connection]) -> tuple
 
 def _check_plane(names: Names, connection: Connection, connections: Mapping[str, Connection]) -> None:
     """In space, connections of the plane join bodies that stay in it."""
-    planes = [c for c in connections.values() if isinstance(c, Planar) and c.keeps_flat(names)]
-    flat = {c.body.partition(".")[0] for c in planes}
+    flat = {body for c in connections.values() if c.keeps_flat(names) for body in c.mentions(names)}
     free = sorted(b for b in connection.mentions(names) - flat if not names.bodies[b].fixed)
     if free:
         names.problem(
@@ -144,9 +142,7 @@ def read_bounds(
     by_form = forms(names)
     for name, connection in connections.items():
         with names.reading("connections", name, connection.kind):
-            if isinstance(connection, Contact):
-                contacts += connection.pairs(names, name)
-                continue
+            contacts += connection.pairs(names, name)
             bounds, dry_friction = connection.bounds(names, name)
             if name in later and (bounds or dry_friction):
                 told = Message("a connection that closes in mid-motion has no friction and no limits; leave them out")

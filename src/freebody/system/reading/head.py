@@ -7,7 +7,7 @@ from typing import Any, cast
 
 from freebody.language.plain_text import plain
 from freebody.language.sentences import Message
-from freebody.model.names import did_you_mean
+from freebody.model.noting import did_you_mean
 from freebody.model.rotations import UNIT
 from freebody.system.reading.source import Source, known_keys
 

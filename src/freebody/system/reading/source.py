@@ -11,9 +11,9 @@ from freebody.errors import ModelError
 from freebody.language.document import Document
 from freebody.language.expression import name_problem
 from freebody.language.sentences import Message, listed
-from freebody.model.names import Names, did_you_mean
+from freebody.model.names import Names
+from freebody.model.noting import did_you_mean
 from freebody.model.spec import Spec
-from freebody.system.kinds import register_kinds
 from freebody.system.unspecified import Unspecified
 
 SpecT = TypeVar("SpecT", bound=Spec)
@@ -55,7 +55,6 @@ class Source:
     """A document, what its names mean so far, and what it leaves open."""
 
     def __init__(self, document: Document, file: str | None, names: Names | None = None) -> None:
-        register_kinds()
         self.document = document
         self.file = file
         self.data = document.data

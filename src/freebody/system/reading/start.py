@@ -7,12 +7,8 @@ from collections.abc import Container, Mapping
 from freebody.language.expression import Expr
 from freebody.language.sentences import Message
 from freebody.language.units import TIME
-from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
-from freebody.measures.combination import Composed
-from freebody.measures.distance import Bearing
-from freebody.measures.turn import Turn
-from freebody.model.names import did_you_mean
+from freebody.model.noting import did_you_mean
 from freebody.system.reading.source import Source
 
 
@@ -45,20 +41,13 @@ def read_start(source: Source, measures: Mapping[str, Measure]) -> tuple[dict[st
             names.unknown(name, told, "start", key)
             continue
         dimension = measures[name].dimension
-        if name == key and _is_angle(measures[name]):
+        if name == key and measures[name].is_angle:
             start[name] = names.angle(value, "start", key)
         elif name == key:
             start[name] = names.formula(value, dimension, "start", key)
         else:
             rates[name] = names.formula(value, dimension / TIME, "start", key)
     return start, rates
-
-
-def _is_angle(measure: Measure) -> bool:
-    """Whether a measure is an angle, or one counted the other way round."""
-    if isinstance(measure, Composed):
-        return len(measure.measures) == 1 and _is_angle(measure.measures[0][1])
-    return isinstance(measure, (Angle, Bearing, Turn))
 
 
 def _of_rate(key: str, known: Container[str]) -> str:

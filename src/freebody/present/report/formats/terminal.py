@@ -10,7 +10,7 @@ from dataclasses import replace
 from itertools import pairwise
 
 from freebody.language.expression import Expr, n_operations
-from freebody.language.notation.stacked import TextBox
+from freebody.language.notation.stacked import TextBox, flat
 from freebody.language.plain_text import plain
 from freebody.present.report.blocks import (
     Block,
@@ -29,7 +29,7 @@ from freebody.present.report.blocks import (
 )
 from freebody.present.report.formulas.line import LineFormulas
 from freebody.present.report.formulas.rows import Row, rows, side_width
-from freebody.present.report.formulas.stacked import StackedFormulas, flat
+from freebody.present.report.formulas.stacked import StackedFormulas
 from freebody.present.report.words import capital
 from freebody.present.report.writer import BlockWriter, ReportFormat
 

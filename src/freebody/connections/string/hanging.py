@@ -16,7 +16,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from freebody.connections.standing import is_parallel, is_zero, same_way, stands_at
-from freebody.connections.string_node import StringNode
+from freebody.connections.string.node import StringNode
 from freebody.language.expression import Expr, add, negate
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, RIGHT, ZERO, Direction, Point

@@ -11,8 +11,9 @@ from freebody.language.sentences import Message
 from freebody.language.units import LENGTH
 from freebody.measures.geometry import ZERO, Components
 from freebody.model.chains import read_chain
+from freebody.model.noting import did_you_mean
 from freebody.model.rotations import UNIT, Columns, applied, columns_of
-from freebody.model.shapes import Build, Shape
+from freebody.model.shapes.base import Build, Shape
 from freebody.model.tensors import moved, turned
 
 if TYPE_CHECKING:
@@ -90,8 +91,6 @@ def _turned(axes: Columns, v: Components, n: int) -> Components:
 
 def _part(names: Names, value: Any) -> tuple[Build, Components, Columns] | None:
     """A part, the place of its reference point, and its axes."""
-    from freebody.model.names import did_you_mean
-
     entry = cast("dict[str, Any]", value) if isinstance(value, dict) else {}
     kinds = [key for key in entry if key in Shape.kinds]
     for key in entry:

@@ -20,7 +20,7 @@ import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, cast
 
-from freebody.connections.string_node import StringNode
+from freebody.connections.string.node import StringNode
 from freebody.language.expression import Call, Expr, Symbol, evaluate, multiply, negate, number
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, LENGTH
@@ -30,6 +30,7 @@ from freebody.measures.combination import Combination
 from freebody.measures.geometry import GROUND, ONE, ZERO, Direction
 from freebody.model.elements import ConstraintRow, DryFriction
 from freebody.model.friction import Friction, read_friction
+from freebody.model.noting import did_you_mean
 from freebody.model.phrases import direction_angle
 from freebody.tolerances import ROUND_OFF
 
@@ -40,7 +41,7 @@ _NO_WRAP = ROUND_OFF  # [rad] a string that is wrapped by less does not touch
 
 
 @dataclass(frozen=True)
-class Passage:
+class DrumPassage:
     """A string that runs round a drum: the leads before it since the last grip, as terms of a length, and the arm at
     which it pulls."""
 
@@ -61,8 +62,6 @@ def frictions(names: Names, given: Any, passed: list[str]) -> dict[str, Friction
         found: dict[str, Friction] = {}
         for name, value in cast("dict[str, Any]", given).items():
             if name not in passed:
-                from freebody.model.names import did_you_mean
-
                 names.problem(
                     Message("the string does not slide over {name}.{hint}", name=name, hint=did_you_mean(name, passed)),
                     "friction",
@@ -76,7 +75,7 @@ def frictions(names: Names, given: Any, passed: list[str]) -> dict[str, Friction
     return dict.fromkeys(passed, one)
 
 
-def rub(names: Names, passage: Passage, friction: Friction, wrap: Any, connection: str) -> DryFriction | None:
+def rub(names: Names, passage: DrumPassage, friction: Friction, wrap: Any, connection: str) -> DryFriction | None:
     """The dry friction of one passage; None with a problem noted where it cannot be told."""
     label = drum_name(passage.node)
     if not passage.is_only:
@@ -134,7 +133,7 @@ def drum_name(node: StringNode) -> str:
     return node.body if node.radius != ZERO else str(node.point)
 
 
-def _wrap(names: Names, passage: Passage, given: Any, label: str) -> Expr | None:
+def _wrap(names: Names, passage: DrumPassage, given: Any, label: str) -> Expr | None:
     """The angle of wrap, given or between the directions of the leads."""
     if isinstance(given, dict) and label in given:
         beta = names.formula(cast("dict[str, Any]", given)[label], DIMENSIONLESS, "wrap", label)

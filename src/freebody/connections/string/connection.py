@@ -1,0 +1,256 @@
+"""Inextensible, massless string over any number of pulleys."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Iterable, Iterator
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any, ClassVar
+
+from pydantic import ConfigDict, Field
+
+from freebody.connections.base import Connection
+from freebody.connections.standing import is_parallel
+from freebody.connections.string.capstan import drum_name, frictions, rough_drums, rub
+from freebody.connections.string.hanging import Hook, askew
+from freebody.connections.string.laying import StringRun, check_ends, run_over
+from freebody.connections.string.node import StringNode
+from freebody.connections.string.sections import StringSection, sections_of
+from freebody.connections.string.way import is_held, named_on, read_way
+from freebody.language.expression import Expr
+from freebody.language.sentences import Message
+from freebody.language.units import DIMENSIONLESS
+from freebody.measures.angle import Angle
+from freebody.measures.combination import Combination
+from freebody.measures.displacement import Displacement
+from freebody.measures.geometry import GROUND, ONE, RIGHT, ZERO, Direction, Point
+from freebody.measures.turned import turned_in
+from freebody.model import glyphs
+from freebody.model.elements import ConstraintRow, DryFriction, UnilateralConstraint
+from freebody.model.glyphs import Glyph
+from freebody.model.spec import Formula, Heading
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+
+class String(Connection, kind="string"):
+    """`string: {from: left, over: [pulley], to: right}`; longer ways as a list, with hubs and drums:
+    `string: {path: [wound on drum radius r at right, under moving, over fixed, ground.A]}`.
+
+    The string does not slip on the pulleys that it `grips` (default: all that are bodies); over the others it
+    slides without friction. Each stretch between grips keeps its length and has one tension, positive when it
+    pulls. A body that nothing else holds hangs on the string and moves up and down, below the point where its lead
+    leaves the pulley, if it has no position or is put there; a lead to a body on a straight guide runs along the
+    guide if the body has no position, or one from which it does so whatever the parameters are; `leads` states the
+    directions instead; otherwise leads are the common tangents of the circles, wherever these move (`swings: true`
+    also for hanging bodies).
+    `friction`: that of the drums and pulleys over which it slides, one coefficient or {drum: mu}. The tensions on both
+    sides of a drum differ by up to e^(mu beta), beta the angle of wrap between leads with constant directions, or
+    `wrap: {drum: 3*pi}`; ask for the tension at an end, or between two places."""
+
+    called: ClassVar[tuple[str, ...]] = ("rope", "cord", "cable", "thread", "wire", "line")
+
+    start: str | None = Field(default=None, alias="from")
+    to: str | None = None
+    over: list[str] = Field(default_factory=list[str])
+    under: list[str] = Field(default_factory=list[str])
+    path: list[str] = Field(default_factory=list[str])
+    grips: list[str] | None = None
+    leads: list[Heading] | None = None
+    swings: bool = False
+    friction: Formula | dict[str, Any] = 0
+    wrap: Formula | dict[str, Formula] | None = None
+
+    model_config = ConfigDict(populate_by_name=True)
+
+    in_plane = True
+    lets_hang: ClassVar[bool] = True
+    example = """
+bodies: {pulley: {disk: {mass: 1 kg, radius: 1 m}}, a: {particle: {mass: 1 kg}}, b: {particle: {mass: 2 kg}}}
+connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley], to: b}}}
+"""
+
+    def _places(self) -> list[tuple[str, tuple[str | int, ...]]]:
+        """The places on its way, and where in the model each is written."""
+        if self.path:
+            return [(text, ("path", k)) for k, text in enumerate(self.path)]
+        start = [(t, (key,)) for t, key in ((self.start, "from"), (self.to, "to")) if t is not None]
+        middle = [(f"over {p}", ("over",)) for p in self.over] + [(f"under {p}", ("over",)) for p in self.under]
+        return [*start[:1], *middle, *start[1:]]
+
+    def rows(self, names: Names) -> list[ConstraintRow]:
+        run = self._run(names)
+        if run is None:
+            return []
+        grips = self._grips(names, run)
+        check_ends(names, run)
+        sections = sections_of(run, grips)
+        rough = rough_drums(self.friction, _slid_over(sections))
+        return [
+            *(section.row(len(sections), rough) for section in sections),
+            *self._hanging(names, run),
+            *self._idle(names, run.way, grips, rough),
+        ]
+
+    def bounds(self, names: Names, connection: str) -> tuple[list[UnilateralConstraint], list[DryFriction]]:
+        if self.friction in (0, None):
+            return [], []
+        n_before = len(names.problems)
+        run = self._run(names)
+        sections = [] if run is None else sections_of(run, self._grips(names, run))
+        if len(names.problems) > n_before:
+            del names.problems[n_before:]  # told with the rows
+            return [], []
+        given = frictions(names, self.friction, _slid_over(sections))
+        found: list[DryFriction] = []
+        for section in sections:
+            rough = [p for p in section.passages if drum_name(p.node) in given]
+            for passage in rough:
+                alone = replace(passage, row=section.component(len(sections)), is_only=len(rough) == 1)
+                friction = rub(names, alone, given[drum_name(passage.node)], self.wrap, connection)
+                if friction is not None:
+                    found.append(friction)
+        return [], found
+
+    def _run(self, names: Names) -> StringRun | None:
+        """How the string lies; None with problems noted."""
+        if self.path and (self.start or self.to or self.over or self.under):
+            names.problem(Message("give the way either as path, or as from, over, under, to"))
+            return None
+        places = self._places()
+        if len(places) < 2 or not (self.path or (self.start and self.to)):
+            names.problem(Message("a string needs two ends: from and to"))
+            return None
+        texts, fields = zip(*places, strict=True)
+        way = read_way(names, texts, fields, swings=self.swings)
+        if way is None:
+            return None
+        names.laying.append(self)
+        run = run_over(names, way, self.leads)
+        names.laying.pop()
+        return run
+
+    def _grips(self, names: Names, run: StringRun) -> set[str]:
+        """The pulleys on which it does not slip: all that can turn, or those that the model names."""
+        pulleys = {node.body for node in run.way[1:-1] if node.radius != ZERO}
+        pulleys = {p for p in pulleys if names.known(p).turns and not names.known(p).fixed}
+        if self.grips is None:
+            return pulleys - set(self.friction if isinstance(self.friction, dict) else ())
+        for k, name in enumerate(self.grips):
+            if name not in pulleys:
+                body = names.body(name, "grips", k)
+                if body.fixed:
+                    told = Message("{name} is fixed and cannot turn, so the string cannot grip it", name=name)
+                    names.problem(told, "grips", k)
+                elif body.name == name:
+                    told = Message("the string does not run over {name}, so it cannot grip it", name=name)
+                    names.problem(told, "grips", k)
+        return set(self.grips) & pulleys
+
+    def _hanging(self, names: Names, run: StringRun) -> list[ConstraintRow]:
+        """Holds every body that hangs on this string, and on no other, across its lead."""
+        me = self.own_name(names)
+        rows: list[ConstraintRow] = []
+        for body, hook in self._own_hooks(names, run):
+            rows.append(hook.row(names))
+            self._note_guided(names, me, rows[-1], hook)
+            if names.known(body).start.at is not None:
+                names.assumptions.append(
+                    f"{me}: {body} is put where it hangs straight down, so it moves up and down only; swings: true "
+                    "lets it swing"
+                )
+        for first, second, lead in askew(names, run.way, run.leads, run.arms):
+            names.assumptions.append(
+                f"{me}: the lead from {first} to {second} runs {lead.name or 'in a constant direction'}, although it "
+                "would be askew where these stand"
+            )
+        return rows
+
+    def _own_hooks(self, names: Names, run: StringRun) -> Iterator[tuple[str, Hook]]:
+        """The bodies that hang on this string: each on that of its strings which is nearest to what is held, as on the
+        rope that carries a pulley rather than on the one below it; of several on the first by name."""
+        ranks, strings = _ranks(names), [c for c in names.connections.values() if isinstance(c, String)]
+        for body, hook in run.hooks.items():
+            rivals = [c for c in strings if c is self or body in c.hanging(names)]
+            if hook.hangs and min(rivals, key=lambda c: ranks[id(c)]) is self:
+                yield body, hook
+
+    def _note_guided(self, names: Names, me: str, row: ConstraintRow, hook: Hook) -> None:
+        """What is taken for granted of a body that hangs on what moves sideways, or beside a level lead."""
+        body, lead = hook.point.body, hook.leads[0]
+        if not is_parallel(names, lead.normal, RIGHT):
+            names.assumptions.append(f"{me}: {body} stays on the line of its lead, as on a smooth guide")
+        elif isinstance(row.measure, Displacement) and row.measure.origin.body != GROUND:
+            names.assumptions.append(
+                f"{me}: {body} is kept straight below {lead.other}, which may move sideways; swings: true lets it swing"
+            )
+
+    def hanging(self, names: Names) -> set[str]:
+        """The bodies that can hang on it."""
+        with names.quietly():
+            run = self._run(names)
+        return set() if run is None else {body for body, hook in run.hooks.items() if hook.hangs}
+
+    def keeps_at(self, names: Names, point: Point, along: Direction, seen: frozenset[str]) -> Expr | None:
+        if point.body not in self.mentions(names) or any(other is self for other in names.laying):
+            return None
+        with names.quietly():
+            run = self._run(names)
+        hook = None if run is None else run.hooks.get(point.body)
+        if hook is None or (hook.point.offset != point.offset and names.known(point.body).turns):
+            return None
+        return hook.place(names, along, seen)
+
+    def _idle(self, names: Names, way: list[StringNode], grips: set[str], rough: set[str]) -> list[ConstraintRow]:
+        """A pulley without inertia, over which the string slides without friction and which no connection or load
+        turns, is taken not to turn: its rotation is no motion that anything decides, and the row carries no moment."""
+        rows: list[ConstraintRow] = []
+        turned = {name for push in names.applied_loads for name in turned_in(push.measure)}
+        for node in way[1:-1]:
+            body = names.known(node.body)
+            if node.body in grips or node.radius == ZERO or body.fixed or body.inertia != ZERO:
+                continue
+            if node.body in turned or drum_name(node) in rough:
+                continue
+            others = [c for c in names.connections.values() if c is not self and node.body in c.mentions(names)]
+            if all(c.lets_turn or c.keeps_flat(names) for c in others):
+                held = Combination(((ONE, Angle(node.body)),), DIMENSIONLESS)
+                rows.append(
+                    ConstraintRow(f"{node.body} does not turn", "moment", held, ends=(node.body,), if_needed=True)
+                )
+        return rows
+
+    def mentions(self, names: Names) -> set[str]:
+        return named_on(text for text, _field in self._places())
+
+    def glyphs(self, names: Names) -> Iterable[Glyph]:
+        run = self._run(names)
+        if run is None:
+            return
+        sections = sections_of(run, self._grips(names, run))
+        nodes = tuple(glyphs.Node(n.point, arm, n.way == "drum") for n, arm in zip(run.way, run.arms, strict=True))
+        rows = [s.component(len(sections)) for s in sections for _lead in itertools.pairwise(s.nodes)]
+        leads = tuple(glyphs.Lead(along, row) for along, row in zip(run.leads, rows, strict=True))
+        yield glyphs.Rope(nodes, leads, tuple(body for body, _hook in self._own_hooks(names, run)))
+
+
+def _slid_over(sections: Iterable[StringSection]) -> list[str]:
+    """The drums and points on which the string moves."""
+    return [drum_name(p.node) for section in sections for p in section.passages]
+
+
+def _ranks(names: Names) -> dict[int, int]:
+    """By the identity of each string: by how many others, at least, it hangs on what is held otherwise."""
+    waiting = [c for c in names.connections.values() if isinstance(c, String)]
+    ends = {body for c in waiting for body in c.mentions(names)}
+    met = {body for body in ends if body == GROUND or is_held(names, body)}
+    ranks: dict[int, int] = {}
+    rank = 0
+    while waiting:
+        reached = [c for c in waiting if c.mentions(names) & met] or waiting  # the rest hangs on nothing
+        ranks |= {id(c): rank for c in reached}
+        met = met.union(*(c.mentions(names) for c in reached))
+        waiting = [c for c in waiting if id(c) not in ranks]
+        rank += 1
+    return ranks

@@ -1,0 +1,199 @@
+"""How a string lies over the wheels of its way: where its leads run, and in which sense it goes round each wheel."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+from freebody.connections.standing import is_parallel, number_of, place_of, stands_at, vanishes
+from freebody.connections.string.hanging import Hook, hooks_of
+from freebody.connections.string.node import StringNode
+from freebody.language.expression import Expr, add, multiply, negate, number
+from freebody.language.sentences import Message
+from freebody.measures.geometry import DOWN, GROUND, RIGHT, UP, ZERO, Direction
+from freebody.model.spec import Heading
+from freebody.tolerances import ROUND_OFF, ROUNDED
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+_SIDES = {"left": (-1.0, 0.0), "right": (1.0, 0.0), "top": (0.0, 1.0), "bottom": (0.0, -1.0)}
+
+
+@dataclass(frozen=True)
+class StringRun:
+    """A string on its way: a place more than leads."""
+
+    way: list[StringNode]
+    leads: list[Direction | None]  # constant directions; None along the common tangent
+    turns: list[int]  # +1 where it runs counter-clockwise round the place, -1 clockwise, 0 at a point
+    arms: list[Expr]  # at which it pulls on the circles: s R
+
+    @property
+    def hooks(self) -> dict[str, Hook]:
+        """The bodies that its leads place."""
+        return hooks_of(self.way, self.leads, self.arms)
+
+
+def run_over(names: Names, way: list[StringNode], given: list[Heading] | None) -> StringRun:
+    """How a string lies. Bodies that the model puts where they would hang do so, and a lead runs along the guide of a
+    body that is put where it does. given: the directions of the leads, if the model states them."""
+    for k, node in enumerate(way):
+        hung = [*way[:k], replace(node, hangs=True), *way[k + 1 :]]
+        if node.is_put and _is_straight_below(names, _run(names, hung, given), k):
+            way = hung
+        led = [*way[:k], replace(way[k], guide=node.track), *way[k + 1 :]]
+        if node.track is not None and _runs_along(names, _run(names, led, given), k):
+            way = led
+    return _run(names, way, given)
+
+
+def _run(names: Names, way: list[StringNode], given: list[Heading] | None) -> StringRun:
+    leads = _leads(names, way) if given is None else _stated(names, given, len(way) - 1)
+    turns = [_turn(names, way, leads, k) for k in range(len(way))]
+    arms = [multiply(number(s), n.radius) if s else ZERO for s, n in zip(turns, way, strict=True)]
+    return StringRun(way, leads, turns, arms)
+
+
+def _runs_along(names: Names, run: StringRun, k: int) -> bool:
+    """Whether the leads to a guided body run along its guide from wheels, however long the parameters are. From a
+    point the distance tells as much, and on which side of it the body is."""
+    way, arms = run.way, run.arms
+    for j in (j for j in (k - 1, k) if 0 <= j < len(run.leads)):
+        lead, first, second = run.leads[j], way[j].point, way[j + 1].point
+        if lead is None or lead.body != GROUND or way[j if j < k else j + 1].radius == ZERO:
+            return False
+        across = [stands_at(names, point, lead.normal()) for point in (first, second)]
+        ends = [place_of(names, point) for point in (first, second)]
+        if across[0] is None or across[1] is None or ends[0] is None or ends[1] is None:
+            return False
+        if not vanishes(names, add(across[1], negate(across[0]), arms[j], negate(arms[j + 1]))):
+            return False
+        ex, ey = _in_numbers(names, lead)
+        if (ends[1][0] - ends[0][0]) * ex + (ends[1][1] - ends[0][1]) * ey <= 0.0:
+            return False
+    return True
+
+
+def _is_straight_below(names: Names, run: StringRun, k: int) -> bool:
+    """Whether a body is put where it would hang, below what carries it."""
+    hook, here = run.hooks[run.way[k].body], run.way[k].place
+    if here is None:
+        return False
+    for lead in hook.leads:
+        aside, level = lead.place(names, RIGHT, frozenset()), stands_at(names, lead.other, UP)
+        if aside is None or abs(number_of(names, aside) - here[0]) > ROUND_OFF:
+            return False
+        if level is None or number_of(names, level) <= here[1]:
+            return False
+    return True
+
+
+def check_ends(names: Names, run: StringRun) -> None:
+    """A lead along the common tangent of two circles needs them apart at the start."""
+    for (first, second), lead, arms in zip(
+        itertools.pairwise(run.way), run.leads, itertools.pairwise(run.arms), strict=True
+    ):
+        places = [place_of(names, node.point) for node in (first, second)]
+        if lead is not None or places[0] is None or places[1] is None or first.body == second.body:
+            continue
+        apart = math.dist(places[0], places[1])
+        arm = abs(number_of(names, add(arms[1], negate(arms[0]))))
+        if apart <= arm + ROUND_OFF:
+            wanted = Message("more than {arm:.6g} m apart", arm=arm) if arm else Message("apart")
+            names.problem(
+                Message(
+                    "at the start {first} and {second} are {apart:.6g} m from each other, where the string between "
+                    "them has no direction: put them {wanted} (at)",
+                    first=first.point,
+                    second=second.point,
+                    apart=apart,
+                    wanted=wanted,
+                )
+            )
+            return
+
+
+# -- where the leads run ----------------------------------------------------------------------
+def _stated(names: Names, given: list[Heading], n: int) -> list[Direction | None]:
+    """The directions of the leads that the model states."""
+    if len(given) != n:
+        told = Message("there are {n} leads, {given} directions are given", n=n, given=len(given))
+        names.problem(told, "leads")
+        return [None] * n
+    return [names.direction(d, "leads", k) for k, d in enumerate(given)]
+
+
+def _leads(names: Names, way: Sequence[StringNode]) -> list[Direction | None]:
+    """The constant direction of each lead, or None where it is the common tangent."""
+    found: list[Direction | None] = []
+    for a, b in itertools.pairwise(way):
+        along = a.guide or b.guide
+        if a.hangs or b.hangs:
+            found.append(_of_hanging(a, b))
+        elif along is None or (a.guide and b.guide and not is_parallel(names, a.guide, b.guide)):
+            found.append(None)
+        else:
+            into_pulley = a.way == "end" and b.way != "end"
+            ex, ey = _in_numbers(names, along)
+            rising = ey if abs(ey) > ROUNDED else ex
+            leaving = -ey if abs(ey) > ROUNDED else ex
+            found.append(along if (rising if into_pulley else leaving) > 0 else along.reversed())
+    return found
+
+
+def _of_hanging(a: StringNode, b: StringNode) -> Direction:
+    """Up to what the string runs over or from what it runs under, else down to what hangs."""
+    if b.way == "over" or a.way == "under":
+        return UP
+    if a.way == "over" or b.way == "under":
+        return DOWN
+    return DOWN if b.hangs else UP
+
+
+# -- in which sense it goes round ---------------------------------------------------------------
+def _turn(names: Names, way: Sequence[StringNode], leads: Sequence[Direction | None], k: int) -> int:
+    """+1 where the string, followed from its start, runs counter-clockwise round place k, -1 clockwise, 0 at a
+    point."""
+    node = way[k]
+    if node.radius == ZERO:
+        return 0
+    if node.turn is not None:
+        return -1 if node.turn == "clockwise" else 1
+    before = _heading(names, way, leads, k - 1) if k > 0 else None
+    after = _heading(names, way, leads, k) if k < len(way) - 1 else None
+    if node.way == "drum":
+        heading = before or after or (0.0, -1.0)
+        sx, sy = _SIDES[node.side or "right"]
+        # the contact point lies at -s R n from the centre, n the heading turned by a quarter turn
+        return -1 if sx * -heading[1] + sy * heading[0] > 0 else 1
+    # the way it bends between leads that are known, or round the shorter side
+    bend = before[0] * after[1] - before[1] * after[0] if before and after else 0.0
+    is_end = before is None or after is None
+    is_known = node.way == "around" or (not is_end and leads[k - 1] is not None and leads[k] is not None)
+    if is_known and abs(bend) > ROUND_OFF:
+        return 1 if bend > 0 else -1
+    # over the top from the left to the right it runs clockwise
+    start, end = (None, None) if k in (0, len(way) - 1) else (way[k - 1].place, way[k + 1].place)
+    is_leftward = start is not None and end is not None and end[0] - start[0] < -ROUNDED
+    over = 1 if is_leftward else -1
+    return -over if node.way == "under" else over
+
+
+def _heading(
+    names: Names, way: Sequence[StringNode], leads: Sequence[Direction | None], k: int
+) -> tuple[float, float] | None:
+    """Direction of lead k in numbers, from its stated direction or the places of its ends."""
+    lead = leads[k]
+    if lead is not None:
+        return _in_numbers(names, lead)
+    a, b = way[k].place, way[k + 1].place
+    return None if a is None or b is None else (b[0] - a[0], b[1] - a[1])
+
+
+def _in_numbers(names: Names, direction: Direction) -> tuple[float, float]:
+    x, y, *_ = (number_of(names, c) for c in direction.components)
+    return x, y

@@ -1,0 +1,144 @@
+"""The way of a string as people write it: ends, pulleys and drums, and what is known of where they stand."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING
+
+from freebody.connections.standing import ground_guide_of
+from freebody.connections.string.node import StringNode
+from freebody.language.expression import Expr
+from freebody.language.sentences import Message
+from freebody.language.units import LENGTH
+from freebody.measures.geometry import GROUND, ZERO, Point
+from freebody.model.elements import RigidBody
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+_NODE = re.compile(
+    r"(?:(?P<way>over|under|around) )?(?P<wound>wound on )?(?P<what>[A-Za-z_]\w*(?:\.\w+)?)"
+    r"(?: radius (?P<radius>.+?))?"
+    r"(?: at (?P<side>left|right|top|bottom))?(?: (?P<turn>clockwise|counterclockwise))?"
+)
+
+
+def named_on(texts: Iterable[str]) -> set[str]:
+    """The bodies that a way names."""
+    found = (_NODE.fullmatch(" ".join(text.split())) for text in texts)
+    return {match["what"].partition(".")[0] for match in found if match}
+
+
+def read_way(
+    names: Names, texts: Sequence[str], fields: Sequence[tuple[str | int, ...]], *, swings: bool
+) -> list[StringNode] | None:
+    """The places on a way, in its order; None with problems noted. fields: where in the model each is written. swings:
+    bodies that nothing else holds are not taken to hang straight down."""
+    last = len(texts) - 1
+    nodes = [
+        _read_node(names, text, field, is_end=k in (0, last), swings=swings)
+        for k, (text, field) in enumerate(zip(texts, fields, strict=True))
+    ]
+    way = [node for node in nodes if node is not None]
+    return way if len(way) == len(nodes) else None
+
+
+def _read_node(
+    names: Names, text: str, field: tuple[str | int, ...], *, is_end: bool, swings: bool
+) -> StringNode | None:
+    found = _NODE.fullmatch(" ".join(text.split()))
+    if found is None:
+        names.problem(
+            Message(
+                "'{text}' is no place on a string; write a point, 'over pulley', 'under pulley' or 'wound on "
+                "drum at right'",
+                text=text,
+            ),
+            *field,
+        )
+        return None
+    # a wheel by its name and a way over it, a point by its own
+    if found["wound"] or (found["way"] and "." not in found["what"]):
+        place = _round(names, found, field)
+    else:
+        place = _point(names, found["what"], field, is_end=is_end)
+    if place is None:
+        return None
+    body, point, radius = place
+    way = "drum" if found["wound"] else "end" if is_end else (found["way"] or "over")
+    if not is_end and found["wound"]:
+        names.problem(Message("only an end can be wound on a drum, '{text}' is in the middle", text=text), *field)
+    # what nothing else holds hangs; what a guide leads is led by it
+    is_given = body.start.at is not None
+    is_free = not (is_held(names, body.name) or body.fixed or swings or body.name == GROUND)
+    guide = ground_guide_of(names, body.name, turning=False)
+    return StringNode(
+        point,
+        radius,
+        way,
+        found["side"],
+        found["turn"],
+        hangs=is_free and not is_given,
+        is_put=is_free and is_given and body.start.velocity is None,
+        guide=None if is_given else guide,
+        track=guide if is_given else None,
+        place=_place(names, point),
+    )
+
+
+def _round(names: Names, found: re.Match[str], field: tuple[str | int, ...]) -> tuple[RigidBody, Point, Expr] | None:
+    """A wheel that the string runs round, its centre and its radius; None with a problem noted."""
+    n_before = len(names.problems)
+    body = names.body(found["what"], *field)
+    if len(names.problems) > n_before:
+        return None
+    given = found["radius"]
+    radius = names.formula(given, LENGTH, *field) if given else names.radius(body.name, *field)
+    return None if len(names.problems) > n_before else (body, body.center, radius)
+
+
+def _point(
+    names: Names, what: str, field: tuple[str | int, ...], *, is_end: bool
+) -> tuple[RigidBody, Point, Expr] | None:
+    """A point that the string is tied to or runs through; None with a problem noted."""
+    point = names.point(what, *field)
+    body = names.known(point.body)
+    if not is_end and body.name == what and body.radius is not None and not body.is_placeholder:
+        names.problem(
+            Message(
+                "{wheel} is round, and the string could run over it or through its centre: write "
+                "'over {wheel}', 'under {wheel}' or {wheel}.center",
+                wheel=what,
+            ),
+            *field,
+        )
+        return None
+    return body, point, ZERO
+
+
+def is_held(names: Names, body: str) -> bool:
+    """Whether anything but strings holds a body, or one that it is welded to: what is welded to it and free otherwise
+    hangs on the string with it."""
+    unit, welds = {body}, [c.mentions(names) for c in names.connections.values() if c.is_rigid]
+    while any(joined & unit and joined - unit for joined in welds):
+        unit = unit.union(*(joined for joined in welds if joined & unit))
+    for other in names.connections.values():
+        mentioned = set[str]() if other.is_rigid or other.keeps_flat(names) else other.mentions(names)
+        if mentioned & (unit - {body} if other.lets_hang else unit):
+            return True
+    others = [names.known(name) for name in sorted(unit - {body})]
+    return any(b.fixed or b.name == GROUND or b.start.at is not None for b in others)
+
+
+def _place(names: Names, point: Point) -> tuple[float, float] | None:
+    """Where a point is at the start, if the model says so."""
+    body = names.known(point.body)
+    offset = [names.numeric(c) for c in point.offset[:2]]
+    base: list[float | None] = [0.0, 0.0]
+    if body.name != GROUND:
+        if body.start.at is None:
+            return None
+        base = [names.numeric(c) for c in body.start.at[1][:2]]
+    x, y = (None if a is None or b is None else a + b for a, b in zip(base, offset, strict=True))
+    return None if x is None or y is None else (x, y)

@@ -1,0 +1,83 @@
+"""Problems of a model, each with its place.
+
+A reader never stops at the first mistake: it notes the problem and goes on with something harmless, so that one message
+can list them all. What follows from a mistake elsewhere nobody is told twice.
+"""
+
+from __future__ import annotations
+
+import difflib
+import re
+from collections.abc import Generator, Iterable
+from contextlib import contextmanager
+
+from freebody.errors import Problem
+from freebody.language.sentences import Message
+
+
+def did_you_mean(name: str, known: Iterable[str]) -> str:
+    """' Did you mean x?', or the list of what there is. Of several that a name begins (gear_mesh, gear_pair for gear)
+    none is preferred."""
+    options = sorted(set(known))
+    if len(begun := [option for option in options if option.startswith(f"{name}_")]) > 1:
+        return Message(" Did you mean one of {names}?", names=", ".join(begun))
+    close = difflib.get_close_matches(name, options, n=1, cutoff=0.6)
+    if close:
+        return Message(" Did you mean {x}?", x=close[0])
+    if not options:
+        return ""
+    shown = ", ".join(options[:12]) + (" ..." if len(options) > 12 else "")
+    return Message(" There is: {names}.", names=shown)
+
+
+class Noting:
+    """Notes problems."""
+
+    def __init__(self) -> None:
+        self.problems: list[Problem] = []
+        self.assumptions: list[str] = []
+        self.broken: set[str] = set()  # what could not be read: told where it stands, and nowhere else
+        self.is_cut_short = False  # a whole section of names could not be read
+        self._path: tuple[str | int, ...] = ()
+
+    @contextmanager
+    def at(self, *path: str | int) -> Generator[None]:
+        """Problems noted inside stand at this place of the model."""
+        before = self._path
+        self._path = before + path
+        try:
+            yield
+        finally:
+            self._path = before
+
+    @contextmanager
+    def reading(self, section: str, name: str, *path: str | int) -> Generator[None]:
+        """As `at`; a name of which a problem is noted inside is broken."""
+        n_before = len(self.problems)
+        with self.at(section, name, *path):
+            yield
+        if len(self.problems) > n_before:
+            self.broken.add(name)
+
+    @contextmanager
+    def quietly(self) -> Generator[None]:
+        """Problems noted inside are told elsewhere."""
+        n_before = len(self.problems)
+        try:
+            yield
+        finally:
+            del self.problems[n_before:]
+
+    def is_broken_in(self, text: str) -> bool:
+        """Whether a text names what could not be read: it is told where that stands."""
+        return self.is_cut_short or any(name in self.broken for name in re.findall(r"\w+", text))
+
+    def unknown(self, name: str, message: str, *path: str | int) -> None:
+        """Notes a problem of a name that stands for nothing, but not where that follows from another problem."""
+        if name not in self.broken and not self.is_cut_short:
+            self.problem(message, *path)
+
+    def problem(self, message: str, *path: str | int) -> None:
+        noted = Problem(self._path + path, message)
+        if noted not in self.problems:
+            self.problems.append(noted)

@@ -1,0 +1,77 @@
+"""The base of all shapes: mass, moment of inertia about the mass centre, mass centre and named points.
+
+A shape is a `Spec` with a `kind` in a file of this folder, which is found by itself. A mass that is left out is zero: a
+massless link or pulley.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any, ClassVar
+
+from freebody.language.expression import Expr, divide, number, power
+from freebody.language.sentences import Message
+from freebody.measures.geometry import ZERO, Components
+from freebody.model.kinds import Kinds
+from freebody.model.spec import Spec
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+
+@dataclass(frozen=True)
+class Build:
+    """What a shape comes to. Points are components in the body's own frame, from its reference point."""
+
+    mass: Expr
+    inertia: Expr
+    center_of_mass: Components = (ZERO, ZERO)
+    points: dict[str, Components] = field(default_factory=dict[str, Components])
+    radius: Expr | None = None
+    turns: bool = True
+    default_point: str = "center"
+    corners: tuple[str, ...] = ()  # points of a straight-edged rim, in order
+    is_ring: bool = False
+    # in space
+    tensor: Components = ()  # about the mass centre: xx, yy, zz, xy, xz, yz
+    round: str = ""
+    axis: Components = ()
+    solid: str = ""
+    sizes: Components = ()
+
+
+class Shape(Spec):
+    """Base of the shapes; a subclass is found by its `kind`."""
+
+    kinds: ClassVar[Kinds[type[Shape]]] = Kinds("freebody.model.shapes")
+    # lengths that may be left open, with the points that depend on them; () where the whole body does
+    open_lengths: ClassVar[dict[str, tuple[str, ...]]] = {}
+    # its fields with values, as a file has them: for documentation and for random models
+    example: ClassVar[str] = ""
+
+    def __init_subclass__(cls, kind: str = "", **rest: Any) -> None:
+        super().__init_subclass__(**rest)
+        if kind:
+            cls.kind = kind
+            Shape.kinds.register(kind, cls)
+
+    def build(self, names: Names) -> Build:
+        """What it comes to; problems are noted."""
+        raise NotImplementedError
+
+
+def half(e: Expr) -> Expr:
+    """e/2."""
+    return divide(e, number(2))
+
+
+def square(e: Expr) -> Expr:
+    """e^2."""
+    return power(e, number(2))
+
+
+def is_spatial(names: Names, spec: Shape) -> bool:
+    """Whether the model is one of space; notes a problem where it is not."""
+    if not names.space:
+        names.problem(Message("a {kind} is for models in space: write space: true", kind=spec.kind))
+    return names.space

@@ -1,0 +1,114 @@
+"""Lines of a motion by the first integral of energy."""
+
+from __future__ import annotations
+
+from freebody.errors import CannotAnswer
+from freebody.language.expression import Symbol, add, multiply, number, power
+from freebody.language.sentences import Message
+from freebody.narrative.context import Context
+from freebody.narrative.lines.glossary import TrueWhen
+from freebody.narrative.lines.script import Argument, Script, ready
+from freebody.narrative.principles.analytic import energy_terms
+from freebody.narrative.questions.course_by_law import place_line
+from freebody.narrative.questions.event_way import TIME, EventWay, at_start
+from freebody.questions.motion import rates_of
+from freebody.questions.reading import QuestionEvent
+from freebody.symbolic.elliptic import EllipticTime
+from freebody.symbolic.field import Field, Ratio
+from freebody.symbolic.first_integrals import is_driven
+from freebody.symbolic.tidy import tidy
+from freebody.symbolic.unknowns import Coordinate
+
+
+def lines_by_energy(way: EventWay) -> list[int]:
+    """Kinetic and potential energy at the start and at the event are the same."""
+    script, c, reached, context = way.script, way.coordinate, way.reached, way.context
+    model, f = context.setup.model, context.setup.model.field
+    if reached.speed is None:
+        raise CannotAnswer(Message("the motion to the event has no closed form"))
+    if len(model.coordinates) > 1:
+        raise CannotAnswer(Message("several coordinates move, and that a momentum stays is derived by no line here"))
+    lines = first_integral(context, script)
+    u = rates_of(c.name, 1)
+    event = way.question.event
+    assert isinstance(event, QuestionEvent)
+    with script.stage("stage.event", "hint.event"):
+        say_first_integral(context, script, c)
+        given = place_line(way)
+        # where the place is given its values are put in; where the speed is given the place is found
+        put_in: dict[int, Ratio] = {} if event.order == 1 else {c.index: reached.at}
+        second, rest = context.setup.motion.integrals.terms(c)
+        end, u0 = [f.lowest_terms(f.follow(x, put_in)) for x in (second, rest)], at_start(way)[1]
+        m_start, v_start = (f.follow(x, context.setup.start.values) for x in (second, rest))
+        left = add(multiply(tidy(end[0]), power(u, number(2))), tidy(end[1]))
+        right = tidy(f.lowest_terms(m_start * u0 * u0 + v_start))
+        uses = (*lines, given)
+        args: dict[str, Argument] = {"lines": tuple(lines), "line": given}
+        key = "course.jacobi_kept" if is_driven(model) else "course.energy"
+        kept = script.line(left, right, why=key, args=args, uses=uses, when="event")
+        if event.order == 1:
+            place = tidy(reached.at)
+            args = {"lines": (kept, given)}
+            found = script.line(Symbol(c.name), place, why="course.turns", args=args, uses=(kept, given), when="event")
+        else:
+            found = script.line(
+                u, tidy(reached.speed), why="course.speed", args={"line": kept}, uses=(kept,), when="event"
+            )
+    return [found, given]
+
+
+def first_integral(context: Context, script: Script) -> list[int]:
+    """The energies of which energy, or Jacobi's integral, is made."""
+    system = context.system
+    stored = all(system.loads[p.load].stores_energy for p in system.applied_loads)
+    return energy_terms(context, script, is_kept=stored and not is_driven(context.setup.model))
+
+
+def say_first_integral(context: Context, script: Script, c: Coordinate) -> None:
+    """What else is like a potential energy along the motion, and what is conserved beside a driver."""
+    setup, system = context.setup, context.system
+    f = setup.model.field
+    for load in dict.fromkeys(p.load for p in system.applied_loads if not system.loads[p.load].stores_energy):
+        parts = [setup.motion.integrals.potential_of(p, setup.state) for p in system.applied_loads if p.load == load]
+        total = f.lowest_terms(sum(parts, f.zero))
+        if not total.is_zero():
+            script.say("course.as_potential", load=load, potential=tidy(total), name=Symbol(c.name))
+    if is_driven(setup.model):
+        script.say("course.jacobi", rate=rates_of(c.name, 1))
+
+
+def square_line(context: Context, script: Script, c: Coordinate, lines: list[int], when: TrueWhen) -> int:
+    """From the energies the square of the speed as a function of the place."""
+    f, motion = context.setup.model.field, context.setup.motion
+    square = tidy(f.lowest_terms(motion.speed_squared(c, f.variable(c.index))))
+    args: dict[str, Argument] = {"lines": tuple(lines)}
+    left = power(rates_of(c.name, 1), number(2))
+    why = "course.jacobi_anywhere" if is_driven(context.setup.model) else "course.energy_anywhere"
+    return script.line(left, square, why=why, args=args, uses=lines, when=when)
+
+
+def say_integral(script: Script, c: Coordinate, law: EllipticTime, field: Field, line: int) -> None:
+    """By which substitution the time becomes an elliptic integral."""
+    script.say("course.separated", line=line, name=Symbol(c.name), rate=rates_of(c.name, 1))
+    phi, k, scale = (tidy(field.lowest_terms(x)) for x in (law.amplitude(field.variable(c.index)), *law.factors))
+    script.say("course.elliptic", phi=phi, k=k, scale=scale)
+
+
+def time_by_energy(way: EventWay) -> list[int]:
+    """The time as the integral of dq/u."""
+    script, c, reached, context = way.script, way.coordinate, way.reached, way.context
+    assert reached.integral is not None
+    assert reached.time is not None
+    if len(context.setup.model.coordinates) > 1:
+        raise CannotAnswer(Message("energy and momentum of several freedoms are told without a derivation here"))
+    lines = first_integral(context, script)
+    with script.stage("stage.event", "hint.event"):
+        say_first_integral(context, script, c)
+        square = square_line(context, script, c, lines, "event")
+        say_integral(script, c, reached.integral, context.setup.model.field, square)
+        at = place_line(way)
+        for note in reached.notes:
+            script.say("course.note", text=ready(note))
+        args: dict[str, Argument] = {"lines": (square, at)}
+        script.line(TIME, tidy(reached.time), why="course.elliptic_time", args=args, uses=(square, at), when="event")
+    return [square, at]

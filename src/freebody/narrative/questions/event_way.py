@@ -1,0 +1,137 @@
+"""The way to an event, and the last lines of its derivation: what is asked there."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from functools import singledispatch
+from typing import Any, cast
+
+from freebody.errors import CannotAnswer
+from freebody.language.expression import Expr, Symbol, add, multiply, number
+from freebody.language.sentences import Message
+from freebody.narrative.context import Context
+from freebody.narrative.lines.naming import asked_entry, asked_symbol
+from freebody.narrative.lines.script import Argument, Script
+from freebody.narrative.principles.momentum import by_momentum, parts_of
+from freebody.narrative.principles.newton import same_answer
+from freebody.questions.base import Quantity
+from freebody.questions.loads import Work
+from freebody.questions.motion import rates_of
+from freebody.questions.reading import Question
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.laws.base import MotionLaw
+from freebody.symbolic.reached import Reached
+from freebody.symbolic.state import SymbolicState
+from freebody.symbolic.tidy import tidy
+from freebody.symbolic.unknowns import Coordinate
+
+TIME = Symbol("t")
+
+
+@dataclass
+class AtEvent:
+    """What is asked at an event, and the script that tells it."""
+
+    context: Context
+    script: Script
+    question: Question
+    reached: Reached
+
+
+@dataclass
+class EventWay(AtEvent):
+    """What the way to the event is made of."""
+
+    coordinate: Coordinate
+    acceleration: Ratio
+    line: int  # of the acceleration
+    beside: list[EventWay] = field(default_factory=list["EventWay"])  # of other coordinates that are asked for
+
+    @property
+    def law(self) -> MotionLaw | None:
+        return self.context.setup.motion.law_of(self.coordinate, takes_side=True)
+
+
+def coordinates_asked(context: Context, question: Question) -> list[Coordinate]:
+    """Those on which depends what is asked; all of them, where it is counted on the way."""
+    model, f = context.setup.model, context.setup.model.field
+    if question.quantity.scope == "course":
+        return list(model.coordinates)
+    value: Any = question.quantity.value(context.system, context.setup.state)
+    parts: Sequence[Any] = cast("tuple[Any, ...]", value) if isinstance(value, tuple) else (value,)
+    inside = set[int]().union(*(f.ingredients(f.element(part)) for part in parts))
+    return [c for c in model.coordinates if inside & {c.index, c.speed}]
+
+
+def at_start(way: EventWay) -> tuple[Ratio, Ratio]:
+    """Coordinate and speed at the start."""
+    c, start = way.coordinate, way.context.setup.start
+    return start.of(c.index), start.of(c.speed)
+
+
+def tell_asked(way: AtEvent, lines: Sequence[int]) -> None:
+    """The quantity in the state at the event."""
+    _tell_asked(way.question.quantity, way, lines)
+
+
+@singledispatch
+def _tell_asked(q: Quantity, way: AtEvent, lines: Sequence[int]) -> None:
+    context, question, reached, script = way.context, way.question, way.reached, way.script
+    if q.is_of_event:
+        return
+    if q.scope == "course":
+        raise CannotAnswer(Message("what is counted on the way is derived from no line here"))
+    model, f = context.setup.model, context.setup.model.field
+    parts, unknowns = parts_of(context, question.quantity)
+    found = by_momentum(context, script, unknowns) if unknowns else {}
+    general = [f.follow(p, {u: v for u, (v, _line) in found.items()}) for p in parts]
+    state = SymbolicState(model, context.setup.motion.known_at(reached))
+    there = [f.lowest_terms(state.here(g)) for g in general]
+    if not unknowns and len(there) == 1:  # as it is found there: a root of a square then has a sign
+        there = [f.lowest_terms(f.element(q.value(context.system, state)))]
+    if len(there) != 1:
+        raise CannotAnswer(Message("a vector at an event is told by its components"))
+    shown, last = tidy(there[0]), script.next_number - 1
+    uses = tuple(dict.fromkeys((*lines, *(line for _v, line in found.values()))))
+    with script.stage("stage.value", "hint.value"):
+        own = {f.variable(k.index): Symbol(k.name) for k in model.coordinates}
+        own_rates = {f.variable(k.speed): rates_of(k.name, 1) for k in model.coordinates}
+        if (known := (own | own_rates).get(general[0])) is not None:
+            symbol: Expr = known
+        else:
+            symbol = asked_symbol(context, question)
+            script.add(asked_entry(symbol, question))
+            before = tidy(f.lowest_terms(general[0]))
+            if before != shown:
+                last = script.line(symbol, before, why="course.general", args={"lines": uses}, uses=uses, when="event")
+                uses = (*uses, last)
+        script.line(symbol, shown, why="course.there", args={"lines": uses}, uses=uses, when="event")
+    _ends_in_answer(way, there[0])
+
+
+@_tell_asked.register(Work)
+def _work(quantity: Work, way: AtEvent, lines: Sequence[int]) -> None:
+    """The work of a load that has a potential: what the potential is less than at the start."""
+    context, script, f = way.context, way.script, way.context.setup.model.field
+    setup, uses = context.setup, tuple(lines)
+    states = setup.start_instant, SymbolicState(setup.model, setup.motion.known_at(way.reached))
+    applied_loads = [p for p in context.system.applied_loads if p.load == quantity.of]
+    before, after = (f.lowest_terms(sum((s.potential(p) for p in applied_loads), f.zero)) for s in states)
+    with script.stage("stage.value", "hint.value"):
+        symbol = asked_symbol(context, way.question)
+        script.add(asked_entry(symbol, way.question))
+        right = add(tidy(before), multiply(number(-1), tidy(after)))
+        args: dict[str, Argument] = {"load": quantity.of, "lines": uses}
+        last = script.line(symbol, right, why="course.work", args=args, uses=uses, when="event")
+        total = tidy(f.lowest_terms(before - after))
+        if total != right:
+            script.line(symbol, total, why="course.there", args={"lines": (last,)}, uses=(last,), when="event")
+
+
+def _ends_in_answer(way: AtEvent, found: Ratio) -> None:
+
+    f, reached, setup = found.field, way.reached, way.context.setup
+    values = setup.motion.known_at(reached)
+    wanted = way.question.quantity.value(setup.system, SymbolicState(setup.model, values))
+    same_answer([found], [f.lowest_terms(f.element(wanted))])
