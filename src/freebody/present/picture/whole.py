@@ -14,7 +14,7 @@ from freebody.model.elements import RATE, VALUE, AppliedLoad, NonholonomicForm
 from freebody.model.glyphs import Equation, Spring
 from freebody.present.figures import Array, Place, positions
 from freebody.present.picture.arrows import Arrows, acting_at, axes_cross
-from freebody.present.picture.bodies_free import name_beside
+from freebody.present.picture.bodies_free import body_label, name_beside
 from freebody.present.picture.coordinates import Coordinates
 from freebody.present.picture.dimensions import Dimensions
 from freebody.present.picture.forces import Force
@@ -24,6 +24,7 @@ from freebody.present.picture.plane import sketched
 from freebody.present.picture.shapes import Ink, Shape
 from freebody.present.picture.signs import across, arrow
 from freebody.present.picture.sketch import Sketch
+from freebody.present.picture.start_motion import StartMotion
 from freebody.present.places import Places
 from freebody.present.scene import Scene
 from freebody.system.system import System
@@ -132,6 +133,8 @@ class WholeInPlane(Whole):
     def draw_signs(self) -> None:
         dimensions = Dimensions(self.system, self.sketch, self.drawing, self.places)
         dimensions.draw_inclines()
+        dimensions.draw_tilts()
+        StartMotion(self.system, self.sketch, self.drawing, self.places).draw()
         coordinates = Coordinates(self.sketch, self.drawing, self.places)
         for called, measure in self.system.measures.items():
             coordinates.draw(called, measure)
@@ -139,7 +142,8 @@ class WholeInPlane(Whole):
 
     def name_bodies(self) -> None:
         for figure in self.scene.figures:
-            name_beside(self.sketch, figure, self.drawing.poses)
+            label = body_label(self.system, figure.name)
+            name_beside(self.sketch, figure, self.drawing.poses, label)
 
     def draw_corner(self) -> None:
         gravity = self.scene.gravity
