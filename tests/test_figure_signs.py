@@ -8,7 +8,12 @@ import numpy as np
 import pytest
 
 import freebody as fb
+from freebody.language.expression import Expr, evaluate
 from freebody.present.picture.picture import Picture
+from freebody.present.picture.shapes import Shape
+from freebody.present.scene import Scene
+from freebody.present.space.bodies import body_pieces
+from freebody.present.space.drawing import shells_of
 from freebody.study.pictures.picture import free_body, picture
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
@@ -53,7 +58,7 @@ def texts(found: Picture) -> set[str]:
 
 def heads(found: Picture, ink: str) -> list[np.ndarray]:
     """The tips of the arrows of a colour."""
-    return [s.points[0] for s in found.shapes if s.fill is not None and s.fill.name == ink and len(s.points) == 4]
+    return [s.points[0] for s in found.shapes if s.fill is not None and s.fill.color == ink and len(s.points) == 4]
 
 
 def test_a_point_mass_is_called_by_its_mass_and_other_bodies_by_their_names() -> None:
@@ -111,3 +116,89 @@ def test_what_hangs_on_a_pulley_is_a_block_that_is_not_lost_beside_it() -> None:
 
 def s_is_square(points: np.ndarray) -> bool:
     return abs(float(np.ptp(points[:, 0])) - float(np.ptp(points[:, 1]))) < 1e-6
+
+
+DRAWN = """
+space: true
+parameters: {L: 1 m}
+ground: {points: {O: [0, 0, 0]}}
+bodies:
+  shaft: {body: {inertia: 1 kg m^2}, points: {C: [L, 0, 0], B: [L, -L, 0], D: [0, 0, L]}}
+connections: {bearing: {revolute: {first: ground.O, second: shaft, about: y}}}
+measures: {psi: angle of shaft about y}
+start: {psi: 0, rate(psi): 2 rad/s}
+drawing: {paths: {shaft: [origin, C, B]}}
+"""
+
+
+def test_a_bent_shaft_is_drawn_through_the_points_of_its_path() -> None:
+    with_path, without = (Scene.of(fb.System.from_text(text), float_of).figures[0] for text in (DRAWN, no_path(DRAWN)))
+    assert [place.at for place in with_path.path] == [(0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (1.0, -1.0, 0.0)]
+    bars = [piece for piece in body_pieces(with_path, [], 0.05, is_fixed=False) if not piece.radius]
+    star = [piece for piece in body_pieces(without, [], 0.05, is_fixed=False) if not piece.radius]
+    assert (len(bars), len(star)) == (2, 3)
+
+
+def no_path(text: str) -> str:
+    return text[: text.index("drawing:")]
+
+
+def float_of(expr: Expr) -> float:
+    return float(evaluate(expr, {"L": 1.0}))
+
+
+def test_an_angular_velocity_is_a_vector_along_its_axis() -> None:
+    found = picture(fb.System.from_text(DRAWN))
+    assert "\u03c8\u2032" in texts(found)
+    [vector] = [s.points for s in found.shapes if s.stroke is not None and s.stroke.color == "velocity"]
+    assert abs(vector[1][0] - vector[0][0]) < 1e-6  # y is up in the picture
+    assert vector[1][1] > vector[0][1]
+
+
+def test_two_shafts_with_forks_and_a_cross_make_a_cardan_joint() -> None:
+    scene = Scene.of(example("cardan_joint"), lambda expr: float(evaluate(expr, {"alpha": 0.5236, "I": 0.01})))
+    still = np.zeros((1, 3, 3)), np.broadcast_to(np.eye(3), (1, 3, 3, 3))
+    shells = shells_of(scene, still)
+    names = {form.index: form.name for form in scene.figures}
+    assert {names[index] for index in shells.crosses} == {"cross"}
+    assert {names[index] for index in shells.forks} == {"drive", "driven"}
+
+
+def test_gimbals_have_no_cross() -> None:
+    system = example("gyroscope_in_gimbals")
+    values = dict.fromkeys(system.parameters, 1.0)
+    scene = Scene.of(system, lambda expr: float(evaluate(expr, values)))
+    n = len(scene.names)
+    shells = shells_of(scene, (np.zeros((1, n, 3)), np.broadcast_to(np.eye(3), (1, n, 3, 3))))
+    assert not shells.crosses
+    assert not shells.forks
+
+
+def test_labels_and_signs_can_be_changed_and_left_out() -> None:
+    text = (EXAMPLES / "atwood_machine.yaml").read_text("utf-8")
+    more = "\ndrawing: {labels: {left: A, x1: q}, hide: [right, w, R], scale: {left: 2}}\n"
+    before, after = (picture(fb.System.from_text(each)) for each in (text, text + more))
+    assert {"A", "q"} <= texts(after)
+    assert not texts(after) & {"m_1", "m_2", "x_1", "w", "R"}
+    widest = [max(float(np.ptp(s.points[:, 0])) for s in each.shapes if s_is_block(s)) for each in (before, after)]
+    assert widest[1] == pytest.approx(2 * widest[0])
+
+
+def s_is_block(shape: Shape) -> bool:
+    return shape.is_closed and len(shape.points) == 4 and s_is_square(shape.points)
+
+
+@pytest.mark.parametrize(
+    ("section", "message"),
+    [
+        ("{hide: [rigt]}", "there is nothing called rigt to draw"),
+        ("{scale: {left: -1}}", "a scale is a number above 0"),
+        ("{paths: {left: [A]}}", "two or more points of left"),
+        ("{paths: {pulley: [center, rim]}}", "pulley has no point rim"),
+        ("{colour: {left: red}}", "drawing has no colour"),
+    ],
+)
+def test_what_cannot_be_drawn_so_is_told(section: str, message: str) -> None:
+    text = (EXAMPLES / "atwood_machine.yaml").read_text("utf-8")
+    with pytest.raises(fb.ModelError, match=message):
+        fb.System.from_text(f"{text}\ndrawing: {section}\n")

@@ -231,6 +231,10 @@ class Pen:
         size = float(np.ptp(outline, axis=0).max())
         if size < 1e-9:
             yield self._dot(figure, fill)
+        elif figure.path:
+            for a, b in pairwise(figure.path):
+                points = capsule(a.xy, b.xy, 0.35 * self.u)
+                yield Path(Place(turn, 0.0, 0.0), turn, points, fill, True, color)
         elif len(outline) == 2:
             points = capsule(tuple(outline[0]), tuple(outline[1]), surplus(figure, self.u))
             yield Path(rest, turn, points, fill, True, color)
@@ -260,9 +264,10 @@ class Pen:
         if along is None:
             along, size = self._hung_along(figure), (0.9, 0.9)
         if along is None:
-            points = circle(surplus(figure, self.u))
+            points = circle(figure.scale * surplus(figure, self.u))
             return Path(figure.mass_center, figure.index, points, fill, True, figure.number)
-        points = turned(along.angle, *box(size[0] * self.u, size[1] * self.u).T)
+        long, tall = (side * figure.scale * self.u for side in size)
+        points = turned(along.angle, *box(long, tall).T)
         return Path(figure.mass_center, along.body, points, fill, True, figure.number)
 
     def _hung_along(self, figure: Figure) -> Heading | None:

@@ -12,7 +12,7 @@ from freebody.present.drawing import Drawing
 from freebody.present.figures import Array, Figure, positions
 from freebody.present.picture.arrows import Arrows, axes_cross
 from freebody.present.picture.forces import Force
-from freebody.present.picture.label import Label, formula, words
+from freebody.present.picture.label import Label, formula, name, words
 from freebody.present.picture.picture import Picture
 from freebody.present.picture.placer import Wish, around
 from freebody.present.picture.plane import part_of, sketched
@@ -74,6 +74,8 @@ def _cut_joints(scene: Scene, bodies: Sequence[str], drawing: Drawing, sketch: S
 def body_label(system: System, body: str) -> Label:
     """What a body is called in a diagram: a point mass by its mass, where that is a symbol of its own, others by their
     names; names of one or two letters are left as they are."""
+    if body in system.looks.labels:
+        return name(system.looks.labels[body])
     own = system.bodies[body]
     is_alone = sum(other.mass == own.mass for other in system.moving) == 1
     if not own.turns and isinstance(own.mass, Symbol) and is_alone and len(body) > 2:

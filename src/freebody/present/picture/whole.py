@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 
 import numpy as np
 
-from freebody.language.expression import differentiate, free_symbols
+from freebody.language.expression import Symbol, differentiate, free_symbols
 from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
 from freebody.model.elements import RATE, VALUE, AppliedLoad, NonholonomicForm
@@ -18,7 +18,7 @@ from freebody.present.picture.bodies_free import body_label, name_beside
 from freebody.present.picture.coordinates import Coordinates
 from freebody.present.picture.dimensions import Dimensions
 from freebody.present.picture.forces import Force
-from freebody.present.picture.label import Label, Run, equation, name, words
+from freebody.present.picture.label import Label, Run, equation, formula, name, words
 from freebody.present.picture.placer import Wish, around
 from freebody.present.picture.plane import sketched
 from freebody.present.picture.shapes import Ink, Shape
@@ -125,23 +125,27 @@ class WholeInPlane(Whole):
         self.drawing, sketch = sketched(scene, pose, _ROOMS.get(len(scene.figures), _ROOM), _LEAST)
         centers = {f.name: positions(self.drawing.poses, f.mass_center)[0] for f in scene.figures}
         super().__init__(system, places, scene, sketch, centers)
-        self.loads, self.moved = loads, self.drawing.moved
+        self.loads, self.moved = [f for f in loads if f.name.split(".")[0] not in system.looks.hide], self.drawing.moved
 
     def at(self, place: Place) -> Array:
         return self.sketch.seen(positions(self.drawing.poses, place)[0])
 
     def draw_signs(self) -> None:
         dimensions = Dimensions(self.system, self.sketch, self.drawing, self.places)
+        dimensions.shown |= {formula(Symbol(hidden)).text for hidden in self.system.looks.hide}
         dimensions.draw_inclines()
         dimensions.draw_tilts()
         StartMotion(self.system, self.sketch, self.drawing, self.places).draw()
-        coordinates = Coordinates(self.sketch, self.drawing, self.places)
+        coordinates = Coordinates(self.sketch, self.drawing, self.places, self.system.looks.labels)
         for called, measure in self.system.measures.items():
-            coordinates.draw(called, measure)
+            if called not in self.system.looks.hide:
+                coordinates.draw(called, measure)
         dimensions.draw()
 
     def name_bodies(self) -> None:
         for figure in self.scene.figures:
+            if figure.name in self.system.looks.hide:
+                continue
             label = body_label(self.system, figure.name)
             name_beside(self.sketch, figure, self.drawing.poses, label)
 
