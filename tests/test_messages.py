@@ -142,8 +142,8 @@ HAPPENING = Message("{contact} opens", contact="left")
             "hat die Einheit N, die Antwort hat m/s^2",
         ),
         (
-            Message("equal for {where}: proved exactly", where=listed(["a > 0", "b > 0"])),
-            "gleich für a > 0 und b > 0: exakt bewiesen",
+            Message("identical to the result for {where}", where=listed(["a > 0", "b > 0"])),
+            "identisch mit dem Ergebnis für a > 0 und b > 0",
         ),
         (
             Message("{axis} component: {reason}", axis="x", reason=Message("is {factor} times the answer", factor=2)),
