@@ -202,3 +202,21 @@ def test_what_cannot_be_drawn_so_is_told(section: str, message: str) -> None:
     text = (EXAMPLES / "atwood_machine.yaml").read_text("utf-8")
     with pytest.raises(fb.ModelError, match=message):
         fb.System.from_text(f"{text}\ndrawing: {section}\n")
+
+
+def reactions_on(found: Picture) -> set[str]:
+    return {word.label.text for word in found.words if word.ink.color == "reaction"}
+
+
+def test_a_hanging_mass_is_held_by_its_string_alone() -> None:
+    assert reactions_on(free_body(example("atwood_machine"), "left")) == {"T_left"}
+
+
+def test_what_is_pushed_aside_needs_a_sideways_force() -> None:
+    text = (EXAMPLES / "atwood_machine.yaml").read_text("utf-8")
+    pushed = text.replace("loads:", "loads:\n  wind: {force: {at: left, along: right, magnitude: 1 N}}", 1)
+    assert reactions_on(free_body(fb.System.from_text(pushed), "left")) == {"T_left", "H_left"}
+    # Newton's second law to the right: 0 = H + 1 N
+    [answer] = fb.solve(fb.System.from_text(pushed), question="sideways force of rope at left").answers
+    assert isinstance(answer.value, float)
+    assert abs(answer.value) == pytest.approx(1.0)
