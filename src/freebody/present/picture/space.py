@@ -181,9 +181,10 @@ class WholeInSpace(Whole):
         axis = np.cross(self.poses.heading(base, 0), self.poses.heading(side, 0))
         joint = next((j for j in joints_of(self.scene, self.poses) if self._is_about(j, turned, axis)), None)
         form = next((f for f in self.scene.figures if f.index == turned), None)
-        if joint is None and form is None:
+        anchor = joint.second if joint is not None else form.center if form is not None else None
+        if anchor is None:
             return  # of axes that belong to no body
-        at = self.poses.place(joint.second if joint is not None else form.center, 0)
+        at = self.poses.place(anchor, 0)
         u, far = self.drawn_in_space.symbol, 0.0
         if joint is not None and joint.axis is not None:
             along = self.poses.heading(joint.axis, 0)
