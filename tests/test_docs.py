@@ -17,6 +17,8 @@ from command import freebody
 
 ROOT = Path(__file__).parents[1]
 README = (ROOT / "README.md").read_text(encoding="utf-8")
+GUIDE = {path.name: path.read_text(encoding="utf-8") for path in sorted((ROOT / "docs" / "guide").glob("*.md"))}
+PAGES = "\n".join((README, *GUIDE.values()))
 CONTRIBUTING = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8")
 
 
@@ -37,8 +39,8 @@ def varying(text: str) -> str:
     return re.sub(r"-?\d\.\de[-+]\d\d|-?\d\.\d+e-1\d", "*", text)
 
 
-@pytest.mark.parametrize("block", blocks(README, "console"))
-def test_readme_shows_the_real_output(block: str) -> None:
+@pytest.mark.parametrize("block", blocks(PAGES, "console"))
+def test_the_pages_show_the_real_output(block: str) -> None:
     command, _, shown = block.partition("\n")
     assert command.startswith("$ freebody ")
     real = run(*shlex.split(command.removeprefix("$ freebody ")))
@@ -57,14 +59,14 @@ def test_readme_has_the_two_set_up_lines_that_ci_runs() -> None:
     assert lines[1].endswith(".venv/bin/python -m pytest")
 
 
-def test_the_model_in_the_readme_solves() -> None:
-    (model,) = (block for block in blocks(README, "yaml") if block.startswith("freebody: 1"))
+def test_the_model_in_the_guide_solves() -> None:
+    (model,) = (block for block in blocks(PAGES, "yaml") if block.startswith("freebody: 1"))
     solution = fb.solve(fb.System.from_text(model))
     assert solution["q1"].choice == "a"
 
 
-def test_the_contacts_in_the_readme_can_be_read() -> None:
-    (connections,) = (block for block in blocks(README, "yaml") if block.startswith("connections:"))
+def test_the_contacts_in_the_guide_can_be_read() -> None:
+    (connections,) = (block for block in blocks(PAGES, "yaml") if block.startswith("connections:"))
     system = fb.System.from_text(
         connections
         + """
@@ -83,9 +85,9 @@ measures: {theta: angle of b, x: x of block}
     assert {row.connection for row in system.rows} >= {"floor", "all", "bowl", "limit", "drum", "rub", "guide"}
 
 
-def test_the_python_of_the_readme_runs(capsys: pytest.CaptureFixture[str]) -> None:
-    for code in blocks(README, "python"):
-        exec(compile(code, "README.md", "exec"), {})
+def test_the_python_of_the_guide_runs(capsys: pytest.CaptureFixture[str]) -> None:
+    for code in blocks(GUIDE["python.md"], "python"):
+        exec(compile(code, "python.md", "exec"), {})
     assert capsys.readouterr().out.strip() == "5*g*sin(alpha)/7"
 
 
@@ -101,13 +103,13 @@ def test_the_tour_is_true_and_names_every_room(monkeypatch: pytest.MonkeyPatch) 
     assert sorted(named) == sorted(rooms)
 
 
-def test_every_kind_is_in_the_readme() -> None:
+def test_every_kind_is_in_the_guide() -> None:
     from freebody.connections.base import Connection
     from freebody.loads.base import Load
 
     for kind in [*Connection.kinds, *Load.kinds]:
         if kind != "midpoint":
-            assert f"`{kind}`" in README, kind
+            assert f"`{kind}`" in PAGES, kind
 
 
 def test_the_connection_of_contributing_works_as_written() -> None:
@@ -143,3 +145,46 @@ def test_what_benchmarks_and_tools_import_is_there() -> None:
                     if not hasattr(module, alias.name) and not importlib.util.find_spec(f"{node.module}.{alias.name}"):
                         missing.append(f"{path.name}: {node.module}.{alias.name}")
     assert not missing
+
+
+def test_the_readme_is_read_in_minutes() -> None:
+    assert len(README.splitlines()) < 150
+
+
+@pytest.mark.parametrize(
+    "page", [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md"))], ids=lambda page: page.name
+)
+def test_links_lead_somewhere(page: Path) -> None:
+    for target in re.findall(r"\]\(([^)#]+)(?:#[^)]*)?\)", page.read_text(encoding="utf-8")):
+        if "://" not in target:
+            assert (page.parent / target).exists(), target
+
+
+def test_every_page_of_the_guide_is_on_the_site() -> None:
+    index = (ROOT / "docs" / "index.md").read_text(encoding="utf-8")
+    assert {f"guide/{name.removesuffix('.md')}" for name in GUIDE} <= set(index.split())
+
+
+def test_the_first_commands_run_as_written(tmp_path: Path) -> None:
+    """Those that do not wait for a file to be saved."""
+    commands = [line for text in (README, GUIDE["first_model.md"]) for line in "".join(blocks(text, "sh")).splitlines()]
+    own = [line for line in commands if line.startswith("freebody ") and "--watch" not in line]
+    assert len(own) >= 8
+    (tmp_path / "examples").symlink_to(ROOT / "examples")
+    for line in dict.fromkeys(own):
+        done = freebody(*shlex.split(line.removeprefix("freebody ")), cwd=tmp_path)
+        assert done.returncode == 0, f"{line}\n{done.stderr}"
+
+
+def test_the_drawing_section_of_the_guide_is_read() -> None:
+    (section,) = (block for block in blocks(GUIDE["first_model.md"], "yaml") if block.startswith("drawing:"))
+    model = """
+space: true
+parameters: {L: 1 m, theta: 30 deg}
+bodies:
+  ladder: {rod: {mass: 1 kg, length: L}}
+  block: {particle: {mass: 1 kg}}
+  shaft: {body: {inertia: 1 kg m^2}, points: {C: [L, 0, 0], B: [L, -L, 0]}}
+"""
+    looks = fb.System.from_text(model + section).looks
+    assert (looks.paths["shaft"], looks.scale["block"]) == (("origin", "C", "B"), 2.0)

@@ -142,8 +142,8 @@ HAPPENING = Message("{contact} opens", contact="left")
             "hat die Einheit N, die Antwort hat m/s^2",
         ),
         (
-            Message("equal for {where}: proved exactly", where=listed(["a > 0", "b > 0"])),
-            "gleich für a > 0 und b > 0: exakt bewiesen",
+            Message("identical to the result for {where}", where=listed(["a > 0", "b > 0"])),
+            "identisch mit dem Ergebnis für a > 0 und b > 0",
         ),
         (
             Message("{axis} component: {reason}", axis="x", reason=Message("is {factor} times the answer", factor=2)),
@@ -399,7 +399,7 @@ BROKEN = [  # a section, what stands there instead, the one place with a problem
     ("connections", "[p, rail]", "connections", "must be a mapping of names"),
     ("loads", "{s: {spring: {first: ground.A, second: c, stiffness: k}}}", "s", "there is no body c"),
     ("loads", "{s: {sprung: {first: ground.A, second: b, stiffness: k}}}", "s", "sprung is no kind of load"),
-    ("loads", "{s: {spring: {first: ground.A, second: b, stiffness: F}}}", "s", "'F' has the unit"),
+    ("loads", "{s: {spring: {first: ground.A, second: b, stiffness: F}}}", "s", "F must be"),
     ("loads", "[s]", "loads", "must be a mapping of names"),
     ("measures", "{x: x on b, y: {expression: 2*x}, phi: angle of a}", "x", "cannot read the measure"),
     ("measures", "{x: {expression: 2*}, y: {expression: 2*x}, phi: angle of a}", "x", "the expression ends"),

@@ -184,7 +184,7 @@ def test_time_of_the_rolling_disk_is_option_a_and_the_others_fail_by_their_units
     assert judgement.notes == ()
     reasons = {letter: v.reason for letter, v in judgement.options.items()}
     assert reasons == {
-        "a": "equal: proved exactly",
+        "a": "identical to the result",
         "b": "has the unit 1/(kg m^2 s), the answer has s",
         "c": "adds v₀²·R² [m^4/s^2] and 2·m·g·h/I [1/s^2]",
         "d": "adds v₀/R [1/s] and v₀²·R² [m^4/s^2]",
@@ -263,7 +263,7 @@ def test_acceleration_of_the_atwood_machine_is_option_a(atwood: Bench) -> None:
     judgement = atwood.judge(ATWOOD_ACCELERATION, ATWOOD_ACCELERATION["a"], ACCELERATION, key="a")
     assert judgement.choice == "a"
     assert {letter: v.reason for letter, v in judgement.options.items()} == {
-        "a": "equal: proved exactly",
+        "a": "identical to the result",
         "b": "as m₁ grows the answer tends to g, this option grows without bound",
         "c": "has no unit, the answer has m/s^2",
         "d": "as m₂ grows the answer tends to -g, this option grows without bound",
@@ -284,7 +284,7 @@ def test_tension_of_the_atwood_machine_is_option_e(atwood: Bench) -> None:
         "b": "as M grows the answer tends to m₁·g, this option grows without bound",
         "c": "has the unit s^2/m, the answer has N",
         "d": "for M = 0 the answer is 2·m₁·m₂·g/(m₁ + m₂), this option gives 0",
-        "e": "equal: proved exactly",
+        "e": "identical to the result",
     }
 
 
@@ -294,7 +294,7 @@ def test_energy_of_the_atwood_machine_is_option_c(atwood: Bench) -> None:
     assert {letter: v.reason for letter, v in judgement.options.items()} == {
         "a": "differs from the answer by -M·x₁'²/4, which changes during the motion",
         "b": "differs from the answer by -x₁'²·(m₁ + m₂)/2, which changes during the motion",
-        "c": "equal: proved exactly",
+        "c": "identical to the result",
         "d": "adds m₁·x₁⁴/4 [kg m^4] and M·R²·w'²/6 [N m]",
         "e": "differs from the answer by g·x₁·(m₁ - m₂), which changes during the motion",
     }
@@ -303,7 +303,7 @@ def test_energy_of_the_atwood_machine_is_option_c(atwood: Bench) -> None:
 def test_energy_is_known_up_to_a_constant_and_only_energy_is(atwood: Bench) -> None:
     other_level = {"a": ATWOOD_ENERGY["c"] + " + 5*m1*g*R"}
     judged = atwood.judge(other_level, ATWOOD_ENERGY["c"], ENERGY, up_to_constant=True)
-    assert judged.options["a"].reason == "equal up to the constant 5·m₁·R·g: proved exactly"
+    assert judged.options["a"].reason == "identical to the result up to the constant 5·m₁·R·g"
     assert atwood.judge(other_level, ATWOOD_ENERGY["c"], ENERGY).choice is None
 
 
@@ -436,7 +436,7 @@ def test_the_same_written_differently_is_right(pendulum: Bench, option: str, ans
 def test_what_the_field_does_not_decide_is_decided_by_numbers(pendulum: Bench, option: str, answer: str) -> None:
     judged = pendulum.judge({"a": option}, answer, DIMENSIONLESS).options["a"]
     assert judged.verdict == "right"
-    assert judged.reason in ("equal: proved exactly", "equal to 40 digits at 12 random points")
+    assert judged.reason in ("identical to the result", "equal to 40 digits at 12 random points")
 
 
 @pytest.mark.parametrize(
@@ -466,7 +466,7 @@ def test_the_size_of_a_coordinate_is_not_the_coordinate(pendulum: Bench) -> None
 
 def test_the_size_of_a_constant_is_taken_with_the_sign_that_the_model_gives_it(atwood: Bench) -> None:
     reason = atwood.reason("g*abs(m1 - m2)/(m1 + m2)", "g*(m1 - m2)/(m1 + m2)", ACCELERATION)
-    assert reason == "equal for m₁ - m₂ > 0: proved exactly"
+    assert reason == "identical to the result for m₁ - m₂ > 0"
     assert not atwood.is_right("g*abs(m2 - m1)/(m1 + m2)", "g*(m2 - m1)/(m1 + m2)", ACCELERATION)
 
 
@@ -494,7 +494,7 @@ def test_a_vector_is_right_when_both_components_are(atwood: Bench) -> None:
     judgement = atwood.judge(options, ("g*m1", "-g*m2"), FORCE, key="a")
     assert judgement.choice == "a"
     assert {letter: v.reason for letter, v in judgement.options.items()} == {
-        "a": "equal: proved exactly",
+        "a": "identical to the result",
         "b": "y component: has the opposite sign",
         "c": "is a single number, the answer is a vector [x, y]",
         "d": "y component: has the unit kg, the answer has N",

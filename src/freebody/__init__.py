@@ -95,6 +95,10 @@ __all__ = [
 def __getattr__(name: str) -> Any:
     from freebody.studies import STUDIES
 
+    if name == "__version__":
+        from importlib.metadata import version
+
+        return version("freebody")
     if name in _HOMES:
         return getattr(import_module(_HOMES[name]), name)
     if name in STUDIES:
@@ -102,14 +106,23 @@ def __getattr__(name: str) -> Any:
     if not name[:1].isupper():
         # also what `from freebody import progress` asks first: is it an attribute? Then it is imported as a module
         raise AttributeError(f"module 'freebody' has no attribute {name!r}")
-    # descriptions: shapes, connections and loads by their class names
-    for base in ("Shape", "Connection", "Load"):
-        home = {
-            "Shape": "freebody.model.shapes.base",
-            "Connection": "freebody.connections.base",
-            "Load": "freebody.loads.base",
-        }
-        for kind in getattr(import_module(home[base]), base).kinds.values():
-            if kind.__name__ == name:
-                return kind
-    raise AttributeError(f"module 'freebody' has no attribute {name!r}")
+    found = _descriptions().get(name)
+    if found is None:
+        raise AttributeError(f"module 'freebody' has no attribute {name!r}")
+    return found
+
+
+def __dir__() -> list[str]:
+    """What there is: the studies, their results, and the descriptions of shapes, connections and loads."""
+    return sorted({*__all__, *_descriptions(), "__doc__", "__version__"})
+
+
+def _descriptions() -> dict[str, Any]:
+    """Shapes, connections and loads by their class names."""
+    homes = {
+        "Shape": "freebody.model.shapes.base",
+        "Connection": "freebody.connections.base",
+        "Load": "freebody.loads.base",
+    }
+    kinds = [getattr(import_module(home), base).kinds.values() for base, home in homes.items()]
+    return {kind.__name__: kind for own in kinds for kind in own}

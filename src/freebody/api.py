@@ -10,3 +10,15 @@ class System(Studies, Description):
     """A mechanical system: immutable, from a file, from text or from Python objects."""
 
     __hash__ = Description.__hash__
+
+    def _repr_html_(self) -> str:
+        """For notebooks: the title and the picture; words where a picture cannot be drawn."""
+        from html import escape
+
+        from freebody.errors import FreebodyError
+
+        title = f"<p><b>{escape(self.title)}</b>{f' {escape(self.about)}' if self.about else ''}</p>"
+        try:
+            return title + self.picture().svg()
+        except FreebodyError as error:
+            return f"{title}<p>{escape(str(error))}</p>"

@@ -1,4 +1,4 @@
-"""The bundled examples: list, copy, and a small model to start from."""
+"""The bundled examples and templates: list, copy, and write a model to start from."""
 
 from __future__ import annotations
 
@@ -10,35 +10,7 @@ from freebody.errors import InputError
 from freebody.present.files import write_whole
 
 _TITLE = re.compile(r"^title:\s*(.+?)\s*$", re.MULTILINE)
-
-_NEW = """\
-# A model of freebody. See `freebody examples` for more.
-freebody: 1
-title: Block pulled along a table
-
-parameters:            # symbols are positive unless `sign` says otherwise
-  m: 2 kg
-  F: 10 N
-  d: 3 m
-
-bodies:
-  block: {particle: {mass: m}}
-
-connections:
-  table: {slider: {body: block, along: right}}
-
-loads:
-  pull: {force: {at: block, along: right, magnitude: F}}
-
-measures:
-  x: x of block
-
-start: {x: 0, rate(x): 0}
-
-questions:
-  - {find: acceleration of x}
-  - {find: time when x = d}
-"""
+_FIRST = "block"  # the template of a new file that is to be like nothing
 
 
 def folder() -> Path:
@@ -70,9 +42,30 @@ def copy_examples(name: str | None, to: Path) -> list[Path]:
     return written
 
 
-def write_new(file: Path) -> None:
-    """Writes a small model to start from."""
-    _write(file, _NEW)
+def templates() -> dict[str, Path]:
+    """The templates of new models by name: small models with comments, found in their folder."""
+    return {path.stem: path for path in sorted((Path(__file__).parent / "templates").glob("*.yaml"))}
+
+
+def listed_templates() -> Iterator[tuple[str, str]]:
+    """(name, title) of every template."""
+    for name, path in templates().items():
+        found = _TITLE.search(path.read_text(encoding="utf-8"))
+        yield name, found[1] if found else ""
+
+
+def write_new(file: Path, like: str | None = None) -> None:
+    """Writes a model to start from: a template, or a bundled example. Raises InputError where there is no such one."""
+    from freebody.model.names import did_you_mean
+
+    known = {name: folder() / f"{name}.yaml" for name, _title in listed_examples()} | templates()
+    name = _FIRST if like is None else like.removesuffix(".yaml").strip().replace(" ", "_").replace("-", "_")
+    if name not in known:
+        nearest = did_you_mean(name, known)
+        if "Did you mean" not in nearest:
+            nearest = f" There is: {', '.join(templates())}, and every name of `freebody examples`."
+        raise InputError(f"there is no template {like}.{nearest}")
+    _write(file, known[name].read_text(encoding="utf-8"))
 
 
 def _write(file: Path, text: str) -> None:

@@ -78,11 +78,11 @@ def _exactly_equal(pair: ComponentPair) -> Equality | None:
     if difference.is_zero():
         where = listed([f"{to_text(tidy(c))} > 0" for c in option.conditions])
         if where:
-            return Equality(Message("equal for {where}: proved exactly", where=where), is_proved=True)
-        return Equality(Message("equal: proved exactly"), is_proved=True)
+            return Equality(Message("identical to the result for {where}", where=where), is_proved=True)
+        return Equality(Message("identical to the result"), is_proved=True)
     if pair.setting.up_to_constant and difference.is_constant():
         shown = to_text(tidy(difference))
-        return Equality(Message("equal up to the constant {c}: proved exactly", c=shown), is_proved=True)
+        return Equality(Message("identical to the result up to the constant {c}", c=shown), is_proved=True)
     return None
 
 

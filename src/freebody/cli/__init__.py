@@ -10,6 +10,7 @@ from typing import Annotated
 
 import typer
 
+from freebody.cli.doctor import doctor
 from freebody.cli.files import examples, new, schema
 from freebody.cli.motion import simulate
 from freebody.cli.running import Terminated, command, quiet, say
@@ -19,7 +20,7 @@ from freebody.studies import STUDIES
 
 # commands with outputs of their own, and those that are no study of a system
 _OWN: dict[str, Callable[..., None]] = {"simulate": simulate}
-_BESIDE: tuple[Callable[..., None], ...] = (sheet, examples, new, schema)
+_BESIDE: tuple[Callable[..., None], ...] = (sheet, examples, new, schema, doctor)
 
 
 def commands() -> typer.Typer:
@@ -28,7 +29,6 @@ def commands() -> typer.Typer:
         name="freebody",
         help="Rigid-body mechanics that shows its work and proves it.",
         no_args_is_help=True,
-        add_completion=False,
         pretty_exceptions_enable=False,
         rich_markup_mode=None,
     )

@@ -10,8 +10,20 @@ import typer
 from freebody.cli.output import print_json, print_written
 
 
+def _templates() -> list[str]:
+    from freebody.examples_folder import templates
+
+    return list(templates())
+
+
+def _examples() -> list[str]:
+    from freebody.examples_folder import listed_examples
+
+    return [name for name, _title in listed_examples()]
+
+
 def examples(
-    name: Annotated[str | None, typer.Argument(help="An example to copy.")] = None,
+    name: Annotated[str | None, typer.Argument(help="An example to copy.", autocompletion=_examples)] = None,
     to: Annotated[Path, typer.Option("--to", help="Where to copy it.")] = Path(),
     everything: Annotated[bool, typer.Option("--all", help="Copy all of them.")] = False,
 ) -> None:
@@ -27,12 +39,21 @@ def examples(
 
 
 def new(
-    file: Annotated[Path, typer.Argument(metavar="FILE", help="The model file to write.")],
+    file: Annotated[Path | None, typer.Argument(metavar="FILE", help="The model file to write.")] = None,
+    like: Annotated[
+        str | None,
+        typer.Option("--like", help="A template, such as ladder; or an example.", autocompletion=_templates),
+    ] = None,
 ) -> None:
-    """Write a small model to start from."""
-    from freebody.examples_folder import write_new
+    """Write a model to start from; without a file, list the templates."""
+    from freebody.examples_folder import listed_templates, write_new
 
-    write_new(file)
+    if file is None:
+        for name, title in listed_templates():
+            print(f"{name:<20} {title}")
+        print("\nWrite one with: freebody new model.yaml --like NAME")
+        return
+    write_new(file, like)
     print(f"wrote {file}. Try: freebody solve {file}")
 
 

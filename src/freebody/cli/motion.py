@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from freebody.cli.options import Json, ModelFile, assignment, seconds_of
+from freebody.cli.options import Json, ModelFile, Set, Watch, model_of, seconds_of
 from freebody.cli.output import print_result, print_written
 from freebody.numeric.engine.integrators import integrators  # their names alone
 
@@ -29,9 +29,7 @@ def simulate(
         list[str] | None,
         typer.Option("--event", help="Look for 'theta = 90 deg', or 'stop when y of ball = 0' (repeatable)."),
     ] = None,
-    set_: Annotated[
-        list[str] | None, typer.Option("--set", help="Another value of a parameter, as 'm1=2 kg' (repeatable).")
-    ] = None,
+    set_: Set = None,
     tolerance: Annotated[
         float, typer.Option("--tolerance", help="Error allowed in a step, by the system's size.")
     ] = 1e-9,
@@ -51,6 +49,7 @@ def simulate(
         bool, typer.Option("--jams", help="Where no contact force is consistent, go on with an impulse.")
     ] = False,
     as_json: Json = False,
+    watch: Watch = False,
 ) -> None:
     """Simulate the motion of a model."""
     from freebody.present.busy import busy
@@ -59,11 +58,8 @@ def simulate(
     with busy("reading the model"):
         from freebody.numeric.options import SimulationOptions
         from freebody.study.simulation.simulate import simulate as run
-        from freebody.system.system import System
 
-        system = System.load(file)
-        if set_:
-            system = system.with_parameters(**dict(assignment(text) for text in set_))
+        system = model_of(file, set_)
         _check_outputs(out, plot, animate)
         if show:
             _check_shown(system, show)

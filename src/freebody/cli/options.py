@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from freebody.narrative.words import languages
 from freebody.studies import SECONDS, Option
+
+if TYPE_CHECKING:
+    from freebody.system.system import System
 
 ModelFile = Annotated[Path, typer.Argument(metavar="FILE", help="A model file (YAML).")]
 ReportFile = Annotated[
@@ -40,6 +43,20 @@ def assignment(text: str) -> tuple[str, str]:
     if not equals or not name.strip() or not value.strip():
         raise InputError(f"--set {text}: write name=value, as 'm1=2 kg'")
     return name.strip(), value.strip()
+
+
+Set = Annotated[
+    list[str] | None, typer.Option("--set", help="Another value of a parameter, as 'm1=2 kg' (repeatable).")
+]
+Watch = Annotated[bool, typer.Option("--watch", help="Run again whenever the file is saved, until Ctrl-C.")]
+
+
+def model_of(file: Path, assignments: list[str] | None) -> System:
+    """The system of a file, with other values of parameters."""
+    from freebody.system.system import System
+
+    system = System.load(file)
+    return system.with_parameters(**dict(assignment(text) for text in assignments)) if assignments else system
 
 
 def seconds_of(text: str, option: str) -> float:

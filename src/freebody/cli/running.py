@@ -5,6 +5,7 @@ from __future__ import annotations
 import functools
 import os
 import sys
+import time
 from collections.abc import Callable
 from pathlib import Path
 from typing import NoReturn, ParamSpec
@@ -12,6 +13,7 @@ from typing import NoReturn, ParamSpec
 import typer
 
 P = ParamSpec("P")
+_PAUSE = 0.2  # [s] between two looks at a watched file
 DEBUG = "FREEBODY_DEBUG"  # set it to see the traceback of a defect
 
 
@@ -27,6 +29,8 @@ def command(function: Callable[P, None]) -> Callable[P, None]:
         from freebody.errors import FreebodyError, InputError
 
         try:
+            if options.get("watch"):
+                _watched(function, *arguments, **options)
             function(*arguments, **options)
             _flush()
         except FreebodyError as error:
@@ -46,6 +50,35 @@ def command(function: Callable[P, None]) -> Callable[P, None]:
             _defect(error)
 
     return command
+
+
+def _watched(function: Callable[P, None], *arguments: P.args, **options: P.kwargs) -> NoReturn:
+    """Runs a command again whenever its file is saved, until it is interrupted. What is wrong with a file is told, and
+    the next version waited for."""
+    from freebody.errors import FreebodyError
+
+    file = Path(str(options["file"]))
+    while True:
+        seen = _saved(file)
+        try:
+            function(*arguments, **options)
+        except FreebodyError as error:
+            say(in_language(str(error), options.get("language")))
+        except typer.Exit:
+            pass  # it has said why
+        _flush()
+        say(f"-- watching {file}; Ctrl-C ends --")
+        while _saved(file) == seen:
+            time.sleep(_PAUSE)
+
+
+def _saved(file: Path) -> tuple[int, int]:
+    """What changes when a file is saved; of one that is just being replaced, nothing."""
+    try:
+        status = file.stat()
+    except OSError:
+        return 0, 0
+    return status.st_mtime_ns, status.st_size
 
 
 def in_language(message: str, language: object) -> str:

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from freebody.cli.options import Effort, Language
+from freebody.cli.options import Effort, Language, Set, assignment
 from freebody.cli.output import check_out, print_written
+
+if TYPE_CHECKING:
+    from freebody.system.system import System
 
 
 def sheet(
@@ -19,6 +22,7 @@ def sheet(
     seed: Annotated[int, typer.Option("--seed", help="The same seed gives the same sheets.")] = 0,
     language: Language = "en",
     effort: Effort = 1.0,
+    set_: Set = None,
 ) -> None:
     """Write an exercise sheet of several models, with an answer key."""
     from freebody.present.busy import busy
@@ -28,6 +32,23 @@ def sheet(
         from freebody.narrative.sheets.sheet import load_systems
         from freebody.narrative.sheets.sheet import sheet as make
 
-        made = make(load_systems(files), solutions=solutions, variants=variants, seed=seed, language=language)
+        systems = with_assignments(load_systems(files), set_)
+        made = make(systems, solutions=solutions, variants=variants, seed=seed, language=language)
         written = made.write(out)
     print_written(written)
+
+
+def with_assignments(systems: list[System], texts: list[str] | None) -> list[System]:
+    """Systems with other values of those parameters that they have. Raises InputError for one that none of them has."""
+    from freebody.errors import InputError
+    from freebody.model.names import did_you_mean
+
+    values = dict(assignment(text) for text in texts or ())
+    known = {name for system in systems for name in system.parameters}
+    for name in values:
+        if name not in known:
+            raise InputError(f"no model of the sheet has a parameter {name}.{did_you_mean(name, known)}")
+    return [
+        system.with_parameters(**{name: x for name, x in values.items() if name in system.parameters})
+        for system in systems
+    ]

@@ -9,7 +9,7 @@ from typing import Annotated, Any
 
 import typer
 
-from freebody.cli.options import Effort, Json, ModelFile, ReportFile
+from freebody.cli.options import Effort, Json, ModelFile, ReportFile, Set, Watch, model_of
 from freebody.cli.output import check_out, print_result, print_written
 from freebody.studies import Option, Study
 
@@ -35,7 +35,8 @@ def command_of(study: Study) -> Callable[..., None]:
     own = [_parameter(option) for option in study.options]
     report = [_of("as_json", Json, False), _of("out", ReportFile, None), _of("latex", Latex, False)]
     full = [_of("is_full", Full, False), _of("formula", Formulas, FormulaLength.SHORT)] if study.is_short else []
-    parameters = [*own] if is_file else [*report, *own, *full, _of("effort", Effort, 1.0)]
+    common = [_of("set_", Set, None), _of("watch", Watch, False)]
+    parameters = [*own, *common] if is_file else [*report, *own, *full, _of("effort", Effort, 1.0), *common]
 
     def run(file: Any, **words: Any) -> None:
         if is_file:
@@ -67,10 +68,8 @@ def _found(study: Study, file: Any, words: dict[str, Any]) -> Any:
     from freebody.present.busy import busy
 
     with busy(study.busy):
-        from freebody.system.system import System
-
         given = {option.parameter: option.given(words[option.parameter]) for option in study.options}
-        return study.function(System.load(file), **{name: x for name, x in given.items() if x is not None})
+        return study.function(model_of(file, words["set_"]), **{name: x for name, x in given.items() if x is not None})
 
 
 def _report(study: Study, file: Any, words: dict[str, Any]) -> None:

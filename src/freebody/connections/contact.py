@@ -127,13 +127,14 @@ connections: {it: {contact: {between: [ball, floor], friction: 0.3, restitution:
 
     def glyphs(self, names: Names) -> Iterable[Glyph]:
         pairs = self.pairs(names, "")
+        is_rough = self.friction not in (0, "0")
         ordered = [*((p.first, p.second) for p in pairs), *((p.second, p.first) for p in pairs)]
         for solid, other in ordered:
             yield glyphs.Touch(solid.body, other.body, within=bool(solid.hollows))
             tips = tuple(glyphs.Tip(r.center, r.radius, r.body) for r in other.rounds)
             for straight in solid.straights:
                 if straight.length is None:
-                    yield glyphs.Surface(straight.line.through, straight.line.direction, tips, straight.body)
+                    yield glyphs.Surface(straight.line.through, straight.line.direction, tips, straight.body, is_rough)
 
 
 def _has_outline(body: Any) -> bool:

@@ -15,8 +15,11 @@ from freebody.language.parser import parse
 from freebody.language.sentences import Message
 from freebody.language.units import (
     DIMENSIONLESS,
+    FORCE,
     LARGEST,
     LENGTH,
+    MASS,
+    TIME,
     Dimension,
     dimension_of,
     is_unit,
@@ -238,8 +241,26 @@ def quantity_expression(quantity: Any) -> Expr:
 
 
 def _unit_differs(text: str, found: Dimension, wanted: Dimension) -> Message:
-    unit = Message("a pure number or an angle") if wanted == DIMENSIONLESS else str(wanted)
-    return Message("'{text}' has the unit {dimension}, expected {unit}", text=text, dimension=found, unit=unit)
+    kinds = {
+        LENGTH: Message("a length"),
+        MASS: Message("a mass"),
+        TIME: Message("a time"),
+        FORCE: Message("a force"),
+    }
+    kind = kinds.get(wanted, Message("a quantity"))
+    if wanted == DIMENSIONLESS:
+        return Message(
+            "{text} must be a pure number or an angle, but is given in {dimension}", text=text, dimension=found
+        )
+    if found == DIMENSIONLESS:
+        return Message("{text} must be {kind} ({unit}), but has no unit", text=text, kind=kind, unit=wanted)
+    return Message(
+        "{text} must be {kind} ({unit}), but is given in {dimension}",
+        text=text,
+        kind=kind,
+        unit=wanted,
+        dimension=found,
+    )
 
 
 def _as_number(value: Any) -> float | None:

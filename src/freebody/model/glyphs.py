@@ -197,6 +197,7 @@ class Surface(Generic[P, D, N]):
     along: D
     tips: tuple[Tip[P, N], ...]
     body: str
+    is_rough: bool = False
 
 
 @dataclass(frozen=True)

@@ -88,6 +88,8 @@ class Figure:
     has_place: bool = False  # the model says where it starts
     corners: tuple[Place, ...] = ()  # of a straight-edged rim, in order
     is_toothed: bool = False
+    path: tuple[Place, ...] = ()  # through which it is drawn as a bent bar
+    scale: float = 1.0  # how many times as large as others a point mass is drawn
     # in the plane
     radius: float | None = None
     hubs: tuple[float, ...] = ()

@@ -33,6 +33,8 @@ _APART = 14.0  # bodies on one rail, in sizes of symbols
 _SHORTEST = 5.0  # a lead, in sizes of symbols
 _FARTHEST = 5.0  # a surface is in the picture that comes this near to what may touch it, in sizes of what moves
 
+_BESIDE = 1.8  # a surface reaches so far on either side of a round body, by its radius
+
 
 @dataclass(frozen=True)
 class Layout:
@@ -230,13 +232,16 @@ def bounds(scene: Scene, poses: Array) -> tuple[Array, Array]:
 
 
 def _feet(scene: Scene, poses: Array, size: float) -> Iterator[Array]:
-    """(1, 2) [m] where bodies come nearest to endless surfaces, unless that is far from all that moves."""
+    """(n, 2) [m] where bodies come nearest to endless surfaces, unless that is far from all that moves; on inclined
+    ones as far beside it as a round body needs to be seen to lie on a line longer than itself."""
     for wall in scene.walls:
         for tip in wall.tips if wall.is_endless else ():
             s, gap = along_wall(wall, tip, poses)
             k = int(np.abs(gap).argmin())
             if abs(gap[k]) < _FARTHEST * size:
-                yield np.array([wall.through.xy]) + s[k] * np.array(wall.along.xy)
+                is_inclined = min(abs(wall.along.x), abs(wall.along.y)) > 1e-9
+                beside = np.array((-1.0, 0.0, 1.0)) * _BESIDE * tip.radius * is_inclined
+                yield np.array([wall.through.xy]) + (s[k] + beside)[:, None] * np.array(wall.along.xy)
 
 
 def headings(rope: Rope, poses: Array) -> Array:

@@ -120,8 +120,8 @@ class Pages:
 
 
 def digits_of(size: float) -> int:
-    """Decimals of lengths [m]: five significant digits of the size of the picture."""
-    return 5 - math.floor(math.log10(size)) - 1
+    """Decimals of lengths [m]: the last one is at most 1e-5 of the size of the picture."""
+    return 5 - math.floor(math.log10(size))
 
 
 def place_data(place: Place, digits: int) -> list[Any]:

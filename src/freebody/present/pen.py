@@ -44,6 +44,9 @@ from freebody.present.symbols import (
     vane,
 )
 
+_RAIL = 6.0  # half of a rail at least, in sizes of symbols
+_ROLLED_ON = 2.6  # half of a line on which a wheel rolls, by the radius of the wheel
+
 
 class Pen:
     """Draws a scene in the order of its layers: what stands still, bodies, what joins them, names."""
@@ -106,9 +109,10 @@ class Pen:
     def _rail(self, rail: Rail) -> Iterator[Stroke]:
         """A hatched rail on the ground, a line on a body; a slot for a pin that turns in it."""
         figure = self._figure(rail.point.body)
-        reach = max(self._half_length(figure, rail.point, rail.along), 2 * self.u) + self.u
-        low, high, level = self._run(rail.point, rail.along, reach)
-        if rail.turning != "not":
+        is_slot = rail.turning != "not"
+        reach = 3.0 * self.u if is_slot else self._half_length(figure, rail.point, rail.along) + self.u
+        low, high, level = self._run(rail.point, rail.along, max(reach, _RAIL * self.u * (not is_slot)))
+        if is_slot:
             slot = capsule((low, 0.0), (high, 0.0), 0.9 * self.u)
             yield self._on_line(rail.along, level, slot, "slot", is_closed=True)
             return
@@ -119,7 +123,10 @@ class Pen:
     def _track(self, track: Track) -> Iterator[Stroke]:
         """The line on which a circle rolls, unless it is a surface for others too."""
         figure = self._figure(track.center.body)
-        reach = max(1.5 * abs(track.radius), self._half_length(figure, track.center, track.along), 2 * self.u) + self.u
+        reach = (
+            max(_ROLLED_ON * abs(track.radius), self._half_length(figure, track.center, track.along), 2 * self.u)
+            + self.u
+        )
         low, high, level = self._run(track.center, track.along, reach)
         level -= track.radius
         if not self._is_drawn(track.along, level):
@@ -224,6 +231,10 @@ class Pen:
         size = float(np.ptp(outline, axis=0).max())
         if size < 1e-9:
             yield self._dot(figure, fill)
+        elif figure.path:
+            for a, b in pairwise(figure.path):
+                points = capsule(a.xy, b.xy, 0.35 * self.u)
+                yield Path(Place(turn, 0.0, 0.0), turn, points, fill, True, color)
         elif len(outline) == 2:
             points = capsule(tuple(outline[0]), tuple(outline[1]), surplus(figure, self.u))
             yield Path(rest, turn, points, fill, True, color)
@@ -244,14 +255,28 @@ class Pen:
                 yield Path(center, figure.index, points, "rim", False, figure.number)
 
     def _dot(self, figure: Figure, fill: str) -> Path:
-        """A point mass as a dot, a sliding one as a box along its rail."""
+        """A point mass as a dot; as a block on its rail, on rough ground, or at the end of a straight string."""
         rails = (rail for rail in self.scene.rails if rail.point.body == figure.index != GROUND)
-        rail = next((rail for rail in rails if rail.turning == "not"), None)
-        if rail is None:
-            points = circle(surplus(figure, self.u))
+        along, size = next(((rail.along, (1.5, 0.8)) for rail in rails if rail.turning == "not"), (None, (1.1, 0.7)))
+        if along is None:
+            rough = (s for s in self.scene.signs if isinstance(s, glyphs.Surface) and s.is_rough)
+            along = next((s.along for s in rough if any(tip.body == figure.name for tip in s.tips)), None)
+        if along is None:
+            along, size = self._hung_along(figure), (0.9, 0.9)
+        if along is None:
+            points = circle(figure.scale * surplus(figure, self.u))
             return Path(figure.mass_center, figure.index, points, fill, True, figure.number)
-        points = turned(rail.along.angle, *box(1.5 * self.u, 0.8 * self.u).T)
-        return Path(figure.mass_center, rail.along.body, points, fill, True, figure.number)
+        long, tall = (side * figure.scale * self.u for side in size)
+        points = turned(along.angle, *box(long, tall).T)
+        return Path(figure.mass_center, along.body, points, fill, True, figure.number)
+
+    def _hung_along(self, figure: Figure) -> Heading | None:
+        """The direction of the straight lead of a string at whose end a point mass hangs."""
+        for rope in self.ropes:
+            for node, lead in ((rope.nodes[0], rope.leads[0]), (rope.nodes[-1], rope.leads[-1])):
+                if node.place.body == figure.index != GROUND and lead.along and lead.along.body == GROUND:
+                    return lead.along
+        return None
 
     def _wheel(self, figure: Figure, fill: str) -> Iterator[Path]:
         """A rim and a spoke, so that its turning is seen."""

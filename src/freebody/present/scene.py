@@ -225,6 +225,8 @@ class _Reader:
             corners=tuple(points[name] for name in body.corners),
             outside=tuple(dict.fromkeys(name for name, within in touched if not within)),
             inside=tuple(dict.fromkeys(name for name, within in touched if within)),
+            path=tuple(points[name] for name in self.system.looks.paths.get(body.name, ())),
+            scale=self.system.looks.scale.get(body.name, 1.0),
         )
         if self.system.space:
             return self._solid(plain, body)

@@ -25,6 +25,7 @@ from freebody.model.elements import (
     UnilateralConstraint,
 )
 from freebody.model.glyphs import Shown
+from freebody.model.looks import Looks
 from freebody.model.names import Names
 from freebody.model.rotations import Columns
 from freebody.questions.clock import Clock
@@ -65,6 +66,7 @@ class SystemDescription:
     names: Names = field(default_factory=Names, repr=False)  # what the words of the model mean
     impulses: tuple[AppliedLoad, ...] = ()  # of the blows at the start: measures pushed by an impulse, their law
     blows: tuple[BlowEvent, ...] = ()  # what closes and strikes in mid-motion
+    looks: Looks = field(default_factory=Looks)  # what its author wants otherwise in pictures
 
     @property
     def moving(self) -> tuple[RigidBody, ...]:

@@ -23,6 +23,7 @@ from freebody.system.reading.connections import (
     read_rows,
     rows_to_ask_for,
 )
+from freebody.system.reading.drawing import read_drawing
 from freebody.system.reading.ground import place_ground_points
 from freebody.system.reading.head import check_sections, read_space, title
 from freebody.system.reading.loads import read_impulses, read_loads, striking_when
@@ -64,6 +65,7 @@ def read_system(document: Document, file: str | None) -> SystemDescription:
     names.struck_at_start = frozenset(closed | {name for name in names.impulses if name not in striking})
     names.loads = {p.load: ENERGY / p.measure.dimension for p in applied_loads}
     questions = read_questions(names, source.data.get("questions"))
+    looks = read_drawing(source, {*measures, *connections, *loads})
     place_ground_points(names)
     source.refuse_problems()
     return SystemDescription(
@@ -95,4 +97,5 @@ def read_system(document: Document, file: str | None) -> SystemDescription:
         impulses=tuple(push for push in impulses if push.load not in striking),
         blows=blows,
         attitudes=read_attitudes(names, connections),
+        looks=looks,
     )

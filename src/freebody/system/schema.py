@@ -131,6 +131,17 @@ def json_schema() -> dict[str, Any]:
             },
         ]
     }
+    texts = {"type": "array", "items": {"type": "string"}}
+    drawing = {
+        "type": "object",
+        "additionalProperties": False,
+        "properties": {
+            "paths": _named(texts),
+            "labels": _named({"type": "string"}),
+            "scale": _named({"type": "number", "exclusiveMinimum": 0}),
+            "hide": texts,
+        },
+    }
     return {
         "$schema": "https://json-schema.org/draft/2020-12/schema",
         "title": "freebody model",
@@ -158,5 +169,6 @@ def json_schema() -> dict[str, Any]:
             "measures": _named(phrase),
             "start": _named(_FORMULA),
             "questions": {"anyOf": [{"type": "array", "items": question}, _named(question)]},
+            "drawing": drawing,
         },
     }

@@ -28,6 +28,7 @@ from freebody.narrative.principles.sides import ZERO, n_minus, positive_first, s
 from freebody.narrative.principles.symmetry import Symmetry
 from freebody.narrative.principles.table import PrincipleTable, WritablePrinciple
 from freebody.questions.base import Quantity
+from freebody.study.pictures.idle import idle_rows
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
 
@@ -171,8 +172,22 @@ class Newton:
         for bodies in dict.fromkeys(p.bodies for p in plan.principles) if self.is_drawn else ():
             key = "figure.free_body" if len(bodies) == 1 else "figure.free_bodies"
             script.add(Diagram(bodies, Sentence(key, {"bodies": bodies})))
-        acting = [row for p in plan.principles for row in self.acting.from_outside(p.bodies)]
+        acting = [
+            row for p in plan.principles for row in self.acting.from_outside(p.bodies) if self._is_told(row, plan)
+        ]
         self._name(script, [self.symmetry.merged.get(row, row) for row in acting])
+
+    @cached_property
+    def idle(self) -> frozenset[str]:
+        """Reactions that never act, which the diagrams leave out."""
+        world = next(self.glossary.worlds("always"), None)
+        return frozenset() if world is None else idle_rows(world.snapshot)
+
+    def _is_told(self, row: str, plan: Plan) -> bool:
+        """Whether a reaction acts, or stands in an equation."""
+        slopes = self.acting.directions[row]
+        arms = (self.acting.arm(p.weights, slopes) for p in plan.principles)
+        return row not in self.idle or any(not self.model.samples.vanishes(arm) for arm in arms)
 
     def _name(self, script: Script, rows: Iterable[str]) -> None:
         name_reactions(script, self.glossary, self.acting, rows, self._named)
@@ -207,7 +222,8 @@ class Newton:
 
     def _say_why(self, script: Script, p: WritablePrinciple, avoided: Sequence[str]) -> None:
         """Which reactions the principle keeps out, and how."""
-        rows = [row for row in avoided if p.kind == "angular" or self.acting.is_force(row)]  # couples are no forces
+        # couples are no forces
+        rows = [row for row in avoided if row not in self.idle and (p.kind == "angular" or self.acting.is_force(row))]
         forces: tuple[Argument, ...] = tuple(
             dict.fromkeys(self.acting.symbol(self.symmetry.merged.get(row, row)) for row in rows)
         )

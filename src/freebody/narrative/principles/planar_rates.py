@@ -227,7 +227,7 @@ class PlanarRates:
         if symbol.name in self.system.measures or symbol in self.told:
             return (self.told[symbol],) if symbol in self.told else ()
         center = self.system.bodies[body].mass_center
-        what = Sentence("symbol.place", {"body": body, "axis": f"@axis.{axis}"})
+        what = Sentence("symbol.place", {"body": body, "axis": f"@letter.{axis}"})
         script.introduce(Meaning(symbol, what, OfPoint(center, 0, RIGHT if axis == "x" else UP), "m"))
         self._introduced.add(symbol.name)
         self.told[symbol] = script.line(symbol, tidy(place), why="kinematics.place", args={"body": body})

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 
 import numpy as np
 
+from freebody.language.expression import Symbol
 from freebody.present.drawing import Drawing
 from freebody.present.figures import Array, Figure, positions
 from freebody.present.picture.arrows import Arrows, axes_cross
 from freebody.present.picture.forces import ShownForce
-from freebody.present.picture.label import words
+from freebody.present.picture.label import Label, formula, name, words
 from freebody.present.picture.picture import Picture
 from freebody.present.picture.placer import Wish, around
 from freebody.present.picture.plane import part_of, sketched
@@ -19,6 +20,7 @@ from freebody.present.picture.shapes import Ink, Shape
 from freebody.present.picture.signs import across, arc
 from freebody.present.picture.sketch import Sketch
 from freebody.present.scene import Scene
+from freebody.system.system import System
 
 _ROOM = {1: (130.0, 105.0), 2: (190.0, 140.0)}  # [points] for the bodies, without their arrows
 _MOST = 250.0, 180.0
@@ -31,8 +33,10 @@ def free_body_picture(
     forces: Sequence[ShownForce],
     title: str,
     dimensions: Callable[[Sketch, Drawing], None] | None = None,
+    labels: Mapping[str, Label] | None = None,
 ) -> Picture:
-    """pose: (n_moving_bodies, 3), as in `scene.names`; dimensions: draws those of the bodies."""
+    """pose: (n_moving_bodies, 3), as in `scene.names`; dimensions: draws those of the bodies;
+    labels: what bodies are called, if not by their names."""
     settled = Drawing.of(scene, np.asarray(pose, dtype=np.float64).reshape(1, -1, 3)).poses
     part = part_of(scene, bodies)
     drawing, sketch = sketched(part, settled[0], _ROOM.get(len(part.figures), _MOST))
@@ -48,7 +52,7 @@ def free_body_picture(
 
     sketch.add(_cut_joints(scene, bodies, drawing, sketch))
     for figure in part.figures:
-        name_beside(sketch, figure, drawing.poses)
+        name_beside(sketch, figure, drawing.poses, words(figure.name) if labels is None else labels[figure.name])
     Arrows(sketch, where).draw(forces)
     if dimensions is not None:
         dimensions(sketch, drawing)
@@ -67,8 +71,20 @@ def _cut_joints(scene: Scene, bodies: Sequence[str], drawing: Drawing, sketch: S
                 yield Shape(arc(at, 2.4, 0.0, math.tau), Ink("ink"), 1.1, Ink("paper"), is_closed=True)
 
 
-def name_beside(sketch: Sketch, figure: Figure, poses: Array) -> None:
-    """The name of a body beside it, where there is room."""
+def body_label(system: System, body: str) -> Label:
+    """What a body is called in a diagram: a point mass by its mass, where that is a symbol of its own, others by their
+    names; names of one or two letters are left as they are."""
+    if body in system.looks.labels:
+        return name(system.looks.labels[body])
+    own = system.bodies[body]
+    is_alone = sum(other.mass == own.mass for other in system.moving) == 1
+    if not own.turns and isinstance(own.mass, Symbol) and is_alone and len(body) > 2:
+        return formula(own.mass)
+    return words(body)
+
+
+def name_beside(sketch: Sketch, figure: Figure, poses: Array, label: Label) -> None:
+    """The label of a body beside it, where there is room."""
     middle = sketch.seen(positions(poses, figure.center if figure.radius else figure.mass_center)[0])
     places = [*around(middle)]
     if figure.radius is not None:
@@ -86,7 +102,9 @@ def name_beside(sketch: Sketch, figure: Figure, poses: Array) -> None:
                 spot = middle + share * (end - middle)
                 places += [(spot + 4.0 * way, way) for way in (side, -side)]
     places = [*places, *((at + 5.0 * way, way) for at, way in places)]
-    wish = Wish(words(figure.name), tuple(places), 9.0, Ink("body", figure.number), is_needed=False, weight=1.0)
+    wish = Wish(
+        label, tuple(places), 9.0 if not label.latex else 10.5, Ink("body", figure.number), is_needed=False, weight=1.0
+    )
     sketch.wish(wish)
 
 

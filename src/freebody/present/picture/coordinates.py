@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
@@ -33,7 +33,11 @@ _RADII = (26.0, 34.0, 44.0, 20.0)
 class Coordinates:
     """Draws measures into a sketch."""
 
-    def __init__(self, sketch: Sketch, drawing: Drawing, places: Places) -> None:
+    def __init__(
+        self, sketch: Sketch, drawing: Drawing, places: Places, labels: Mapping[str, str] | None = None
+    ) -> None:
+        """labels: what stands beside a measure instead of its name."""
+        self.labels = labels or {}
         self.sketch, self.drawing, self.places = sketch, drawing, places
         self.figures = {figure.index: figure for figure in drawing.scene.figures if figure.index != GROUND}
 
@@ -181,7 +185,7 @@ class Coordinates:
             self._name(called, [(at, way), (at, -way)])
 
     def _name(self, called: str, places: Sequence[tuple[Array, Array]]) -> None:
-        self.sketch.wish(Wish(name(called), tuple(places), 10.5, INK, weight=4.0))
+        self.sketch.wish(Wish(name(self.labels.get(called, called)), tuple(places), 10.5, INK, weight=4.0))
 
 
 def _beside(start: Array, end: Array) -> list[tuple[Array, Array]]:

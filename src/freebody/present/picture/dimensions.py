@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
-from itertools import pairwise
+from itertools import combinations, pairwise
 
 import numpy as np
 
@@ -29,9 +29,11 @@ from freebody.system.system import System
 INK = Ink("muted")
 _SIZE = 9.5
 _LEAST = 16.0  # [points] a length that a dimension line can show
-_ASIDE = (15.0, -15.0, 25.0, -25.0)  # [points]
+_ASIDE = (15.0, -15.0, 25.0, -25.0, 36.0, -36.0)  # [points]
 _ANGLES = (-0.6, -1.0, -2.2, 0.6, 2.5, -0.2, 1.2, 3.6)  # [rad] of a radius
 _ARC = 34.0  # [points]
+# values at which a length is compared with each parameter that it depends on
+_SAMPLES = (0.83, 1.37, 0.59, 1.91, 1.13), (1.51, 0.71, 1.87, 0.97, 1.23)
 
 
 class Dimensions:
@@ -50,6 +52,7 @@ class Dimensions:
         for figure in self.drawing.scene.figures:
             self._lengths(figure, self.system.bodies[figure.name])
         self._links()
+        self._ground()
 
     def _at(self, place: Place) -> Array:
         return self.sketch.seen(positions(self.drawing.poses, place)[0])
@@ -92,6 +95,23 @@ class Dimensions:
                 if label is not None and self._is_new(label) and ends in self.drawing.scene.rods:
                     self._dimension(label, self._at(ends[0]), self._at(ends[1]), 1.0)
 
+    def _ground(self) -> None:
+        """Between points of the ground at which something is joined."""
+        used = {place for pair in (*self.drawing.scene.joined(), *self._held()) for place in pair}
+        ground = self.system.bodies[GROUND_NAME]
+        joined = [called for called in ground.points if self.places.place(ground.point(called)) in used]
+        for first, second in combinations(joined, 2):
+            label = self._apart(ground.points[first], ground.points[second])
+            if label is not None and self._is_new(label):
+                a, b = (self._at(self.places.place(ground.point(called))) for called in (first, second))
+                self._dimension(label, a, b, -1.0)
+
+    def _held(self) -> Iterator[tuple[Place, Place]]:
+        """The ends of springs and strings."""
+        scene = self.drawing.scene
+        yield from ((spring.first, spring.second) for spring in scene.springs)
+        yield from ((rope.nodes[0].place, rope.nodes[-1].place) for rope in scene.ropes)
+
     def _lengths(self, figure: Figure, body: RigidBody) -> None:
         """Between neighbours along a rod, along two edges of a polygon."""
         for first, second in self._stretches(figure, body):
@@ -132,6 +152,8 @@ class Dimensions:
                 distinct.append(name)
         yield distinct[0], distinct[-1]
         yield from pairwise(distinct)
+        yield from ((distinct[0], other) for other in distinct[2:-1])
+        yield from ((other, distinct[-1]) for other in distinct[1:-2])
 
     def _apart(self, first: Components, second: Components) -> Label | None:
         """The distance of two points of a body, if it is a multiple of one length."""
@@ -140,25 +162,23 @@ class Dimensions:
 
     def _plain(self, *parts: Expr) -> Label | None:
         """The size of a vector as a parameter, its half or its double."""
-        names = {name for part in parts for name in free_symbols(part)}
-        if len(names) != 1:
-            return None
-        (name,) = names
-        if name not in self.system.parameters or self.system.parameters[name].dimension != LENGTH:
-            return None
+        names = sorted({name for part in parts for name in free_symbols(part)})
+        samples = [{name: share[k % len(share)] for k, name in enumerate(names)} for share in _SAMPLES]
         try:
-            one, two = (math.hypot(*(float(evaluate(part, {name: x})) for part in parts)) for x in (1.0, 2.0))
-        except (ArithmeticError, ValueError):  # a formula with a gap there is no multiple
+            sizes = [math.hypot(*(float(evaluate(part, values)) for part in parts)) for values in samples]
+        except (ArithmeticError, ValueError, FreebodyError):  # a formula with a gap there is no multiple
             return None
-        if abs(two - 2.0 * one) > 1e-9:
-            return None
-        for factor, expr in (
-            (1.0, Symbol(name)),
-            (0.5, divide(Symbol(name), number(2))),
-            (2.0, number(2) * Symbol(name)),
-        ):
-            if abs(one - factor) < 1e-9:
-                return formula(expr)
+        for name in names:
+            parameter = self.system.parameters.get(name)
+            if parameter is None or parameter.dimension != LENGTH:
+                continue
+            for factor, expr in (
+                (1.0, Symbol(name)),
+                (0.5, divide(Symbol(name), number(2))),
+                (2.0, number(2) * Symbol(name)),
+            ):
+                if all(abs(size - factor * values[name]) < 1e-9 for size, values in zip(sizes, samples, strict=True)):
+                    return formula(expr)
         return None
 
     # -- inclines -----------------------------------------------------------------------------
@@ -175,15 +195,44 @@ class Dimensions:
                 continue
             way = (high - low) / length
             level = np.array((math.copysign(1.0, way[0]), 0.0)) if base == 0 else np.array((0.0, 1.0))
-            begin, end = (math.atan2(v[1], v[0]) for v in (level, way))
-            turn = math.remainder(end - begin, math.tau)
-            dashed = Shape(np.array((low, low + (radius + 14.0) * level)), INK, 0.8, dashes=(3.0, 2.5))
-            self.sketch.add(dashed, Shape(arc(low, radius, begin, turn), INK, 0.9))
-            middle = unit(begin + 0.5 * turn)
-            label = formula(Symbol(name))
-            places = ((low + radius * middle, middle), (low + (radius - 5.0) * middle, -middle))
-            self.sketch.wish(Wish(label, places, 10.5, INK, weight=4.5))
-            self.shown.add(name)
+            self._mark(name, low, level, way, radius)
+
+    def _mark(self, name: str, at: Array, level: Array, way: Array, radius: float) -> None:
+        """The arc of an angle between a dashed line and a line of the picture, both from one point."""
+        begin, end = (math.atan2(v[1], v[0]) for v in (level, way))
+        turn = math.remainder(end - begin, math.tau)
+        dashed = Shape(np.array((at, at + (radius + 14.0) * level)), INK, 0.8, dashes=(3.0, 2.5))
+        self.sketch.add(dashed, Shape(arc(at, radius, begin, turn), INK, 0.9))
+        middle = unit(begin + 0.5 * turn)
+        places = ((at + radius * middle, middle), (at + (radius - 5.0) * middle, -middle))
+        self.sketch.wish(Wish(formula(Symbol(name)), places, 10.5, INK, weight=4.5))
+        self.shown.add(name)
+
+    def draw_tilts(self) -> None:
+        """The angle at which a rod is put, at its lower end."""
+        for figure in self.drawing.scene.figures:
+            angle = self.system.bodies[figure.name].start.angle
+            if angle is None or figure.radius is not None or len(figure.outline) != 2:
+                continue
+            ends = [self._at(place) for place in figure.points.values()]
+            low, high = min(ends, key=lambda end: end[1]), max(ends, key=lambda end: end[1])
+            length = float(np.hypot(*(high - low)))
+            for name, base in self._counted(angle):
+                if name not in self.shown and length > _ARC:
+                    way = (high - low) / length
+                    level = np.array((math.copysign(1.0, way[0]), 0.0)) if base == 0 else np.array((0.0, 1.0))
+                    self._mark(name, low, level, way, min(_ARC, 0.5 * length))
+
+    def _counted(self, angle: Expr) -> Iterator[tuple[str, int]]:
+        """The parameter that an angle is, and whether it counts from the horizontal (0) or the vertical (1)."""
+        names = free_symbols(angle)
+        if len(names) == 1:
+            (name,) = names
+            parameter = self.system.parameters.get(name)
+            at = [float(evaluate(angle, {name: x})) for x in (0.0, 0.3)]
+            is_plain = abs(abs(at[1] - at[0]) - 0.3) < 1e-9 and abs(math.remainder(at[0], math.pi / 2)) < 1e-9
+            if parameter is not None and parameter.dimension == DIMENSIONLESS and is_plain:
+                yield name, round(at[0] / (math.pi / 2)) % 2
 
     def _angles(self) -> Iterator[tuple[str, float, int]]:
         """A parameter, the direction of a line [rad], and whether the parameter counts from the horizontal (0) or the

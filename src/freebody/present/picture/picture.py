@@ -36,6 +36,9 @@ class Picture(PictureContent):
 
         return rendered(self, "pdf", dark=dark)
 
+    def _repr_svg_(self) -> str:
+        return self.svg()
+
     def text(self) -> str:
         """There is none for a terminal."""
         return ""

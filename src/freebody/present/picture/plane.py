@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
@@ -9,7 +10,7 @@ import numpy as np
 
 from freebody.model.glyphs import Equation, Field, Halt, Surface, Touch, TurnHalt
 from freebody.present.drawing import Drawing
-from freebody.present.figures import Array, Drawn, hull, owners
+from freebody.present.figures import GROUND, Array, Drawn, hull, owners
 from freebody.present.layout import bounds
 from freebody.present.names import Painted
 from freebody.present.picture.shapes import Ink, Shape
@@ -19,6 +20,7 @@ from freebody.present.strokes import Path, Strand, Stroke
 from freebody.present.theme import style_of
 
 SYMBOL = 6.5  # [points] the size of symbols on paper
+_LARGEST = 36.0  # [points] radius of a round body beside lines and strings that go on
 _LEAST = 1e-9  # [m] what is smaller has no size
 
 
@@ -29,11 +31,11 @@ def sketched(
     as far as `least` [points]. pose: (n_moving_bodies, 3)."""
     poses = np.asarray(pose, dtype=np.float64).reshape(1, -1, 3)
     low, high = bounds(scene, poses)
-    scale = _scale(high - low, room)
+    scale = min(_scale(high - low, room), _most(scene))
     drawing = _drawn(scene, poses, scale, least)
     low, high = bounds(scene, drawing.poses)
     if drawing.moved:  # it may need more room
-        scale = _scale(high - low, room)
+        scale = min(_scale(high - low, room), _most(scene))
         drawing = _drawn(scene, poses, scale, least)
         low, high = bounds(scene, drawing.poses)
     sketch = Sketch(scale, (low + high) / 2)
@@ -50,6 +52,16 @@ def _scale(size: Array, room: tuple[float, float]) -> float:
     """[points by m]"""
     fits = [have / need for have, need in zip(room, size.tolist(), strict=True) if need > _LEAST]
     return min(fits, default=SYMBOL)
+
+
+def _most(scene: Scene) -> float:
+    """[points by m] What leaves room for the lines that bodies roll and lie on, and for what hangs on strings: where
+    these are drawn, their lengths are free, and round bodies do not fill the picture."""
+    is_open = any(wall.is_endless for wall in scene.walls) or any(t.along.body == GROUND for t in scene.tracks)
+    if not is_open and not scene.ropes:
+        return math.inf
+    radii = [figure.radius for figure in scene.figures if figure.radius and not scene.is_fixed(figure.index)]
+    return _LARGEST / max(radii) if radii else math.inf
 
 
 def shapes(drawing: Drawing, sketch: Sketch) -> Iterator[Shape]:

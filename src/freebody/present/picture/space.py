@@ -8,6 +8,8 @@ from itertools import islice, zip_longest
 
 import numpy as np
 
+from freebody.language.expression import ZERO, Call, Symbol, differentiate
+from freebody.measures.turn import Turn
 from freebody.model.glyphs import ForceArrow, MomentArrow
 from freebody.present.corner import corner_marks
 from freebody.present.figures import Array, Place
@@ -15,16 +17,18 @@ from freebody.present.names import footprints, names
 from freebody.present.picture.arrows import Arrows
 from freebody.present.picture.bodies_free import description as described_forces
 from freebody.present.picture.forces import ShownForce
-from freebody.present.picture.label import name, words
+from freebody.present.picture.label import Label, formula, name, words
 from freebody.present.picture.picture import Picture
 from freebody.present.picture.placer import Wish, around
 from freebody.present.picture.shapes import Ink, Shape, Word
+from freebody.present.picture.signs import across
+from freebody.present.picture.signs import arrow as flat_arrow
 from freebody.present.picture.sketch import Sketch
 from freebody.present.picture.whole import Whole
 from freebody.present.places import Places
 from freebody.present.scene import Scene
 from freebody.present.space.drawing import SpatialDrawing, shells_of
-from freebody.present.space.figures import Poses
+from freebody.present.space.figures import Joint, Poses, joints_of
 from freebody.present.space.looks import OF_BODIES
 from freebody.present.space.painter import paint, painted_shot, shots
 from freebody.present.space.shells import Shells
@@ -34,6 +38,7 @@ from freebody.system.system import System
 _LETTER, _SIZE = 0.56, 9.0  # width of a letter by its height; points
 _ROOM = 350.0, 260.0  # [points]
 _ROOM_FREE = 200.0, 160.0
+_SHORTEST = 10.0  # [points] of a vector that is seen from its end
 
 
 class SpaceSketch(Sketch):
@@ -155,13 +160,59 @@ class WholeInSpace(Whole):
         sketch = SpaceSketch(drawing, angles, perspective=perspective)
         centers = {form.name: drawing.poses.centers[0, form.index] for form in drawing.scene.figures}
         super().__init__(system, places, drawing.scene, sketch, centers)
-        self.poses, self.in_space, self.solid = drawing.poses, sketch, loads
+        self.poses, self.in_space, self.solid, self.drawn_in_space = drawing.poses, sketch, loads, drawing
+        self.shells = shells_of(drawing.scene, poses)
 
     def at(self, place: Place) -> Array:
         return self.sketch.seen(self.poses.place(place, 0))
 
     def draw_signs(self) -> None:
-        """There are none."""
+        """Angular velocities of named angles, along the axes about which they are counted."""
+        for called, measure in self.system.measures.items():
+            if called in self.system.looks.hide:
+                continue
+            if isinstance(measure, Turn) and measure.of.body in self.places.index:
+                self._spin(called, measure)
+
+    def _spin(self, called: str, measure: Turn) -> None:
+        """A vector along start x side, beside the joint of the body whose axis is parallel to it."""
+        turned, base = self.places.heading(measure.of).body, self.places.heading(measure.start)
+        side = self.places.heading(measure.side)
+        axis = np.cross(self.poses.heading(base, 0), self.poses.heading(side, 0))
+        joint = next((j for j in joints_of(self.scene, self.poses) if self._is_about(j, turned, axis)), None)
+        form = next((f for f in self.scene.figures if f.index == turned), None)
+        anchor = joint.second if joint is not None else form.center if form is not None else None
+        if anchor is None:
+            return  # of axes that belong to no body
+        at = self.poses.place(anchor, 0)
+        u, far = self.drawn_in_space.symbol, 0.0
+        if joint is not None and joint.axis is not None:
+            along = self.poses.heading(joint.axis, 0)
+            far = self.shells.tip(joint) * float(along @ axis)
+        # from where the shaft ends, on the side to which it points
+        foot = at + axis * (max(far, 0.0) + 1.6 * u)
+        tip = self.sketch.seen(foot + 6.0 * u * axis)
+        start = self.sketch.seen(foot)
+        if float(np.hypot(*(tip - start))) < _SHORTEST:
+            return
+        self.sketch.add(flat_arrow(start, tip, Ink("velocity"), 1.6))
+        way = (tip - start) / float(np.hypot(*(tip - start)))
+        places = tuple((spot, sign * across(way)) for spot in (tip, (start + tip) / 2) for sign in (1.0, -1.0))
+        self.sketch.wish(Wish(self._rate(called), places, 10.5, Ink("velocity"), weight=4.0))
+
+    def _is_about(self, joint: Joint, body: int, axis: Array) -> bool:
+        if body not in (joint.first.body, joint.second.body) or joint.axis is None:
+            return False
+        return abs(float(self.poses.heading(joint.axis, 0) @ axis)) > 1.0 - 1e-9
+
+    def _rate(self, called: str) -> Label:
+        """The symbol of the rate of an angle: as it is given or driven, else that of the angle with a dot."""
+        measure = self.system.measures[called]
+        given = self.system.start_rates.get(called, ZERO)
+        for row in self.system.constraint_rows:
+            if row.measure == measure and row.target is not None:
+                given = differentiate(row.target, "t")
+        return formula(given) if isinstance(given, Symbol) else formula(Call("rate", Symbol(called)))
 
     def name_bodies(self) -> None:
         """They have their names from the sketch on; loads get them here."""

@@ -7,23 +7,24 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 
 import numpy as np
 
-from freebody.language.expression import differentiate, free_symbols
+from freebody.language.expression import Symbol, differentiate, free_symbols
 from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
 from freebody.model.elements import RATE, VALUE, AppliedLoad, NonholonomicForm
 from freebody.model.glyphs import Equation, Spring
 from freebody.present.figures import Array, Place, positions
 from freebody.present.picture.arrows import Arrows, acting_at, axes_cross
-from freebody.present.picture.bodies_free import name_beside
+from freebody.present.picture.bodies_free import body_label, name_beside
 from freebody.present.picture.coordinates import Coordinates
 from freebody.present.picture.dimensions import Dimensions
 from freebody.present.picture.forces import ShownForce
-from freebody.present.picture.label import Label, Run, equation, name, words
+from freebody.present.picture.label import Label, Run, equation, formula, name, words
 from freebody.present.picture.placer import Wish, around
 from freebody.present.picture.plane import sketched
 from freebody.present.picture.shapes import Ink, Shape
 from freebody.present.picture.signs import across, arrow
 from freebody.present.picture.sketch import Sketch
+from freebody.present.picture.start_motion import StartMotion
 from freebody.present.places import Places
 from freebody.present.scene import Scene
 from freebody.system.system import System
@@ -124,22 +125,29 @@ class WholeInPlane(Whole):
         self.drawing, sketch = sketched(scene, pose, _ROOMS.get(len(scene.figures), _ROOM), _LEAST)
         centers = {f.name: positions(self.drawing.poses, f.mass_center)[0] for f in scene.figures}
         super().__init__(system, places, scene, sketch, centers)
-        self.loads, self.moved = loads, self.drawing.moved
+        self.loads, self.moved = [f for f in loads if f.name.split(".")[0] not in system.looks.hide], self.drawing.moved
 
     def at(self, place: Place) -> Array:
         return self.sketch.seen(positions(self.drawing.poses, place)[0])
 
     def draw_signs(self) -> None:
         dimensions = Dimensions(self.system, self.sketch, self.drawing, self.places)
+        dimensions.shown |= {formula(Symbol(hidden)).text for hidden in self.system.looks.hide}
         dimensions.draw_inclines()
-        coordinates = Coordinates(self.sketch, self.drawing, self.places)
+        dimensions.draw_tilts()
+        StartMotion(self.system, self.sketch, self.drawing, self.places).draw()
+        coordinates = Coordinates(self.sketch, self.drawing, self.places, self.system.looks.labels)
         for called, measure in self.system.measures.items():
-            coordinates.draw(called, measure)
+            if called not in self.system.looks.hide:
+                coordinates.draw(called, measure)
         dimensions.draw()
 
     def name_bodies(self) -> None:
         for figure in self.scene.figures:
-            name_beside(self.sketch, figure, self.drawing.poses)
+            if figure.name in self.system.looks.hide:
+                continue
+            label = body_label(self.system, figure.name)
+            name_beside(self.sketch, figure, self.drawing.poses, label)
 
     def draw_corner(self) -> None:
         gravity = self.scene.gravity

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator
+from itertools import pairwise
 
 import numpy as np
 
@@ -90,7 +91,9 @@ def _skeleton(form: Figure, u: float, look: str, color: int) -> Iterator[Piece]:
     tips = list(dict.fromkeys(form.points[name].at for name in others))
     tips = [tip for tip in tips if _apart(tip, form.center.at) > 1e-9]
     corners = np.array([form.center.at, *tips])
-    if len(corners) == 3 and float(np.linalg.norm(np.cross(corners[1] - corners[0], corners[2] - corners[0]))) > 1e-12:
+    if form.path:
+        bars = [(a.at, b.at) for a, b in pairwise(form.path)]
+    elif len(corners) == 3 and _is_sheet(corners):
         yield Piece(plate(corners), Place(form.index, 0.0, 0.0, 0.0), form.index, "web", color)
         bars = [(form.center.at, tips[0]), (form.center.at, tips[1]), (tips[0], tips[1])]
     else:
@@ -99,6 +102,11 @@ def _skeleton(form: Figure, u: float, look: str, color: int) -> Iterator[Piece]:
         yield _bar(form, a, b, 0.34 * u, look, color)
     if form.has_mass or not tips:
         yield ball(Place(form.index, 0.0, 0.0, 0.0), 0.7 * u, "dot" if look == "body" else look, color)
+
+
+def _is_sheet(corners: Array) -> bool:
+    """Whether three corners lie on no line."""
+    return float(np.linalg.norm(np.cross(corners[1] - corners[0], corners[2] - corners[0]))) > 1e-12
 
 
 def _arms(

@@ -1,13 +1,14 @@
 """Bodies without extent: the model gives their inertia and the axes of their joints, all through one point.
 
 Such bodies move as if on spheres. They are drawn with a made-up radius: an arc between the axes of two joints, a wheel
-on the axis of a single one, a ball without any.
+on the axis of a single one, a ball without any. Where two shafts that turn in bearings are joined by a body with two
+axes at right angles, or by a universal joint, it is a cross and the shafts have forks.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
 import numpy as np
@@ -26,6 +27,8 @@ _ASIDE = 0.62  # where wheels stand if there are several
 _CLOSE = 0.7  # cosine of the angle within which two axes of the ground are drawn on different sides
 _FARTHER = 0.22  # of the radius, for the next one on the same side
 _N_ARC = 24
+_YOKE = 0.34  # half the width of a fork by the radius of the sphere
+_DEEP = 0.42  # how far behind the cross a fork begins
 
 
 class Shells:
@@ -43,6 +46,7 @@ class Shells:
         ]
         self.radius = max(_SHARE * size, _ROOM * max(near, default=0.0)) or 1.0
         self.joints = tuple(joints_of(scene, poses))
+        self.crosses, self.forks = self._universal()
         self._tips: dict[Joint, float] = {}
         taken: list[Array] = []
         for joint in self.joints:
@@ -54,11 +58,49 @@ class Shells:
             n_other = sum(float(other @ along) < -_CLOSE for other in taken)
             sign = -1.0 if is_held and n_same > n_other else 1.0
             level = min(n_same, n_other) if is_held else 0  # how many are on this side already
-            self._tips[joint] = sign * self.radius * (1.0 + _FARTHER * level)
+            far = _YOKE if self._is_in_fork(joint) else 1.0 + _FARTHER * level
+            self._tips[joint] = sign * self.radius * far
             if is_held:
                 taken.append(sign * along)
         single = [index for index in self.forms if len(self._axes(index)) == 1]
         self._places = {index: _ASIDE * self.radius if len(single) > 1 else 0.0 for index in single}
+
+    def _universal(self) -> tuple[set[int], dict[int, Joint]]:
+        """Bodies that are a cross, and the joints that bear shafts with a fork, by shaft."""
+        of: dict[int, list[Joint]] = {index: [] for index in self.forms}
+        for joint in self.joints:
+            for place in (joint.first, joint.second):
+                if place.body in of:
+                    of[place.body].append(joint)
+        held = {index: [j for j in joints if self._is_held(j)] for index, joints in of.items()}
+        shafts = {index: mine[0] for index, mine in held.items() if len(mine) == 1 and mine[0].axis is not None}
+        crosses = {
+            index
+            for index, joints in of.items()
+            if len(joints) == 2 and all(_other(joint, index) in shafts for joint in joints) and self._is_square(joints)
+        }
+
+        def is_yoke(joint: Joint, index: int) -> bool:
+            other = _other(joint, index)
+            return other in crosses or (joint.arms is not None and other in shafts)
+
+        forks = {
+            index: bearing
+            for index, bearing in shafts.items()
+            if len(of[index]) == 2 and any(is_yoke(joint, index) for joint in of[index])
+        }
+        return {index for index in crosses if all(_other(j, index) in forks for j in of[index])}, forks
+
+    def _is_held(self, joint: Joint) -> bool:
+        return self.scene.is_fixed(joint.first.body) or self.scene.is_fixed(joint.second.body)
+
+    def _is_square(self, joints: Sequence[Joint]) -> bool:
+        """Whether two joints have axes at right angles."""
+        axes = [self.poses.heading(joint.axis, 0) for joint in joints if joint.axis is not None]
+        return len(axes) == 2 and abs(float(axes[0] @ axes[1])) < 1e-6
+
+    def _is_in_fork(self, joint: Joint) -> bool:
+        return joint.first.body in self.crosses or joint.second.body in self.crosses
 
     def tip(self, joint: Joint) -> float:
         """[m] where along its axis a joint of a body without extent is drawn; 0 for other joints."""
@@ -69,16 +111,7 @@ class Shells:
 
     def _axes(self, index: int) -> list[Array]:
         """Where the joints of a body are drawn (3,) [m], along its own axes."""
-        found: list[Array] = []
-        for joint in self.joints:
-            if index not in (joint.first.body, joint.second.body):
-                continue
-            arms = joint.arms if joint.arms is not None else (joint.axis, joint.axis)
-            arm: Heading | None = arms[0] if joint.first.body == index else arms[1]
-            if arm is not None:
-                along = self.poses.heading(arm, 0) * self._tips.get(joint, self.radius)
-                found.append(np.array(self.poses.turned_back(index, along, 0)))
-        return found
+        return [arm * self._tips.get(joint, self.radius) for joint, arm in self._arms_of(index)]
 
     def pieces(self, form: Figure, u: float) -> Iterator[Piece]:
         """u: [m] the size of symbols."""
@@ -86,7 +119,11 @@ class Shells:
         look, color = ("fixed body", -1) if is_fixed else ("body", form.number)
         middle = form.center
         axes = self._axes(form.index)
-        if not axes:
+        if form.index in self.crosses:
+            yield from self._cross(form, axes, u, look, color)
+        elif form.index in self.forks:
+            yield from self._fork(form, u, look, color)
+        elif not axes:
             yield ball(middle, 0.3 * self.radius, look, color, has_circles=True)
         elif len(axes) == 1:
             far = float(np.linalg.norm(axes[0]))
@@ -96,9 +133,46 @@ class Shells:
             ends = self._places[form.index], far
             shaft = prism(0.3 * u, ends[0] + 0.5 * u, ends[1], 12).moved(basis(axes[0]))
             yield Piece(shaft, middle, form.index, look, color)
+        if form.index in self.crosses or form.index in self.forks:
+            return
         for a, b in pairwise(axes):
             for part in tube(_arc(a, b), 0.42 * u, 12):
                 yield Piece(part, middle, form.index, "fixed hoop" if is_fixed else "hoop", color)
+
+    def _cross(self, form: Figure, axes: Sequence[Array], u: float, look: str, color: int) -> Iterator[Piece]:
+        """Two bars at right angles, from one arm of a fork to the other."""
+        for axis in axes:
+            half = float(np.linalg.norm(axis)) + 0.4 * u
+            yield Piece(prism(0.34 * u, -half, half, 16).moved(basis(axis)), form.center, form.index, look, color)
+        yield ball(form.center, 0.55 * u, look, color)
+
+    def _fork(self, form: Figure, u: float, look: str, color: int) -> Iterator[Piece]:
+        """A shaft along its bearing's axis that ends in a fork about the other axis."""
+        bearing = self.forks[form.index]
+        axes = dict(self._arms_of(form.index))
+        shaft = axes.pop(bearing) * self.tip(bearing)
+        (arm,) = axes.values()
+        half, deep = _YOKE * self.radius * arm, _DEEP * self.radius * shaft / float(np.linalg.norm(shaft))
+        turn = np.linspace(0.0, math.pi, _N_ARC + 1)[:, None]
+        for part in tube(np.cos(turn) * half + np.sin(turn) * deep, 0.42 * u, 12):
+            yield Piece(part, form.center, form.index, "fixed hoop" if look == "fixed body" else "hoop", color)
+        length = float(np.linalg.norm(shaft - deep))
+        bar = prism(0.5 * u, 0.0, length, 16).moved(basis(shaft), deep)
+        yield Piece(bar, form.center, form.index, look, color)
+
+    def _arms_of(self, index: int) -> Iterator[tuple[Joint, Array]]:
+        """The joints of a body and their axes on its side, unit vectors along its own axes."""
+        for joint in self.joints:
+            if index in (joint.first.body, joint.second.body):
+                arms = joint.arms if joint.arms is not None else (joint.axis, joint.axis)
+                arm: Heading | None = arms[0] if joint.first.body == index else arms[1]
+                if arm is not None:
+                    yield joint, np.array(self.poses.turned_back(index, self.poses.heading(arm, 0), 0))
+
+
+def _other(joint: Joint, index: int) -> int:
+    """The body on the other side of a joint."""
+    return joint.second.body if joint.first.body == index else joint.first.body
 
 
 def _is_thin(form: Figure, close: float) -> bool:

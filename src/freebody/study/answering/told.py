@@ -46,7 +46,7 @@ def _said(answer: Answer) -> Iterator[Entry]:
     yield entry("to author", *answer.author_notes)
     if answer.evidence is not None:
         e = answer.evidence
-        checked = f"{e.draws} random draws: {e.route};"
+        checked = f"checked numerically at {e.draws} random configurations: {e.route};"
         yield entry("evidence", checked, f"largest relative difference {e.worst_relative_difference:.1g}")
 
 

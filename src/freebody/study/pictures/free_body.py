@@ -33,6 +33,7 @@ from freebody.numeric.reference import Snapshot
 from freebody.present.picture.forces import Kind, ShownForce
 from freebody.present.picture.label import Label, Run, beside, formula, name
 from freebody.study.pictures.action import Action, cross
+from freebody.study.pictures.idle import idle_rows
 from freebody.study.pictures.load_symbols import LoadSymbols, without_sign
 from freebody.study.pictures.points import own_measures
 from freebody.study.pictures.strings import Pull, pulls, rope_of
@@ -122,7 +123,13 @@ class FreeBody:
         """What is held, and of what may touch or rub what is closed."""
         bounds = [bound.row for bound in self.system.bounds if bound.name in self.closed]
         dry_friction = [rub.row for rub in self.system.dry_friction if not rub.of or rub.of in self.closed]
-        return (*self.system.constraint_rows, *bounds, *dry_friction)
+        held = (row for row in self.system.constraint_rows if row.name not in self.idle)
+        return (*held, *bounds, *dry_friction)
+
+    @cached_property
+    def idle(self) -> frozenset[str]:
+        """Rows that never transmit anything."""
+        return idle_rows(self.snapshot)
 
     def _is_internal(self, measure: Measure | NonholonomicForm) -> bool:
         others = set(measure.bodies()) - set(self.bodies)

@@ -98,7 +98,7 @@ def free_body(
 
         return cut_free(found, bodies, forces, title, view=view, perspective=perspective)
     from freebody.present.drawing import Drawing
-    from freebody.present.picture.bodies_free import free_body_picture
+    from freebody.present.picture.bodies_free import body_label, free_body_picture
     from freebody.present.picture.dimensions import Dimensions
     from freebody.present.picture.sketch import Sketch
     from freebody.present.scene import Scene
@@ -109,7 +109,8 @@ def free_body(
         Dimensions(system, sketch, drawing, Places(system, number)).draw()
 
     scene = Scene.of(system, number)
-    return free_body_picture(scene, poses_of(found.snapshot), bodies, forces, title, dimensions)
+    called = {body: body_label(system, body) for body in bodies}
+    return free_body_picture(scene, poses_of(found.snapshot), bodies, forces, title, dimensions, called)
 
 
 @in_words

@@ -26,6 +26,7 @@ SECTIONS = (
     "measures",
     "start",
     "questions",
+    "drawing",
 )
 
 

@@ -1,0 +1,67 @@
+"""Reactions that never act: what keeps a hanging body below its string is held by nothing that pushes sideways.
+
+A row holds the displacement of one body along a direction n of the ground, so this body has no acceleration along n,
+and Newton's second law along n reads 0 = R + the components of all other forces. Where no other force has one, in
+whatever pose, R = 0 in every motion: the diagrams leave it out.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from freebody.measures.base import Measure
+from freebody.model.elements import NonholonomicForm
+from freebody.numeric.jets import Array
+from freebody.numeric.reference import Reference, Snapshot
+
+_N_POSES = 3  # beside the given one
+_NOTHING = 1e-9
+_SIDEWAYS = "sideways force"  # of a row that a string adds by itself
+
+
+def idle_rows(snapshot: Snapshot) -> frozenset[str]:
+    """The names of the rows that keep a body below its string and transmit nothing in any motion of the plane."""
+    reference = snapshot.reference
+    system = reference.system
+    candidates = [row for row in system.constraint_rows if row.reaction == _SIDEWAYS]
+    if not candidates or system.space or not isinstance(reference, Reference):
+        return frozenset()
+    noise = np.random.default_rng(1)
+    still = np.zeros_like(snapshot.q)
+    poses = [snapshot.q + reference.sizes.length * noise.uniform(-0.2, 0.2, len(still)) for _ in range(_N_POSES)]
+    seen = [snapshot, *(reference.snapshot(q, still) for q in poses)]
+    pushes = (*system.rows, *system.applied_loads, *system.impulses)
+    found: set[str] = set()
+    for row in candidates:
+        moving = [body for body in dict.fromkeys(row.measure.bodies()) if not system.bodies[body].fixed]
+        if len(moving) != 1:
+            continue
+        (body,) = moving
+        others = [push.measure for push in pushes if push is not row and body in set(push.measure.bodies())]
+        if _is_alone(seen, row.measure, others, body):
+            found.add(row.name)
+    return frozenset(found)
+
+
+def _is_alone(
+    seen: list[Snapshot], own: Measure | NonholonomicForm, others: list[Measure | NonholonomicForm], body: str
+) -> bool:
+    """Whether a row pushes the mass centre along one direction, and nothing else has a component along it."""
+    first = _push(seen[0], own, body)
+    if abs(first[2]) > _NOTHING:
+        return False
+    for snapshot in seen:
+        mine = _push(snapshot, own, body)
+        if float(np.abs(mine - first).max()) > _NOTHING:
+            return False
+        if any(abs(float(mine[:2] @ _push(snapshot, other, body)[:2])) > _NOTHING for other in others):
+            return False
+    return True
+
+
+def _push(snapshot: Snapshot, measure: Measure | NonholonomicForm, body: str) -> Array:
+    """(3,) force and moment per unit of what pushes a measure."""
+    found = np.zeros(3)
+    gradient = snapshot.gradient(measure, body)
+    found[: len(gradient)] = gradient
+    return found

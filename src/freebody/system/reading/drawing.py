@@ -1,0 +1,86 @@
+"""The section `drawing`: `{paths: {shaft: [origin, C, B]}, labels: {left: m_1}, scale: {block: 2}, hide: [theta]}`."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator
+from typing import Any, cast
+
+from freebody.language.sentences import Message
+from freebody.model.looks import Looks
+from freebody.model.names import did_you_mean
+from freebody.system.reading.source import Source, known_keys
+
+_KEYS = ("paths", "labels", "scale", "hide")
+_MOST = 20.0  # times as large
+
+
+def read_drawing(source: Source, named: Collection[str]) -> Looks:
+    """named: measures, connections and loads, beside bodies and parameters, whose labels may be changed or hidden."""
+    entry = source.data.get("drawing")
+    names = source.names
+    if entry is None:
+        return Looks()
+    if not isinstance(entry, dict):
+        names.problem(Message("drawing is a mapping: {keys}", keys=", ".join(_KEYS)), "drawing")
+        return Looks()
+    entry = cast("dict[str, Any]", entry)
+    known_keys(names, entry, _KEYS, "drawing", "drawing")
+    known = {*named, *names.bodies, *names.parameters}
+    paths = dict(_paths(source, entry.get("paths")))
+    labels = {name: str(label) for name, label in _known(source, entry.get("labels"), "labels", known)}
+    scale = dict(_scales(source, entry.get("scale")))
+    hide = [str(name) for name in cast("list[Any]", entry.get("hide") or [])]
+    for k, name in enumerate(hide):
+        if name not in known:
+            _unknown(source, name, known, "hide", k)
+    return Looks(paths, labels, scale, frozenset(hide))
+
+
+def _known(source: Source, value: Any, section: str, known: Collection[str]) -> Iterator[tuple[str, Any]]:
+    if value is None:
+        return
+    if not isinstance(value, dict):
+        source.names.problem(Message("{section} is a mapping by name", section=section), "drawing", section)
+        return
+    for name, item in cast("dict[str, Any]", value).items():
+        if name in known:
+            yield name, item
+        else:
+            _unknown(source, name, known, section, name)
+
+
+def _unknown(source: Source, name: str, known: Collection[str], *path: str | int) -> None:
+    hint = did_you_mean(name, known)
+    source.names.problem(
+        Message("there is nothing called {name} to draw.{hint}", name=name, hint=hint), "drawing", *path
+    )
+
+
+def _paths(source: Source, value: Any) -> Iterator[tuple[str, tuple[str, ...]]]:
+    for body, points in _known(source, value, "paths", source.names.bodies):
+        own = source.names.bodies[body].points
+        found = tuple(str(point) for point in cast("list[Any]", points)) if isinstance(points, list) else ()
+        if len(found) < 2:
+            source.names.problem(
+                Message("a path is a list of two or more points of {body}", body=body), "drawing", "paths", body
+            )
+            continue
+        for k, point in enumerate(found):
+            if point not in own:
+                hint = did_you_mean(point, own)
+                source.names.problem(
+                    Message("{body} has no point {point}.{hint}", body=body, point=point, hint=hint),
+                    *("drawing", "paths", body, k),
+                )
+        if all(point in own for point in found):
+            yield body, found
+
+
+def _scales(source: Source, value: Any) -> Iterator[tuple[str, float]]:
+    for body, factor in _known(source, value, "scale", source.names.bodies):
+        if isinstance(factor, (int, float)) and 0.0 < factor <= _MOST:
+            yield body, float(factor)
+        else:
+            source.names.problem(
+                Message("a scale is a number above 0, at most {most:g}", most=_MOST), "drawing", "scale", body
+            )

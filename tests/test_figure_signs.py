@@ -1,0 +1,222 @@
+"""What stands on the picture of a system as on paper: masses, dimensions, velocities at the start, and proportions."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import freebody as fb
+from freebody.language.expression import Expr, evaluate
+from freebody.present.picture.picture import Picture
+from freebody.present.picture.shapes import Shape
+from freebody.present.scene import Scene
+from freebody.present.space.bodies import body_pieces
+from freebody.present.space.drawing import shells_of
+from freebody.study.pictures.picture import free_body, picture
+
+EXAMPLES = Path(__file__).parents[1] / "examples"
+
+BEAM = """
+parameters: {m: 20 kg, L: 6 m, a: 2 m, s: 4 m, b: 3 m, P: 1 kN}
+ground: {points: {A: [0, 0], C: [0, b]}}
+bodies:
+  beam: {rod: {mass: m, length: L}, at: {start: [0, 0]}, angle: 0, points: {P: [a - L/2, 0], Q: [s - L/2, 0]}}
+connections:
+  A: {pin: [ground.A, beam.start]}
+  rope: {link: [ground.C, beam.end]}
+loads: {load: {force: {at: beam.P, along: down, magnitude: P}}}
+"""
+
+THROWN = """
+parameters: {m: 1 kg, v0: 10 m/s, theta: 40 deg, g: 9.81 m/s^2}
+bodies: {ball: {particle: {mass: m}}}
+loads: {weight: {gravity: g}}
+measures: {x: x of ball, y: y of ball}
+start: {x: 0, y: 0, rate(x): v0*cos(theta), rate(y): v0*sin(theta)}
+"""
+
+BACK = """
+parameters: {m: 1 kg, r: 0.1 m, v0: 3 m/s, w0: 20 rad/s, mu: 0.3, g: 9.81 m/s^2}
+ground: {lines: {floor: {along: right}}}
+bodies: {ball: {sphere: {mass: m, radius: r}}}
+connections: {contact: {contact: {between: [ball, floor], friction: mu}}}
+loads: {weight: {gravity: g}}
+measures: {x: x of ball, turn: angle of ball clockwise}
+start: {x: 0, rate(x): -v0, rate(turn): -w0}
+"""
+
+
+def example(name: str) -> fb.System:
+    return fb.System.load(EXAMPLES / f"{name}.yaml")
+
+
+def texts(found: Picture) -> set[str]:
+    return {word.label.text for word in found.words}
+
+
+def heads(found: Picture, ink: str) -> list[np.ndarray]:
+    """The tips of the arrows of a colour."""
+    return [s.points[0] for s in found.shapes if s.fill is not None and s.fill.color == ink and len(s.points) == 4]
+
+
+def test_a_point_mass_is_called_by_its_mass_and_other_bodies_by_their_names() -> None:
+    assert {"m_1", "m_2", "pulley"} <= texts(picture(example("atwood_machine")))
+    assert "m_1" in texts(free_body(example("atwood_machine"), "left"))
+
+
+def test_point_masses_that_share_a_mass_keep_their_names() -> None:
+    assert {"A", "B"} <= texts(picture(example("two_masses_three_springs")))
+
+
+def test_a_length_from_the_end_of_a_rod_is_a_dimension_though_other_points_lie_between() -> None:
+    # a - L/2 and -L/2 are a apart whatever L is; the middle lies between the start and Q
+    assert {"a", "s", "L", "b"} <= texts(picture(fb.System.from_text(BEAM)))
+
+
+def test_the_distance_of_fixed_bearings_is_a_dimension() -> None:
+    assert "d" in texts(picture(example("four_bar")))
+
+
+def test_the_angle_at_which_a_ladder_is_put_is_shown() -> None:
+    assert "\u03b1" in texts(picture(example("ladder_against_wall")))
+
+
+def test_a_throw_shows_its_speed_and_its_angle() -> None:
+    found = picture(fb.System.from_text(THROWN))
+    assert {"v_0", "\u03b8"} <= texts(found)
+
+
+def test_a_velocity_that_points_back_is_drawn_back_without_a_sign() -> None:
+    found = picture(fb.System.from_text(BACK))
+    assert {"v_0", "w_0"} <= texts(found)
+    wheel = next(s.points for s in found.shapes if s.is_closed and len(s.points) > 40)
+    assert min(tip[0] for tip in heads(found, "velocity")) < float(wheel[:, 0].min())
+
+
+@pytest.mark.parametrize("name", ["disk_rolling_down_incline", "sphere_launched_down_incline", "ball_with_back_spin"])
+def test_the_line_that_a_wheel_rolls_on_is_longer_than_the_wheel(name: str) -> None:
+    found = picture(example(name))
+    round_ones = [s.points for s in found.shapes if s.is_closed and len(s.points) > 40]
+    wheel = max(float(np.ptp(points[:, 0])) for points in round_ones)
+    lines = [s.points for s in found.shapes if not s.is_closed and len(s.points) == 2]
+    longest = max(float(np.hypot(*(points[1] - points[0]))) for points in lines)
+    assert longest > 1.7 * wheel
+
+
+def test_what_hangs_on_a_pulley_is_a_block_that_is_not_lost_beside_it() -> None:
+    found = picture(example("atwood_machine"))
+    blocks = [s.points for s in found.shapes if s.is_closed and len(s.points) == 4 and s.fill is not None]
+    sides = [float(np.ptp(points[:, 0])) for points in blocks if s_is_square(points)]
+    wheel = max(float(np.ptp(s.points[:, 0])) for s in found.shapes if s.is_closed and len(s.points) > 40)
+    assert len(sides) >= 2
+    assert wheel < 8.0 * max(sides)
+
+
+def s_is_square(points: np.ndarray) -> bool:
+    return abs(float(np.ptp(points[:, 0])) - float(np.ptp(points[:, 1]))) < 1e-6
+
+
+DRAWN = """
+space: true
+parameters: {L: 1 m}
+ground: {points: {O: [0, 0, 0]}}
+bodies:
+  shaft: {body: {inertia: 1 kg m^2}, points: {C: [L, 0, 0], B: [L, -L, 0], D: [0, 0, L]}}
+connections: {bearing: {revolute: {first: ground.O, second: shaft, about: y}}}
+measures: {psi: angle of shaft about y}
+start: {psi: 0, rate(psi): 2 rad/s}
+drawing: {paths: {shaft: [origin, C, B]}}
+"""
+
+
+def test_a_bent_shaft_is_drawn_through_the_points_of_its_path() -> None:
+    with_path, without = (Scene.of(fb.System.from_text(text), float_of).figures[0] for text in (DRAWN, no_path(DRAWN)))
+    assert [place.at for place in with_path.path] == [(0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (1.0, -1.0, 0.0)]
+    bars = [piece for piece in body_pieces(with_path, [], 0.05, is_fixed=False) if not piece.radius]
+    star = [piece for piece in body_pieces(without, [], 0.05, is_fixed=False) if not piece.radius]
+    assert (len(bars), len(star)) == (2, 3)
+
+
+def no_path(text: str) -> str:
+    return text[: text.index("drawing:")]
+
+
+def float_of(expr: Expr) -> float:
+    return float(evaluate(expr, {"L": 1.0}))
+
+
+def test_an_angular_velocity_is_a_vector_along_its_axis() -> None:
+    found = picture(fb.System.from_text(DRAWN))
+    assert "\u03c8\u2032" in texts(found)
+    [vector] = [s.points for s in found.shapes if s.stroke is not None and s.stroke.color == "velocity"]
+    assert abs(vector[1][0] - vector[0][0]) < 1e-6  # y is up in the picture
+    assert vector[1][1] > vector[0][1]
+
+
+def test_two_shafts_with_forks_and_a_cross_make_a_cardan_joint() -> None:
+    scene = Scene.of(example("cardan_joint"), lambda expr: float(evaluate(expr, {"alpha": 0.5236, "I": 0.01})))
+    still = np.zeros((1, 3, 3)), np.broadcast_to(np.eye(3), (1, 3, 3, 3))
+    shells = shells_of(scene, still)
+    names = {form.index: form.name for form in scene.figures}
+    assert {names[index] for index in shells.crosses} == {"cross"}
+    assert {names[index] for index in shells.forks} == {"drive", "driven"}
+
+
+def test_gimbals_have_no_cross() -> None:
+    system = example("gyroscope_in_gimbals")
+    values = dict.fromkeys(system.parameters, 1.0)
+    scene = Scene.of(system, lambda expr: float(evaluate(expr, values)))
+    n = len(scene.names)
+    shells = shells_of(scene, (np.zeros((1, n, 3)), np.broadcast_to(np.eye(3), (1, n, 3, 3))))
+    assert not shells.crosses
+    assert not shells.forks
+
+
+def test_labels_and_signs_can_be_changed_and_left_out() -> None:
+    text = (EXAMPLES / "atwood_machine.yaml").read_text("utf-8")
+    more = "\ndrawing: {labels: {left: A, x1: q}, hide: [right, w, R], scale: {left: 2}}\n"
+    before, after = (picture(fb.System.from_text(each)) for each in (text, text + more))
+    assert {"A", "q"} <= texts(after)
+    assert not texts(after) & {"m_1", "m_2", "x_1", "w", "R"}
+    widest = [max(float(np.ptp(s.points[:, 0])) for s in each.shapes if s_is_block(s)) for each in (before, after)]
+    assert widest[1] == pytest.approx(2 * widest[0])
+
+
+def s_is_block(shape: Shape) -> bool:
+    return shape.is_closed and len(shape.points) == 4 and s_is_square(shape.points)
+
+
+@pytest.mark.parametrize(
+    ("section", "message"),
+    [
+        ("{hide: [rigt]}", "there is nothing called rigt to draw"),
+        ("{scale: {left: -1}}", "a scale is a number above 0"),
+        ("{paths: {left: [A]}}", "two or more points of left"),
+        ("{paths: {pulley: [center, rim]}}", "pulley has no point rim"),
+        ("{colour: {left: red}}", "drawing has no colour"),
+    ],
+)
+def test_what_cannot_be_drawn_so_is_told(section: str, message: str) -> None:
+    text = (EXAMPLES / "atwood_machine.yaml").read_text("utf-8")
+    with pytest.raises(fb.ModelError, match=message):
+        fb.System.from_text(f"{text}\ndrawing: {section}\n")
+
+
+def reactions_on(found: Picture) -> set[str]:
+    return {word.label.text for word in found.words if word.ink.color == "reaction"}
+
+
+def test_a_hanging_mass_is_held_by_its_string_alone() -> None:
+    assert reactions_on(free_body(example("atwood_machine"), "left")) == {"T_left"}
+
+
+def test_what_is_pushed_aside_needs_a_sideways_force() -> None:
+    text = (EXAMPLES / "atwood_machine.yaml").read_text("utf-8")
+    pushed = text.replace("loads:", "loads:\n  wind: {force: {at: left, along: right, magnitude: 1 N}}", 1)
+    assert reactions_on(free_body(fb.System.from_text(pushed), "left")) == {"T_left", "H_left"}
+    # Newton's second law to the right: 0 = H + 1 N
+    [answer] = fb.solve(fb.System.from_text(pushed), question="sideways force of rope at left").answers
+    assert isinstance(answer.value, float)
+    assert abs(answer.value) == pytest.approx(1.0)
