@@ -231,7 +231,10 @@ class Blow:
         found = self._impulses.get(row.name)
         if found is None:
             raise CannotAnswer(
-                Message("{name} transmits no more than a bounded force or torque, which has no impulse in a blow", name=row.connection)
+                Message(
+                    "{name} transmits no more than a bounded force or torque, which has no impulse in a blow",
+                    name=row.connection,
+                )
             )
         if isinstance(found, CannotAnswer):
             raise found
