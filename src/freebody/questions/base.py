@@ -206,6 +206,10 @@ class Quantity:
         """The quantity at the event that ends a motion, or what has come together on the way there."""
         return passage.there(self)
 
+    def sized(self, *, space: bool) -> Quantity:
+        """What can be greatest of it: of a vector its size, else itself."""
+        return self
+
     @property
     def inner(self) -> tuple[Quantity, ...]:
         """Quantities that this one is about."""

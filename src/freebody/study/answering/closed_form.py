@@ -18,12 +18,13 @@ from freebody.language.sentences import Message, further
 from freebody.numeric.snapshot import Snapshot
 from freebody.questions.base import Quantity, Wanted
 from freebody.questions.clock import Clock
-from freebody.questions.extent import Extent
+from freebody.questions.extent import Extent, ExtremeOfMotion
 from freebody.questions.freedom import DegreesOfFreedom
 from freebody.questions.happening import StableEquilibrium
 from freebody.questions.period import Period
 from freebody.questions.reading import AskedEvent, Question, QuestionEvent
 from freebody.questions.small_motion import Equilibrium, OfSmallMotion, SmallOscillations
+from freebody.questions.steady import Extremes
 from freebody.study.answering import evidence as proof
 from freebody.study.answering import loops
 from freebody.study.answering.answer import Answer, Evidence, Value, made
@@ -125,11 +126,7 @@ class QuestionSolver:
         if q.wanted is not None:
             return self._turned_round(q.wanted)
         if q.scope == "steady motion":
-            from freebody.study.steady.ask import find, looked_at
-
-            self.setup = looked_at(self.setup, self.question)
-            self.model, self.system = self.setup.model, self.setup.system
-            return find(self.setup, self.question)
+            return self._steady()
         if q.scope == "linkage":
             from freebody.study.mobility.loop_answers import find as find_of_loop
 
@@ -137,6 +134,14 @@ class QuestionSolver:
         if self.question.event is not None:
             return self._at_event(q)
         return self._found(q)
+
+    def _steady(self) -> Finding:
+        """Of motion that goes on evenly, in the system as the question looks at it."""
+        from freebody.study.steady.ask import find, looked_at
+
+        self.setup = looked_at(self.setup, self.question)
+        self.model, self.system = self.setup.model, self.setup.system
+        return find(self.setup, self.question)
 
     def _turned_round(self, q: Wanted) -> Finding:
         """The formula of what is to have a value, solved for a parameter."""
@@ -286,6 +291,15 @@ class QuestionSolver:
         from freebody.study.answering.extent import find
 
         return find(self.setup, self.question.text, q.measure, q.side)
+
+    @_found.register(ExtremeOfMotion)
+    def _extreme(self, q: ExtremeOfMotion) -> Finding:
+        from freebody.study.answering.motion_extremes import find
+
+        if not self.model.coordinates:  # what a drive keeps going makes one turn after the other
+            self.question = replace(self.question, quantity=Extremes(q.of, None, q.end))
+            return self._steady()
+        return find(self.setup, self.question.text, q.of, (q.side,))
 
     # -- small oscillations and equilibrium ---------------------------------------------------
     @_found.register(SmallOscillations)
