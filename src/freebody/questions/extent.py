@@ -95,6 +95,10 @@ questions: {it: greatest tension of rod}
     def side(self) -> int:
         return 1 if self.end == "greatest" else -1
 
+    def sentence(self, system: Described) -> Sentence | None:
+        of = self.of.sentence(system)
+        return None if of is None else Sentence(f"what.{self.end}_of", {"of": of})
+
 
 @asked(
     "greatest | least QUANTITY [over the motion]",

@@ -16,7 +16,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from freebody.errors import CannotAnswer
+from freebody.errors import CannotAnswer, NotReached
 from freebody.language.expression import Symbol
 from freebody.language.notation import compared, reworded
 from freebody.language.sentences import Message
@@ -122,7 +122,7 @@ class Along:
     def best(self, found: Sequence[Stationary], side: int) -> Stationary:
         """The largest (side 1) or least one at the model's own values, or the first sample; that it is so for others is
         a condition. Raises CannotAnswer where some place of the way is beyond it."""
-        inside = [s for s in found if self._inside(s)]
+        inside = [s for s in found if self.is_inside(s)]
         if not inside:
             raise _NO_FORM
         chosen = max(inside, key=lambda s: side * self._first(s.value))
@@ -134,14 +134,15 @@ class Along:
             gap = side * (chosen.value - other.value)
             if other is chosen or gap.is_zero():
                 continue
-            if self._inside(other):
+            if self.is_inside(other):
                 self._add(gap, Message("which extreme is which"), ">=")
             elif require(gap, ">=")[0] is not None:
                 self._stay_outside(other)
         self._check(chosen, side)
         return chosen
 
-    def _inside(self, s: Stationary) -> bool:
+    def is_inside(self, s: Stationary) -> bool:
+        """Whether the motion comes to one of its places, at the model's own values."""
         return s.is_turn or any(self._is_inside(numbers[0]) for _place, numbers in s.places)
 
     def _is_inside(self, v: float) -> bool:
@@ -202,11 +203,14 @@ class Along:
         f = self.setup.model.field
         return f.sqrt(s.value, self.setup.model.samples.is_negative) if self.is_root else s.value
 
+    def place_text(self, s: Stationary) -> str:
+        """One of its places."""
+        place = next((p for p, numbers in s.places if s.is_turn or self._is_inside(numbers[0])), s.places[0][0])
+        return compared(Symbol(self.c.name), "=", tidy(place))
+
     def where(self, which: str, s: Stationary) -> str:
         """At which place it is."""
-        place = next((p for p, numbers in s.places if s.is_turn or self._is_inside(numbers[0])), s.places[0][0])
-        name = Symbol(self.c.name)
-        shown = compared(name, "=", tidy(place))
+        shown = self.place_text(s)
         return reworded(Message("{which} at {places}", which=which, places=shown), shown)
 
 
@@ -250,7 +254,11 @@ def _along(setup: Setup, of: Quantity, c: Coordinate) -> Along:
             raise _NO_FORM
         x = f.lowest_terms(x * x)
     even, odd = _by_parity(x, c, way.square)
-    return Along(setup, c, way, way.span(), even, odd, is_root)
+    try:
+        span = way.span()
+    except NotReached:
+        raise CannotAnswer(Message("the motion does not repeat itself")) from None
+    return Along(setup, c, way, span, even, odd, is_root)
 
 
 def _moves(g: int, c: Coordinate, f: Field) -> bool:
@@ -261,7 +269,7 @@ def _is_size(model: SymbolicModel, x: Ratio, c: Coordinate) -> bool:
     """Whether it is a root with a factor that is positive, or does not move and is so at all samples."""
     f = x.field
     roots = [g for g in x.generators() if f.generators[g].kind == "root" and _moves(g, c, f)]
-    if len(roots) != 1 or x.den is not None and roots[0] in x.denominator().generators():
+    if len(roots) != 1 or roots[0] in x.denominator().generators():
         return False
     (rest, *slopes) = x.numerator().coefficients(roots[0])
     factor = slopes[0] / x.denominator()

@@ -22,8 +22,8 @@ def find(setup: Setup, question: Question) -> Finding:
 
 
 def looked_at(setup: Setup, question: Question) -> Setup:
-    """The system as a question looks at it: what is so in the poses of a turn asks of a drive at a constant rate no more
-    than that."""
+    """The system as a question looks at it: for what is so in the poses of a turn the drive is left out that turns it
+    evenly."""
     if not question.quantity.is_of_turn:
         return setup
     from freebody.study.steady.drive import without_drive

@@ -58,5 +58,7 @@ def followed(setup: Setup, q: Extremes) -> Any:
     value = q.of.value(setup.driven, state)
     for x in map(model.field.element, value if isinstance(value, tuple) else (value,)):
         if any(model.field.generators[g].kind == "time" for g in model.field.ingredients(x)):
-            raise CannotAnswer(Message("a load depends on the time as well as on the angle: no turn is as the one before"))
+            raise CannotAnswer(
+                Message("a load depends on the time as well as on the angle: no turn is as the one before")
+            )
     return value

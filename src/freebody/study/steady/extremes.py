@@ -43,7 +43,7 @@ def extremes(setup: Setup, question: Question, q: Extremes) -> Finding:
     if isinstance(value, tuple):
         raise CannotAnswer(Message("a vector has no extremes; ask for its size or for a component along a direction"))
     x = explicit(model, model.field.lowest_terms(model.field.element(value)))
-    if _is_of_motion(setup, question, x):
+    if is_of_motion(setup, question, x):
         return _over_motion(setup, question, q)
     if q.what in ("least", "greatest") and not _moving(model, x):
         return _constant(setup, question, q, x)
@@ -68,7 +68,7 @@ def _moving(model: SymbolicModel, x: Ratio) -> list[Coordinate]:
     return [c for c in model.coordinates if inside & {c.index, c.speed}]
 
 
-def _is_of_motion(setup: Setup, question: Question, x: Ratio) -> bool:
+def is_of_motion(setup: Setup, question: Question, x: Ratio) -> bool:
     """Whether it depends on how fast something turns that no drive keeps going: then the motion itself tells that."""
     speeds = {c.speed for c in setup.model.coordinates}
     is_free = not isinstance(setup, FreeToTurn) and bool(setup.system.start_rates)
@@ -114,8 +114,8 @@ def elsewhere(setup: Setup, c: Coordinate, quantity: Quantity) -> list[dict[int,
 
 
 def told(search: ExtremaSearch, q: Extremes, least: Extremum, largest: Extremum) -> Elements:
-    """What is asked of the two: both, one of them, how far they are apart, or the ratio of the angles between their places. What
-    that takes to be as at the first sample becomes a condition."""
+    """What is asked of the two: both, one of them, how far they are apart, or the ratio of the angles between their
+    places. What that takes to be as at the first sample becomes a condition."""
     if q.what == "extremes":
         return least.value, largest.value
     if q.what in ("least", "greatest"):
