@@ -19,6 +19,7 @@ from freebody.narrative.principles.momentum import by_momentum, parts_of
 from freebody.narrative.questions.over_motion import tell_extreme
 from freebody.narrative.space.spatial import SpatialTelling
 from freebody.numeric.jets import Array
+from freebody.questions.base import Quantity
 from freebody.questions.extent import ExtremeOfMotion
 from freebody.questions.reading import Question
 from freebody.questions.steady import Extremes
@@ -50,13 +51,13 @@ def tell_extremes(context: Context, question: Question, answer: Answer, q: Extre
     setup, before = looked_at(context.setup, question), context
     lead = context.script()
     is_driven = isinstance(setup, FreeToTurn) and q.of.kinematic_order != 0
-    drawn = _by_the_drive(context, lead, q) if is_driven else ()
+    drawn = by_the_drive(context, lead, q.of) if is_driven else ()
     if setup is not context.setup:
         context = Context(setup.system, lead.next_number, context.introduced)
         context.setup = setup
     model = setup.model
     f = model.field
-    x = explicit(model, f.lowest_terms(f.element(followed(setup, q))))
+    x = explicit(model, f.lowest_terms(f.element(followed(setup, q.of))))
     if is_of_motion(setup, question, x):
         if q.what not in ("least", "greatest"):
             raise CannotAnswer(Message("of a motion the greatest and the least value are derived one by one"))
@@ -102,9 +103,9 @@ def tell_extremes(context: Context, question: Question, answer: Answer, q: Extre
     return [*(lead.stages if context is not before else ()), *script.stages]
 
 
-def _by_the_drive(context: Context, script: Script, q: Extremes) -> tuple[int, ...]:
+def by_the_drive(context: Context, script: Script, of: Quantity) -> tuple[int, ...]:
     """The forces and accelerations that are in the quantity, at any instant of the drive; the lines that give them."""
-    _parts, unknowns = parts_of(context, q.of)
+    _parts, unknowns = parts_of(context, of)
     found = by_momentum(context, script, unknowns) if unknowns else {}
     return tuple(line for _value, line in found.values())
 

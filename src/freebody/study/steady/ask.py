@@ -46,7 +46,7 @@ def _number_of_turn(q: Extremes, setup: Setup, question: Question) -> Value:
 
     if q.what == "time ratio" or question.at_start:
         return None
-    x = followed(setup, q)
+    x = followed(setup, q.of)
     c = angle_of(setup.model, q, explicit(setup.model, setup.model.field.element(x)))
     least, largest = extremes_in_numbers(FullTurn(setup, setup.draws[0], c, q.of))
     match q.what:

@@ -16,7 +16,7 @@ from freebody.language.expression import ZERO, Expr, differentiate, free_symbols
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS
 from freebody.model.elements import ConstraintRow, NonholonomicForm
-from freebody.questions.steady import Extremes
+from freebody.questions.base import Quantity
 from freebody.study.setup import Setup
 from freebody.symbolic.state import SymbolicState
 from freebody.system.system import System
@@ -45,17 +45,17 @@ def without_drive(setup: Setup) -> Setup:
     return FreeToTurn(system, drives[0], rate) if differentiate(rate, "t") == ZERO else setup
 
 
-def followed(setup: Setup, q: Extremes) -> Any:
+def followed(setup: Setup, of: Quantity) -> Any:
     """The quantity over the turn: its rates are those of the drive, where that is left out."""
     model, system = setup.model, setup.system
-    if not isinstance(setup, FreeToTurn) or q.of.kinematic_order == 0:
-        return q.of.value(system, setup.state)
+    if not isinstance(setup, FreeToTurn) or of.kinematic_order == 0:
+        return of.value(system, setup.state)
     rate = model.geometry.scalar(setup.rate)
     turned = next(c for c in model.coordinates if model.measure_of(c) == setup.drive.measure)
     if len(model.coordinates) > 1:
         raise CannotAnswer(Message("beside the drive something else is free to move, which has a motion of its own"))
     state = SymbolicState(model.kept_going(setup.driven), {turned.speed: rate})
-    value = q.of.value(setup.driven, state)
+    value = of.value(setup.driven, state)
     for x in map(model.field.element, value if isinstance(value, tuple) else (value,)):
         if any(model.field.generators[g].kind == "time" for g in model.field.ingredients(x)):
             raise CannotAnswer(

@@ -39,7 +39,7 @@ from freebody.symbolic.unknowns import Coordinate
 def extremes(setup: Setup, question: Question, q: Extremes) -> Finding:
     """(least, largest). Raises CannotAnswer where they have no closed form, or there is none."""
     model = setup.model
-    value = followed(setup, q)
+    value = followed(setup, q.of)
     if isinstance(value, tuple):
         raise CannotAnswer(Message("a vector has no extremes; ask for its size or for a component along a direction"))
     x = explicit(model, model.field.lowest_terms(model.field.element(value)))
