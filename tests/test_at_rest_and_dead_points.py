@@ -1,6 +1,6 @@
 """What a mechanism of one freedom has in a pose: at its dead points, and at rest.
 
-Slider-crank at its dead points, turned evenly: x'' = -r w^2 (1 + r/l) stretched and r w^2 (1 - r/l) folded; the force of
+Slider-crank at its dead points, turned evenly: x'' = -r w^2 (1 + r/l) stretched, r w^2 (1 - r/l) folded; the force of
 the rod on the piston is what that and the gas force leave, and the torque is zero. Four-bar: the triangles a + b, c, d
 and b - a, c, d. At rest forces are as the rates of their points turned round (virtual power).
 Problem families: Norton, Design of Machinery, 3.12, 4.10, 6.4 and 6.5; Meriam & Kraige, Statics, 7/3 (toggle press);
