@@ -66,7 +66,7 @@ def test_the_question_of_contributing_works_everywhere_as_written(closing_speed:
 # -- no list of kinds -------------------------------------------------------------------------
 QUANTITIES = {"q", "quantity"}  # what quantities are called
 # Assertions that tell the type checker what the scope "every motion" means: the one kind that has this scope
-ASSERTED = {"narrative/questions/conserving.py": 1, "study/conservation/conserved.py": 1}
+ASSERTED = {"narrative/questions/conserving.py": 1, "study/conservation/judge.py": 1}
 
 
 def names_in(node: ast.AST) -> set[str]:

@@ -155,6 +155,11 @@ questions: {it: acceleration of x - acceleration of y}
     def inner(self) -> tuple[Quantity, ...]:
         return tuple(q for _name, q in self.operands)
 
+    @property
+    def is_of_pose_in_motion(self) -> bool:
+        orders = {name: q.kinematic_order for name, q in self.operands}
+        return 1 in orders.values() and _degree(self.form, orders) == 0
+
     def made_of(self, values: tuple[Any, ...], of: Functions) -> Any:
         refuse_vectors(values)
         named = {name: x for (name, _quantity), x in zip(self.operands, values, strict=True)}
@@ -183,6 +188,32 @@ class _OnTheWay:
 
     def absolute(self, x: Any) -> Any:
         return abs(x) if isinstance(x, (int, float, Fraction)) else self.sqrt(x)
+
+
+def _degree(e: Expr, orders: Mapping[str, int | None]) -> Fraction | None:
+    """By which power of the speeds an expression grows; None where by no single one. orders: of its operands."""
+    match e:
+        case Symbol(name) if orders[name] in (0, 1):
+            return Fraction(orders[name] or 0)
+        case Number():
+            return Fraction(0)
+        case Sum(terms):
+            found = {_degree(term, orders) for term in terms}
+            return found.pop() if len(found) == 1 else None
+        case ProductOf(factors):
+            degrees = [_degree(factor, orders) for factor in factors]
+            known = [d for d in degrees if d is not None]
+            return sum(known, Fraction(0)) if len(known) == len(degrees) else None
+        case PowerOf(base, Number(n)):
+            degree = _degree(base, orders)
+            return None if degree is None else degree * n
+        case Call("abs", argument):
+            return _degree(argument, orders)
+        case Call("sqrt", argument):
+            degree = _degree(argument, orders)
+            return None if degree is None else degree / 2
+        case _:
+            return None
 
 
 def _calculated(e: Expr, values: Mapping[str, Any], of: Functions) -> Any:

@@ -155,8 +155,6 @@ class Quantity:
     may_be_conserved: ClassVar[bool] = False
     # whether it depends on which coordinates describe the system
     is_of_coordinates: ClassVar[bool] = False
-    # whether only the sense of the motion matters, not how fast it is: a pose with one freedom has it
-    is_of_pose_in_motion: ClassVar[bool] = False
 
     def __init_subclass__(cls, kind: str = "", **rest: Any) -> None:
         super().__init_subclass__(**rest)
@@ -179,6 +177,11 @@ class Quantity:
     @property
     def dimension(self) -> Dimension:
         return self.measured_in
+
+    @property
+    def is_of_pose_in_motion(self) -> bool:
+        """Whether only the sense of the motion matters, not how fast it is: a pose with one freedom has it."""
+        return False
 
     @property
     def is_of_state(self) -> bool:
@@ -205,6 +208,10 @@ class Quantity:
     def counted(self, passage: Passage[Any]) -> Any:
         """The quantity at the event that ends a motion, or what has come together on the way there."""
         return passage.there(self)
+
+    def sized(self, *, space: bool) -> Quantity:
+        """What can be greatest of it: of a vector its size, else itself."""
+        return self
 
     @property
     def inner(self) -> tuple[Quantity, ...]:

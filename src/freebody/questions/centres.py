@@ -34,7 +34,10 @@ connections: {rolls: {rolling: {body: wheel, on: floor}}}
 questions: {it: instant centre of wheel}
 """
     measured_in = LENGTH
-    is_of_pose_in_motion = True
+
+    @property
+    def is_of_pose_in_motion(self) -> bool:
+        return True
 
     @property
     def kinematic_order(self) -> int:

@@ -1,4 +1,4 @@
-"""How far a motion gets: the greatest and the least value of a measure over all of it."""
+"""How far a motion gets: the greatest and the least value of a measure, or of another quantity, over all of it."""
 
 from __future__ import annotations
 
@@ -6,13 +6,14 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
 from freebody.language.expression import ZERO, Symbol
-from freebody.language.sentences import Sentence
+from freebody.language.sentences import Message, Sentence
 from freebody.language.units import DIMENSIONLESS, Dimension
 from freebody.measures.base import Measure
-from freebody.model.phrases import measure_of
+from freebody.model.phrases import PHRASES, measure_of
 from freebody.questions.base import Described, Found, Path, Quantity, angular_unit, asked
 from freebody.questions.event import QuestionEvent
 from freebody.questions.motion import OfMeasure
+from freebody.questions.reading import read_quantity
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -61,12 +62,57 @@ questions: {it: greatest y}
         return Sentence(f"what.{self.end}", {"of": of})
 
 
+@dataclass(frozen=True)
+class ExtremeOfMotion(Quantity, kind="extreme of a motion"):
+    """The greatest or the least value of a quantity over a motion that repeats itself."""
+
+    of: Quantity
+    end: Literal["greatest", "least"]
+
+    example = """
+bodies: {bob: {particle: {mass: 2 kg}}}
+connections: {rod: {link: [ground.O, bob, 1 m]}}
+loads: {weight: {gravity: 9.81 m/s^2}}
+measures: {theta: {angle of line from ground.O to bob from down}}
+start: {theta: 40 deg, rate(theta): 0}
+questions: {it: greatest tension of rod}
+"""
+    scope = "whole motion"
+
+    @property
+    def dimension(self) -> Dimension:
+        return self.of.dimension
+
+    @property
+    def unit(self) -> str:
+        return self.of.unit
+
+    @property
+    def inner(self) -> tuple[Quantity, ...]:
+        return (self.of,)
+
+    @property
+    def side(self) -> int:
+        return 1 if self.end == "greatest" else -1
+
+    def sentence(self, system: Described) -> Sentence | None:
+        of = self.of.sentence(system)
+        return None if of is None else Sentence(f"what.{self.end}_of", {"of": of})
+
+
 @asked(
-    "greatest | least MEASURE [over the motion]",
-    rf"(?P<end>{_GREATEST}|{_LEAST}) (?:value )?(?:of )?(?P<of>.+?)(?: (?:over|during|of) the (?:whole )?motion)?",
+    "greatest | least QUANTITY [over the motion]",
+    rf"(?P<end>{_GREATEST}|{_LEAST}) (?:value )?(?:of )?(?:the )?(?P<of>.+?)"
+    r"(?: (?:over|during|of|in) the (?:whole )?motion)?",
     rank=15,
 )
 def _extent(names: Names, found: Found, path: Path) -> Quantity | None:
-    of = str(found["of"])
+    of, end = str(found["of"]), "greatest" if found["end"] in _GREATEST else "least"
+    if of not in names.measures and not any(phrase.pattern.match(of) for phrase in PHRASES):
+        quantity = read_quantity(names, of, path)
+        if quantity is None or quantity.scope == "instant":
+            return None if quantity is None else ExtremeOfMotion(quantity.sized(space=names.space), end)
+        names.problem(Message("'{text}' is no property of one instant", text=of), *path)
+        return None
     measure = measure_of(names, of, *path)
-    return None if measure is None else Extent(measure, of, "greatest" if found["end"] in _GREATEST else "least")
+    return None if measure is None else Extent(measure, of, end)

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 End = Literal["", "least", "greatest"]
 RANK = 85
-_FOUR_BAR = """
+FOUR_BAR = """
 parameters: {a: 0.1 m, b: 0.3 m, c: 0.25 m, d: 0.3 m}
 ground: {points: {O: [0, 0], D: [d, 0]}}
 bodies:
@@ -55,7 +55,7 @@ class FullTurn(OfLinkage, kind="full turn"):
 
     link: str
 
-    example = f"{_FOUR_BAR}questions: {{it: does crank turn fully}}\n"
+    example = f"{FOUR_BAR}questions: {{it: does crank turn fully}}\n"
     is_verdict = True
     measured_in = LENGTH
 
@@ -64,7 +64,7 @@ class FullTurn(OfLinkage, kind="full turn"):
 class Assembly(OfLinkage, kind="assembly"):
     """Whether a loop can be put together."""
 
-    example = f"{_FOUR_BAR}questions: {{it: when does the loop assemble}}\n"
+    example = f"{FOUR_BAR}questions: {{it: when does the loop assemble}}\n"
     is_verdict = True
     measured_in = LENGTH
 
@@ -76,7 +76,7 @@ class DeadPoints(OfLinkage, kind="dead points"):
     of: Measure
     name: str
 
-    example = f"{_FOUR_BAR}questions: {{it: dead points of psi}}\n"
+    example = f"{FOUR_BAR}questions: {{it: dead points of psi}}\n"
 
     @property
     def dimension(self) -> Dimension:
@@ -95,7 +95,7 @@ class TransmissionAngle(OfLinkage, kind="transmission angle"):
 
     end: End = ""
 
-    example = f"{_FOUR_BAR}questions: {{it: least transmission angle}}\n"
+    example = f"{FOUR_BAR}questions: {{it: least transmission angle}}\n"
 
     @property
     def unit(self) -> str:

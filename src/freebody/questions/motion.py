@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, Literal
 
 from freebody.language.expression import Call, Expr, Symbol
@@ -122,6 +122,9 @@ questions: {it: acceleration of ball}
     def may_jump(self) -> bool:
         return self.order == 2
 
+    def sized(self, *, space: bool) -> Quantity:
+        return replace(self, size=True) if self.order and self.along is None and self.basis is None else self
+
     @property
     def bodies_in_motion(self) -> tuple[str, ...]:
         return (self.point.body,) if self.order else ()
@@ -176,6 +179,9 @@ questions: {it: angular velocity of wheel at start}
     @property
     def may_jump(self) -> bool:
         return self.order == 2
+
+    def sized(self, *, space: bool) -> Quantity:
+        return replace(self, size=True) if self.along is None and self.basis is None else self
 
     def value(self, system: Described, state: State[Any]) -> Any:
         """omega or d omega/dt against another body, seen from the ground."""

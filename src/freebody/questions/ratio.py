@@ -1,14 +1,17 @@
-"""Questions about the ratio of two quantities."""
+"""Questions about the ratio of two quantities, and of two loads that balance each other."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from freebody.language.sentences import Sentence
+from freebody.language.sentences import Message, Sentence
 from freebody.language.units import DIMENSIONLESS, Dimension
+from freebody.model.names import did_you_mean
+from freebody.model.state import State
 from freebody.questions.arithmetic import Functions, Joined, quotient
-from freebody.questions.base import Described, Found, Path, Quantity, asked
+from freebody.questions.base import NAME, Described, Found, Path, Quantity, asked
+from freebody.questions.loads import LoadForce, Power
 from freebody.questions.reading import read_quantity
 
 if TYPE_CHECKING:
@@ -41,12 +44,76 @@ questions: {it: ratio of angular velocity of small to angular velocity of big}
     def inner(self) -> tuple[Quantity, ...]:
         return self.top, self.bottom
 
+    @property
+    def is_of_pose_in_motion(self) -> bool:
+        return self.top.kinematic_order == self.bottom.kinematic_order == 1
+
     def made_of(self, values: tuple[Any, ...], of: Functions) -> Any:
         return quotient(*values)
 
     def sentence(self, system: Described) -> Sentence | None:
         top, bottom = self.top.sentence(system), self.bottom.sentence(system)
         return None if top is None or bottom is None else Sentence("what.ratio", {"top": top, "bottom": bottom})
+
+
+@dataclass(frozen=True)
+class MechanicalAdvantage(Quantity, kind="mechanical advantage"):
+    """The force or torque of a load over that of another one which it balances, at rest, in a mechanism of one freedom
+    without weight and friction. By virtual power F_1 v_1 + F_2 v_2 = 0, with v_i the rate at which a load of one does
+    work; it is negative where both, in the directions of the model, drive the same way. Source: Norton, Design of
+    Machinery, 5th ed. 2012, sec. 6.5."""
+
+    of: str
+    to: str
+    forces: tuple[Dimension, Dimension]
+
+    example = """
+parameters: {a: 2 m, b: 0.5 m, F: 30 N, R: 10 N}
+bodies: {lever: {rod: {mass: 0, length: a + b}, points: {O: [(a - b)/2, 0]}}}
+connections: {fulcrum: {pin: [ground.O, lever.O]}}
+loads:
+  hand: {force: {at: lever.start, along: down, magnitude: F}}
+  crate: {force: {at: lever.end, along: down, magnitude: R}}
+measures: {phi: angle of lever}
+questions: {it: mechanical advantage of crate to hand at start}
+"""
+
+    @property
+    def dimension(self) -> Dimension:
+        return self.forces[0] / self.forces[1]
+
+    @property
+    def is_of_pose_in_motion(self) -> bool:
+        return True
+
+    @property
+    def kinematic_order(self) -> int:
+        return 1
+
+    def value(self, system: Described, state: State[Any]) -> Any:
+        first, second = (
+            quotient(Power(name).value(system, state), LoadForce(name, force).value(system, state))
+            for name, force in zip((self.of, self.to), self.forces, strict=True)
+        )
+        return -quotient(second, first)
+
+    def sentence(self, system: Described) -> Sentence:
+        return Sentence("what.advantage", {"of": self.of, "to": self.to})
+
+
+@asked(
+    "mechanical advantage of LOAD to LOAD",
+    rf"mechanical advantage of (?:the )?(?P<of>{NAME}) (?:to|over|against) (?:the )?(?P<to>{NAME})",
+    rank=66,
+)
+def _advantage(names: Names, found: Found, path: Path) -> Quantity | None:
+    loads = [str(found["of"]), str(found["to"])]
+    for name in loads:
+        if name not in names.loads:
+            hint = did_you_mean(name, names.loads)
+            names.unknown(name, Message("there is no load {name}.{hint}", name=name, hint=hint), *path)
+            return None
+    return MechanicalAdvantage(loads[0], loads[1], (names.loads[loads[0]], names.loads[loads[1]]))
 
 
 @asked("ratio of QUANTITY to QUANTITY", r"ratio of (?P<top>.+) to (?P<bottom>.+)", rank=65)

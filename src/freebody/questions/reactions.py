@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import difflib
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from freebody.errors import CannotAnswer
@@ -145,6 +145,10 @@ questions: {it: reaction of rod on bob}
     @property
     def is_moment(self) -> bool:
         return self.moment
+
+    def sized(self, *, space: bool) -> Quantity:
+        is_vector = self.along is None and self.basis is None and (space or not self.moment)
+        return replace(self, size=True) if is_vector else self
 
     def remark(self, system: Described) -> str:
         connection, body = self.connection, self.body(system)

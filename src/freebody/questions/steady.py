@@ -1,6 +1,7 @@
 """Questions about motion that goes on evenly: steady motion, what a turn brings, and whether a disturbance grows.
 
 rate of psi in steady motion                       extremes | stroke | time ratio of QUANTITY [over a turn of ANGLE]
+greatest | least QUANTITY over a turn [of ANGLE]
 stability of the spin of BODY about x | y | z      stability of steady motion
 """
 
@@ -11,6 +12,7 @@ from typing import TYPE_CHECKING, Literal
 
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, TIME, Dimension
+from freebody.measures.angle import Angle
 from freebody.model.noting import did_you_mean
 from freebody.questions.base import NAME, Found, Path, Quantity, asked
 from freebody.questions.reading import read_quantity
@@ -19,9 +21,11 @@ if TYPE_CHECKING:
     from freebody.model.names import Names
 
 Axis = Literal["x", "y", "z"]
-OverTurn = Literal["extremes", "stroke", "time ratio"]
+OverTurn = Literal["extremes", "stroke", "time ratio", "least", "greatest"]
 PER_TIME_SQUARED = DIMENSIONLESS / TIME**2
 RANK = 85
+RANK_OF_ONE = 80  # below that of the transmission angle, which has extremes of its own
+_TURN = rf"(?:a|one|the|a full) (?:turn|revolution)(?: of (?:the )?(?P<over>{NAME}))?"
 
 
 class Steady(Quantity):
@@ -77,7 +81,8 @@ questions: {it: rate of psi in steady motion}
 @dataclass(frozen=True)
 class Extremes(Steady, kind="extremes"):
     """The least and the largest value of a quantity over a turn of an angle; None: of the one angle it depends on.
-    what: both; how far they are apart; or how much longer the angle, turned evenly, takes one way than back."""
+    what: both, or one of them; how far they are apart; or how much longer the angle, turned evenly, takes one way than
+    back."""
 
     of: Quantity
     over: str | None
@@ -206,24 +211,48 @@ def _steady(names: Names, found: Found, path: Path) -> Quantity | None:
     "extremes | stroke | time ratio of QUANTITY [over a turn of ANGLE]",
     r"(?:extremes|extreme values|least and largest value|(?P<stroke>stroke|swing)|(?P<ratio>time ratio))"
     rf" of (?:the )?(?P<of>.+?)"
-    rf"(?: over (?:a|one|a full) (?:turn|revolution) of (?:the )?(?P<over>{NAME}))?",
+    rf"(?: over {_TURN})?",
     rank=RANK,
 )
 def _extremes(names: Names, found: Found, path: Path) -> Quantity | None:
+    what: OverTurn = "stroke" if found["stroke"] else "time ratio" if found["ratio"] else "extremes"
+    return _over_a_turn(names, found, what, path)
+
+
+@asked(
+    "greatest | least QUANTITY over a turn [of ANGLE]",
+    rf"(?:(?P<most>greatest|largest|maximum|maximal|highest)|least|smallest|minimum|minimal|lowest) (?:value )?(?:of )?"
+    rf"(?:the )?(?P<of>.+?) over {_TURN}",
+    rank=RANK_OF_ONE,
+)
+def _extreme(names: Names, found: Found, path: Path) -> Quantity | None:
+    return _over_a_turn(names, found, "greatest" if found["most"] else "least", path)
+
+
+def _over_a_turn(names: Names, found: Found, what: OverTurn, path: Path) -> Quantity | None:
     over = found["over"]
     if over is not None:
-        measure = names.measures.get(over)
-        if measure is None or measure.dimension != DIMENSIONLESS:
-            angles = [name for name, m in names.measures.items() if m.dimension == DIMENSIONLESS]
-            told = Message(
-                "{name} is no measure of the model.{hint}"
-                if measure is None
-                else "{name} is no angle of the model.{hint}",
-                name=over,
-                hint=did_you_mean(over, angles),
-            )
-            names.unknown(over, told, *path)
+        over = _angle(names, over, path)
+        if over is None:
             return None
     of = _of_instant(names, found["of"], path)
-    what: OverTurn = "stroke" if found["stroke"] else "time ratio" if found["ratio"] else "extremes"
-    return None if of is None else Extremes(of, over, what)
+    return None if of is None else Extremes(of if what == "time ratio" else of.sized(space=names.space), over, what)
+
+
+def _angle(names: Names, name: str, path: Path) -> str | None:
+    """The name of an angle, of which a body may be meant that it is the angle of."""
+    measure = names.measures.get(name)
+    if measure is None and name in names.bodies:
+        own = next((n for n, m in names.measures.items() if isinstance(m, Angle) and m.of == name), None)
+        if own is not None:
+            return own
+    if measure is not None and measure.dimension == DIMENSIONLESS:
+        return name
+    angles = [n for n, m in names.measures.items() if m.dimension == DIMENSIONLESS]
+    told = Message(
+        "{name} is no measure of the model.{hint}" if measure is None else "{name} is no angle of the model.{hint}",
+        name=name,
+        hint=did_you_mean(name, angles),
+    )
+    names.unknown(name, told, *path)
+    return None

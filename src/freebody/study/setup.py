@@ -17,6 +17,7 @@ from freebody.measures.base import Measure
 from freebody.model.elements import ConstraintRow
 from freebody.numeric.reference import Snapshot
 from freebody.numeric.split import Split, stack
+from freebody.questions.base import Quantity
 from freebody.study.answering.draws import SEED, Draw, draws
 from freebody.symbolic.closure import Closure
 from freebody.symbolic.conditions import Condition, closed, require
@@ -138,6 +139,13 @@ class Setup:
     @cached_property
     def start_instant(self) -> SymbolicState:
         return SymbolicState(self.model, self.start.values, self.start.blow)
+
+    def start_for(self, quantity: Quantity) -> SymbolicState:
+        """The start; for what only the sense of a motion matters to, with one freedom, the pose there."""
+        if not quantity.is_of_pose_in_motion or self.model.degrees_of_freedom != 1:
+            return self.start_instant
+        speeds = {c.speed for c in (*self.model.coordinates, *self.model.dependent)}
+        return SymbolicState(self.model, {k: x for k, x in self.start.values.items() if k not in speeds})
 
     @cached_property
     def motion(self) -> SmoothMotion:

@@ -202,6 +202,16 @@ class SymbolicModel:
         other.loads, other.dynamics, other.reactions = self._forces(still)
         return other
 
+    def kept_going(self, driven: System) -> SymbolicModel:
+        """The same where the drives of a system keep the independent speeds as they are, whatever the loads would
+        change. driven: this system with the rows of those drives, which are no rows of the model: their reactions are
+        among what is found."""
+        other = self.without_accelerations()
+        other.reactions = Reactions(
+            driven, self.bodies, self._configuration, self.kinematics, other.loads, other.dynamics, self.samples
+        )
+        return other
+
     def with_bodies(
         self,
         system: System,

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import dataclass
 from functools import cached_property
 
 from freebody.errors import CannotAnswer, NeverHappens, NotReached
@@ -24,6 +25,15 @@ Places = list[tuple[Ratio, list[float]]]  # a place as a formula, and at every s
 _NEAR = 1e-9
 _TURNS = range(-2, 3)  # by which a place of an angle may differ from the formula's
 _N_STEPS = 64
+
+
+@dataclass(frozen=True)
+class Span:
+    """All places that a motion goes through again and again: between two turns, or (no ends) all round."""
+
+    ends: tuple[Ratio, Ratio] | None
+    needs: list[Need]
+    says: list[str]
 
 
 class EnergyPath:
@@ -88,13 +98,13 @@ class EnergyPath:
         side = self._side(wanted)
         if not sign_of(wanted).is_strict:
             needs = [*needs, (side * wanted, ">")]
-        places = self._places(self.square - wanted * wanted)
+        places = self.places(self.square - wanted * wanted)
         if side == way:
-            at = self._nearest(places, self._numbers(self.q0), way)
+            at = self._nearest(places, self.numbers(self.q0), way)
             needs, says = self._over(self.q0, at, [*needs, *((x, ">") for x in reals(at))])
             return at, needs, says
         turn, more, says = self._turning
-        at = self._nearest(places, self._numbers(turn), -way)
+        at = self._nearest(places, self.numbers(turn), -way)
         needs, words = self._over(self.q0, at, [*needs, *more, *((x, ">") for x in reals(at))])
         return at, needs, [*says, *words]
 
@@ -162,6 +172,24 @@ class EnergyPath:
         turn, others, words = back._turning
         return turn, [*needs, *more, *others], [*says, *words]
 
+    def span(self) -> Span:
+        """All places that the motion goes through. Raises CannotAnswer where it does not come back."""
+        f, turn = self.field, 2 * self.field.pi
+        if self._is_periodic(self.square):
+            begin = self.numbers(self.q0)[0]
+            steps = [begin + math.tau * k / _N_STEPS for k in range(_N_STEPS)]
+            if all(self.model.samples.at_start_with(self.square, 0, {self.c.index: v}) > 0 for v in steps):
+                _way, needs = self._way
+                needs, says = self._over(self.q0, f.lowest_terms(self.q0 + turn), needs)
+                return Span(None, needs, says)
+        (low, below, some), (high, above, more) = (self.extent(side) for side in (-1, 1))
+        return Span((low, high), [*below, *(need for need in above if need not in below)], [*some, *more])
+
+    @property
+    def sense(self) -> int:
+        """+1 if the coordinate grows at first, else -1."""
+        return self._way[0]
+
     def covered(self, at: Ratio) -> tuple[Ratio, Ratio]:
         """The ends of what the coordinate goes through until it comes to a place first after the start: where it turns
         before, that is an end."""
@@ -194,21 +222,34 @@ class EnergyPath:
     def _turning(self) -> tuple[Ratio, list[Need], list[str]]:
         """The place at which the coordinate turns first, and what that needs."""
         way, _needs = self._way
-        turn = self._nearest(self._places(self.square), self._numbers(self.q0), way)
-        needs, says = self._over(self.q0, turn, [(x, ">") for x in reals(turn)])
+        turn = self._nearest(self.places(self.square), self.numbers(self.q0), way)
+        needs, says = self._over(self.q0, turn, [(x, ">") for x in (*reals(turn), *self._ahead(turn))])
         return turn, needs, says
 
+    def _ahead(self, turn: Ratio) -> list[Ratio]:
+        """What must be positive for a place to be on the side on which it was found: where its divisor changes sign it
+        goes beyond all bounds, and comes back from the other side."""
+        if turn.den is None or sign_of(turn.denominator()) is not Sign.UNKNOWN:
+            return []
+        divisor = turn.denominator()
+        return [divisor if self.numbers(divisor)[0] > 0 else -divisor]
+
     # -- places -------------------------------------------------------------------------------
-    def _places(self, x: Ratio) -> Places:
+    def _is_periodic(self, x: Ratio) -> bool:
+        """Whether a function of the coordinate is the same a whole turn on."""
+        f, index = self.field, self.c.index
+        return bool(f.pairs({index, *f.ingredients(x)})) and f.follow(x, {index: f.variable(index) + 2 * f.pi}) == x
+
+    def places(self, x: Ratio) -> Places:
         """The zeros of a function of the coordinate; of an angle also those by whole turns from them."""
         f, found = self.field, Places()
         turn = 2 * f.pi
-        is_periodic = f.follow(x, {self.c.index: f.variable(self.c.index) + turn}) == x
+        is_periodic = self._is_periodic(x)
         for zero in zeros_of(self.model, x.numerator(), self.c, quadratic=True):
             zero = f.lowest_terms(zero)
             for n in _TURNS if is_periodic else (0,):
                 place = zero + n * turn
-                found.append((place, self._numbers(place)))
+                found.append((place, self.numbers(place)))
         return found
 
     def _nearest(self, places: Places, start: Sequence[float], way: int) -> Ratio:
@@ -243,16 +284,16 @@ class EnergyPath:
 
     def _is_maximum(self, place: Ratio) -> bool:
         bend = self.field.derivative(self.field.derivative(self.square, self.c.index), self.c.index)
-        return all(v < 0 for v in self._numbers(self.field.follow(bend, {self.c.index: place})))
+        return all(v < 0 for v in self.numbers(self.field.follow(bend, {self.c.index: place})))
 
     def _over(self, start: Ratio, end: Ratio, known: Sequence[Need]) -> tuple[list[Need], list[str]]:
         """What a way between two places needs besides what is known: u^2 is positive at each of its minima there. In
         words, where not every minimum has a formula. Raises CannotAnswer where something else is in the way."""
         slope = self.field.derivative(self.square, self.c.index)
-        starts, ends = self._numbers(start), self._numbers(end)
+        starts, ends = self.numbers(start), self.numbers(end)
         needs: list[Need] = list(known)
         valleys: list[list[float]] = []
-        for place, numbers in self._places(slope):
+        for place, numbers in self.places(slope):
             inside = [
                 _NEAR < (v - p) / (q - p) < 1 - _NEAR
                 for s, (v, p, q) in enumerate(zip(numbers, starts, ends, strict=True))
@@ -272,7 +313,7 @@ class EnergyPath:
                 s in self._others
                 or math.isnan(p)
                 or math.isnan(q)
-                or not all(self._numbers(x)[s] > -_NEAR for x, _r in needs)
+                or not all(self.numbers(x)[s] > -_NEAR for x, _r in needs)
             ):
                 continue  # it does not get there with these numbers
             steps = [p + (q - p) * (k + 0.5) / _N_STEPS for k in range(_N_STEPS)]
@@ -290,5 +331,6 @@ class EnergyPath:
     def _square_at(self, place: Ratio) -> Ratio:
         return self.field.follow(self.square, {self.c.index: place})
 
-    def _numbers(self, x: Ratio) -> list[float]:
+    def numbers(self, x: Ratio) -> list[float]:
+        """An element at every sample."""
         return self.model.samples.at_starts(x)

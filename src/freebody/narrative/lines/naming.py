@@ -14,6 +14,7 @@ from freebody.narrative.lines.script import Legend, Script, Sentence
 from freebody.questions.reading import Question
 from freebody.study.answering.numbers import work_until
 from freebody.study.answering.passage import smooth_numbers
+from freebody.study.mobility.centres import moving_for
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
 from freebody.system.symbols import reaction_symbols
@@ -71,8 +72,11 @@ def asked_symbol(context: Context, question: Question, n: int = 1) -> Symbol:
         work = partial(work_until, setup, draw=world.draw, event=question.event, end=end)
         return float(quantity.counted(smooth_numbers(setup, world.draw.start(), world.snapshot, work)))
 
+    def of_pose(world: World) -> float:
+        return float(quantity.value(system, moving_for(quantity, world.snapshot)))
+
     if symbol.name not in context.glossary.meanings:
-        read = counted if quantity.scope == "course" else quantity
+        read = counted if quantity.scope == "course" else of_pose if quantity.is_of_pose_in_motion else quantity
         context.glossary.introduce(Meaning(symbol, what, read))
     for k, name in enumerate(names_of(symbol, n) if n > 1 else ()):
         context.glossary.introduce(Meaning(name, what, part(k)))

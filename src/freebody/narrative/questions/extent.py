@@ -1,6 +1,9 @@
-"""How far a motion gets: where the speed that energy gives is zero."""
+"""How far a motion gets: where the speed that energy gives is zero; and the extremes of a quantity over all of it."""
 
 from __future__ import annotations
+
+from dataclasses import replace
+from functools import singledispatch
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
@@ -9,7 +12,11 @@ from freebody.narrative.lines.glossary import World
 from freebody.narrative.lines.naming import asked_as, asked_entry
 from freebody.narrative.lines.script import Argument, DerivationStage
 from freebody.narrative.questions.course_by_energy import first_integral, say_first_integral, square_line
+from freebody.narrative.questions.over_motion import tell_extreme
+from freebody.questions.base import Quantity
+from freebody.questions.extent import ExtremeOfMotion
 from freebody.questions.reading import Question
+from freebody.questions.steady import Extremes
 from freebody.study.answering.answer import Answer
 from freebody.study.answering.extent import extent_in_numbers, turn_of
 from freebody.symbolic.tidy import tidy
@@ -17,10 +24,19 @@ from freebody.symbolic.tidy import tidy
 
 def derive(context: Context, question: Question, answer: Answer, method: Method) -> list[DerivationStage]:
     """The derivation. Raises CannotAnswer where the solver has no formula, or where a law of motion gave it."""
-    setup, quantity = context.setup, question.quantity
-    measure, side = getattr(quantity, "measure", None), int(getattr(quantity, "side", 1))
-    if answer.expression is None or measure is None:
+    if answer.expression is None:
         raise CannotAnswer(answer.reason or Message("there is no closed form"))
+    return _told(question.quantity, context, question, answer, method)
+
+
+@singledispatch
+def _told(
+    quantity: Quantity, context: Context, question: Question, answer: Answer, method: Method
+) -> list[DerivationStage]:
+    setup = context.setup
+    measure, side = getattr(quantity, "measure", None), int(getattr(quantity, "side", 1))
+    if measure is None:
+        raise CannotAnswer(Message("there is no closed form"))
     refuse(method, ("energy",), Message("how far it gets"))
     with setup.motion.on_one_side():
         c, found, x = turn_of(setup, measure, side)
@@ -42,3 +58,15 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
         args: dict[str, Argument] = {"line": square}
         script.line(symbol, tidy(x), why="course.farthest", args=args, uses=(square,), when="never")
     return script.stages
+
+
+@_told.register(ExtremeOfMotion)
+def _extreme(
+    q: ExtremeOfMotion, context: Context, question: Question, answer: Answer, method: Method
+) -> list[DerivationStage]:
+    """Of a quantity over the motion; what a drive keeps going makes one turn after the other."""
+    if context.setup.model.coordinates:
+        return tell_extreme(context, question, q, method)
+    from freebody.narrative.steady.steady import derive as of_turn
+
+    return of_turn(context, replace(question, quantity=Extremes(q.of, None, q.end)), answer, method)

@@ -59,7 +59,7 @@ def _finish_at_start(
     context: Context, script: Script, question: Question, parts: Sequence[Ratio], before: AnswerParts
 ) -> None:
     """What is asked at the start, from symbols whose values there are told."""
-    here, f = context.setup.start_instant, context.setup.model.field
+    here, f = context.setup.start_for(question.quantity), context.setup.model.field
     name = asked_symbol(context, question, len(parts))
     values = tuple(f.lowest_terms(here.here(part)) for part in parts)
     total = before.total
@@ -104,7 +104,7 @@ def finish(
     wanted = tuple(general)
     if question.at_start:
         with script.stage("stage.start", "hint.start"):
-            here = setup.start_instant
+            here = setup.start_for(question.quantity)
             wanted = tuple(f.lowest_terms(here.here(part)) for part in general)
             shown = written(wanted)
             left = side_of(name, len(wanted)) if not is_there else tidy(parts[0])
@@ -139,7 +139,7 @@ def tell_loops(
 
 def _ends_in_answer(context: Context, question: Question, found: Sequence[Ratio]) -> None:
     setup = context.setup
-    state = setup.start_instant if question.at_start else setup.state
+    state = setup.start_for(question.quantity) if question.at_start else setup.state
     wanted = elements(setup.model.field, question.quantity.value(setup.system, state))
     if any(not setup.model.samples.vanishes(a - b) for a, b in zip(found, wanted, strict=True)):
         same_answer(found, wanted)

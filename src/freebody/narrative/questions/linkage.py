@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import singledispatch
 
 from freebody.errors import CannotAnswer
@@ -14,7 +14,17 @@ from freebody.measures.geometry import GROUND, position, unit
 from freebody.narrative.context import Context, Method, refuse
 from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.naming import fresh
-from freebody.narrative.lines.script import Argument, DerivationStage, FormulaTable, Script, Sentence, ready
+from freebody.narrative.lines.script import (
+    Argument,
+    DerivationStage,
+    FormulaTable,
+    NumberedFormula,
+    Script,
+    Sentence,
+    ready,
+)
+from freebody.narrative.steady.extremes import by_the_drive
+from freebody.questions.at_dead_points import AtDeadPoints
 from freebody.questions.base import Quantity
 from freebody.questions.linkages import Assembly, DeadPoints, FullTurn, TransmissionAngle
 from freebody.questions.motion import OfMeasure
@@ -22,6 +32,7 @@ from freebody.questions.reading import Question
 from freebody.questions.steady import Extremes
 from freebody.study.answering.answer import Answer
 from freebody.study.answering.crosscheck import SaysNothing, element_at
+from freebody.study.mobility.at_dead_points import by_crank, values_there
 from freebody.study.mobility.dead_points import DeadPoint, bars_of, dead_points, needs_of, transmission_extreme
 from freebody.study.mobility.four_links import FourLinks
 from freebody.study.mobility.linkages import FourBar, LoopJoint, SliderCrank
@@ -33,6 +44,9 @@ from freebody.study.mobility.loop_answers import (
     reversing,
     transmission_in_numbers,
 )
+from freebody.study.steady.drive import followed
+from freebody.study.steady.round_turn import FullTurn as Turn
+from freebody.symbolic.closure import explicit
 from freebody.symbolic.conditions import Condition
 from freebody.symbolic.tidy import tidy
 
@@ -58,6 +72,11 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
     refuse(method, (), Message("the geometry of a loop"))
     if answer.expression is None:
         raise CannotAnswer(answer.reason or Message("there is no closed form"))
+    return _derived(question.quantity, context, question, answer)
+
+
+@singledispatch
+def _derived(q: Quantity, context: Context, question: Question, answer: Answer) -> list[DerivationStage]:
     try:
         links = four_links(context.setup)
     except CannotAnswer:
@@ -70,6 +89,70 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
     with script.stage("linkage.conclusion", "linkage.conclusion_hint"):
         _concluded(question.quantity, _Told(context, question, answer, links, script, line, distance))
     return script.stages
+
+
+@_derived.register(AtDeadPoints)
+def _(q: AtDeadPoints, context: Context, question: Question, answer: Answer) -> list[DerivationStage]:
+    """The angle of the crank at the dead points, and what is asked as a function of it."""
+    before, watched = context.script(), q.of.watched
+    if watched is not None and not watched[1]:
+        of_pose = DeadPoints(watched[0], q.of.kind)
+        return _derived(of_pose, context, replace(question, quantity=of_pose), answer)
+    looked = by_crank(context.setup, q, four_links)
+    used = by_the_drive(context, before, q.of) if q.of.kinematic_order != 0 else ()
+    turned = Context(looked.system, before.next_number, context.introduced)
+    turned.setup = looked
+    (c,) = looked.model.coordinates
+    measure = looked.model.measure_of(c)
+    assert measure is not None
+    poses = DeadPoints(measure, c.name)
+    named_after = replace(question, quantity=poses, id=c.name)
+    stages = _derived(poses, turned, named_after, answer)
+    last = max(item.number for stage in stages for item in stage.items if isinstance(item, NumberedFormula))
+    turned.next_number = last + 1
+    script = turned.script()
+    links = four_links(looked)
+    with script.stage("stage.value", "hint.value"):
+        _at_each(turned, script, question, links, q, used, last)
+    return [*before.stages, *stages, *script.stages]
+
+
+def _at_each(
+    context: Context,
+    script: Script,
+    question: Question,
+    links: FourLinks,
+    q: AtDeadPoints,
+    used: tuple[int, ...],
+    last: int,
+) -> None:
+    """What is asked as a function of the angle, and its values there."""
+    setup, f = links.setup, links.field
+    (c,) = links.model.coordinates
+    symbol = Symbol(fresh(context, "y", "y_crank"))
+
+    def read(world: World) -> float:
+        return Turn(setup, world.draw, c, q.of).value(world.snapshot.q)
+
+    what = Sentence("steady.followed", {"name": Symbol(c.name)})
+    _introduce(script, Meaning(symbol, what, read, q.unit))
+    general = explicit(links.model, f.lowest_terms(f.element(followed(setup, q.of))))
+    args: dict[str, Argument] = {"lines": used, "name": Symbol(c.name)}
+    why = "steady.driven" if used else "steady.quantity"
+    first = script.line(symbol, tidy(general), why=why, args=args, uses=used)
+    found = values_there(links, q)
+    for k, (point, value) in enumerate(found):
+
+        def there(world: World, point: DeadPoint = point) -> float:
+            turn = Turn(setup, world.draw, c, q.of)
+            (angle,) = element_at(setup, point.value, world.draw, turn.start)
+            return turn.at(math.remainder(angle - turn.here, math.tau))
+
+        name = _asked(context, question, k, len(found))
+        told = Sentence("linkage.dead_symbol", {"name": question.text, "where": ready(point.where)})
+        _introduce(script, Meaning(name, told, there, q.unit))
+        given: dict[str, Argument] = {"lines": (first, last)}
+        script.line(name, tidy(value), why="linkage.there", args=given, uses=(first, last), when="never")
 
 
 @singledispatch

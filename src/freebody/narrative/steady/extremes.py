@@ -15,16 +15,27 @@ from freebody.narrative.context import Context
 from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.naming import fresh, named
 from freebody.narrative.lines.script import Argument, DerivationStage, FormulaTable, Script, Sentence
-from freebody.narrative.principles.momentum import parts_of
+from freebody.narrative.principles.momentum import by_momentum, parts_of
+from freebody.narrative.questions.over_motion import tell_extreme
 from freebody.narrative.space.spatial import SpatialTelling
 from freebody.numeric.jets import Array
+from freebody.questions.base import Quantity
+from freebody.questions.extent import ExtremeOfMotion
 from freebody.questions.reading import Question
 from freebody.questions.steady import Extremes
 from freebody.study.answering.answer import Answer
 from freebody.study.answering.crosscheck import holds
 from freebody.study.answering.finding import Elements
 from freebody.study.steady.ask import looked_at
-from freebody.study.steady.extremes import ExtremaSearch, angle_of, at_start_but_for, elsewhere, told
+from freebody.study.steady.drive import FreeToTurn, followed
+from freebody.study.steady.extremes import (
+    ExtremaSearch,
+    angle_of,
+    at_start_but_for,
+    elsewhere,
+    is_of_motion,
+    told,
+)
 from freebody.study.steady.round_turn import STEP, FullTurn
 from freebody.study.steady.turning import Extremum, TurningAngle
 from freebody.symbolic.closure import explicit
@@ -37,15 +48,20 @@ _PLACE = 1e-9  # [rad] the place of an extreme; its value is far better
 
 def tell_extremes(context: Context, question: Question, answer: Answer, q: Extremes) -> list[DerivationStage]:
     """The quantity, its slope, the stationary places, the extreme values."""
-    setup = looked_at(context.setup, question)
-    if setup is not context.setup and q.of.kinematic_order:
-        raise CannotAnswer(Message("extremes of rates in a turn that is driven are not told step by step"))
+    setup, before = looked_at(context.setup, question), context
+    lead = context.script()
+    is_driven = isinstance(setup, FreeToTurn) and q.of.kinematic_order != 0
+    drawn = by_the_drive(context, lead, q.of) if is_driven else ()
     if setup is not context.setup:
-        context = Context(setup.system, context.next_number, context.introduced)
-        setup = context.setup
+        context = Context(setup.system, lead.next_number, context.introduced)
+        context.setup = setup
     model = setup.model
     f = model.field
-    x = explicit(model, f.lowest_terms(f.element(q.of.value(setup.system, setup.state))))
+    x = explicit(model, f.lowest_terms(f.element(followed(setup, q.of))))
+    if is_of_motion(setup, question, x):
+        if q.what not in ("least", "greatest"):
+            raise CannotAnswer(Message("of a motion the greatest and the least value are derived one by one"))
+        return tell_extreme(context, question, ExtremeOfMotion(q.of, q.what), "auto")
     c = angle_of(model, q, x)
     general = x
     x = at_start_but_for(setup, question, x, c)
@@ -55,12 +71,18 @@ def tell_extremes(context: Context, question: Question, answer: Answer, q: Extre
     found = search.stationary(x)
     least, largest = search.ordered(found)
     script = context.script()
-    uses = _leading_up(context, script, q)
+    uses = drawn or _leading_up(context, script, q)
     with script.stage("steady.turn", "steady.turn_hint"):
         symbol = Symbol(fresh(context, "y", "y_turn"))
-        named(context, script, Meaning(symbol, Sentence("steady.followed", {"name": Symbol(c.name)}), q.of))
-        args: dict[str, Argument] = {"lines": uses}
-        first = script.line(symbol, tidy(general), why="steady.quantity", args=args, uses=uses)
+
+        def read(world: World) -> float:
+            return FullTurn(setup, world.draw, c, q.of).value(world.snapshot.q)
+
+        meaning = Meaning(symbol, Sentence("steady.followed", {"name": Symbol(c.name)}), read if is_driven else q.of)
+        named(context, script, meaning)
+        args: dict[str, Argument] = {"lines": uses, "name": Symbol(c.name)}
+        why = "steady.driven" if is_driven else "steady.quantity"
+        first = script.line(symbol, tidy(general), why=why, args=args, uses=uses)
         script.say("steady.slope", name=Symbol(c.name), factor=tidy(_slope(turning, x, c)))
         _table(script, found, c.name)
     with script.stage("stage.value"):
@@ -76,9 +98,16 @@ def tell_extremes(context: Context, question: Question, answer: Answer, q: Extre
         given: dict[str, Argument] = {"line": first}
         values = (tidy(least.value), tidy(largest.value))
         last = script.line(names, values, why="steady.ordered", args=given, uses=(first,), when="never")
-        if q.what != "extremes":
+        if q.what in ("stroke", "time ratio"):
             _between(context, script, question, sweep, told(search, q, least, largest), last)
-    return script.stages
+    return [*(lead.stages if context is not before else ()), *script.stages]
+
+
+def by_the_drive(context: Context, script: Script, of: Quantity) -> tuple[int, ...]:
+    """The forces and accelerations that are in the quantity, at any instant of the drive; the lines that give them."""
+    _parts, unknowns = parts_of(context, of)
+    found = by_momentum(context, script, unknowns) if unknowns else {}
+    return tuple(line for _value, line in found.values())
 
 
 def _between(context: Context, script: Script, question: Question, sweep: _Sweep, found: Elements, last: int) -> None:

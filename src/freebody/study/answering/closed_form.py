@@ -18,12 +18,13 @@ from freebody.language.sentences import Message, further
 from freebody.numeric.snapshot import Snapshot
 from freebody.questions.base import Quantity, Wanted
 from freebody.questions.clock import Clock
-from freebody.questions.extent import Extent
+from freebody.questions.extent import Extent, ExtremeOfMotion
 from freebody.questions.freedom import DegreesOfFreedom
 from freebody.questions.happening import StableEquilibrium
 from freebody.questions.period import Period
 from freebody.questions.reading import AskedEvent, Question, QuestionEvent
 from freebody.questions.small_motion import Equilibrium, OfSmallMotion, SmallOscillations
+from freebody.questions.steady import Extremes
 from freebody.study.answering import evidence as proof
 from freebody.study.answering import loops
 from freebody.study.answering.answer import Answer, Evidence, Value, made
@@ -49,6 +50,7 @@ from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.unknowns import Coordinate
 from freebody.symbolic.validity import texts, validity
+from freebody.symbolic.written import HasNoValue
 from freebody.system.system import System
 
 _MOST_RESTS = 4  # that are named beside the one that is meant
@@ -109,11 +111,11 @@ class QuestionSolver:
             from freebody.study.steady.ask import number as number_of_turn
 
             return number_of_turn(q.quantity, self.setup, q)
-        if (
-            not self.setup.has_values
-            or q.quantity.scope in ("steady motion", "linkage")
-            or q.quantity.wanted is not None
-        ):
+        if q.quantity.scope == "linkage" and self.setup.has_values:
+            from freebody.study.mobility.loop_answers import number as number_of_loop
+
+            return number_of_loop(q.quantity, self.setup)
+        if not self.setup.has_values or q.quantity.scope == "steady motion" or q.quantity.wanted is not None:
             return None
         return number_of(self.setup, q.quantity, q.event)
 
@@ -125,18 +127,26 @@ class QuestionSolver:
         if q.wanted is not None:
             return self._turned_round(q.wanted)
         if q.scope == "steady motion":
-            from freebody.study.steady.ask import find, looked_at
-
-            self.setup = looked_at(self.setup, self.question)
-            self.model, self.system = self.setup.model, self.setup.system
-            return find(self.setup, self.question)
+            return self._steady()
         if q.scope == "linkage":
-            from freebody.study.mobility.loop_answers import find as find_of_loop
+            from freebody.study.mobility import loop_answers
 
-            return find_of_loop(self.setup, self.question)
+            self._look(loop_answers.looked_at(self.setup, self.question))
+            return loop_answers.find(self.setup, self.question)
         if self.question.event is not None:
             return self._at_event(q)
         return self._found(q)
+
+    def _steady(self) -> Finding:
+        """Of motion that goes on evenly, in the system as the question looks at it."""
+        from freebody.study.steady.ask import find, looked_at
+
+        self._look(looked_at(self.setup, self.question))
+        return find(self.setup, self.question)
+
+    def _look(self, setup: Setup) -> None:
+        """Goes on in another setup: that of the system as the question looks at it."""
+        self.setup, self.model, self.system = setup, setup.model, setup.system
 
     def _turned_round(self, q: Wanted) -> Finding:
         """The formula of what is to have a value, solved for a parameter."""
@@ -171,8 +181,10 @@ class QuestionSolver:
     def _found(self, q: Quantity) -> Finding:
         """By the kind of question: what has no finder of its own is a property of an instant."""
         at_start = self.question.at_start
-        self._state = state = self._start_of(q) if at_start else self.setup.state
+        self._state = state = self.setup.start_for(q) if at_start else self.setup.state
         x = self._elements(q, state)
+        if state is not self.setup.start_instant and at_start:
+            self._check_pose_alone(x)
         remark = q.remark(self.system)
         if all(part.is_zero() for part in (x if isinstance(x, tuple) else (x,))):
             remark = q.remark_on_zero(self.system) or remark
@@ -188,13 +200,12 @@ class QuestionSolver:
         dof = self.model.degrees_of_freedom
         return Finding(Fraction(dof), proof.freedom(self.setup, self.question.text, dof))
 
-    def _start_of(self, q: Quantity) -> SymbolicState:
-        """The start; for an instant centre with one freedom, whose speed cancels, the pose at the start."""
-        if not q.is_of_pose_in_motion or self.model.degrees_of_freedom != 1:
-            return self.setup.start_instant
+    def _check_pose_alone(self, x: Elements) -> None:
+        """Raises CannotAnswer where what the pose alone should tell depends on the sense of the motion as well."""
         speeds = {c.speed for c in (*self.model.coordinates, *self.model.dependent)}
-        values = self.setup.start.values
-        return SymbolicState(self.model, {k: x for k, x in values.items() if k not in speeds})
+        for part in x if isinstance(x, tuple) else (x,):
+            if self.model.field.ingredients(part) & speeds:
+                raise HasNoValue(Message("it depends on which way it moves; ask for the ratio of two speeds"))
 
     def _elements(self, q: Quantity, state: SymbolicState) -> Elements:
         value = q.value(self.system, state)
@@ -282,6 +293,15 @@ class QuestionSolver:
         from freebody.study.answering.extent import find
 
         return find(self.setup, self.question.text, q.measure, q.side)
+
+    @_found.register(ExtremeOfMotion)
+    def _extreme(self, q: ExtremeOfMotion) -> Finding:
+        from freebody.study.answering.motion_extremes import find
+
+        if not self.model.coordinates:  # what a drive keeps going makes one turn after the other
+            self.question = replace(self.question, quantity=Extremes(q.of, None, q.end))
+            return self._steady()
+        return find(self.setup, self.question.text, q.of, (q.side,))
 
     # -- small oscillations and equilibrium ---------------------------------------------------
     @_found.register(SmallOscillations)

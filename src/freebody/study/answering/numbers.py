@@ -11,7 +11,7 @@ from freebody.language.sentences import Message
 from freebody.numeric.reference import Snapshot
 from freebody.questions.base import Quantity
 from freebody.questions.clock import Clock
-from freebody.questions.extent import Extent
+from freebody.questions.extent import Extent, ExtremeOfMotion
 from freebody.questions.loads import Power
 from freebody.questions.period import Period
 from freebody.questions.reading import AskedEvent
@@ -91,6 +91,17 @@ def _extent_number(quantity: Extent, setup: Setup, event: AskedEvent | None, dra
     from freebody.study.answering.extent import extent_in_numbers
 
     return extent_in_numbers(draw, quantity.measure, quantity.side)
+
+
+@_number.register(ExtremeOfMotion)
+def _extreme_number(
+    quantity: ExtremeOfMotion, setup: Setup, event: AskedEvent | None, draw: Draw
+) -> float | tuple[float, ...]:
+    from freebody.study.answering.motion_values import extremes_over_cycle
+
+    measure = next(iter(setup.system.measures.values()), None)
+    low, high = extremes_over_cycle(setup, draw, measure, quantity.of, is_exact=True)
+    return low if quantity.side < 0 else high
 
 
 @_number.register(OfSmallMotion)

@@ -123,6 +123,12 @@ def number(measure: Measure | None, setup: Setup, draw: Draw) -> float:
 def period_in_numbers(draw: Draw, measure: Measure, until: float, *, is_exact: bool) -> float:
     """From one turn to the next but one; of what turns over, the time of a whole turn. is_exact: whether the whole
     state must be taken up again."""
+    first, last = cycle(draw, measure, until, is_exact=is_exact)
+    return last - first
+
+
+def cycle(draw: Draw, measure: Measure, until: float, *, is_exact: bool) -> tuple[float, float]:
+    """The instants between which a period is counted. Raises SaysNothing where there is none until `until`."""
     start = draw.start()
     begin, rate = start.value(measure), start.rate(measure)
     whole = begin + math.copysign(2 * math.pi, rate)
@@ -142,7 +148,7 @@ def period_in_numbers(draw: Draw, measure: Measure, until: float, *, is_exact: b
         states = [_state(engine, course, k) for k, t in enumerate(course.times) if t in (first, last)]
         if len(states) != 2 or not _is_same(*states):
             raise CannotAnswer(Message("the motion does not repeat itself"))
-    return last - first
+    return first, last
 
 
 def _state(engine: Engine, course: Trajectory, k: int) -> Array:

@@ -119,6 +119,14 @@ def motion_to(
     return found
 
 
+def states_at(reference: Reference, start: Snapshot, times: Array) -> tuple[NumericSnapshot, ...]:
+    """The states of a motion at some instants, in their order. Raises CannotAnswer where it does not go on so long."""
+    course, links = _followed(reference, start, float(times[-1]) + _SOON, [], times)
+    if course.status not in (Status.FINISHED, Status.TOO_LONG) or len(links) < len(times):
+        raise CannotAnswer(course.message or Message("the motion does not go on"))
+    return links[: len(times)]
+
+
 def _at_time(reference: Reference, start: Snapshot, time: float, times: Array | None) -> Found:
     """The motion to an instant by the clock."""
     if time < start.t:

@@ -29,12 +29,13 @@ from freebody.measures.geometry import GROUND, Pose
 from freebody.numeric.jets import Array
 from freebody.numeric.mobility.path import MotionPath, trace
 from freebody.numeric.reference import Reference
+from freebody.questions.at_dead_points import AtDeadPoints
 from freebody.questions.base import Quantity
 from freebody.questions.linkages import Assembly, DeadPoints, FullTurn, TransmissionAngle
 from freebody.questions.motion import OfMeasure
 from freebody.questions.reading import Question, QuestionEvent
 from freebody.questions.steady import Extremes
-from freebody.study.answering.answer import Evidence
+from freebody.study.answering.answer import Evidence, Value
 from freebody.study.answering.conditions import real
 from freebody.study.answering.crosscheck import INSTANT_TOLERANCE, CrossCheck, SaysNothing, element_at
 from freebody.study.answering.draws import SEED, Draw, draws
@@ -70,6 +71,36 @@ def find(setup: Setup, question: Question) -> Finding:
     if setup.system.space:
         raise CannotAnswer(Message("four-bars and slider-cranks are told in the plane only"))
     return _find(question.quantity, setup, question)
+
+
+def looked_at(setup: Setup, question: Question) -> Setup:
+    """The system as a question looks at it."""
+    return _looked_at(question.quantity, setup)
+
+
+@singledispatch
+def _looked_at(q: Quantity, setup: Setup) -> Setup:
+    return setup
+
+
+@_looked_at.register(AtDeadPoints)
+def _(q: AtDeadPoints, setup: Setup) -> Setup:
+    from freebody.study.mobility.at_dead_points import by_crank
+
+    return by_crank(setup, q, four_links)
+
+
+@singledispatch
+def number(q: Quantity, setup: Setup) -> Value:
+    """What is asked by the numeric route, at the model's own values; None where that is not looked for."""
+    return None
+
+
+@number.register(AtDeadPoints)
+def _(q: AtDeadPoints, setup: Setup) -> Value:
+    from freebody.study.mobility.at_dead_points import numbers_there
+
+    return numbers_there(four_links(setup), q, setup.draws[0])
 
 
 @singledispatch
@@ -316,6 +347,14 @@ def _room(links: FourLinks, draw: Draw) -> tuple[float, ...]:
 
 
 # -- dead points ------------------------------------------------------------------------------
+@_find.register(AtDeadPoints)
+def _at_dead_points(q: AtDeadPoints, setup: Setup, question: Question) -> Finding:
+    from freebody.study.mobility.at_dead_points import find as find_there
+
+    _plain(question)
+    return find_there(four_links(setup), question, q)
+
+
 @_find.register(DeadPoints)
 def _dead_points(q: DeadPoints, setup: Setup, question: Question) -> Finding:
     _plain(question)

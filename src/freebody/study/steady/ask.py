@@ -23,10 +23,9 @@ def find(setup: Setup, question: Question) -> Finding:
 
 
 def looked_at(setup: Setup, question: Question) -> Setup:
-    """The system as a question looks at it: what geometry tells of the poses of a turn, and of rates in them, asks of a
-    drive at a constant rate no more than that."""
-    quantity = question.quantity
-    if not quantity.is_of_turn or quantity.inner[0].kinematic_order is None:
+    """The system as a question looks at it: for what is so in the poses of a turn the drive is left out that turns it
+    evenly."""
+    if not question.quantity.is_of_turn:
         return setup
     from freebody.study.steady.drive import without_drive
 
@@ -48,11 +47,19 @@ def _number_of_turn(q: Extremes, setup: Setup, question: Question) -> Value:
 
     if q.what == "time ratio" or question.at_start:
         return None
-    x = followed(setup, q)
+    x = followed(setup, q.of)
     refuse_vectors((x,))
     c = angle_of(setup.model, q, explicit(setup.model, setup.model.field.element(x)))
     least, largest = extremes_in_numbers(FullTurn(setup, setup.draws[0], c, q.of))
-    return (least, largest) if q.what == "extremes" else largest - least
+    match q.what:
+        case "extremes":
+            return least, largest
+        case "least":
+            return least
+        case "greatest":
+            return largest
+        case _:
+            return largest - least
 
 
 @singledispatch

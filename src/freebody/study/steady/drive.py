@@ -1,18 +1,22 @@
 """A turn that is driven, as one that is free: the poses are the same, and the rates in them those of the drive.
 
 With theta' = w constant, what geometry tells of a mechanism with one freedom is, over the turn of theta, a function of
-theta alone: x = x(theta), x' = x_theta w, x'' = x_theta_theta w^2.
+theta alone: x = x(theta), x' = x_theta w, x'' = x_theta_theta w^2. Forces follow from these by Newton-Euler of every
+body, in which the drive is the reaction that keeps theta'' = 0 (d'Alembert's principle).
+Source: Norton, Design of Machinery, 5th ed. 2012, sec. 11.2 to 11.4.
 """
 
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Any
+from typing import Any, cast
 
+from freebody.errors import CannotAnswer
 from freebody.language.expression import ZERO, Expr, differentiate, free_symbols
+from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS
 from freebody.model.elements import ConstraintRow, NonholonomicForm
-from freebody.questions.steady import Extremes
+from freebody.questions.base import Quantity
 from freebody.study.setup import Setup
 from freebody.symbolic.state import SymbolicState
 from freebody.system.system import System
@@ -41,11 +45,25 @@ def without_drive(setup: Setup) -> Setup:
     return FreeToTurn(system, drives[0], rate) if differentiate(rate, "t") == ZERO else setup
 
 
-def followed(setup: Setup, q: Extremes) -> Any:
+def followed(setup: Setup, of: Quantity) -> Any:
     """The quantity over the turn: its rates are those of the drive, where that is left out."""
     model, system = setup.model, setup.system
-    if not isinstance(setup, FreeToTurn) or not q.of.kinematic_order:
-        return q.of.value(system, setup.state)
+    if not isinstance(setup, FreeToTurn) or of.kinematic_order == 0:
+        return of.value(system, setup.state)
     rate = model.geometry.scalar(setup.rate)
     turned = next(c for c in model.coordinates if model.measure_of(c) == setup.drive.measure)
-    return q.of.value(system, SymbolicState(model.without_accelerations(), {turned.speed: rate}))
+    if len(model.coordinates) > 1:
+        raise CannotAnswer(Message("beside the drive something else is free to move, which has a motion of its own"))
+    state = SymbolicState(model.kept_going(setup.driven), {turned.speed: rate})
+    value: Any = of.value(setup.driven, state)
+    for x in map(model.field.element, _parts(value)):
+        if any(model.field.generators[g].kind == "time" for g in model.field.ingredients(x)):
+            raise CannotAnswer(
+                Message("a load depends on the time as well as on the angle: no turn is as the one before")
+            )
+    return value
+
+
+def _parts(value: Any) -> tuple[Any, ...]:
+    """The components of a vector, or a number alone."""
+    return cast("tuple[Any, ...]", value) if isinstance(value, tuple) else (value,)

@@ -18,8 +18,10 @@ from freebody.questions.base import Quantity
 from freebody.questions.reading import Question
 from freebody.questions.steady import Extremes
 from freebody.study.answering.finding import Elements, Finding
+from freebody.study.answering.motion_extremes import along
+from freebody.study.answering.motion_extremes import find as over_motion
 from freebody.study.setup import Setup
-from freebody.study.steady.drive import followed
+from freebody.study.steady.drive import FreeToTurn, followed
 from freebody.study.steady.reduced import odd_part
 from freebody.study.steady.round_turn import FullTurn, over_a_turn
 from freebody.study.steady.turning import Extremum, TurningAngle, TurnPose
@@ -37,10 +39,14 @@ from freebody.symbolic.unknowns import Coordinate
 def extremes(setup: Setup, question: Question, q: Extremes) -> Finding:
     """(least, largest). Raises CannotAnswer where they have no closed form, or there is none."""
     model = setup.model
-    value = followed(setup, q)
+    value = followed(setup, q.of)
     if isinstance(value, tuple):
         raise CannotAnswer(Message("a vector has no extremes; ask for its size or for a component along a direction"))
     x = explicit(model, model.field.lowest_terms(model.field.element(value)))
+    if is_of_motion(setup, question, x):
+        return _over_motion(setup, question, q)
+    if q.what in ("least", "greatest") and not _moving(model, x):
+        return _constant(setup, question, q, x)
     c = angle_of(model, q, x)
     x = at_start_but_for(setup, question, x, c)
     turning = TurningAngle(model, c, elsewhere(setup, c, q.of))
@@ -49,10 +55,51 @@ def extremes(setup: Setup, question: Question, q: Extremes) -> Finding:
     search.must_exist(x)
     search.must_go_round(setup)
     least, largest = search.ordered(search.stationary(x))
-    evidence = over_a_turn(setup, question.text, q.of, c, least, largest, search.conditions)
+    conditions = search.conditions + _kept(setup, turning)
+    evidence = over_a_turn(setup, question.text, q.of, c, least, largest, conditions)
     notes = [_where(Message("least"), least, c), _where(Message("largest"), largest, c), *turning.notes]
     element = told(search, q, least, largest)
-    return Finding(element, evidence, search.conditions + _kept(setup, turning), notes)
+    return Finding(element, evidence, conditions, notes)
+
+
+def _moving(model: SymbolicModel, x: Ratio) -> list[Coordinate]:
+    """The coordinates on which it depends, by place or by speed."""
+    inside = model.field.ingredients(x)
+    return [c for c in model.coordinates if inside & {c.index, c.speed}]
+
+
+def is_of_motion(setup: Setup, question: Question, x: Ratio) -> bool:
+    """Whether it depends on how fast something turns that no drive keeps going: then the motion itself tells that."""
+    speeds = {c.speed for c in setup.model.coordinates}
+    is_free = not isinstance(setup, FreeToTurn) and bool(setup.system.start_rates)
+    return is_free and not question.at_start and bool(speeds & setup.model.field.ingredients(x))
+
+
+def _over_motion(setup: Setup, question: Question, q: Extremes) -> Finding:
+    """Over a turn of what turns by itself, as fast as energy lets it."""
+    if q.what == "time ratio":
+        raise CannotAnswer(Message("it is meant of an angle that turns evenly"))
+    if along(setup, q.of).span.ends is not None:
+        raise CannotAnswer(Message("it turns back, and makes no full turn: ask for the greatest value over the motion"))
+    sides = {"least": (-1,), "greatest": (1,)}.get(q.what, (-1, 1))
+    found = over_motion(setup, question.text, q.of, sides)
+    if q.what == "stroke" and isinstance(found.element, tuple):
+        least, largest = found.element
+        found.element = setup.model.field.lowest_terms(largest - least)
+    return found
+
+
+def _constant(setup: Setup, question: Question, q: Extremes, x: Ratio) -> Finding:
+    """What is the same in every pose."""
+    angles = [c for c in setup.model.coordinates if setup.model.field.pair_of(c.index) is not None]
+    named = setup.model.system.measures.get(q.over or "")
+    found = [c for c in angles if named is None or setup.model.measure_of(c) == named]
+    if len(found) != 1:
+        raise CannotAnswer(Message("the quantity is the same in every pose"))
+    same = Extremum(x, ())
+    conditions = setup.holding(setup.state)
+    evidence = over_a_turn(setup, question.text, q.of, found[0], same, same, conditions)
+    return Finding(x, evidence, conditions, [Message("it is the same in every pose")])
 
 
 def elsewhere(setup: Setup, c: Coordinate, quantity: Quantity) -> list[dict[int, Any]]:
@@ -67,10 +114,12 @@ def elsewhere(setup: Setup, c: Coordinate, quantity: Quantity) -> list[dict[int,
 
 
 def told(search: ExtremaSearch, q: Extremes, least: Extremum, largest: Extremum) -> Elements:
-    """What is asked of the two: both, how far they are apart, or the ratio of the angles between their places. What
-    that takes to be as at the first sample becomes a condition."""
+    """What is asked of the two: both, one of them, how far they are apart, or the ratio of the angles between their
+    places. What that takes to be as at the first sample becomes a condition."""
     if q.what == "extremes":
         return least.value, largest.value
+    if q.what in ("least", "greatest"):
+        return least.value if q.what == "least" else largest.value
     f = search.field
     if q.what == "stroke":
         return f.lowest_terms(largest.value - least.value)

@@ -40,7 +40,8 @@ def over_a_turn(
     largest: Extremum,
     conditions: list[Condition],
 ) -> Evidence:
-    """At the extremal poses the full system has these values, in the others values between them."""
+    """At the extremal poses the full system has these values, in the others values between them. What is the same in
+    every pose has no extremal ones."""
     route = Message("the full system at the extremal poses and at {n} others round the turn", n=N_POSES)
     reached = CrossCheck(question, route, INSTANT_TOLERANCE)
     between = CrossCheck(question, route, INSTANT_TOLERANCE)
@@ -50,7 +51,7 @@ def over_a_turn(
         if not all(holds(setup, k, draw, turn.start) for k in conditions):
             return
         low, high = element_at(setup, (least.value, largest.value), draw, turn.start)
-        poses = [turn.angle_of(e) for e in (least, largest)]
+        poses = [turn.angle_of(e) if e.places else 0.0 for e in (least, largest)]
         reached.compare(draw, (low, high), tuple(map(turn.at, poses)))
         outside = max(max(low - value, value - high, 0.0) for value in turn.values())
         between.compare(draw, 1.0, 1.0 + outside / max(abs(low), abs(high)))
@@ -118,7 +119,7 @@ class FullTurn:
         return q
 
     def value(self, q: Array) -> float:
-        if isinstance(self.setup, FreeToTurn) and self.quantity.kinematic_order:
+        if isinstance(self.setup, FreeToTurn) and self.quantity.kinematic_order != 0:
             return float(self.quantity.value(self.setup.driven, self._driven(self.setup, q)))
         return float(self.quantity.value(self.setup.system, self.draw.seen(self._snapshot(q))))
 

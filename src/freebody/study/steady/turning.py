@@ -34,6 +34,7 @@ from freebody.symbolic.waves import sine_form
 from freebody.tolerances import ROUND_OFF
 
 _NEVER = (Sign.NEGATIVE, Sign.NONPOSITIVE)  # of what is under a root: at most in single cases of the parameters
+_MOST_TERMS = 12  # of an expression that is shown
 _DEEPEST = 14  # halvings of a sixteenth of a turn
 _flint: Any = flint
 _QUARTERS = {(1, 0): ("0", "0"), (0, 1): ("90°", "pi/2"), (-1, 0): ("180°", "pi"), (0, -1): ("-90°", "-pi/2")}
@@ -63,6 +64,11 @@ class Extremum:
 
     value: Ratio
     places: tuple[TurnPose, ...]
+
+
+def _shown(x: Ratio) -> str:
+    """An expression, or that it is a long one."""
+    return to_text(tidy(x)) if len(x.num) <= _MOST_TERMS else Message("a sum of {n} terms", n=len(x.num))
 
 
 def tidy_name(name: str) -> Any:
@@ -157,7 +163,7 @@ class TurningAngle:
             return self._with_root(base)
         own = [i for i in base.generators() if self.moves(i)]
         if any(i not in (self.cos, self.sin) for i in own):
-            raise CannotAnswer(Message("where {x} vanishes has no closed form", x=to_text(tidy(base))))
+            raise CannotAnswer(Message("where {x} vanishes has no closed form", x=_shown(base)))
         if own == [self.cos]:
             return self._in_one(base, base.coefficients(self.cos), lambda u, w: ((u, w), (u, -w)))
         in_sin = self._in_sine(base)
@@ -245,7 +251,7 @@ class TurningAngle:
     def _prove_no_zero(self, base: Ratio) -> None:
         """Raises CannotAnswer unless the factor keeps its sign round the turn at all samples."""
         samples = self.model.samples
-        shown, starts = to_text(tidy(base)), [samples.numbers(s) for s in samples.points if s.is_start]
+        shown, starts = _shown(base), [samples.numbers(s) for s in samples.points if s.is_start]
         starts += self.others
         for numbers in starts:
             if not self._keeps_its_sign(base, numbers):

@@ -1,0 +1,72 @@
+"""The greatest or least value over a motion: the quantity as a function of the place, where its slope vanishes, and the
+turns."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from freebody.errors import CannotAnswer
+from freebody.language.expression import Symbol, number, power
+from freebody.language.sentences import Message, Sentence
+from freebody.narrative.context import Context, Method, refuse
+from freebody.narrative.lines.glossary import Meaning, World
+from freebody.narrative.lines.naming import asked_as, asked_entry, fresh, named
+from freebody.narrative.lines.script import Argument, DerivationStage, FormulaTable, Script
+from freebody.narrative.principles.momentum import by_momentum, parts_of
+from freebody.narrative.questions.course_by_energy import first_integral, say_first_integral, square_line
+from freebody.questions.extent import ExtremeOfMotion
+from freebody.questions.reading import Question
+from freebody.study.answering.motion_extremes import Along, Stationary, along
+from freebody.study.answering.motion_values import extremes_over_cycle
+from freebody.symbolic.tidy import tidy
+
+
+def tell_extreme(context: Context, question: Question, q: ExtremeOfMotion, method: Method) -> list[DerivationStage]:
+    """The quantity as a function of the place, by energy; where its slope vanishes, and its values there and at the
+    turns."""
+    setup, model = context.setup, context.setup.model
+    refuse(method, ("energy",), Message("what is greatest over a motion"))
+    if len(model.coordinates) > 1:
+        raise CannotAnswer(Message("energy and momentum of several freedoms are told without a derivation here"))
+    f, script = model.field, context.script()
+    with setup.motion.on_one_side():
+        seen = along(setup, q.of)
+        found = seen.candidates()
+        chosen = seen.best(found, q.side)
+    parts, unknowns = parts_of(context, q.of)
+    forces = by_momentum(context, script, unknowns) if unknowns else {}
+    lines = first_integral(context, script)
+    with script.stage("stage.event", "hint.event"):
+        say_first_integral(context, script, seen.c)
+        square = square_line(context, script, seen.c, lines, "start")
+    with script.stage("steady.motion", "steady.motion_hint"):
+        symbol = Symbol(fresh(context, "y", "y_motion"))
+        named(context, script, Meaning(symbol, Sentence("steady.followed_all", {"name": Symbol(seen.c.name)}), q.of))
+        general = f.lowest_terms(f.follow(parts[0], {u: value for u, (value, _line) in forces.items()}))
+        uses = tuple(line for _value, line in forces.values())
+        first = script.line(symbol, tidy(general), why="steady.quantity", args={"lines": uses}, uses=uses)
+        args: dict[str, Argument] = {"line": square}
+        x = f.lowest_terms(seen.even + seen.odd * f.variable(seen.c.speed))
+        left = symbol if not seen.is_root else power(symbol, number(2))
+        last = script.line(left, tidy(x), why="steady.by_energy", args=args, uses=(first, square), when="start")
+        table_of_places(context, script, seen, found)
+    with script.stage("stage.value"):
+
+        def read(world: World) -> float:
+            low, high = extremes_over_cycle(setup, world.draw, model.measure_of(seen.c), q.of)
+            return low if q.side < 0 else high
+
+        name = asked_as(context, question, read)
+        script.add(asked_entry(name, question))
+        args = {"line": last}
+        why = "steady.greatest" if q.side > 0 else "steady.lowest"
+        script.line(name, tidy(seen.value_of(chosen)), why=why, args=args, uses=(last,), when="never")
+    return script.stages
+
+
+def table_of_places(context: Context, script: Script, seen: Along, found: Sequence[Stationary]) -> None:
+    """The places of the motion at which the quantity can be extreme, with its values."""
+    script.say("steady.places_of_motion", name=Symbol(seen.c.name))
+    header = (Sentence("steady.table_place"), Sentence("steady.table_value"))
+    rows = [(seen.place_text(s), tidy(seen.value_of(s))) for s in found if seen.is_inside(s)]
+    script.add(FormulaTable(header, tuple(rows)))

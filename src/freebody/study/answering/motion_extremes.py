@@ -1,0 +1,348 @@
+"""The least and the largest value of a quantity over a motion that repeats itself.
+
+With one freedom and u^2 = W(q) by energy the motion goes to and fro between two turns, or round and round, and is in
+every place as fast as the time before. A quantity of the state is there A(q) + B(q) u, so that its extremes over the
+whole motion are those over the places it goes through: at the turns, where u = 0, or where the slope along q vanishes,
+
+    A' + B' u + B W'/(2 u) = 0,  u = +-sqrt(W):      4 A'^2 W = (2 B' W + B W')^2       (B' W + B W'/2 = 0 for A' = 0).
+
+Source: Goldstein, Poole & Safko, Classical Mechanics, 3rd ed. 2002, sec. 3.3 (one-dimensional problem, turning points).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+from freebody.errors import CannotAnswer, NotReached
+from freebody.language.expression import Symbol
+from freebody.language.notation import compared, reworded
+from freebody.language.sentences import Message
+from freebody.model.elements import ConstraintRow
+from freebody.model.state import State
+from freebody.questions.base import Described, Quantity
+from freebody.study.answering.crosscheck import (
+    MIN_DRAWS,
+    MOTION_TOLERANCE,
+    CrossCheck,
+    broken,
+    element_at,
+    holds,
+)
+from freebody.study.answering.draws import Draw
+from freebody.study.answering.finding import Finding, NotHere
+from freebody.study.answering.motion_values import extremes_over_cycle
+from freebody.study.setup import Setup
+from freebody.symbolic.closure import explicit
+from freebody.symbolic.conditions import Condition, closed, require
+from freebody.symbolic.field import Field, Ratio
+from freebody.symbolic.model import SymbolicModel
+from freebody.symbolic.signs import Sign, sign_of
+from freebody.symbolic.tidy import tidy
+from freebody.symbolic.unknowns import Coordinate
+from freebody.symbolic.way import EnergyPath, Span
+from freebody.symbolic.zeros import reals
+
+_NO_FORM = CannotAnswer(Message("where its slope along the motion vanishes has no closed form"))
+_NEAR = 1e-9
+_N_STEPS = 96  # of the way, on which it is looked at whether there is a value beyond
+_ROUND_OFF = 1e-9  # of the largest value on the way
+
+
+@dataclass(frozen=True)
+class Stationary:
+    """A value that may be an extreme, and the places at which the quantity has it. is_turn: at the end of the way."""
+
+    value: Ratio
+    places: tuple[tuple[Ratio, list[float]], ...]
+    is_turn: bool = False
+
+
+@dataclass
+class Along:
+    """A quantity along a motion by energy, even + odd u; the square of a size. conditions: under which it is so."""
+
+    setup: Setup
+    c: Coordinate
+    way: EnergyPath
+    span: Span
+    even: Ratio
+    odd: Ratio
+    is_root: bool
+    conditions: list[Condition] = field(default_factory=list[Condition])
+
+    # -- what may be extreme ------------------------------------------------------------------
+    def candidates(self) -> list[Stationary]:
+        """The values at the turns and where the slope vanishes, each once."""
+        f, found = self.setup.model.field, list[Stationary]()
+        for end in () if self.span.ends is None else self.span.ends:
+            found = _with(found, Stationary(self._at(self.even, end), ((end, self.way.numbers(end)),), is_turn=True))
+        for place, numbers in self.way.places(self._slope()):
+            rate = f.sqrt(self._at(self.way.square, place), self.setup.model.samples.is_negative)
+            for sense in self.senses if not self.odd.is_zero() else (0,):
+                value = self._at(self.even, place)
+                if sense:
+                    value = f.lowest_terms(value + sense * self._at(self.odd, place) * rate)
+                found = _with(found, Stationary(value, ((place, numbers),)))
+        if not found:
+            raise _NO_FORM
+        return found
+
+    @property
+    def senses(self) -> tuple[int, ...]:
+        """In which the coordinate moves: both ways, or on and on."""
+        return (1, -1) if self.span.ends is not None else (self.way.sense,)
+
+    def _slope(self) -> Ratio:
+        """What vanishes where the slope along the coordinate does."""
+        f, q, W = self.setup.model.field, self.c.index, self.way.square
+        slope = f.lowest_terms(f.derivative(self.even, q))
+        if self.odd.is_zero():
+            return slope
+        beside = f.lowest_terms(2 * f.derivative(self.odd, q) * W + self.odd * f.derivative(W, q))
+        if slope.is_zero():
+            return beside
+        return f.lowest_terms(4 * slope * slope * W - beside * beside)
+
+    def _at(self, x: Ratio, place: Ratio) -> Ratio:
+        f = self.setup.model.field
+        try:
+            return f.lowest_terms(f.follow(x, {self.c.index: place}))
+        except ZeroDivisionError:
+            raise CannotAnswer(Message("it grows without bound on the way")) from None
+
+    def add_needs(self) -> None:
+        """What the motion itself needs, as conditions."""
+        for x, relation in self.span.needs:
+            self._add(x, Message("it moves so"), relation)
+
+    # -- the choice ---------------------------------------------------------------------------
+    def best(self, found: Sequence[Stationary], side: int) -> Stationary:
+        """The largest (side 1) or least one at the model's own values, or the first sample; that it is so for others is
+        a condition. Raises CannotAnswer where some place of the way is beyond it."""
+        inside = [s for s in found if self.is_inside(s)]
+        if not inside:
+            raise _NO_FORM
+        chosen = max(inside, key=lambda s: side * self._first(s.value))
+        if not chosen.is_turn:
+            place = next(p for p in chosen.places if self._is_inside(p[1][0]))
+            for end, sign in zip(self.span.ends or (), (-1, 1), strict=False):
+                self._add(sign * (end - place[0]), Message("it gets there"))
+        for other in found:
+            gap = side * (chosen.value - other.value)
+            if other is chosen or gap.is_zero():
+                continue
+            if self.is_inside(other):
+                self._add(gap, Message("which extreme is which"), ">=")
+            elif require(gap, ">=")[0] is not None:
+                self._stay_outside(other)
+        self._check(chosen, side)
+        return chosen
+
+    def is_inside(self, s: Stationary) -> bool:
+        """Whether the motion comes to one of its places, at the model's own values."""
+        return s.is_turn or any(self._is_inside(numbers[0]) for _place, numbers in s.places)
+
+    def _is_inside(self, v: float) -> bool:
+        if self.span.ends is None or math.isnan(v):
+            return not math.isnan(v)
+        low, high = (self._first(end) for end in self.span.ends)
+        return low + _NEAR < v < high - _NEAR
+
+    def _stay_outside(self, s: Stationary) -> None:
+        """The places of a larger value are beyond the turns, or no real ones."""
+        assert self.span.ends is not None or all(math.isnan(n[0]) for _p, n in s.places)
+        for place, numbers in s.places:
+            if math.isnan(numbers[0]):
+                for x in reals(place):
+                    if self._first(x) < 0:
+                        self._add(-x, Message("there is no such place"), ">=")
+                        break
+                continue
+            assert self.span.ends is not None
+            low, high = self.span.ends
+            is_above = numbers[0] >= self._first(high) - _NEAR
+            self._add(place - high if is_above else low - place, Message("it does not get there"), ">=")
+
+    def _first(self, x: Ratio) -> float:
+        values = self.setup.model.samples.at_starts(x)
+        return values[0] if values else math.nan
+
+    def _add(self, x: Ratio, purpose: str, relation: str = ">") -> None:
+        condition, possible = require(self.setup.model.field.lowest_terms(x), relation, purpose)
+        if not possible:
+            raise CannotAnswer(Message("which value is the extreme one was not decided"))
+        if condition is not None and all(condition.element != c.element for c in self.conditions):
+            self.conditions.append(condition)
+
+    def _check(self, chosen: Stationary, side: int) -> None:
+        """No value on the way is beyond the chosen one at the first sample: no stationary place was missed."""
+        samples, f = self.setup.model.samples, self.setup.model.field
+        if self.span.ends is None:
+            low = self._first(self.way.q0)
+            high = low + math.tau
+        else:
+            low, high = (self._first(end) for end in self.span.ends)
+        best, speed = self._first(chosen.value), f.variable(self.c.speed)
+        x = self.even + self.odd * speed
+        seen: list[float] = []
+        for k in range(_N_STEPS):
+            q = low + (high - low) * (k + 0.5) / _N_STEPS
+            square = samples.at_start_with(self.way.square, 0, {self.c.index: q})
+            for sense in self.senses:
+                rate = sense * math.sqrt(max(square, 0.0))
+                seen.append(samples.at_start_with(x, 0, {self.c.index: q, self.c.speed: rate}))
+        size = max(map(abs, seen))
+        if not all(side * (v - best) <= _ROUND_OFF * size for v in seen):
+            raise _NO_FORM
+
+    # -- what is told -------------------------------------------------------------------------
+    def value_of(self, s: Stationary) -> Ratio:
+        """Of the quantity itself."""
+        f = self.setup.model.field
+        return f.sqrt(s.value, self.setup.model.samples.is_negative) if self.is_root else s.value
+
+    def place_text(self, s: Stationary) -> str:
+        """One of its places."""
+        place = next((p for p, numbers in s.places if s.is_turn or self._is_inside(numbers[0])), s.places[0][0])
+        return compared(Symbol(self.c.name), "=", tidy(place))
+
+    def where(self, which: str, s: Stationary) -> str:
+        """At which place it is."""
+        shown = self.place_text(s)
+        return reworded(Message("{which} at {places}", which=which, places=shown), shown)
+
+
+def _with(found: list[Stationary], new: Stationary) -> list[Stationary]:
+    """Places with the same value together."""
+    for k, s in enumerate(found):
+        if s.value == new.value:
+            both = Stationary(s.value, (*s.places, *new.places), s.is_turn or new.is_turn)
+            return [*found[:k], both, *found[k + 1 :]]
+    return [*found, new]
+
+
+def along(setup: Setup, of: Quantity) -> Along:
+    """A quantity along the motion. Raises CannotAnswer where that is not one freedom by energy that repeats itself."""
+    reason: CannotAnswer | None = None
+    for c in setup.model.coordinates:
+        try:
+            return _along(setup, of, c)
+        except CannotAnswer as error:
+            reason = reason or error
+    raise reason or CannotAnswer(Message("nothing moves by itself"))
+
+
+def _along(setup: Setup, of: Quantity, c: Coordinate) -> Along:
+    model, motion = setup.model, setup.motion
+    f = model.field
+    value = of.value(setup.system, setup.state)
+    if isinstance(value, tuple):
+        raise CannotAnswer(Message("a vector has no extremes; ask for its size or for a component along a direction"))
+    way = motion.way_of(c)
+    x = explicit(model, f.lowest_terms(model.in_independent_speeds(f.element(value))))
+    here = {**motion.integrals.resting, **motion.integrals.speeds_at(c, f.variable(c.index), f.variable(c.speed))}
+    here = {k: v for k, v in here.items() if k not in (c.index, c.speed)}
+    x = f.lowest_terms(f.follow(x, here))
+    others = {k.index for k in (*model.coordinates, *model.dependent)} - {c.index}
+    others |= {k.speed for k in (*model.coordinates, *model.dependent)} - {c.speed}
+    if f.ingredients(x) & others or any(f.generators[g].kind == "time" for g in f.ingredients(x)):
+        raise CannotAnswer(Message("it depends on more than the place of {x} on its way", x=c.name))
+    if is_root := any(f.generators[g].kind == "root" and _moves(g, c, f) for g in x.generators()):
+        if not _is_size(model, x, c):
+            raise _NO_FORM
+        x = f.lowest_terms(x * x)
+    even, odd = _by_parity(x, c, way.square)
+    try:
+        span = way.span()
+    except NotReached:
+        raise CannotAnswer(Message("the motion does not repeat itself")) from None
+    return Along(setup, c, way, span, even, odd, is_root)
+
+
+def _moves(g: int, c: Coordinate, f: Field) -> bool:
+    return bool({c.index, c.speed} & f.generators[g].made_of)
+
+
+def _is_size(model: SymbolicModel, x: Ratio, c: Coordinate) -> bool:
+    """Whether it is a root with a factor that is positive, or does not move and is so at all samples."""
+    f = x.field
+    roots = [g for g in x.generators() if f.generators[g].kind == "root" and _moves(g, c, f)]
+    if len(roots) != 1 or roots[0] in x.denominator().generators():
+        return False
+    (rest, *slopes) = x.numerator().coefficients(roots[0])
+    factor = slopes[0] / x.denominator()
+    is_still = not any(g in (c.index, c.speed) or _moves(g, c, f) for g in f.ingredients(factor))
+    is_positive = sign_of(factor) in (Sign.POSITIVE, Sign.NONNEGATIVE)
+    is_positive |= is_still and all(v > 0 for v in model.samples.at_starts(factor))
+    return rest.is_zero() and len(slopes) == 1 and is_positive
+
+
+def _by_parity(x: Ratio, c: Coordinate, square: Ratio) -> tuple[Ratio, Ratio]:
+    """even + odd u = x, with the squares of u by energy. Raises CannotAnswer where x is no polynomial in u."""
+    f = x.field
+    if any(c.speed in f.generators[g].made_of for g in f.ingredients(x) - {c.speed}):
+        raise _NO_FORM
+    if c.speed in x.denominator().generators():
+        raise _NO_FORM
+    parts = x.numerator().coefficients(c.speed) if c.speed in x.generators() else [x.numerator()]
+    even = odd = f.zero
+    for k, part in enumerate(parts):
+        power = part * square ** (k // 2)
+        even, odd = (even + power, odd) if k % 2 == 0 else (even, odd + power)
+    return f.lowest_terms(even / x.denominator()), f.lowest_terms(odd / x.denominator())
+
+
+def find(setup: Setup, question: str, of: Quantity, sides: Sequence[int]) -> Finding:
+    """The closed form. sides: -1 for the least value, +1 for the greatest, in the order in which they are wanted."""
+    seen = along(setup, of)
+    seen.add_needs()
+    found = seen.candidates()
+    chosen = [seen.best(found, side) for side in sides]
+    kept = _kept(setup)
+    conditions = [*seen.conditions, *kept]
+    values = tuple(seen.value_of(s) for s in chosen)
+    check = CrossCheck(question, Message("numerical integration over a cycle of the motion"), MOTION_TOLERANCE)
+    measure = setup.model.measure_of(seen.c)
+
+    def compare(draw: Draw) -> None:
+        exact = element_at(setup, values, draw, draw.start())
+        if all(holds(setup, condition, draw, draw.start()) for condition in conditions):
+            low, high = extremes_over_cycle(setup, draw, measure, of)
+            check.compare(draw, exact, tuple(low if side < 0 else high for side in sides))
+
+    check.gather(setup.draw_stream(), compare)
+    if len(check.pairs) < MIN_DRAWS and setup.has_values and (missed := broken(setup, conditions)):
+        needs = ", ".join(missed)
+        raise NotHere(Message("the motion is another one at the model's own values: that needs {x}", x=needs))
+    words = {-1: Message("least"), 1: Message("largest")}
+    notes = [seen.where(words[side], s) for side, s in zip(sides, chosen, strict=True)]
+    element = values if len(values) > 1 else next(iter(values))
+    return Finding(element, check.evidence(), conditions, notes, list(seen.span.says))
+
+
+def _kept(setup: Setup) -> list[Condition]:
+    """That ideal strings stay taut and contacts keep touching all the time."""
+    found: list[Condition] = []
+    for row in sorted(setup.system.constraint_rows, key=lambda row: row.name):
+        if not row.unilateral:
+            continue
+        seen = along(setup, OneSided(row))
+        least = seen.value_of(seen.best(seen.candidates(), -1))
+        condition, possible = require(least, ">=", closed(row.connection, row.reaction))
+        if not possible:
+            raise CannotAnswer(Message("{connection} does not hold all the time", connection=row.connection))
+        found += [*seen.conditions, *([] if condition is None else [condition])]
+    return found
+
+
+@dataclass(frozen=True)
+class OneSided(Quantity):
+    """What a row transmits that can only pull, or push."""
+
+    row: ConstraintRow
+
+    def value(self, system: Described, state: State[Any]) -> Any:
+        return self.row.sign * state.multiplier(self.row)

@@ -1,0 +1,51 @@
+"""Extremes over a cycle of a motion by the numeric route alone: seen at many instants, then closer and closer about the
+best one."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
+from freebody.measures.base import Measure
+from freebody.numeric.jets import Array
+from freebody.questions.base import Quantity
+from freebody.study.answering.draws import Draw
+from freebody.study.answering.repeated import LONGEST, cycle
+from freebody.study.answering.witness import states_at
+from freebody.study.setup import Setup
+
+_N_INSTANTS = 121  # of a cycle
+_N_CLOSER = 25  # between the neighbours of the best one
+_ROUNDS = 3  # the last ones are 1e-6 of a cycle apart: an extreme is flat there
+
+
+def extremes_over_cycle(
+    setup: Setup, draw: Draw, measure: Measure | None, of: Quantity, *, is_exact: bool = False
+) -> tuple[float, float]:
+    """The least and the largest value. measure: what comes back to where it was; is_exact: whether the whole state must
+    be taken up again. Raises CannotAnswer where the motion does not repeat itself."""
+    if measure is None:
+        raise CannotAnswer(Message("name a measure that moves to and fro, or round and round"))
+    begin, end = cycle(draw, measure, LONGEST, is_exact=is_exact)
+    times = np.linspace(begin, end, _N_INSTANTS)
+    values = _values(setup, draw, of, times)
+    low, high = (sign * _closer(setup, draw, of, times, values, sign) for sign in (1.0, -1.0))
+    return low, high
+
+
+def _closer(setup: Setup, draw: Draw, of: Quantity, times: Array, values: Array, sign: float) -> float:
+    """The least of sign times the quantity."""
+    best = float((sign * values).min())
+    for _ in range(_ROUNDS):
+        k = int(np.argmin(sign * values))
+        begin, end = float(times[max(k - 1, 0)]), float(times[min(k + 1, len(times) - 1)])
+        times = np.linspace(begin, end, _N_CLOSER)
+        values = _values(setup, draw, of, times)
+        best = min(best, float((sign * values).min()))
+    return best
+
+
+def _values(setup: Setup, draw: Draw, of: Quantity, times: Array) -> Array:
+    seen = states_at(draw.reference, draw.start(), times)
+    return np.array([float(of.value(setup.system, s)) for s in seen])

@@ -1,0 +1,182 @@
+"""The greatest and the least value of a force, a torque or a speed: over a turn that is driven, and over a motion.
+
+A rotor with its mass centre at the distance e from its axle, turned evenly: R = m (e w^2 radial, g up), so its size is
+between |m e w^2 - m g| and m e w^2 + m g, and the torque is m g e cos psi. A pendulum let go at a: v^2 = 2 g L (cos
+theta - cos a), S = m g (3 cos theta - 2 cos a). Turned over with the rate w below: S = m (L w^2 - 2 g + 3 g cos theta).
+Problem families: Meriam & Kraige, Dynamics, 6/4 and 3/6; Hibbeler, Dynamics, 13.5, 14.5 and 17.4; Beer & Johnston,
+Dynamics, 13.6 and 16.2; Goldstein, Classical Mechanics, ch. 3; Norton, Design of Machinery, 11.2 (shaking force).
+"""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+import freebody as fb
+from freebody.api import System
+from posed import is_formula, posed
+
+ROTOR = """
+parameters: {m: 4 kg, e: 0.05 m, I: 0.2 kg m^2, w: 20 rad/s, g: 9.81 m/s^2}
+bodies: {rotor: {body: {mass: m, inertia: I}, points: {O: [-e, 0]}}}
+connections: {axle: {pin: [ground.O, rotor.O]}, motor: {driver: {measure: psi, follows: w*t}}}
+loads: {weight: {gravity: g}}
+measures: {psi: angle of rotor}
+"""
+ARM = """
+parameters: {m: 3 kg, M: 2 kg, L: 0.8 m, w: 5 rad/s, g: 9.81 m/s^2, p: 30 deg}
+bodies: {arm: {rod: {mass: M, length: L}}, tip: {particle: {mass: m}}}
+connections:
+  O: {pin: [ground.O, arm.start]}
+  weld: {pin: [arm.end, tip]}
+  motor: {driver: {measure: psi, follows: p + w*t}}
+loads: {weight: {gravity: g}}
+measures: {psi: {angle of arm from down}}
+"""
+PENDULUM = """
+parameters: {m: 1.5 kg, L: 0.9 m, a: 60 deg, g: 9.81 m/s^2}
+bodies: {bob: {particle: {mass: m}}}
+connections: {rope: {link: [ground.O, bob, L]}}
+loads: {weight: {gravity: g}}
+measures: {theta: {angle of line from ground.O to bob from down}}
+start: {theta: a}
+"""
+STRING = PENDULUM.replace("rope: {link: [ground.O, bob, L]}", "rope: {string: {from: ground.O, to: bob, swings: true}}")
+STRING = STRING.replace("measures: {", "measures: {r: distance from ground.O to bob, ").replace(
+    "start: {", "start: {r: L, "
+)
+OVER = PENDULUM.replace("a: 60 deg", "w: 9 rad/s").replace("start: {theta: a}", "start: {theta: 0, rate(theta): w}")
+SPRING = """
+parameters: {m: 2 kg, k: 200 N/m, L: 0.5 m, g: 9.81 m/s^2}
+bodies: {block: {particle: {mass: m}}}
+connections: {guide: {slider: {body: block, along: down}}}
+loads: {weight: {gravity: g}, spring: {spring: {first: ground.O, second: block, stiffness: k, length: L}}}
+measures: {y: {drop of block below ground.O}}
+start: {y: L, rate(y): 0}
+"""
+ORBIT = """
+parameters: {m: 1 kg, K: 3 m^3/s^2, r0: 1 m, v0: 2 m/s}
+bodies: {sat: {particle: {mass: m}}}
+loads: {pull: {law: {measure: r, force: -m*K/r^2}}}
+measures: {r: distance from ground.O to sat, phi: {angle of line from ground.O to sat}}
+start: {r: r0, rate(r): 0, phi: 0, rate(phi): v0/r0}
+"""
+ROD = """
+parameters: {m: 3 kg, L: 1.6 m, g: 9.81 m/s^2}
+bodies: {rod: {rod: {mass: m, length: L}, points: {O: [-L/4, 0]}}}
+connections: {hinge: {pin: [ground.O, rod.O]}}
+loads: {weight: {gravity: g}}
+measures: {theta: {angle of rod from right clockwise}}
+start: {theta: 0}
+"""
+
+CASES = {
+    "torque of an unbalanced rotor": (ROTOR, "greatest driving torque of motor over a turn", "m*g*e"),
+    "the other way": (ROTOR, "least driving torque of motor over a turn of psi", "-m*g*e"),
+    "both ways": (ROTOR, "stroke of driving torque of motor over a turn of rotor", "2*m*g*e"),
+    "reaction of its axle": (ROTOR, "greatest reaction of axle over a turn", "m*e*w^2 + m*g"),
+    "least reaction": (ROTOR, "least reaction of axle over a turn", "abs(m*e*w^2 - m*g)"),
+    "upward": (ROTOR, "greatest vertical reaction of axle over a turn of rotor", "m*g + m*e*w^2"),
+    "over the motion it is the same": (ROTOR, "greatest reaction of axle over the motion", "m*e*w^2 + m*g"),
+    "an arm with a load at its tip": (ARM, "greatest driving torque of motor over a turn", "(m + M/2)*g*L"),
+    "the pin of its load": (ARM, "greatest reaction of weld on tip over a turn", "m*L*w^2 + m*g"),
+    "a speed that does not change": (ARM, "greatest velocity of tip over a turn of psi", "w*L"),
+    "tension of a pendulum": (PENDULUM, "greatest tension of rope", "m*g*(3 - 2*cos(a))"),
+    "least tension": (PENDULUM, "least tension of rope over the motion", "m*g*cos(a)"),
+    "speed of its bob": (PENDULUM, "greatest speed of bob", "sqrt(2*g*L*(1 - cos(a)))"),
+    "rate, to either side": (PENDULUM, "least velocity of theta", "-sqrt(2*g/L*(1 - cos(a)))"),
+    "angular acceleration": (PENDULUM, "greatest acceleration of theta", "g*sin(a)/L"),
+    "a string that stays taut": (STRING, "greatest tension of rope", "m*g*(3 - 2*cos(a))"),
+    "over the top": (OVER, "least tension of rope over a turn", "m*(L*w^2 - 5*g)"),
+    "slowest at the top": (OVER, "least velocity of theta over the motion", "sqrt(w^2 - 4*g/L)"),
+    "power of its weight": (SPRING, "greatest power of weight", "m*g^2*sqrt(m/k)"),
+    "mass let go on a spring": (SPRING, "greatest velocity of y", "g*sqrt(m/k)"),
+    "force in the spring": (SPRING, "greatest force in spring", "2*m*g"),
+    "its energy": (SPRING, "greatest kinetic energy", "m^2*g^2/(2*k)"),
+    # H = r0 v0 and energy: r_a = r0^2 v0^2/(2 K - r0 v0^2), v_a = r0 v0/r_a
+    "apoapsis": (ORBIT, "greatest r", "r0^2*v0^2/(2*K - r0*v0^2)"),
+    "speed there": (ORBIT, "least speed of sat", "(2*K - r0*v0^2)/(r0*v0)"),
+    "rate there": (ORBIT, "least velocity of phi", "(v0/r0)*((2*K - r0*v0^2)/(r0*v0^2))^2"),
+    # I_O = 7 m L^2/48, w^2 = 24 g/(7 L) below: m g + m w^2 L/4
+    "rod let go level": (ROD, "greatest reaction of hinge over the motion", "13*m*g/7"),
+    "its rate below": (ROD, "greatest angular velocity of rod", "sqrt(24*g/(7*L))"),
+}
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_the_extreme_is_that_of_a_textbook(name: str) -> None:
+    model, question, formula = CASES[name]
+    found = is_formula(model, question, formula, factors=(1.0, 1.02, 0.98))
+    assert found.value is not None
+
+
+def test_torque_of_a_slider_crank_has_a_number() -> None:
+    # T = (F + m x'') x_psi by virtual power, x = r cos psi + sqrt(b^2 - r^2 sin^2 psi)
+    r, b, m, F, w = 0.05, 0.2, 0.8, 200.0, 30.0
+    text = """
+parameters: {r: 0.05 m, l: 0.2 m, m: 0.8 kg, F: 200 N, w: 30 1/s}
+ground: {lines: {rail: {along: right}}}
+bodies: {crank: {rod: {mass: 0, length: r}}, rod: {rod: {mass: 0, length: l}}, piston: {particle: {mass: m}}}
+connections:
+  O: {pin: [ground.O, crank.start]}
+  A: {pin: [crank.end, rod.start]}
+  B: {pin: [rod.end, piston]}
+  guide: {slider: [piston, ground.rail]}
+  motor: {driver: {measure: psi, follows: w*t}}
+loads: {gas: {force: {at: piston, along: left, magnitude: F}}}
+measures: {psi: angle of crank, x: x of piston}
+"""
+
+    def torque(psi: float) -> float:
+        s, c = math.sin(psi), math.cos(psi)
+        root = math.sqrt(b * b - r * r * s * s)
+        slope = -r * s - r * r * s * c / root
+        bend = -r * c - r * r * (c * c - s * s) / root - r**4 * s * s * c * c / root**3
+        return (F + m * bend * w * w) * slope
+
+    found = posed(text, "greatest driving torque of motor over a turn")
+    assert found.value == pytest.approx(max(torque(k * math.tau / 20_000) for k in range(20_000)), rel=1e-6)
+
+
+def test_what_else_is_free_has_a_motion_of_its_own() -> None:
+    text = ROTOR.replace("bodies: {", "bodies: {bob: {particle: {mass: m}}, ")
+    text = text.replace("connections: {", "connections: {rope: {link: [rotor.O, bob, e]}, ")
+    assert "free to move" in posed(text, "greatest driving torque of motor over a turn").reason
+
+
+def test_a_load_in_the_time_makes_no_turn_as_the_one_before() -> None:
+    text = ROTOR.replace("loads: {", "loads: {push: {torque: {on: rotor, magnitude: m*g*e*cos(w*t)}}, ")
+    assert "depends on the time" in posed(text, "greatest driving torque of motor over a turn").reason
+
+
+def test_a_pendulum_that_swings_makes_no_turn() -> None:
+    text = PENDULUM.replace("start: {theta: a}", "start: {theta: a, rate(theta): 0}")
+    assert "turns back" in posed(text, "greatest tension of rope over a turn").reason
+
+
+def test_a_fall_has_no_extremes() -> None:
+    text = (
+        "bodies: {ball: {particle: {mass: 1 kg}}}\nloads: {weight: {gravity: 9.81 m/s^2}}\nmeasures: {y: y of ball}\n"
+    )
+    found = posed(text + "start: {y: 0, rate(y): 3 m/s}\n", "greatest speed of ball")
+    assert found.expression is None
+    assert found.value is None
+
+
+@pytest.mark.parametrize(
+    ("text", "question"),
+    [
+        (PENDULUM, "greatest tension of rope"),
+        (PENDULUM, "greatest speed of bob"),
+        (SPRING, "least velocity of y"),
+        (ROTOR, "greatest vertical reaction of axle over a turn"),
+        (ROTOR, "least driving torque of motor over a turn"),
+        (ROTOR, "greatest driving torque of motor over the motion"),
+    ],
+)
+@pytest.mark.parametrize("language", ["en", "de"])
+def test_it_is_derived(text: str, question: str, language: str) -> None:
+    system = System.from_text(f"{text}questions: [{question!r}]\n")
+    (derivation,) = fb.explain(system, language=language).derivations
+    assert derivation.reason == ""
