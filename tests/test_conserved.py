@@ -334,7 +334,7 @@ def test_a_function_of_time_stands_in_drivers_and_laws_only(place: str, message:
     ("parameter", "message"),
     [
         ("{function: v*t, unit: m}", "v"),
-        ("{function: t, unit: m}", "unit"),
+        ("{function: t, unit: m}", "must be a length"),
         ("{function: t, unit: s, value: 3}", "value"),
         ("{function: 2*r, unit: s}", "function of time itself"),
     ],

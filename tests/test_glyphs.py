@@ -183,7 +183,7 @@ questions: {force: normal force of it at start, slower: acceleration of bead alo
     assert solution["slower"].to_plain()["expression"] == "-v*c/m"
     german = system.explain(language="de")
     assert german.is_complete
-    assert "Freischneiden" in german.to_text()
+    assert "Freikörperbild" in german.to_text()
     (page,) = german.write(added / "page.html")
     assert "Ergebnis" in page.read_text(encoding="utf-8")
     motion = system.simulate(0.5)

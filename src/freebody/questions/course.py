@@ -298,7 +298,7 @@ def _turns(names: Names, found: Found, path: Path) -> Quantity | None:
     return Revolutions(body.name)
 
 
-@asked("change of MEASURE until EVENT", r"(?:change of|distance travelled along) (?P<of>.+)", rank=RANK)
+@asked("change of MEASURE until EVENT", r"change of (?P<of>.+)", rank=RANK)
 def _change(names: Names, found: Found, path: Path) -> Quantity | None:
     text = str(found["of"])
     measure = read_measure(names, text, *path)

@@ -66,4 +66,4 @@ def extent_in_numbers(draw: Draw, measure: Measure, side: int) -> float:
     if not turns and not (goes_on and start.rate(measure) == 0.0):
         raise SaysNothing(Message("the motion has not turned until t = {t:.6g} s", t=course.t_end))
     values = [(s.t, side * s.value(measure)) for s in snapshots(reference, engine, course, start)]
-    return side * max(side * start.value(measure), *(value for t, value in values if t in turns))
+    return side * max([side * start.value(measure), *(value for t, value in values if t in turns)])

@@ -176,14 +176,14 @@ def run(
     watches: Sequence[EngineWatch] = (),
     until: float | None = None,
     tolerance: float = TOLERANCE,
-    most_steps: int = MOST_STEPS,
+    most_steps: int | None = None,
 ) -> tuple[Engine, Trajectory]:
     """The motion from a start to `until`, the last of the outputs where it is not given [s]. most_steps: at the usual
-    effort."""
+    effort; `MOST_STEPS` where none are given."""
     engine = Engine(reference.numbers(), watches)
     y = engine.state(*reference.by_body(start.q, start.v))
     engine.align(y, start.t, start.value)
-    options = SimulationOptions(method="dop853", tolerance=tolerance, max_steps=allowed(most_steps))
+    options = SimulationOptions(method="dop853", tolerance=tolerance, max_steps=allowed(most_steps or MOST_STEPS))
     end = float(outputs[-1]) if until is None else until
     return engine, engine.run(y, end, options, start=start.t, outputs=outputs)
 
