@@ -277,6 +277,11 @@ class Quantity:
         return False
 
     @property
+    def jump(self) -> tuple[Quantity, tuple[str, ...]] | None:
+        """Where it is asked what a blow does to a quantity: that quantity, and what strikes (none: any)."""
+        return None
+
+    @property
     def keeps_what_is_given(self) -> bool:
         """Whether an event is no event of a motion, but says what a steady motion keeps."""
         return False

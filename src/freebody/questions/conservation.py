@@ -9,7 +9,9 @@ from freebody.language.expression import Symbol
 from freebody.language.sentences import Message, Sentence
 from freebody.language.units import DIMENSIONLESS, ENERGY, TIME, Dimension
 from freebody.questions.base import NAME, Described, Found, Path, Quantity, asked
+from freebody.questions.course import connections_of
 from freebody.questions.reading import read_quantity
+from freebody.questions.sudden import BLOW
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -98,6 +100,39 @@ questions: {it: is linear momentum along right conserved}
         return (self.of,)
 
 
+@dataclass(frozen=True)
+class ConservedInBlow(Quantity, kind="conserved in a blow"):
+    """Whether a quantity is the same just before and just after a blow or an impact. of_blow: the connections that
+    close or collide and the impulses; none: any."""
+
+    of: Quantity
+    name: str
+    of_blow: tuple[str, ...]
+
+    example = """
+bodies: {bullet: {particle: {mass: 1 kg}, velocity: [6 m/s, 0]}, block: {particle: {mass: 2 kg}}}
+connections: {hit: {pin: [bullet, block], closes: at start}}
+questions: {it: is linear momentum along right conserved in the blow}
+"""
+    scope = "every motion"
+
+    @property
+    def dimension(self) -> Dimension:
+        return self.of.dimension
+
+    @property
+    def unit(self) -> str:
+        return self.of.unit
+
+    @property
+    def inner(self) -> tuple[Quantity, ...]:
+        return (self.of,)
+
+    @property
+    def jump(self) -> tuple[Quantity, tuple[str, ...]]:
+        return self.of, self.of_blow
+
+
 # -- words ------------------------------------------------------------------------------------
 @asked(
     "is QUANTITY conserved | when is QUANTITY conserved",
@@ -110,11 +145,36 @@ def _conserved(names: Names, found: Found, path: Path) -> Quantity | None:
     of = read_quantity(names, text, path)
     if of is None or of.may_be_conserved:
         return None if of is None else Conserved(of, text)
+    _refuse(names, text, path)
+    return None
+
+
+@asked(
+    "is QUANTITY conserved in the blow | impact [of NAME]",
+    r"(?:(?:[Ii]s|whether) (?:the )?(?P<of>.+?) (?:is )?conserved|conservation of (?:the )?(?P<named>.+?)) "
+    rf"(?:in|during|across|through|by|at) (?:the |an |a )?(?:first )?{BLOW}"
+    rf"(?: (?:of|by|with|at) (?:the )?(?P<blow>{NAME}))?\??",
+    rank=76,
+)
+def _conserved_in_blow(names: Names, found: Found, path: Path) -> Quantity | None:
+    text, blow = str(found["of"] or found["named"]), found["blow"]
+    of = read_quantity(names, text, path)
+    if of is None:
+        return None
+    if not of.may_be_conserved:
+        _refuse(names, text, path)
+        return None
+    struck: tuple[str, ...] = ()
+    if blow is not None:
+        struck = (blow,) if blow in names.impulses else connections_of(names, blow, path)
+    return ConservedInBlow(of, text, struck)
+
+
+def _refuse(names: Names, text: str, path: Path) -> None:
     names.problem(
         Message("'{text}' is nothing that a motion keeps; ask for a momentum, an energy or a measure", text=text),
         *path,
     )
-    return None
 
 
 @asked("generalized momentum of COORDINATE", rf"generali[sz]ed momentum of (?P<of>{NAME})", rank=75)

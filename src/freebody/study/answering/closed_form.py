@@ -91,13 +91,17 @@ class QuestionSolver:
         answer = Message("conserved for every motion") if found.is_conserved else Message("not conserved")
         if found.is_conserved is None:
             answer = found.verdict
-        c = found.confirmation
+        c, blow = found.confirmation, list[str]()
+        if self.system.is_struck:
+            blow.append(
+                Message("this is meant of the motion after the blow; of the blow ask: is ... conserved in the blow")
+            )
         return made(
             self.question,
             found.rate,
             0.0 if found.rate == number(0) else None,
             conditions=() if found.reason else (answer,),
-            notes=(Message("this is its rate"), *found.notes) if found.rate is not None else found.notes,
+            notes=(*blow, *([Message("this is its rate")] if found.rate is not None else []), *found.notes),
             reason=found.reason or (further(*found.notes) if found.rate is None else ""),
             judgement=Judgement(found.choice, found.options, found.author_notes),
             evidence=None if c is None else Evidence(c.motions, c.largest_drift or 0.0, c.route),

@@ -73,6 +73,8 @@ def _solved(system: System, questions: Sequence[Question], setup: Setup | None) 
 
 
 def _in_whole(system: System, questions: Sequence[Question], setup: Setup | None) -> Solution:
+    if any(q.quantity.jump is not None for q in questions):
+        return _with_jumps(system, questions, setup)
     if any(_is_before_start(system, q) for q in questions):
         return _with_before(system, questions, setup)
     if questions and all(q.quantity.scope == "rest" for q in questions):
@@ -134,13 +136,36 @@ def _is_before_start(system: System, question: Question) -> bool:
 
 def _with_before(system: System, questions: Sequence[Question], setup: Setup | None) -> Solution:
     """What is so just before the blow of the start is so at the start of the system that nothing strikes."""
-    rows = tuple(row for row in system.constraint_rows if not row.closes)
-    unstruck = replace(system, constraint_rows=rows, impulses=())
+    from freebody.study.answering.jumps import before_start
+
     early = [replace(q, transition=None, at_start=True) for q in questions if _is_before_start(system, q)]
-    before = _in_whole(unstruck, early, None)
+    try:
+        before = _in_whole(before_start(system), early, None)
+    except CannotAnswer as error:
+        before = replace(_in_whole(system, (), setup), answers=tuple(refused(q, str(error)) for q in early))
     after = _in_whole(system, [q for q in questions if not _is_before_start(system, q)], setup)
     answers = {a.id: a for a in (*before.answers, *after.answers)}
     return replace(after, answers=tuple(answers[q.id] for q in questions))
+
+
+def _with_jumps(system: System, questions: Sequence[Question], setup: Setup | None) -> Solution:
+    """What a blow does to a quantity follows from what that is just before it and just after it."""
+    from freebody.study.answering.jumps import jump_of, sides_of
+
+    asked: dict[str, tuple[Question, Question]] = {}
+    for q in questions:
+        if q.quantity.jump is not None:
+            before, after = sides_of(q)
+            at_start = _is_before_start(system, before)
+            asked[q.id] = before, replace(after, transition=None, at_start=True) if at_start else after
+    others = [q for q in questions if q.id not in asked]
+    found = _in_whole(system, [*others, *(side for sides in asked.values() for side in sides)], setup)
+    answers = {a.id: a for a in found.answers}
+    for q in questions:
+        if q.id in asked:
+            before, after = (answers[side.id] for side in asked[q.id])
+            answers[q.id] = answered(system, q, partial(jump_of, system, q, before, after))
+    return replace(found, answers=tuple(answers[q.id] for q in questions))
 
 
 def _is_of_changes(q: Question) -> bool:

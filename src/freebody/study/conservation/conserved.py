@@ -39,7 +39,12 @@ def conserved(system: System, question: str | None = None) -> Conservation:
     if system.bounds or system.dry_friction:
         from freebody.study.settled import settled
 
-        return conserved(settled(system), question)
+        found = conserved(settled(system), question)
+        note = Message(
+            "as long as no contact opens, closes, or begins or ends to slip; what follows is judged by solve"
+        )
+        told = tuple(replace(v, notes=(*v.notes, note)) if v.is_answered else v for v in found.quantities)
+        return replace(found, quantities=told)
     if question is None:
         asked = tuple(q for q in system.questions if q.quantity.scope == "every motion")
     else:

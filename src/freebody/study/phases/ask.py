@@ -55,6 +55,10 @@ def _by_cases(tree: PhaseTree, question: Question) -> Answer:
             if not tree.roots:
                 raise
             return _at_first_turn(tree, question)
+    if question.quantity.scope == "every motion":
+        from freebody.study.phases.kept_on_the_way import answer as kept_on_the_way
+
+        return kept_on_the_way(tree, question)
     if not question.quantity.is_of_state:
         return in_first_modes(tree, question)
     return _of_branches(tree, question, pieces(tree, question))

@@ -1,0 +1,119 @@
+"""What is conserved in a motion that changes its law: in every phase by itself, and in the impacts between them.
+
+A verdict on one phase says nothing of the next: friction that slides takes energy and rolling does not, and an impact
+changes velocities at once. So each phase is judged, and of each impact the change of the quantity is found.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import Any, cast
+
+from freebody.errors import CannotAnswer
+from freebody.language.notation import joined, reworded, to_text
+from freebody.language.sentences import Message
+from freebody.questions.base import Quantity
+from freebody.questions.reading import Question
+from freebody.study.answering.answer import Answer
+from freebody.study.phases.kept import KeptMode, in_first_modes
+from freebody.study.phases.nodes import PhaseNode
+from freebody.study.phases.quantities import value_in_mode
+from freebody.study.phases.tree import PhaseTree
+from freebody.study.phases.words import in_phase
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.tidy import tidy
+
+_ALWAYS, _NOT = Message("conserved for every motion"), Message("not conserved")
+
+
+def answer(tree: PhaseTree, question: Question) -> Answer:
+    """The verdict on the first phase, with what is so later and in between; it stands alone where nothing follows."""
+    first = in_first_modes(tree, question)
+    later = list(_later(tree))
+    if not later or not first.is_answered or not question.quantity.inner:
+        return first
+    (of,) = question.quantity.inner
+    verdicts = [_verdict(first)]
+    notes = [_of_phase(tree.roots[0], verdicts[0])]
+    for node in later:
+        if node.impact is not None:
+            is_kept, told = _across(tree, node, of)
+            verdicts.append(_ALWAYS if is_kept else _NOT if is_kept is False else "")
+            notes.append(told)
+        found = _of_node(tree, node, question)
+        verdicts.append(found)
+        notes.append(_of_phase(node, found) if found else _open(node))
+    own = [n for n in first.notes if n != in_phase(tree.roots[0].phase)]
+    kept = [c for c in first.conditions if c != verdicts[0]]
+    whole = _together(verdicts)
+    if whole != verdicts[0] and first.options:  # these were judged by the first phase alone
+        own.append(Message("the options are not judged: they say nothing of the single phases"))
+        first = replace(first, choice=None, options={}, author_notes=())
+    return replace(first, conditions=(whole, *kept), notes=(*own, *notes))
+
+
+def _later(tree: PhaseTree) -> Iterator[PhaseNode]:
+    """The phases after the first one on the way of the model's own values, as far as they are known."""
+    node = tree.roots[0] if tree.roots else None
+    while node is not None:
+        edges = [e for e in node.edges if 0 in e.sets] or node.edges[:1]
+        following = [n for e in edges for n in e.nodes if 0 in n.sets] or [n for e in edges for n in e.nodes[:1]]
+        node = following[0] if following else None
+        if node is not None:
+            yield node
+
+
+def _verdict(found: Answer) -> str:
+    return found.conditions[0] if found.conditions else ""
+
+
+def _of_node(tree: PhaseTree, node: PhaseNode, question: Question) -> str:
+    """The verdict on a phase; nothing where there is none."""
+    from freebody.study.answering.closed_form import QuestionSolver
+
+    try:
+        return _verdict(QuestionSolver(KeptMode(tree, node), replace(question, options={}, key=None)).answer())
+    except CannotAnswer:
+        return ""
+
+
+def _of_phase(node: PhaseNode, verdict: str) -> str:
+    return Message("{phase}: {verdict}", phase=in_phase(node.phase), verdict=verdict)
+
+
+def _open(node: PhaseNode) -> str:
+    return Message("{phase}: not judged", phase=in_phase(node.phase))
+
+
+def _across(tree: PhaseTree, node: PhaseNode, of: Quantity) -> tuple[bool | None, str]:
+    """Whether a quantity is the same just after an impact as just before; None where that has no formula."""
+    impact = node.impact
+    assert impact is not None
+    try:
+        before = _elements(
+            tree, impact.before.setup, value_in_mode(of, tree.system, impact.before.setup.system, impact.before.now)
+        )
+        after = _elements(tree, node.phase, value_in_mode(of, tree.system, node.phase.system, node.phase.start_instant))
+        changes = [tree.home.model.field.lowest_terms(b - a) for a, b in zip(before, after, strict=True)]
+    except CannotAnswer:
+        return None, Message("{impact}: not judged", impact=impact.words)
+    if all(change.is_zero() for change in changes):
+        return True, Message("{impact}: it stays the same", impact=impact.words)
+    shown = joined(to_text(tidy(change)) for change in changes)
+    return False, reworded(Message("{impact}: it changes by {change}", impact=impact.words, change=shown), shown)
+
+
+def _elements(tree: PhaseTree, place: Any, value: Any) -> list[Ratio]:
+    parts = cast("tuple[Any, ...]", value) if isinstance(value, tuple) else (value,)
+    return [tree.to_home(place, place.model.field.element(part)) for part in parts]
+
+
+def _together(verdicts: list[str]) -> str:
+    """What is so of the whole motion."""
+    if any(v == _NOT for v in verdicts):
+        return Message("not conserved on the whole way")
+    different = {v for v in verdicts if v != _ALWAYS}
+    if len(different) <= 1 and "" not in different:
+        return different.pop() if different else _ALWAYS
+    return Message("conserved in some of the phases and impacts; see there")
