@@ -85,7 +85,7 @@ SPOKEN: dict[str, list[tuple[str, str]]] = {
         ("velocity when pure rolling begins", "velocity of x when rolling begins"),
         ("With what speed does the sphere start to roll?", "speed of ball when ball begins to roll"),
         ("How far does the ball travel before it rolls without slipping?", "change of x until it rolls"),
-        ("distance travelled by the ball until rolling begins", "change of x until rolling begins"),
+        ("distance travelled by the ball until rolling begins", "distance travelled along x until rolling begins"),
         ("energy dissipated before pure rolling sets in", "energy lost until rolling begins"),
         ("How much energy is lost until the ball starts rolling?", "energy lost until ball begins to roll"),
         ("How much heat is produced until rolling begins?", "energy lost until rolling begins"),

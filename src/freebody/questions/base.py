@@ -91,6 +91,10 @@ class Passage(Protocol[S_co]):
         """The energy that dry friction and impacts have taken."""
         ...
 
+    def travelled(self, measure: Measure) -> S_co:
+        """The way of a measure, counted without sign."""
+        ...
+
     def revolutions(self, body: str) -> S_co:
         """How often a body has turned, counted without sign."""
         ...

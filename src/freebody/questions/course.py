@@ -156,6 +156,24 @@ questions: {it: change of x until rolling begins}
         return Sentence("what.change", {"of": Symbol(self.name) if self.name in system.measures else self.name})
 
 
+@dataclass(frozen=True)
+class Travelled(Change, kind="distance travelled"):
+    """How far a measure has gone since the start, to and fro, counted without sign."""
+
+    example = """
+bodies: {ball: {particle: {mass: 2 kg}}}
+loads: {weight: {gravity: 9.81 m/s^2}}
+measures: {y: y of ball}
+questions: {it: distance travelled along y until y = -5 m}
+"""
+
+    def counted(self, passage: Passage[Any]) -> Any:
+        return passage.travelled(self.measure)
+
+    def sentence(self, system: Described) -> Sentence:
+        return Sentence("what.travelled", {"of": Symbol(self.name) if self.name in system.measures else self.name})
+
+
 # -- events -----------------------------------------------------------------------------------
 _NAME = r"(?P<of>[A-Za-z_]\w*)"
 _SUBJECT = rf"(?:it|the motion|(?:the )?{_NAME})"
@@ -303,3 +321,14 @@ def _change(names: Names, found: Found, path: Path) -> Quantity | None:
     text = str(found["of"])
     measure = read_measure(names, text, *path)
     return None if measure is None else Change(measure, text)
+
+
+@asked(
+    "distance travelled along MEASURE until EVENT",
+    r"(?:distance|way|path) (?:travell?ed|covered) (?:along|by|in) (?P<of>.+)|length of (?:the )?path of (?P<path>.+)",
+    rank=RANK,
+)
+def _travelled(names: Names, found: Found, path: Path) -> Quantity | None:
+    text = str(found["of"] or found["path"])
+    measure = read_measure(names, text, *path)
+    return None if measure is None else Travelled(measure, text)

@@ -23,7 +23,7 @@ from freebody.narrative.lines.naming import names_of, side_of, written
 from freebody.narrative.lines.script import Argument, Legend, Script, Sentence
 from freebody.numeric.reference import Snapshot
 from freebody.questions.base import Quantity
-from freebody.questions.course import Change, EnergyLost, Revolutions, When
+from freebody.questions.course import Change, EnergyLost, Revolutions, Travelled, When
 from freebody.questions.energy import Energy as EnergyOf
 from freebody.questions.loads import Work
 from freebody.questions.reading import Question
@@ -153,6 +153,11 @@ class _Tell:
     def _change(self, q: Change) -> None:
         with self.stage() as left:
             _difference(self.script, self.way, left, self.given, q.measure, "answer.change", self.lines, "")
+
+    @answer.register(Travelled)
+    def _way(self, q: Travelled) -> None:
+        with self.stage() as left:
+            self.line(left, "answer.way", self.lines)
 
     @answer.register(Work)
     def _work(self, q: Work) -> None:

@@ -27,6 +27,11 @@ from freebody.symbolic.state import SymbolicState, law_polynomial
 from freebody.system.system import System
 
 _WORK_INSTEAD = Message("that is counted where contacts or dry friction are; here ask for the work of a load")
+_TURNS_BACK = CannotAnswer(
+    Message(
+        "it turns back on the way: ask for the distance travelled until its rate is zero, and for that from there on"
+    )
+)
 _TURNED = 1e-12  # rad: less is round-off
 _ROUND_OFF = 1e-9  # of the product of two rates
 
@@ -90,24 +95,30 @@ class FormulaPassage:
 
     def revolutions(self, body: str) -> Ratio:
         """Angles turned through, without sign, over a full turn; in every phase the body turns one way only."""
-        angle, turned = Angle(body), list[Ratio]()
+        why = Message(
+            "which way {body} turns depends on the parameter values; ask for the change of its angle", body=body
+        )
+        gone = self._gone(Angle(body), both_ways(body), why)
+        return gone.field.lowest_terms(gone / (2 * gone.field.pi))
+
+    def travelled(self, measure: Measure) -> Ratio:
+        """The way without sign; in every phase the measure goes one way only."""
+        return self._gone(measure, _TURNS_BACK, Message("which way it goes depends on the parameter values"))
+
+    def _gone(self, measure: Measure, both_ways: CannotAnswer, depends: Message) -> Ratio:
+        """How far a measure has gone, phase by phase."""
+        gone: list[Ratio] = []
         for phase in self.phases:
-            rates = [self.numbers(x) for x in phase.rates(angle)]
+            rates = [self.numbers(x) for x in phase.rates(measure)]
             if np.nanmin(rates[0] * rates[1], initial=0.0) < -_ROUND_OFF:
-                raise both_ways(body)
-            x = phase.at_end(angle) - phase.at_begin(angle)
+                raise both_ways
+            x = phase.at_end(measure) - phase.at_begin(measure)
             values = self.numbers(x)
             signs = set(np.sign(values[np.abs(values) > _TURNED]).tolist())
             if len(signs) > 1:
-                raise CannotAnswer(
-                    Message(
-                        "which way {body} turns depends on the parameter values; ask for the change of its angle",
-                        body=body,
-                    )
-                )
-            turned.append(-x if signs == {-1.0} else x)
-        f = turned[0].field
-        return f.lowest_terms(sum(turned[1:], turned[0]) / (2 * f.pi))
+                raise CannotAnswer(depends)
+            gone.append(-x if signs == {-1.0} else x)
+        return gone[0].field.lowest_terms(sum(gone[1:], gone[0]))
 
     def there(self, quantity: Quantity) -> Elements:
         last = self.phases[-1]
@@ -136,13 +147,14 @@ def smooth_passage(
     )
 
 
-def turned_through(body: str, angles: Sequence[float]) -> float:
-    """How often a body has turned, from its angles [rad] along one phase. Raises CannotAnswer where it turns both ways:
-    how far it gets between the instants is not known."""
-    steps = np.diff(np.asarray(angles, dtype=np.float64))
-    if steps.min(initial=0.0) < -_ROUND_OFF and steps.max(initial=0.0) > _ROUND_OFF:
-        raise both_ways(body)
-    return float(np.abs(steps).sum()) / (2.0 * np.pi)
+def gone_through(values: Sequence[float], both_ways: CannotAnswer) -> float:
+    """The way of a measure, from its values along one phase. Raises CannotAnswer where it goes both ways: how far it
+    gets between the instants is not known."""
+    steps = np.diff(np.asarray(values, dtype=np.float64))
+    least = _ROUND_OFF * max(1.0, float(np.abs(values).max(initial=0.0)))
+    if steps.min(initial=0.0) < -least and steps.max(initial=0.0) > least:
+        raise both_ways
+    return float(np.abs(steps).sum())
 
 
 def both_ways(body: str) -> CannotAnswer:
@@ -184,8 +196,13 @@ class NumericPassage:
     def revolutions(self, body: str) -> float:
         if self.ways is None:
             raise CannotAnswer(Message("how often {body} turns is not counted here", body=body))
-        angle = Angle(body)
-        return sum(turned_through(body, [s.value(angle) for s in instants]) for instants in self.ways())
+        angle, why = Angle(body), both_ways(body)
+        return sum(gone_through([s.value(angle) for s in instants], why) for instants in self.ways()) / (2.0 * np.pi)
+
+    def travelled(self, measure: Measure) -> float:
+        if self.ways is None:
+            raise CannotAnswer(Message("the way is not counted here"))
+        return sum(gone_through([s.value(measure) for s in instants], _TURNS_BACK) for instants in self.ways())
 
     def there(self, quantity: Quantity) -> Any:
         return self.at_end(quantity)
