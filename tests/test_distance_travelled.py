@@ -1,6 +1,6 @@
 """The distance travelled is the length of the way, and no change of place.
 
-Thrown up with v: v^2/(2 g) to the top, and behind it the way is longer than the change of place. A ball that slides with
+Thrown up with v: v^2/(2 g) to the top, behind it the way is longer than the change of place. A ball that slides with
 v until it rolls: 12 v^2/(49 mu g). Problem families: Meriam & Kraige, Dynamics, 2/2 (net displacement and distance);
 Hibbeler, Dynamics, 12.2; Beer & Johnston, Dynamics, 11.1 and 16.2.
 """
