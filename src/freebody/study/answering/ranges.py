@@ -28,7 +28,14 @@ from freebody.questions.reading import Question
 from freebody.questions.turned_round import REACHED, SO
 from freebody.study.answering.answer import Evidence
 from freebody.study.answering.conditions import real
-from freebody.study.answering.crosscheck import INSTANT_TOLERANCE, MIN_DRAWS, MOTION_TOLERANCE, CrossCheck, element_at
+from freebody.study.answering.crosscheck import (
+    INSTANT_TOLERANCE,
+    MIN_DRAWS,
+    MOTION_TOLERANCE,
+    CrossCheck,
+    TooLittleCompared,
+    element_at,
+)
 from freebody.study.answering.draws import Draw
 from freebody.study.answering.finding import Finding
 from freebody.study.answering.magnitude import magnitude
@@ -371,8 +378,25 @@ class RangeSearch:
                 for value in self._outside(here, numbers):
                     self._compare_at(check, k, draw, value)
 
+        if not all(truth.formula.is_put_back for truth in self.truths):
+            return self._evidence_of_formulas()
         enough = 2 * MIN_DRAWS if is_verdict else MIN_DRAWS
         return check.gather(enumerate(self.setup.draw_stream()), compare, enough).evidence()
+
+    def _evidence_of_formulas(self) -> Evidence:
+        """Beside an event of contacts, which the numeric route finds in its own way, the formulas of the cases are what
+        it is compared with, at numbers of their own. Raises TooLittleCompared where that was possible for none."""
+        found: list[Evidence] = []
+        missed: TooLittleCompared | None = None
+        for truth in self.truths:
+            try:
+                found.append(truth.formula.evidence())
+            except TooLittleCompared as error:
+                missed = missed or error
+        if not found:
+            raise missed or TooLittleCompared(Message("the quantity could not be compared with the numeric route"))
+        worst = max(e.worst_relative_difference for e in found)
+        return Evidence(sum(e.draws for e in found), worst, found[0].route)
 
     def _beside(self, interval: _Interval, numbers: Mapping[int, Any]) -> Iterator[float]:
         low, high = self._domain()
