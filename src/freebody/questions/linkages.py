@@ -51,9 +51,10 @@ class OfLinkage(Quantity):
 
 @dataclass(frozen=True)
 class FullTurn(OfLinkage, kind="full turn"):
-    """Whether a link turns all round against the fixed one."""
+    """Whether a link turns all round against the fixed one; or what has a named angle, whose motion energy tells."""
 
     link: str
+    angle: Measure | None = None
 
     example = f"{FOUR_BAR}questions: {{it: does crank turn fully}}\n"
     is_verdict = True
@@ -106,7 +107,8 @@ class TransmissionAngle(OfLinkage, kind="transmission angle"):
 _FULLY = (
     r"(?:turns? (?:fully|completely|all (?:the way )?round|right round|through (?:a )?full (?:turns?|circles?))"
     r"|makes? (?:a )?(?:full|complete) (?:turns?|revolutions?|rotations?)"
-    r"|(?:goes|go) all (?:the way )?round|rotates? (?:fully|completely))"
+    r"|(?:goes|go|swings?) (?:all (?:the way )?round|(?:right )?over the top)|rotates? (?:fully|completely)"
+    r"|(?:makes?|completes?|describes?) (?:a|the) (?:full |complete |whole )?(?:circle|loop))"
 )
 TURNS_FULLY = rf"(?:the )?(?P<of>{NAME}) (?:can )?{_FULLY}"
 
@@ -125,7 +127,12 @@ def full_turn(names: Names, name: str, path: Path) -> FullTurn | None:
     measure = names.measures.get(name)
     if isinstance(measure, Angle) and name not in names.bodies:
         name = measure.of
+    elif measure is not None and measure.dimension == DIMENSIONLESS and name not in names.bodies:
+        return FullTurn(name, measure)
     body = names.body(name, *path)
+    angles = [m for m in names.measures.values() if m.dimension == DIMENSIONLESS and name in m.bodies()]
+    if not body.turns and not body.fixed and len(angles) == 1:
+        return FullTurn(name, angles[0])
     if not body.turns or body.fixed:
         told = Message("{body} does not turn", body=body.name)
         names.problem(told, *path)

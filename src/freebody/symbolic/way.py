@@ -185,6 +185,13 @@ class EnergyPath:
         (low, below, some), (high, above, more) = (self.extent(side) for side in (-1, 1))
         return Span((low, high), [*below, *(need for need in above if need not in below)], [*some, *more])
 
+    def round(self) -> tuple[list[Need], list[str]]:
+        """What an angle needs to come all round, in formulas and in words."""
+        way, needs = self._way
+        if not self._is_periodic(self.square):
+            raise CannotAnswer(Message("no turn of {x} is as the one before", x=self.c.name))
+        return self._over(self.q0, self.field.lowest_terms(self.q0 + 2 * way * self.field.pi), needs)
+
     @property
     def sense(self) -> int:
         """+1 if the coordinate grows at first, else -1."""

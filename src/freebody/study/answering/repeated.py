@@ -130,14 +130,7 @@ def period_in_numbers(draw: Draw, measure: Measure, until: float, *, is_exact: b
 def cycle(draw: Draw, measure: Measure, until: float, *, is_exact: bool) -> tuple[float, float]:
     """The instants between which a period is counted. Raises SaysNothing where there is none until `until`."""
     start = draw.start()
-    begin, rate = start.value(measure), start.rate(measure)
-    whole = begin + math.copysign(2 * math.pi, rate)
-    watches = [EngineWatch("turn", measure, 1, size=1e-3), EngineWatch("over", measure, 0, whole, size=1.0)]
-    engine, course = run(draw.reference, start, np.array([start.t, until]), watches)
-    if course.status not in (Status.FINISHED, Status.TOO_LONG):
-        raise SaysNothing(course.message or Message("the motion does not go on"))
-    turns = [h.time for h in course.events if h.name == "turn" and h.kind in _CROSSED and h.time > start.t]
-    over = [h.time for h in course.events if h.name == "over" and h.time > start.t]
+    engine, course, turns, over = _watched_motion(draw, measure, until)
     if len(turns) >= 3:
         first, last = turns[0], turns[2]
     elif over and not turns and measure.dimension == DIMENSIONLESS:
@@ -149,6 +142,28 @@ def cycle(draw: Draw, measure: Measure, until: float, *, is_exact: bool) -> tupl
         if len(states) != 2 or not _is_same(*states):
             raise CannotAnswer(Message("the motion does not repeat itself"))
     return first, last
+
+
+def comes_round(draw: Draw, measure: Measure, until: float) -> bool:
+    """Whether an angle comes all round before it turns. Raises SaysNothing where it has done neither until `until`."""
+    _engine, _course, turns, over = _watched_motion(draw, measure, until)
+    if not turns and not over:
+        raise SaysNothing(Message("the motion has not repeated itself until t = {t:.6g} s", t=until))
+    return bool(over) and (not turns or over[0] < turns[0])
+
+
+def _watched_motion(draw: Draw, measure: Measure, until: float) -> tuple[Engine, Trajectory, list[float], list[float]]:
+    """A motion, the instants at which a measure turns, and at which it has come a whole turn from the start."""
+    start = draw.start()
+    begin, rate = start.value(measure), start.rate(measure)
+    whole = begin + math.copysign(2 * math.pi, rate)
+    watches = [EngineWatch("turn", measure, 1, size=1e-3), EngineWatch("over", measure, 0, whole, size=1.0)]
+    engine, course = run(draw.reference, start, np.array([start.t, until]), watches)
+    if course.status not in (Status.FINISHED, Status.TOO_LONG):
+        raise SaysNothing(course.message or Message("the motion does not go on"))
+    turns = [h.time for h in course.events if h.name == "turn" and h.kind in _CROSSED and h.time > start.t]
+    over = [h.time for h in course.events if h.name == "over" and h.time > start.t]
+    return engine, course, turns, over
 
 
 def _state(engine: Engine, course: Trajectory, k: int) -> Array:

@@ -142,6 +142,8 @@ def _plain(question: Question) -> None:
 @_find.register(FullTurn)
 def _full_turn(q: FullTurn, setup: Setup, question: Question) -> Finding:
     _plain(question)
+    if q.angle is not None:
+        raise CannotAnswer(Message("ask for the speed or the impulse: least v so that {name} turns fully", name=q.link))
     try:
         links = four_links(setup)
         turning = links.turning(q.link)
@@ -179,7 +181,12 @@ def is_so(q: Quantity, setup: Setup) -> Formula:
 
 @is_so.register(FullTurn)
 def _(q: FullTurn, setup: Setup) -> Formula:
-    turning = four_links(setup).turning(q.link)
+    try:
+        turning = four_links(setup).turning(q.link)
+    except CannotAnswer as error:
+        from freebody.study.mobility.round_by_energy import goes_round
+
+        return goes_round(setup, q, error)
     if not turning.needs:
         raise CannotAnswer(Message("{link} turns fully for all lengths", link=q.link))
 

@@ -1,0 +1,52 @@
+"""Whether what swings goes all round: energy lets it over the highest point of its way.
+
+With u^2 = W(q) by energy an angle comes round if and only if W is positive all the way from the start on for a whole
+turn: at each of its least values. A rod needs no more; a string must stay taut as well, which is another question.
+Source: Meriam & Kraige, Dynamics, 7th ed. 2012, sec. 3/7.
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
+from freebody.measures.angle import Angle
+from freebody.measures.geometry import GROUND
+from freebody.numeric.reference import Reference
+from freebody.questions.linkages import FullTurn
+from freebody.study.answering.answer import Evidence
+from freebody.study.answering.draws import Draw
+from freebody.study.answering.repeated import LONGEST, comes_round
+from freebody.study.answering.turned_round import Formula
+from freebody.study.setup import Setup
+from freebody.symbolic.conditions import Condition
+
+
+def goes_round(setup: Setup, q: FullTurn, otherwise: CannotAnswer) -> Formula:
+    """Where it does. Raises `otherwise` where it is no motion of one freedom by that angle."""
+    model = setup.model
+    c = model.coordinates[0] if len(model.coordinates) == 1 else None
+    measure = None if c is None else model.measure_of(c)
+    is_own = isinstance(measure, Angle) and measure.of == q.link and measure.origin == GROUND
+    if c is None or measure is None or not (is_own if q.angle is None else measure == q.angle):
+        raise otherwise
+    loose = [row.connection for row in setup.system.constraint_rows if row.unilateral]
+    if loose:
+        told = Message("{name} may go slack before: ask so that {name} stays taut", name=loose[0])
+        raise CannotAnswer(told)
+    needs, says = setup.motion.way_of(c).round()
+    if says:
+        raise CannotAnswer(says[0])
+    purpose = Message("{link} turns fully", link=q.link)
+
+    def in_numbers(values: dict[str, float]) -> float:
+        reference = Reference(setup.system, values)
+        draw = Draw(values, reference, reference.assemble(guess=setup.draws[0].q, n_starts=2))
+        return float(comes_round(draw, measure, LONGEST))
+
+    return Formula(Fraction(1), [Condition(x, relation, purpose) for x, relation in needs], _none, in_numbers)
+
+
+def _none() -> Evidence:
+    raise CannotAnswer(Message("one number must have a value here, and that is none in closed form"))
