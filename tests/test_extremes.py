@@ -34,6 +34,16 @@ connections:
 loads: {weight: {gravity: g}}
 measures: {psi: {angle of arm from down}}
 """
+YOKE = """
+parameters: {r: 0.06 m, w: 25 rad/s, m: 2.5 kg}
+bodies: {crank: {rod: {length: r}}, yoke: {body: {mass: m}}}
+connections:
+  O: {pin: [ground.O, crank.start]}
+  guide: {slider: {body: yoke, along: right}}
+  slot: {slot: {pin: crank.end, along: yoke.y, on: yoke}}
+  motor: {driver: {measure: theta, follows: w*t}}
+measures: {theta: {angle of crank}, x: x of yoke}
+"""
 PENDULUM = """
 parameters: {m: 1.5 kg, L: 0.9 m, a: 60 deg, g: 9.81 m/s^2}
 bodies: {bob: {particle: {mass: m}}}
@@ -81,6 +91,8 @@ CASES = {
     "over the motion it is the same": (ROTOR, "greatest reaction of axle over the motion", "m*e*w^2 + m*g"),
     "an arm with a load at its tip": (ARM, "greatest driving torque of motor over a turn", "(m + M/2)*g*L"),
     "the pin of its load": (ARM, "greatest reaction of weld on tip over a turn", "m*L*w^2 + m*g"),
+    "speed of a Scotch yoke": (YOKE, "greatest velocity of yoke over a turn", "r*w"),
+    "its torque": (YOKE, "greatest driving torque of motor over a turn", "m*r^2*w^2/2"),
     "a speed that does not change": (ARM, "greatest velocity of tip over a turn of psi", "w*L"),
     "tension of a pendulum": (PENDULUM, "greatest tension of rope", "m*g*(3 - 2*cos(a))"),
     "least tension": (PENDULUM, "least tension of rope over the motion", "m*g*cos(a)"),
@@ -137,6 +149,29 @@ measures: {psi: angle of crank, x: x of piston}
 
     found = posed(text, "greatest driving torque of motor over a turn")
     assert found.value == pytest.approx(max(torque(k * math.tau / 20_000) for k in range(20_000)), rel=1e-6)
+
+
+def test_forces_of_a_four_bar_have_numbers() -> None:
+    text = """
+parameters: {a: 0.1 m, b: 0.3 m, c: 0.25 m, d: 0.3 m, w: 20 rad/s}
+ground: {points: {O: [0, 0], D: [d, 0]}}
+bodies:
+  crank: {rod: {mass: 1 kg, length: a}}
+  coupler: {rod: {mass: 1 kg, length: b}}
+  rocker: {rod: {mass: 1 kg, length: c}, near: {angle: 100 deg}}
+connections:
+  O: {pin: [ground.O, crank.start]}
+  A: {pin: [crank.end, coupler.start]}
+  B: {pin: [coupler.end, rocker.end]}
+  C: {pin: [ground.D, rocker.start]}
+  motor: {driver: {measure: psi, follows: w*t}}
+measures: {psi: angle of crank}
+"""
+    turn = fb.over_a_turn(System.from_text(text), n=720)
+    found = posed(text, "greatest driving torque of motor over a turn")
+    assert found.value == pytest.approx(float(turn.torque.max()), rel=1e-4)
+    pin = max(math.hypot(x, y) for x, y in zip(*(turn.columns[f"O.{axis}"][1] for axis in "xy"), strict=True))
+    assert posed(text, "greatest reaction of O over a turn").value == pytest.approx(pin, rel=1e-4)
 
 
 def test_what_else_is_free_has_a_motion_of_its_own() -> None:

@@ -67,9 +67,7 @@ def tell_extremes(context: Context, question: Question, answer: Answer, q: Extre
     x = at_start_but_for(setup, question, x, c)
     turning = TurningAngle(model, c, elsewhere(setup, c, q.of))
     search = ExtremaSearch(turning)
-    search.must_exist(x)
-    found = search.stationary(x)
-    least, largest = search.ordered(found)
+    found, least, largest = search.extremes(setup, x)
     script = context.script()
     uses = drawn or _leading_up(context, script, q)
     with script.stage("steady.turn", "steady.turn_hint"):

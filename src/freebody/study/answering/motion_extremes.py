@@ -251,7 +251,7 @@ def _along(setup: Setup, of: Quantity, c: Coordinate) -> Along:
     if f.ingredients(x) & others or any(f.generators[g].kind == "time" for g in f.ingredients(x)):
         raise CannotAnswer(Message("it depends on more than the place of {x} on its way", x=c.name))
     if is_root := any(f.generators[g].kind == "root" and _moves(g, c, f) for g in x.generators()):
-        if not _is_size(model, x, c):
+        if not is_size(model, x, c):
             raise _NO_FORM
         x = f.lowest_terms(x * x)
     even, odd = _by_parity(x, c, way.square)
@@ -266,7 +266,7 @@ def _moves(g: int, c: Coordinate, f: Field) -> bool:
     return bool({c.index, c.speed} & f.generators[g].made_of)
 
 
-def _is_size(model: SymbolicModel, x: Ratio, c: Coordinate) -> bool:
+def is_size(model: SymbolicModel, x: Ratio, c: Coordinate) -> bool:
     """Whether it is a root with a factor that is positive, or does not move and is so at all samples."""
     f = x.field
     roots = [g for g in x.generators() if f.generators[g].kind == "root" and _moves(g, c, f)]

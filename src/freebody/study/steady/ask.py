@@ -41,16 +41,22 @@ def number(q: Quantity, setup: Setup, question: Question) -> Value:
 
 @number.register(Extremes)
 def _number_of_turn(q: Extremes, setup: Setup, question: Question) -> Value:
-    from freebody.study.steady.extremes import angle_of, followed
+    from freebody.study.steady.drive import FreeToTurn, followed, turned_by_drive
+    from freebody.study.steady.extremes import angle_of
     from freebody.study.steady.round_turn import FullTurn, extremes_in_numbers
     from freebody.symbolic.closure import explicit
 
     if q.what == "time ratio" or question.at_start:
         return None
-    x = followed(setup, q.of)
-    refuse_vectors((x,))
-    c = angle_of(setup.model, q, explicit(setup.model, setup.model.field.element(x)))
-    least, largest = extremes_in_numbers(FullTurn(setup, setup.draws[0], c, q.of))
+    if isinstance(setup, FreeToTurn):
+        c = turned_by_drive(setup)
+    else:
+        x = followed(setup, q.of)
+        refuse_vectors((x,))
+        c = angle_of(setup.model, q, explicit(setup.model, setup.model.field.element(x)))
+    turn = FullTurn(setup, setup.draws[0], c, q.of)
+    refuse_vectors((turn.quantity_at(setup.draws[0].q),))
+    least, largest = extremes_in_numbers(turn)
     match q.what:
         case "extremes":
             return least, largest

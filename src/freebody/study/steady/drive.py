@@ -19,6 +19,7 @@ from freebody.model.elements import ConstraintRow, NonholonomicForm
 from freebody.questions.base import Quantity
 from freebody.study.setup import Setup
 from freebody.symbolic.state import SymbolicState
+from freebody.symbolic.unknowns import Coordinate
 from freebody.system.system import System
 
 
@@ -45,15 +46,20 @@ def without_drive(setup: Setup) -> Setup:
     return FreeToTurn(system, drives[0], rate) if differentiate(rate, "t") == ZERO else setup
 
 
+def turned_by_drive(setup: FreeToTurn) -> Coordinate:
+    """The angle that the drive turns. Raises CannotAnswer where it is not the only freedom."""
+    model = setup.model
+    if len(model.coordinates) > 1:
+        raise CannotAnswer(Message("beside the drive something else is free to move, which has a motion of its own"))
+    return next(c for c in model.coordinates if model.measure_of(c) == setup.drive.measure)
+
+
 def followed(setup: Setup, of: Quantity) -> Any:
     """The quantity over the turn: its rates are those of the drive, where that is left out."""
     model, system = setup.model, setup.system
     if not isinstance(setup, FreeToTurn) or of.kinematic_order == 0:
         return of.value(system, setup.state)
-    rate = model.geometry.scalar(setup.rate)
-    turned = next(c for c in model.coordinates if model.measure_of(c) == setup.drive.measure)
-    if len(model.coordinates) > 1:
-        raise CannotAnswer(Message("beside the drive something else is free to move, which has a motion of its own"))
+    rate, turned = model.geometry.scalar(setup.rate), turned_by_drive(setup)
     state = SymbolicState(model.kept_going(setup.driven), {turned.speed: rate})
     value: Any = of.value(setup.driven, state)
     for x in map(model.field.element, _parts(value)):

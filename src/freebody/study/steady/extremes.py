@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 from contextlib import suppress
+from dataclasses import replace
 from typing import Any
 
 from freebody.errors import CannotAnswer
@@ -18,7 +19,7 @@ from freebody.questions.base import Quantity
 from freebody.questions.reading import Question
 from freebody.questions.steady import Extremes
 from freebody.study.answering.finding import Elements, Finding
-from freebody.study.answering.motion_extremes import along
+from freebody.study.answering.motion_extremes import along, is_size
 from freebody.study.answering.motion_extremes import find as over_motion
 from freebody.study.setup import Setup
 from freebody.study.steady.drive import FreeToTurn, followed
@@ -52,9 +53,7 @@ def extremes(setup: Setup, question: Question, q: Extremes) -> Finding:
     turning = TurningAngle(model, c, elsewhere(setup, c, q.of))
     turning.check(x)
     search = ExtremaSearch(turning)
-    search.must_exist(x)
-    search.must_go_round(setup)
-    least, largest = search.ordered(search.stationary(x))
+    _all, least, largest = search.extremes(setup, x)
     conditions = search.conditions + _kept(setup, turning)
     evidence = over_a_turn(setup, question.text, q.of, c, least, largest, conditions)
     notes = [_where(Message("least"), least, c), _where(Message("largest"), largest, c), *turning.notes]
@@ -183,6 +182,9 @@ def _where(which: str, e: Extremum, c: Coordinate) -> str:
     )
 
 
+_MOST_TERMS = 300  # of what is looked through for stationary places
+
+
 class ExtremaSearch:
     """Stationary values over the turn, and what must be positive for them."""
 
@@ -190,6 +192,23 @@ class ExtremaSearch:
         self.turning = turning
         self.field = turning.model.field
         self.conditions: list[Condition] = []
+
+    def extremes(self, setup: Setup, x: Ratio) -> tuple[list[Extremum], Extremum, Extremum]:
+        """All stationary values, the least and the largest of them; of a size by its square, which has a slope where it
+        vanishes as well."""
+        f, model = self.field, self.turning.model
+        if len(x.num) + len(x.denominator().num) > _MOST_TERMS:
+            raise CannotAnswer(Message("its slope is a formula that is too long to look for its zeros"))
+        root = is_size(model, x, self.turning.angle)
+        x = f.lowest_terms(x * x) if root else x
+        self.must_exist(x)
+        self.must_go_round(setup)
+        found = self.stationary(x)
+        least, largest = self.ordered(found)
+        if not root:
+            return found, least, largest
+        own = {e: replace(e, value=f.sqrt(e.value, model.samples.is_negative)) for e in found}
+        return list(own.values()), own[least], own[largest]
 
     def stationary(self, x: Ratio) -> list[Extremum]:
         """All stationary values, each once."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 
@@ -119,9 +120,13 @@ class FullTurn:
         return q
 
     def value(self, q: Array) -> float:
+        return float(self.quantity_at(q))
+
+    def quantity_at(self, q: Array) -> Any:
+        """The quantity in a pose, whatever it is: of a vector a tuple."""
         if isinstance(self.setup, FreeToTurn) and self.quantity.kinematic_order != 0:
-            return float(self.quantity.value(self.setup.driven, self._driven(self.setup, q)))
-        return float(self.quantity.value(self.setup.system, self.draw.seen(self._snapshot(q))))
+            return self.quantity.value(self.setup.driven, self._driven(self.setup, q))
+        return self.quantity.value(self.setup.system, self.draw.seen(self._snapshot(q)))
 
     def _driven(self, setup: FreeToTurn, q: Array) -> Snapshot:
         """The system with its drive, at the time at which that comes through a pose."""
