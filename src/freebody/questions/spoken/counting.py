@@ -115,18 +115,19 @@ def _heads_counted(names: Names, sentence: Sentence) -> Groups:
     elif asked == ["energy lost"] or (asked == ["energy"] and verbs == {"lost"}):
         yield ["energy lost"] if not of or lookup.is_all_that_moves(names, who) else []
     elif (main.has("ask", "far", "much", "high", "large") and not asked and goes) or (
-        asked in (["distance"], ["displacement"], ["horizontal range"]) and (goes or not verbs)
+        asked in (["distance"], ["displacement"], ["distance travelled"], ["horizontal range"]) and (goes or not verbs)
     ):
+        counted = "distance travelled along" if asked == ["distance travelled"] else "change of"
         down = "fall" in verbs or main.has("updown", "down") or main.has("part", "downward")
         up = "rise" in verbs or main.has("updown", "up") or main.has("part", "upward") or main.has("ask", "high")
         if down or up:
             heights = [name for name, sense in lookup.heights(names, who) if (sense < 0) == down]
             along = [name for name, sense in lookup.inclined(names, who) if (sense < 0) == down]
-            yield [f"change of {name}" for name in heights or along]
+            yield [f"{counted} {name}" for name in heights or along]
         elif "turn" in verbs and main.has("ask", "far", "much", "large"):
             yield [f"change of {name}" for name in lookup.angles(names, who)]
         else:
-            yield [f"change of {name}" for name in lookup.ways(names, who)]
+            yield [f"{counted} {name}" for name in lookup.ways(names, who)]
     elif len(asked) == 1 == len(of) and asked[0] == "work" and who in names.loads:
         yield [f"work of {who}"]
     elif asked == ["change"] and not verbs and who in names.measures:

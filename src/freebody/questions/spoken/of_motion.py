@@ -110,7 +110,7 @@ def _range(names: Names, quantity: str, rest: Clause) -> Groups:
         yield [f"{name} when {height} = 0" for name in level for height in down]
 
 
-@said_of("displacement")
+@said_of("displacement", "distance travelled")
 def _displacement(names: Names, quantity: str, rest: Clause) -> Groups:
     of = [name for _, name in rest.names]
     if rest.only("name", *SILENT) and len(of) <= 1:
