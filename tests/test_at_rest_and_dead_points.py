@@ -91,7 +91,9 @@ def test_at_the_dead_points(text: str, question: str, formulas: list[str]) -> No
 
 
 def test_forces_at_dead_points_ask_for_a_drive() -> None:
-    assert "give it a driver" in posed(BARS, "reaction of A at the dead points").reason
+    found = posed(BARS, "reaction of A at the dead points")
+    assert "give it a driver" in found.reason
+    assert found.value is None  # no number of a rate that nobody gave
 
 
 @pytest.mark.parametrize(

@@ -174,6 +174,26 @@ measures: {psi: angle of crank}
     assert posed(text, "greatest reaction of O over a turn").value == pytest.approx(pin, rel=1e-4)
 
 
+def test_without_a_drive_there_is_no_number_of_a_rate_that_nobody_gave() -> None:
+    text = """
+parameters: {a: 0.1 m, b: 0.3 m, c: 0.25 m, d: 0.3 m}
+ground: {points: {O: [0, 0], D: [d, 0]}}
+bodies:
+  crank: {rod: {mass: 1 kg, length: a}}
+  coupler: {rod: {mass: 1 kg, length: b}}
+  rocker: {rod: {mass: 1 kg, length: c}}
+connections:
+  O: {pin: [ground.O, crank.start]}
+  A: {pin: [crank.end, coupler.start]}
+  B: {pin: [coupler.end, rocker.end]}
+  C: {pin: [ground.D, rocker.start]}
+measures: {psi: angle of crank, phi: angle of rocker}
+start: {psi: 60 deg}
+"""
+    for question in ("greatest velocity of phi over a turn of psi", "extremes of acceleration of phi over a turn"):
+        assert posed(text, question).value is None
+
+
 def test_what_else_is_free_has_a_motion_of_its_own() -> None:
     text = ROTOR.replace("bodies: {", "bodies: {bob: {particle: {mass: m}}, ")
     text = text.replace("connections: {", "connections: {rope: {link: [rotor.O, bob, e]}, ")

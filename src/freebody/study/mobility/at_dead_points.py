@@ -28,6 +28,8 @@ from freebody.study.steady.round_turn import FullTurn
 from freebody.symbolic.closure import explicit
 from freebody.symbolic.field import Ratio
 
+_NEEDS_DRIVE = Message("it depends on how the crank turns: give it a driver, {{measure: psi, follows: w*t}}")
+
 
 def by_crank(setup: Setup, q: AtDeadPoints, links_of: Callable[[Setup], FourLinks]) -> Setup:
     """The system with the angle of its crank as the one coordinate. Raises CannotAnswer where what is asked depends on
@@ -35,8 +37,7 @@ def by_crank(setup: Setup, q: AtDeadPoints, links_of: Callable[[Setup], FourLink
     turned = without_drive(setup)
     if not isinstance(turned, FreeToTurn):
         if q.of.kinematic_order != 0:
-            told = Message("it depends on how the crank turns: give it a driver, {{measure: psi, follows: w*t}}")
-            raise CannotAnswer(told)
+            raise CannotAnswer(_NEEDS_DRIVE)
         system, crank = setup.system, links_of(setup).crank
         name = next((n for n, m in system.measures.items() if m == Angle(crank)), crank)
         start = {n: x for n, x in system.start.items() if n == name}
@@ -98,7 +99,10 @@ def _there(links: FourLinks, q: AtDeadPoints, draw: Draw, points: Sequence[DeadP
 
 
 def numbers_there(links: FourLinks, q: AtDeadPoints, draw: Draw) -> tuple[float, ...]:
-    """The same without a formula of the quantity. links: by the angle of the crank."""
+    """The same without a formula of the quantity. links: by the angle of the crank. Raises CannotAnswer where it
+    depends on how the crank turns, and no drive says that."""
+    if not isinstance(links.setup, FreeToTurn) and q.of.kinematic_order != 0:
+        raise CannotAnswer(_NEEDS_DRIVE)
     (c,) = links.model.coordinates
     measure = links.model.measure_of(c)
     if measure is None or not all(

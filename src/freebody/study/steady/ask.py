@@ -50,6 +50,8 @@ def _number_of_turn(q: Extremes, setup: Setup, question: Question) -> Value:
         return None
     if isinstance(setup, FreeToTurn):
         c = turned_by_drive(setup)
+    elif q.of.kinematic_order != 0 and not q.of.is_of_pose_in_motion:
+        return None  # at which rate, no drive says
     else:
         x = followed(setup, q.of)
         refuse_vectors((x,))
