@@ -358,7 +358,9 @@ def _multiplier(names: Names, found: Found, path: Path) -> Quantity | None:
             known = ", ".join(_OPENINGS[:7])
             names.problem(
                 Message(
-                    "a body has no {what}; one can ask for its {known}, momenta and energies", what=what, known=known
+                    "'{what}' is nothing that is found of a body; one can ask for its {known}, momenta and energies",
+                    what=what,
+                    known=known,
                 ),
                 *path,
             )

@@ -191,7 +191,12 @@ def _limit(names: Names, found: Found, which: Which, path: Path) -> RestLimit | 
 def _failure(names: Names, found: Found, path: Path) -> Quantity | None:
     name = found["of"]
     if name is None:
-        names.problem(Message("say as what grows: does it tip or slide as F grows"), *path)
+        names.problem(
+            Message(
+                "say as what grows: does it tip or slide as F grows; or ask whether anything moves at all: does it hold"
+            ),
+            *path,
+        )
         return None
     p = _parameter(names, name, path)
     return None if p is None else FirstFailure(name, p.dimension, p.is_angle)

@@ -25,6 +25,8 @@ def quantities(names: Names, clause: Clause) -> Groups:
     clause = (
         clause.without("filler").without("verb", "act", "exert") if _is_of_force(clause) else clause.without("filler")
     )
+    if clause.words and clause.words[-1] == Word("preposition", "and"):  # something is missing behind it
+        return
     if clause.has("relation") or clause.has("value") or clause.has("turns") or clause.has("other"):
         return
     if clause.has("quantity", "ratio", "difference", "sum"):
@@ -110,7 +112,7 @@ def _of_two(names: Names, clause: Clause) -> Groups:
     if any(word.kind != "quantity" for word in said) or len(said) > 1:
         return
     rest = clause.words[k + 1 :]
-    signs = ("on",) if kind == "ratio" else ("and",)
+    signs = ("to",) if kind == "ratio" else ("and",)
     between = {"preposition"}
     cuts = [j for j, w in enumerate(rest) if w.kind in between and (w.what in signs or w.what == "and")]
     operator = {"ratio": "/", "difference": "-", "sum": "+"}[kind]
@@ -118,8 +120,10 @@ def _of_two(names: Names, clause: Clause) -> Groups:
         first, second = Clause(rest[:cut]), Clause(rest[cut + 1 :])
         first = Clause([*said, *first.words])
         own = [w for w in first.words if w.kind == "quantity"]
-        if not second.has("quantity"):
-            second = Clause([*own, *second.without("pronoun", "that").words])
+        if not second.has("quantity"):  # the rope force on the left to that on the right
+            joints = [w for w in first.words if w.kind == "name" and w.what in names.connections]
+            carried = joints if second.has("pronoun", "that") else []
+            second = Clause([*carried, *own, *second.without("pronoun", "that").words])
         if not first.has("quantity"):
             first = Clause([*[w for w in second.words if w.kind == "quantity"], *first.words])
         for one, other in product(list(quantities(names, first)), list(quantities(names, second))):

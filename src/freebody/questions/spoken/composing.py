@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 Groups = Iterator[list[str]]
 Compose = Callable[["Names", str, Clause], Groups]
 SILENT = ("filler", "pronoun", "preposition", "updown")  # kinds of words that ask for nothing by themselves
-ALONG = {"horizontal": "right", "vertical": "up", "upward": "up", "downward": "down"}
+ALONG = {"horizontal": "right", "vertical": "up", "upward": "up", "downward": "down", "up": "up", "down": "down"}
 _ROOMS: dict[str, Compose] = {}
 
 

@@ -17,6 +17,10 @@ from freebody.questions.spoken.words import Clause
 if TYPE_CHECKING:
     from freebody.model.names import Names
 
+_CONTINUOUS = (
+    *("velocity", "speed", "angular velocity", "position", "displacement", "angle", "height", "distance"),
+    *("kinetic energy", "potential energy", "total energy", "energy", "linear momentum", "angular momentum"),
+)
 _TIMED = {"in steady motion": " in steady motion", "when t grows": " when t grows"}
 
 
@@ -39,6 +43,8 @@ def timed(names: Names, sentence: Sentence) -> Groups:
         tails = tails or ([] if others else [[" when it hits"]])
     if any(word.kind == "part" and word.what == "initial" for word in main.words) and not tails:
         main, tails = main.without("part", "initial"), [[" at start"]]
+    if any(_is_of_state(mark, clause) for mark, clause in others) and not _is_continuous(names, main):
+        return
     for mark, clause in others:
         found = list(_at(names, mark, clause))
         if not found:
@@ -60,6 +66,22 @@ def timed(names: Names, sentence: Sentence) -> Groups:
     for tail in _grouped(names, sentence, tails):
         for group in quantities(names, main):
             yield [f"{text}{end}" for text, end in product(group, tail)]
+
+
+def _is_of_state(mark: str, clause: Clause) -> bool:
+    """Whether it is said of a state that lasts, or of what comes after an event: when it rolls, after it slipped."""
+    verbs = set(clause.all("verb"))
+    contact = verbs & {"roll", "slide", "hit", "leave", "slack", "taut", "stop", "begin_roll"}
+    return bool(contact) and (mark == "after" or (verbs <= {"roll", "slide"} and not clause.has("value")))
+
+
+def _is_continuous(names: Names, main: Clause) -> bool:
+    """Whether a quantity is the same just before and just after rolling or slipping begins: forces and accelerations
+    are not."""
+    asked = main.all("quantity")
+    if not asked:
+        return not main.has("verb", "accelerate")
+    return all(quantity in _CONTINUOUS for quantity in asked)
 
 
 def _how_high(names: Names, main: Clause) -> Groups:
@@ -151,6 +173,7 @@ def _equation_at_end(main: Clause) -> tuple[Clause, str] | None:
         "of",
         "with",
         "on",
+        "to",
     )
     if words[k].what != "=" or not after or after[0].kind not in ("value", "name") or not is_placed:
         return None

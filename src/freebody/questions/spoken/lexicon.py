@@ -12,7 +12,7 @@ import re
 import tomllib
 from collections.abc import Iterator
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, cached_property
 from pathlib import Path
 from typing import Any, cast
 
@@ -42,26 +42,46 @@ class Word:
 
 @dataclass(frozen=True)
 class Phrase:
-    """The words of a phrase, in lower case; the end of one may be open."""
+    """A phrase as the files write it, and what it means."""
 
-    words: tuple[str, ...]
+    written: str
     means: Word
 
-    def found_in(self, tokens: list[str], start: int, end: int) -> tuple[int, ...] | None:
-        """The places of its words among tokens that begin with it; None where they do not."""
-        places: list[int] = []
-        at, is_open = start, False
-        for word in self.words:
-            if word == GAP:
-                is_open = True
-                continue
-            reach = range(at, end) if is_open else range(at, min(at + 1, end))
-            place = next((k for k in reach if _is_word(word, tokens[k])), None)
-            if place is None:
-                return None
-            places.append(place)
-            at, is_open = place + 1, False
-        return tuple(places)
+    @cached_property
+    def pattern(self) -> re.Pattern[str]:
+        """Of words with one space between them; those between the words of the phrase are the group `gap`."""
+        text = self.written.replace(")?", "\0").replace("(", "(?:").replace("\0", ")?")
+        text = re.sub(r"(?<=\w)\*", r"[^ ,]*", text).replace(f" {GAP}", "\1").replace(" ", " *")
+        return re.compile(text.replace("\1", r"(?P<gap>(?: [^ ,]+)*?)(?= )") + "(?= |$)")
+
+    def found_in(self, line: str, start: int) -> tuple[int, ...] | None:
+        """The places in a line of words at which words of it begin, from a place on; None where it is not there."""
+        found = self.pattern.match(line, start)
+        if found is None:
+            return None
+        gap = found.span("gap") if "gap" in self.pattern.groupindex else (found.end(), found.end())
+        begins = [start, *(k + 1 for k in range(start, found.end()) if line[k] == " ")]
+        return tuple(k for k in begins if k < found.end() and not gap[0] <= k < gap[1])
+
+    def first_words(self) -> Iterator[str]:
+        """The words that it can begin with; a few letters of one whose end is open."""
+        for part in _parts(self.written):
+            said = list(dict.fromkeys(_spelt_out(part)))
+            yield from (text.split()[0] for text in said if text)
+            if "" not in said:
+                return
+
+
+def _parts(text: str) -> list[str]:
+    """A phrase where a space stands outside of choices."""
+    parts, depth = [""], 0
+    for letter in text:
+        depth += (letter == "(") - (letter == ")")
+        if letter == " " and depth == 0:
+            parts.append("")
+        else:
+            parts[-1] += letter
+    return [part for part in parts if part]
 
 
 def _is_word(word: str, token: str) -> bool:
@@ -81,16 +101,16 @@ def _file(language: str) -> dict[str, Any]:
 
 @cache
 def _phrases(language: str) -> dict[str, tuple[Phrase, ...]]:
-    """The phrases of a language by the first two letters of their first word, the longest first."""
-    found: dict[str, list[Phrase]] = {}
+    """The phrases of a language by the first two letters of what they can begin with."""
+    found: dict[str, dict[Phrase, None]] = {}
     for kind, table in _file(language).items():
         if kind in _NO_WORDS:
             continue
         for what, written in cast("dict[str, list[str]]", table).items():
-            for text in written:
-                for words in dict.fromkeys(tuple(said.split()) for said in _spelt_out(text)):
-                    found.setdefault(words[0][:2].rstrip("*"), []).append(Phrase(words, Word(kind, what)))
-    return {key: tuple(sorted(own, key=lambda phrase: -len(phrase.words))) for key, own in found.items()}
+            for phrase in (Phrase(text, Word(kind, what)) for text in written):
+                for first in phrase.first_words():
+                    found.setdefault(first[:2].rstrip("*"), {})[phrase] = None
+    return {key: tuple(own) for key, own in found.items()}
 
 
 def _spelt_out(text: str) -> Iterator[str]:
@@ -103,22 +123,29 @@ def _spelt_out(text: str) -> Iterator[str]:
         yield from _spelt_out(text[: choice.start()] + option + text[choice.end() :])
 
 
-def phrases_at(tokens: list[str], start: int, end: int, language: str) -> Iterator[tuple[Word, tuple[int, ...]]]:
-    """What the tokens from a place on can mean, the longest phrases first, and the places of their words."""
+def phrases_at(line: str, start: int, language: str) -> list[tuple[Word, tuple[int, ...]]]:
+    """What the words of a line from a place on can mean, the longest phrases first, and where their words begin."""
     table = _phrases(language)
-    for key in dict.fromkeys((tokens[start][:2], tokens[start][:1])):
+    found: list[tuple[Word, tuple[int, ...]]] = []
+    for key in dict.fromkeys((line[start : start + 2].rstrip(), line[start])):
         for phrase in table.get(key, ()):
-            places = phrase.found_in(tokens, start, end)
+            places = phrase.found_in(line, start)
             if places is not None:
-                yield phrase.means, places
+                found.append((phrase.means, places))
+    return sorted(found, key=lambda one: -len(one[1]))
 
 
 @cache
 def vocabulary(language: str) -> frozenset[str]:
     """All words of a language that are written in full."""
-    return frozenset(
-        word for own in _phrases(language).values() for phrase in own for word in phrase.words if word[-1] not in "*_"
+    said = (
+        text
+        for own in _phrases(language).values()
+        for phrase in own
+        for part in _parts(phrase.written)
+        for text in _spelt_out(part)
     )
+    return frozenset(word for text in said for word in text.split() if word[-1] not in "*_")
 
 
 def goes_beside(token: str, where: str, language: str) -> bool:

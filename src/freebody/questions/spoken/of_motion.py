@@ -22,6 +22,7 @@ def motion(names: Names, quantity: str, rest: Clause) -> Groups:
     if len(of) > 1 or (rest.has("part", "initial", "size", "only", "driving")):
         return
     end = f"{relative}{along}"
+    quantity = "velocity" if quantity == "speed" and along else quantity  # which has a sign
     if not of and rest.has("pronoun", "system"):
         return
     if not of:
@@ -63,7 +64,9 @@ def _directed(names: Names, rest: Clause) -> tuple[list[str], str, str] | None:
             along = f" along {line or name}"
         else:
             of.append(name)
-    for part in rest.all("part"):
+    named = [before for before, _ in rest.names]
+    dangling = [way for way in rest.all("updown") if way not in named]  # it moves up
+    for part in (*rest.all("part"), *dangling):
         if part in ALONG:
             if along:
                 return None

@@ -33,6 +33,8 @@ def parted(words: list[Word]) -> Sentence | None:
             parts.append(("", []))
         elif word != _COMMA:
             parts[-1][1].append(word)
+        elif k + 1 < len(words) and words[k + 1].kind not in ("mark", "instant"):
+            return None  # two questions, or a name and another one
     main = [own for mark, own in parts if not mark and own]
     if len(main) != 1:
         return None

@@ -6,6 +6,7 @@ import difflib
 import re
 from collections.abc import Container, Iterator, Sequence
 from dataclasses import dataclass, field
+from itertools import accumulate
 
 from freebody.errors import UnitError
 from freebody.language.units.reader import parse_unit
@@ -27,6 +28,7 @@ _TOKEN = re.compile(
     re.IGNORECASE,
 )
 _SIGNS = {"≤": "<=", "≥": ">=", "→": "->"}
+_NO_WORD = "\0"  # stands for names, values and words that are taken
 _TURNS = re.compile(r"(?:turn|revolution|rotation|umdrehung|rev)", re.IGNORECASE)
 _LEAST_LIKE = 0.8  # of a word to one that is misspelt
 _NO_UNITS = ("", "in", "a", "as", "at")
@@ -69,7 +71,7 @@ class Clause:
         before = ""
         for word in self.words:
             if word.kind in ("preposition", "updown"):
-                before = word.what
+                before = "on" if word.what == "to" else word.what
             elif word.kind == kind:
                 found.append((before, word.what))
                 before = ""
@@ -90,28 +92,26 @@ def words_of(text: str, language: str, *, guess: bool = False) -> list[Word]:
     """The words of a text in which names are marked. Raises Unknown for those that the language does not have, unless
     one alone is to be taken for a name (guess)."""
     found = list(_tokens(spelt(text, language)))
-    tokens = [token if isinstance(token, str) else "" for token in found]
-    taken: set[int] = set()
+    tokens = [token if isinstance(token, str) else _NO_WORD for token in found]
     words: list[Word] = []
     unknown: list[str] = []
     for k, token in enumerate(found):
-        if k in taken:
-            continue
         if not isinstance(token, str):
             words.append(token)
             continue
-        if _is_beside_name(token, found, k, language):
-            continue
-        end = next((j for j in range(k + 1, len(tokens)) if tokens[j] == ","), len(tokens))
-        meant = phrases_at(tokens, k, end, language)
-        means = next((m for m in meant if taken.isdisjoint(m[1]) and _fits(m[0], words)), None)
+        if tokens[k] == _NO_WORD or _is_beside_name(token, found, k, language):
+            continue  # it belongs to a phrase before, or says no more than a name
+        line, begins = " ".join(tokens), list(accumulate((len(t) + 1 for t in tokens), initial=0))
+        meant = phrases_at(line, begins[k], language)
+        means = next((m for m in meant if _fits(m[0], words)), None)
         if means is None:
             last = next((word for word in reversed(words) if word.kind != "filler"), None)
             is_placed = last is not None and last.kind == "preposition"
             unknown += [token] if is_placed else [token, token]  # behind `of` or `in` stands something
             words.append(Word("name", token))
             continue
-        taken.update(means[1])
+        for place in means[1]:
+            tokens[begins.index(place)] = _NO_WORD
         words.append(means[0])
     if unknown and not (guess and len(unknown) == 1):
         strange = {Word("name", token) for token in unknown}
