@@ -8,6 +8,8 @@ The end of a plateau: a ball thrown on a rough floor keeps at least 5 u/7 (Beer 
 
 from __future__ import annotations
 
+import math
+
 import pytest
 
 import freebody as fb
@@ -84,3 +86,34 @@ def test_it_is_derived(language: str) -> None:
     system = System.from_text(f"{ROD}questions: [least J so that rod turns fully]\n")
     (derivation,) = fb.explain(system, language=language).derivations
     assert derivation.reason == ""
+
+
+ROD_WITH_BOB = """
+parameters: {M: 2 kg, m: 1 kg, L: 0.6 m, w: 6.5 rad/s, g: 9.81 m/s^2}
+bodies: {rod: {rod: {mass: M, length: L}}, bob: {particle: {mass: m}}}
+connections: {hinge: {pin: [ground.O, rod.start]}, fix: {pin: [rod.end, bob]}}
+loads: {weight: {gravity: g}}
+measures: {th: {angle of line from ground.O to bob from down}}
+start: {th: 0, rate(th): w}
+"""
+
+
+def test_a_body_comes_round_with_the_line_that_is_fixed_in_it() -> None:
+    """By hand: I w^2/2 = (M + 2 m) g L with I = M L^2/3 + m L^2."""
+    is_formula(ROD_WITH_BOB, "least w so that rod turns fully", "sqrt(6*g*(M + 2*m)/(L*(M + 3*m)))")
+
+
+def test_a_swing_beyond_a_quarter_turn_is_counted_on_between_its_ends() -> None:
+    """cos(th) = 1 - L w^2 (M + 3 m)/(3 g (M + 2 m)) by energy; the two ends are more than half a turn apart."""
+    found = is_formula(ROD_WITH_BOB, "greatest th", "acos(1 - L*w^2*(M + 3*m)/(3*g*(M + 2*m)))", (1.0, 0.97, 0.93))
+    assert isinstance(found.value, float)
+    assert found.value > math.pi / 2
+
+
+def test_of_many_places_the_nearest_is_told() -> None:
+    found = is_formula(
+        ROD_WITH_BOB.replace("6.5 rad/s", "9 rad/s"),
+        "greatest reaction of hinge over the motion",
+        "(M + m)*g + (M/2 + m)*L*w^2",
+    )
+    assert "largest at th = 0" in " ".join(map(str, found.notes))

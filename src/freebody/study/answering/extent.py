@@ -27,6 +27,7 @@ from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.unknowns import Coordinate
 
 LONGEST = 60.0  # [s] in which a motion has to turn
+_N_STEPS = 65  # to the last of the turns
 _N_TURNS = 2  # of a motion that goes to and fro: both sides
 
 
@@ -65,5 +66,9 @@ def extent_in_numbers(draw: Draw, measure: Measure, side: int) -> float:
     goes_on = course.status in (Status.FINISHED, Status.TOO_LONG)
     if not turns and not (goes_on and start.rate(measure) == 0.0):
         raise SaysNothing(Message("the motion has not turned until t = {t:.6g} s", t=course.t_end))
-    values = [(s.t, side * s.value(measure)) for s in snapshots(reference, engine, course, start)]
-    return side * max([side * start.value(measure), *(value for t, value in values if t in turns)])
+    if not turns:
+        return start.value(measure)
+    # in small steps, so that an angle of a line is counted on through more than half a turn; turns are among them
+    engine, course = run(reference, start, np.linspace(start.t, turns[-1], _N_STEPS), watches)
+    values = [side * s.value(measure) for s in snapshots(reference, engine, course, start)]
+    return side * max(side * start.value(measure), *values)

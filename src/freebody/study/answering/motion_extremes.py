@@ -205,8 +205,9 @@ class Along:
         return f.sqrt(s.value, self.setup.model.samples.is_negative) if self.is_root else s.value
 
     def place_text(self, s: Stationary) -> str:
-        """One of its places."""
-        place = next((p for p, numbers in s.places if s.is_turn or self._is_inside(numbers[0])), s.places[0][0])
+        """One of its places: that nearest to where the coordinate is zero, of those to which the motion comes."""
+        there = [one for one in s.places if s.is_turn or self._is_inside(one[1][0])] or list(s.places)
+        place, _numbers = min(there, key=lambda one: abs(one[1][0]))
         return compared(Symbol(self.c.name), "=", tidy(place))
 
     def where(self, which: str, s: Stationary) -> str:

@@ -11,8 +11,7 @@ from fractions import Fraction
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
-from freebody.measures.angle import Angle
-from freebody.measures.geometry import GROUND
+from freebody.language.units import DIMENSIONLESS
 from freebody.numeric.reference import Reference
 from freebody.questions.linkages import FullTurn
 from freebody.study.answering.answer import Evidence
@@ -21,6 +20,8 @@ from freebody.study.answering.repeated import LONGEST, comes_round
 from freebody.study.answering.turned_round import Formula
 from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition
+from freebody.symbolic.model import SymbolicModel
+from freebody.symbolic.unknowns import Coordinate
 
 
 def goes_round(setup: Setup, q: FullTurn, otherwise: CannotAnswer) -> Formula:
@@ -28,8 +29,9 @@ def goes_round(setup: Setup, q: FullTurn, otherwise: CannotAnswer) -> Formula:
     model = setup.model
     c = model.coordinates[0] if len(model.coordinates) == 1 else None
     measure = None if c is None else model.measure_of(c)
-    is_own = isinstance(measure, Angle) and measure.of == q.link and measure.origin == GROUND
-    if c is None or measure is None or not (is_own if q.angle is None else measure == q.angle):
+    if c is None or measure is None or measure.dimension != DIMENSIONLESS:
+        raise otherwise
+    if not (_turns_alike(setup.model, c, q.link) if q.angle is None else measure == q.angle):
         raise otherwise
     loose = [row.connection for row in setup.system.constraint_rows if row.unilateral]
     if loose:
@@ -46,6 +48,16 @@ def goes_round(setup: Setup, q: FullTurn, otherwise: CannotAnswer) -> Formula:
         return float(comes_round(draw, measure, LONGEST))
 
     return Formula(Fraction(1), [Condition(x, relation, purpose) for x, relation in needs], _none, in_numbers)
+
+
+def _turns_alike(model: SymbolicModel, c: Coordinate, body: str) -> bool:
+    """Whether a body in the plane turns as fast as an angle changes: both come round together."""
+    slots, f = model.bodies.slots, model.field
+    if "angle" not in slots or body not in model.kinematics.velocities:
+        return False
+    turning = model.in_independent_speeds(model.kinematics.velocities[body][slots.index("angle")])
+    ratio = f.partial(turning, c.speed)
+    return f.lowest_terms(ratio * ratio - f.one).is_zero()
 
 
 def _none() -> Evidence:
