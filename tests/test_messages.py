@@ -435,3 +435,33 @@ def test_only_the_cause_is_told_of_what_cannot_be_read(section: str, text: str, 
     (problem,) = caught.value.problems
     assert where in problem.path
     assert what in problem.message
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        ("mu: 0.4", "mu: 0,4", "a comma separates entries; write a point: 0.4"),
+        ("rectangle:", "block:", "a body has no block. Did you mean one of"),
+        ("[crate, floor]", "[crate, flor]", "there is no body or line flor. Did you mean floor?"),
+        ("lines: {floor: {along: right}}", "{}", "ground: {lines: {floor: {along: right}}}"),
+        ("pin:", "hinge:", "hinge is no kind of connection. Did you mean one of pin, revolute?"),
+        ("string:", "rope:", "rope is no kind of connection. Did you mean string?"),
+    ],
+)
+def test_what_people_write_first_is_led_to_what_is_meant(old: str, new: str, said: str) -> None:
+    text = """
+parameters: {m: 80 kg, mu: 0.4}
+ground: {lines: {floor: {along: right}}}
+bodies: {crate: {rectangle: {mass: m, width: 1 m, height: 2 m}}, bob: {particle: {mass: m}}}
+connections:
+  c: {contact: {between: [crate, floor], friction: mu}}
+  p: {pin: [ground.A, bob]}
+  s: {string: {from: bob, to: ground.B}}
+"""
+    if new == "{}":
+        text = text.replace("ground: {lines: {floor: {along: right}}}\n", "")
+    with pytest.raises(fb.ModelError) as told:
+        fb.System.from_text(text.replace(old, new))
+    messages = [problem.message for problem in told.value.problems]
+    assert any(said in message for message in messages)
+    assert not any("positive" in message or "not a name" in message for message in messages)  # no echo of the comma

@@ -14,6 +14,7 @@ from freebody.language.sentences import Message
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, Direction, Point
 from freebody.model.elements import Line, RigidBody, Span
+from freebody.model.noting import did_you_mean
 from freebody.tolerances import ROUNDED
 
 if TYPE_CHECKING:
@@ -119,6 +120,15 @@ def read_outline(names: Names, text: str, *path: str | int, below: bool = False)
     if point_name:
         point = names.point(words, *path)
         return Outline(point.body, words, (RoundPart(point, ZERO, words),))
+    if body_name not in names.bodies and body_name not in names.broken:
+        told = Message(
+            "there is no body or line {name}.{hint} What does not move is a line of the ground, e.g. "
+            "ground: {{lines: {{{name}: {{along: right}}}}}}",
+            name=body_name,
+            hint=did_you_mean(body_name, [*names.bodies, *names.bodies[GROUND].lines]),
+        )
+        names.unknown(body_name, told, *path)
+        return None
     body = names.body(body_name, *path)
     if body.is_placeholder or body_name not in names.bodies:
         return None

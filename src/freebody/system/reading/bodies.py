@@ -17,7 +17,7 @@ from freebody.model.shapes.base import Build, Shape
 from freebody.system.reading.body_start import POSE_KEYS, start_of_body
 from freebody.system.reading.frames import read_frames
 from freebody.system.reading.lines import read_line, read_plane
-from freebody.system.reading.source import Source, known_keys
+from freebody.system.reading.source import Source, kind_meant, known_keys
 
 _ALWAYS = ("at", "near", "velocity", "angular_velocity", "points", "lines", "fixed")
 PLANAR_OPTIONS = (*_ALWAYS, "angle", "outline")
@@ -133,7 +133,7 @@ class BodySections:
         for key in entry:
             if key not in Shape.kinds and key not in options:
                 known = [*Shape.kinds, *options]
-                hint = did_you_mean(key, known)
+                hint = kind_meant(key, Shape.kinds, known)
                 if key in SPATIAL_OPTIONS:
                     hint = Message(" It is for models in space: write space: true.")
                 if key == "angle":

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+import difflib
+from collections.abc import Collection, Iterable, Mapping, Sequence
+from itertools import pairwise
 from typing import Any, TypeVar, cast
 
 from pydantic import ValidationError
@@ -51,6 +53,18 @@ def known_keys(names: Names, entry: Mapping[str, Any], known: Sequence[str], wha
             )
 
 
+def kind_meant(key: str, kinds: Mapping[str, type[Spec]], known: Iterable[str]) -> str:
+    """' Did you mean x?' of kinds: by how a name is spelt, else what people call so (block: rectangle)."""
+    known = list(known)
+    is_alike = difflib.get_close_matches(key, known, n=1, cutoff=0.7) or any(k.startswith(f"{key}_") for k in kinds)
+    called = [] if is_alike else [kind for kind, spec in kinds.items() if key in spec.called]
+    if len(called) == 1:
+        return Message(" Did you mean {x}?", x=called[0])
+    if called:
+        return Message(" Did you mean one of {names}?", names=", ".join(called))
+    return did_you_mean(key, known)
+
+
 class Source:
     """A document, what its names mean so far, and what it leaves open."""
 
@@ -84,7 +98,15 @@ class Source:
     def named(self, section: str) -> dict[str, Any]:
         """The entries of a section whose names can be used."""
         good: dict[str, Any] = {}
-        for name, value in self.mapping(section).items():
+        entries = self.mapping(section)
+        for before, name in pairwise(entries):
+            if section == "parameters" and str(name).isdigit() and isinstance(entries[before], int):
+                told = Message("a comma separates entries; write a point: {n}.{rest}", n=entries[before], rest=name)
+                self.names.problem(told, section, before)
+                self.names.broken.update((before, name))
+        for name, value in entries.items():
+            if section == "parameters" and name in self.names.broken:
+                continue
             fault = name_problem(name)
             if fault is not None or (name == "t" and section in ("parameters", "measures")):
                 self.names.problem(fault or Message("t is the time; choose another name"), section, name)
@@ -155,7 +177,10 @@ class Source:
                     what = Message("connection" if section == "connections" else "load")
                     self.names.problem(
                         Message(
-                            "{kind} is no kind of {what}.{hint}", kind=kind, what=what, hint=did_you_mean(kind, kinds)
+                            "{kind} is no kind of {what}.{hint}",
+                            kind=kind,
+                            what=what,
+                            hint=kind_meant(kind, kinds, kinds),
                         ),
                         kind,
                     )
