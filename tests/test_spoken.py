@@ -15,6 +15,7 @@ import freebody as fb
 from freebody.cli import commands
 from freebody.errors import InputError, ModelError
 from freebody.questions.reading import Question
+from freebody.questions.spoken.lexicon import languages, phrases_at, spelt_out, tables
 from freebody.system.system import System
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
@@ -349,3 +350,22 @@ def test_a_question_reads_the_same_in_the_file_on_the_command_line_and_in_python
     assert written.understood == in_python.understood
     assert meaning(written) == meaning(in_python)
     assert f"understood  {in_python.understood}" in found.output
+
+
+def test_every_language_means_what_english_means() -> None:
+    """A word of a file that no rule knows would be read and lost."""
+    for language in languages():
+        for table, meanings in tables(language).items():
+            known = tables("en")[table]
+            assert meanings.keys() <= known.keys(), (language, table, meanings.keys() - known.keys())
+
+
+def test_phrases_are_found_whatever_their_order_in_a_file() -> None:
+    """Every phrase of a file, spelt out, is found from its first word on, and nothing shorter is preferred to it."""
+    for language in languages():
+        for table in tables(language).values():
+            for phrases in table.values():
+                for said in (next(spelt_out(text)) for text in phrases if "*" not in text and "_" not in text):
+                    found = phrases_at(said, 0, language)
+                    assert found, (language, said)
+                    assert len(found[0][1]) == len(said.split()), (language, said, found[0])

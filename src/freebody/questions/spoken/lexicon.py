@@ -66,7 +66,7 @@ class Phrase:
     def first_words(self) -> Iterator[str]:
         """The words that it can begin with; a few letters of one whose end is open."""
         for part in _parts(self.written):
-            said = list(dict.fromkeys(_spelt_out(part)))
+            said = list(dict.fromkeys(spelt_out(part)))
             yield from (text.split()[0] for text in said if text)
             if "" not in said:
                 return
@@ -99,28 +99,31 @@ def _file(language: str) -> dict[str, Any]:
     return tomllib.loads((Path(__file__).parent / f"{language}.toml").read_text("utf-8"))
 
 
+def tables(language: str) -> dict[str, dict[str, list[str]]]:
+    """The phrases of a language as its file has them, by kind and by what they mean."""
+    return {kind: table for kind, table in _file(language).items() if kind not in _NO_WORDS}
+
+
 @cache
 def _phrases(language: str) -> dict[str, tuple[Phrase, ...]]:
     """The phrases of a language by the first two letters of what they can begin with."""
     found: dict[str, dict[Phrase, None]] = {}
-    for kind, table in _file(language).items():
-        if kind in _NO_WORDS:
-            continue
-        for what, written in cast("dict[str, list[str]]", table).items():
+    for kind, table in tables(language).items():
+        for what, written in table.items():
             for phrase in (Phrase(text, Word(kind, what)) for text in written):
                 for first in phrase.first_words():
                     found.setdefault(first[:2].rstrip("*"), {})[phrase] = None
     return {key: tuple(own) for key, own in found.items()}
 
 
-def _spelt_out(text: str) -> Iterator[str]:
+def spelt_out(text: str) -> Iterator[str]:
     """A phrase with every choice made."""
     choice = _CHOICE.search(text)
     if choice is None:
         yield " ".join(text.split())
         return
     for option in (*choice[1].split("|"), *([""] if choice[2] else [])):
-        yield from _spelt_out(text[: choice.start()] + option + text[choice.end() :])
+        yield from spelt_out(text[: choice.start()] + option + text[choice.end() :])
 
 
 def phrases_at(line: str, start: int, language: str) -> list[tuple[Word, tuple[int, ...]]]:
@@ -143,7 +146,7 @@ def vocabulary(language: str) -> frozenset[str]:
         for own in _phrases(language).values()
         for phrase in own
         for part in _parts(phrase.written)
-        for text in _spelt_out(part)
+        for text in spelt_out(part)
     )
     return frozenset(word for text in said for word in text.split() if word[-1] not in "*_")
 
