@@ -12,7 +12,7 @@ from freebody.language.notation.parts import ATOM, LETTER_OF, split_name
 from freebody.language.notation.typeset import Typesetter, dotted, letters_and_index
 
 _NAMES = {"asin": "arcsin", "acos": "arccos", "atan": "arctan"}
-_DOTS = ("", "˙", "¨", "˙˙˙", "˙˙˙˙")
+_DOTS = ("", ".", "..", "...", "....")
 _MINUS = "<mo>−</mo>"
 _APPLIED = "<mo>&#x2061;</mo>"
 _TIMES = "<mo>&#x2062;</mo>"
@@ -115,9 +115,10 @@ def _letter_and_index(name: str, n_dots: int) -> tuple[str, str]:
     if n_dots >= len(_DOTS):
         text = f"<msup>{text}<mrow><mo>(</mo><mn>{n_dots}</mn><mo>)</mo></mrow></msup>"
     elif n_dots:
-        # Three single dots drawn together: browsers misplace the sign of three.
-        close = ' style="letter-spacing:-0.08em"' if n_dots > 2 else ""
-        text = f'<mover accent="true">{text}<mo stretchy="false"{close}>{_DOTS[n_dots]}</mo></mover>'
+        # Full stops set above the letter: without a font for mathematics browsers draw accents into it, and a rate
+        # would look like its coordinate.
+        close = ' style="letter-spacing:-0.08em"' if n_dots > 1 else ""
+        text = f'<mover>{text}<mo stretchy="false" mathsize="1em"{close}>{_DOTS[n_dots]}</mo></mover>'
     return text, _index(index)
 
 
