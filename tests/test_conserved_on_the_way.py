@@ -114,3 +114,26 @@ def test_the_search_says_how_long_it_is_so() -> None:
     found = fb.conserved(System.from_text(CARTS))
     energy = next(v for v in found.quantities if v.question == "total energy")
     assert "as long as no contact opens" in energy.notes[-1]
+
+
+THROWN = """
+parameters: {m: 1 kg, h: 1 m, v: 2 m/s, g: 9.81 m/s^2}
+ground: {lines: {floor: {along: right}}}
+bodies: {ball: {particle: {mass: m}, at: [0, h], velocity: [v, 0]}}
+connections: {c: {contact: {between: [ball, floor], restitution: 0.5, friction: 0.2}}}
+loads: {weight: {gravity: g}}
+"""
+
+
+def test_what_an_impact_changes_is_told_with_the_condition_under_which_it_does() -> None:
+    """By hand, with w = sqrt(2 g h): dv_x = -mu (1 + e) w in the first impact and e times that in the second, as long
+    as it slips in both: v > mu (1 + e)^2 w, or 200 v^2 > 81 g h; dE = -0.06 m (5 v w + 11 g h) in the first."""
+    found = posed(THROWN, "is total energy conserved")
+    assert found.conditions == ("not conserved on the whole way", "200·v² > 81·h·g")
+    assert "impact of c: it changes by -0.06·m·(5·v·√(2·h·g) + 11·h·g)" in found.notes
+
+
+def test_what_goes_on_beyond_the_phases_that_are_told_is_not_claimed() -> None:
+    elastic = THROWN.replace("restitution: 0.5, friction: 0.2", "restitution: 1")
+    found = posed(elastic, "is total energy conserved")
+    assert found.conditions == ("conserved in the phases and impacts that are told; others follow",)

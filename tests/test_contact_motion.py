@@ -595,7 +595,7 @@ connections: {c: {contact: {between: [ball, floor]}}}
         ("between: [ball, floor], restitution: 1.2", "restitution is 1.2"),
         ("between: [ball, floor], friction: -0.1", "friction is negative"),
         ("between: [ball, floor], friction: {static: 0.2, kinetic: 0.3}", "smaller than kinetic"),
-        ("between: [ball, ceiling]", "no body ceiling"),
+        ("between: [ball, ceiling]", "no body or line ceiling"),
         ("between: [floor, floor]", "both are fixed"),
         ("between: [ball]", "between takes two"),
         ("friction: 0.2", "say what touches"),

@@ -41,13 +41,17 @@ def sheet(
 def with_assignments(systems: list[System], texts: list[str] | None) -> list[System]:
     """Systems with other values of those parameters that they have. Raises InputError for one that none of them has."""
     from freebody.errors import InputError
-    from freebody.model.names import did_you_mean
+    from freebody.language.sentences import Message
+    from freebody.model.noting import did_you_mean
 
     values = dict(assignment(text) for text in texts or ())
     known = {name for system in systems for name in system.parameters}
     for name in values:
         if name not in known:
-            raise InputError(f"no model of the sheet has a parameter {name}.{did_you_mean(name, known)}")
+            told = Message(
+                "no model of the sheet has a parameter {name}.{hint}", name=name, hint=did_you_mean(name, known)
+            )
+            raise InputError(told)
     return [
         system.with_parameters(**{name: x for name, x in values.items() if name in system.parameters})
         for system in systems

@@ -6,7 +6,6 @@ changes velocities at once. So each phase is judged, and of each impact the chan
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import replace
 from typing import Any, cast
 
@@ -17,8 +16,9 @@ from freebody.questions.base import Quantity
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
 from freebody.study.phases.kept import KeptMode, in_first_modes
-from freebody.study.phases.nodes import PhaseNode
+from freebody.study.phases.nodes import PhaseNode, WayToPhase
 from freebody.study.phases.quantities import value_in_mode
+from freebody.study.phases.result import relations
 from freebody.study.phases.tree import PhaseTree
 from freebody.study.phases.words import in_phase
 from freebody.symbolic.field import Ratio
@@ -30,8 +30,9 @@ _ALWAYS, _NOT = Message("conserved for every motion"), Message("not conserved")
 def answer(tree: PhaseTree, question: Question) -> Answer:
     """The verdict on the first phase, with what is so later and in between; it stands alone where nothing follows."""
     first = in_first_modes(tree, question)
-    later = list(_later(tree))
-    if not later or not first.is_answered or not question.quantity.inner:
+    way = _taken(tree)
+    later = way.nodes[1:] if way is not None else ()
+    if way is None or not later or not first.is_answered or not question.quantity.inner:
         return first
     (of,) = question.quantity.inner
     verdicts = [_verdict(first)]
@@ -46,22 +47,33 @@ def answer(tree: PhaseTree, question: Question) -> Answer:
         notes.append(_of_phase(node, found) if found else _open(node))
     own = [n for n in first.notes if n != in_phase(tree.roots[0].phase)]
     kept = [c for c in first.conditions if c != verdicts[0]]
-    whole = _together(verdicts)
+    whole = _together(verdicts, is_told=_ends(way.last))
     if whole != verdicts[0] and first.options:  # these were judged by the first phase alone
         own.append(Message("the options are not judged: they say nothing of the single phases"))
         first = replace(first, choice=None, options={}, author_notes=())
-    return replace(first, conditions=(whole, *kept), notes=(*own, *notes))
+    taken = [relation.text() for relation in relations(tree, list(way.conditions))]
+    return replace(first, conditions=tuple(dict.fromkeys((whole, *kept, *taken))), notes=(*own, *notes))
 
 
-def _later(tree: PhaseTree) -> Iterator[PhaseNode]:
-    """The phases after the first one on the way of the model's own values, as far as they are known."""
-    node = tree.roots[0] if tree.roots else None
-    while node is not None:
-        edges = [e for e in node.edges if 0 in e.sets] or node.edges[:1]
-        following = [n for e in edges for n in e.nodes if 0 in n.sets] or [n for e in edges for n in e.nodes[:1]]
-        node = following[0] if following else None
-        if node is not None:
-            yield node
+def _taken(tree: PhaseTree) -> WayToPhase | None:
+    """The way of the model's own values, as far as it is told."""
+    if not tree.roots:
+        return None
+    root = tree.roots[0]
+    way = WayToPhase((root,), (), tuple(root.conditions))
+    while True:
+        edges = [e for e in way.last.edges if 0 in e.sets] or way.last.edges[:1]
+        following = [(e, n) for e in edges for n in e.nodes if 0 in n.sets] or [
+            (e, e.nodes[0]) for e in edges if e.nodes
+        ]
+        if not following:
+            return way
+        way = way.on(*following[0])
+
+
+def _ends(last: PhaseNode) -> bool:
+    """Whether nothing follows a phase: no event ends it."""
+    return not last.reason and all(e.first is None for e in last.edges)
 
 
 def _verdict(found: Answer) -> str:
@@ -109,11 +121,13 @@ def _elements(tree: PhaseTree, place: Any, value: Any) -> list[Ratio]:
     return [tree.to_home(place, place.model.field.element(part)) for part in parts]
 
 
-def _together(verdicts: list[str]) -> str:
-    """What is so of the whole motion."""
+def _together(verdicts: list[str], *, is_told: bool) -> str:
+    """What is so of the whole motion. is_told: whether the last phase that is told is the last one."""
     if any(v == _NOT for v in verdicts):
         return Message("not conserved on the whole way")
     different = {v for v in verdicts if v != _ALWAYS}
+    if not different and not is_told:
+        return Message("conserved in the phases and impacts that are told; others follow")
     if len(different) <= 1 and "" not in different:
         return different.pop() if different else _ALWAYS
     return Message("conserved in some of the phases and impacts; see there")

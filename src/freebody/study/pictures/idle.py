@@ -16,14 +16,13 @@ from freebody.numeric.reference import Reference, Snapshot
 
 _N_POSES = 3  # beside the given one
 _NOTHING = 1e-9
-_SIDEWAYS = "sideways force"  # of a row that a string adds by itself
 
 
 def idle_rows(snapshot: Snapshot) -> frozenset[str]:
-    """The names of the rows that keep a body below its string and transmit nothing in any motion of the plane."""
+    """Names of rows that connections add where needed, and that transmit nothing in any motion of the plane."""
     reference = snapshot.reference
     system = reference.system
-    candidates = [row for row in system.constraint_rows if row.reaction == _SIDEWAYS]
+    candidates = [row for row in system.constraint_rows if row.if_needed]
     if not candidates or system.space or not isinstance(reference, Reference):
         return frozenset()
     noise = np.random.default_rng(1)
