@@ -283,3 +283,15 @@ def test_a_lever_in_line_with_its_frame_has_a_formula(question: str, expected: s
     answer = fb.System.from_text(QUICK_RETURN).solve(question).answers[0]
     assert answer.expression is not None, answer.reason
     assert_same_function(to_python(answer.expression), expected, {"r": 0.1, "d": 0.25, "w": 6.0})
+
+
+def test_a_root_of_a_number_below_a_bar_brings_in_no_new_pole() -> None:
+    """tan(phi) = (d + r sqrt(3)/2)/(r/2) when the crank of a quick return is at 60 degrees: it has a value for 2 d =
+    sqrt(3) r as well, where a bar with 4 d^2 - 3 r^2 below would have none."""
+    system = System.from_text(SHAPER.replace("psi: 30 deg", "psi: 60 deg"))
+    answer = system.solve("phi at start").answers[0]
+    assert answer.expression is not None, answer.reason
+    assert [str(c) for c in answer.conditions] == ["for all positive parameters"]
+    for r, d in ((2.0, math.sqrt(3.0)), (0.1, 0.25), (0.3, 0.1)):
+        value = evaluate(answer.expression, {"r": r, "d": d}, FLOAT_FUNCTIONS)
+        assert value == pytest.approx(math.atan2(d + r * math.sqrt(3.0) / 2, r / 2), rel=1e-12)

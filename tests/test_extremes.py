@@ -235,3 +235,44 @@ def test_it_is_derived(text: str, question: str, language: str) -> None:
     system = System.from_text(f"{text}questions: [{question!r}]\n")
     (derivation,) = fb.explain(system, language=language).derivations
     assert derivation.reason == ""
+
+
+# the crank of a quick return is a tangent of the lever where sin(psi) = -r/d; for d = r both such poses are one, in
+# which the block is at the pivot of the lever, which turns right round for d < r
+SHAPER = """
+parameters: {r: 0.1 m, d: 0.25 m}
+ground: {points: {O: [0, 0], A: [0, -d]}}
+bodies: {crank: {rod: {mass: 1 kg, length: r}}, lever: {rod: {mass: 1 kg, length: 0.5 m}, near: {angle: 70 deg}}}
+connections:
+  main: {pin: [ground.O, crank.start]}
+  pivot: {pin: [ground.A, lever.start]}
+  block: {slot: {pin: crank.end, along: right, on: lever}}
+measures: {psi: angle of crank, phi: angle of lever}
+start: {psi: 30 deg}
+"""
+# x = a cos(psi) + b cos(2 psi): for a = 4 b the two poses in which cos(psi) = -a/(4 b) meet the one at 180 deg
+TWICE = """
+parameters: {a: 0.1 m, b: 0.2 m}
+bodies: {first: {rod: {mass: 1 kg, length: a}}, second: {rod: {mass: 1 kg, length: b}}}
+connections:
+  O: {pin: [ground.O, first.start]}
+  A: {pin: [first.end, second.start]}
+  twice: {constraint: beta - 2*psi}
+measures: {psi: angle of first, beta: angle of second, x: x of second.end}
+start: {psi: 30 deg}
+"""
+
+
+@pytest.mark.parametrize(
+    ("text", "question", "needed"),
+    [
+        (SHAPER, "time ratio of phi over a turn of psi", "d > r"),
+        (SHAPER, "stroke of phi over a turn of psi", "d > r"),
+        (SHAPER, "dead points of phi", "d > r"),
+        (TWICE, "least x over a turn of psi", "4·b ≥ a"),
+    ],
+)
+def test_the_border_belongs_to_the_range_where_an_extreme_is_left_there(text: str, question: str, needed: str) -> None:
+    answer = System.from_text(text).solve(question).answers[0]
+    assert answer.expression is not None, answer.reason
+    assert [c.partition(" (")[0] for c in answer.conditions] == [needed]

@@ -176,7 +176,8 @@ def _root_on_top(x: Ratio) -> Ratio:
 
 
 def _without_numeric_roots(x: Ratio) -> Ratio:
-    """1/(a + b sqrt(n)) = (a - b sqrt(n))/(a^2 - n b^2) for roots of numbers n."""
+    """1/(a + b sqrt(n)) = (a - b sqrt(n))/(a^2 - n b^2) for roots of numbers n: where a - b sqrt(n) vanishes for no
+    values, which the right side would exclude, and where that is not longer."""
     field = x.field
     while x.den is not None:
         den = x.denominator()
@@ -187,10 +188,13 @@ def _without_numeric_roots(x: Ratio) -> Ratio:
         if len(parts) != 2:
             return x
         conjugate = parts[0] - parts[1] * field.variable(roots[0])
-        if (den * conjugate).is_zero():
+        if _strict_sign(conjugate) == 0:
             return x
         # multiplying numerator and denominator separately keeps the root out of the denominator
-        x = field.quotient((x.numerator() * conjugate).num, (den * conjugate).num)
+        plain = field.quotient((x.numerator() * conjugate).num, (den * conjugate).num)
+        if len(plain.num) + len(plain.denominator().num) > len(x.num) + len(den.num):
+            return x
+        x = plain
     return x
 
 

@@ -33,7 +33,14 @@ from freebody.questions.steady import Extremes
 from freebody.study.answering.answer import Answer
 from freebody.study.answering.crosscheck import SaysNothing, element_at
 from freebody.study.mobility.at_dead_points import by_crank, values_there
-from freebody.study.mobility.dead_points import DeadPoint, bars_of, dead_points, needs_of, transmission_extreme
+from freebody.study.mobility.dead_points import (
+    DeadPoint,
+    bars_of,
+    dead_points,
+    needs_of,
+    needs_of_reversal,
+    transmission_extreme,
+)
 from freebody.study.mobility.four_links import FourLinks
 from freebody.study.mobility.linkages import FourBar, LoopJoint, SliderCrank
 from freebody.study.mobility.loop_answers import (
@@ -180,7 +187,7 @@ def _needs(q: Quantity, links: FourLinks) -> list[Condition]:
 
 @_needs.register(DeadPoints)
 def _(q: DeadPoints, links: FourLinks) -> list[Condition]:
-    return needs_of(links)
+    return needs_of_reversal(links)
 
 
 @_needs.register(TransmissionAngle)

@@ -20,7 +20,7 @@ from freebody.study.answering.conditions import real
 from freebody.study.answering.crosscheck import INSTANT_TOLERANCE, CrossCheck, element_at, holds
 from freebody.study.answering.draws import Draw
 from freebody.study.answering.finding import Finding
-from freebody.study.mobility.dead_points import DeadPoint, dead_points, needs_of
+from freebody.study.mobility.dead_points import DeadPoint, dead_points, needs_of, needs_of_reversal
 from freebody.study.mobility.four_links import FourLinks
 from freebody.study.setup import Setup
 from freebody.study.steady.drive import FreeToTurn, followed, without_drive
@@ -72,7 +72,8 @@ def values_there(links: FourLinks, q: AtDeadPoints) -> list[tuple[DeadPoint, Rat
 def find(links: FourLinks, question: Question, q: AtDeadPoints) -> Finding:
     """The closed form, and the full system in these poses. links: by the angle of the crank."""
     found = values_there(links, q)
-    conditions = [*needs_of(links), *(need for _point, x in found for need in real(x))]
+    points = [point for point, _x in found]
+    conditions = [*needs_of_reversal(links, points), *(need for _point, x in found for need in real(x))]
     check = CrossCheck(question.text, Message("the full system in the poses of the dead points"), INSTANT_TOLERANCE)
 
     def compare(draw: Draw) -> None:
@@ -80,7 +81,7 @@ def find(links: FourLinks, question: Question, q: AtDeadPoints) -> Finding:
         if not all(holds(links.setup, k, draw, start) for k in conditions):
             return
         exact = element_at(links.setup, tuple(x for _point, x in found), draw, start)
-        there = _there(links, q, draw, [point for point, _x in found])
+        there = _there(links, q, draw, points)
         if q.of.unit == "rad":  # an angle is counted on from the start, or back
             there = tuple(x + math.remainder(y - x, math.tau) for x, y in zip(exact, there, strict=True))
         check.compare(draw, exact, there)

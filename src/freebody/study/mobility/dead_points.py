@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
@@ -17,6 +17,7 @@ from freebody.study.answering.draws import Draw
 from freebody.study.mobility.four_links import FourLinks, sides_of
 from freebody.study.mobility.linkages import FourBar, LoopJoint, SliderCrank
 from freebody.symbolic.conditions import Condition
+from freebody.symbolic.existence import exists
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import atan2, cos_sin
 
@@ -141,6 +142,15 @@ def needs_of(links: FourLinks) -> list[Condition]:
         return []
     purpose = Message("{link} turns fully", link=links.crank)
     return [Condition(u, ">=", purpose) for u in margins(links, links.crank)]
+
+
+def needs_of_reversal(links: FourLinks, found: Sequence[DeadPoint] = ()) -> list[Condition]:
+    """That the output reverses there: on the border, where crank and coupler lie in one line with the ground or the
+    lever passes its own pivot, two branches of the motion meet, and it may go on in either."""
+    if not (needs := needs_of(links)):
+        exist = Message("there is such a pose")
+        needs = [replace(c, purpose=exist) for c in exists([point.value for point in found]) if c.relation == ">="]
+    return [replace(c, relation=">") for c in needs]
 
 
 # -- sides ------------------------------------------------------------------------------------

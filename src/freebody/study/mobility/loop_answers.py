@@ -46,6 +46,7 @@ from freebody.study.mobility.dead_points import (
     dead_points,
     margins,
     needs_of,
+    needs_of_reversal,
     place,
     transmission_cosine,
     transmission_extreme,
@@ -394,7 +395,7 @@ def _dead_points(q: DeadPoints, setup: Setup, question: Question) -> Finding:
         Message("{output} as the driver cannot move {crank} on from there", output=output_of(links), crank=links.crank),
     ]
     values = tuple(point.value for point in found)
-    conditions = needs or [c for x in values for c in real(x)]
+    conditions = [*needs_of_reversal(links, found), *(c for x in values for c in real(x))]
     return Finding(values[0] if len(values) == 1 else values, evidence, conditions, notes, is_complete=True)
 
 

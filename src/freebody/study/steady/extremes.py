@@ -8,6 +8,7 @@ three are questions for the zeros of factors, which `turning.py` finds, or prove
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import replace
 from typing import Any
@@ -212,7 +213,8 @@ class ExtremaSearch:
 
     def stationary(self, x: Ratio) -> list[Extremum]:
         """All stationary values, each once."""
-        places = [p for p in self.turning.zeros(self._slope(x).numerator()) if self._exists(p)]
+        candidates = self.turning.zeros(self._slope(x).numerator())
+        places = [p for p in candidates if self._exists(p, candidates)]
         values: list[Extremum] = []
         for place in places:
             value = self.turning.at(x, place)
@@ -225,19 +227,39 @@ class ExtremaSearch:
             raise CannotAnswer(Message("no pose is stationary: the quantity has no extremes over a turn"))
         return values
 
-    def _exists(self, place: TurnPose) -> bool:
-        """Whether a place is real: for all admissible values, or as at the first sample, which is a condition then."""
+    def _exists(self, place: TurnPose, candidates: Sequence[TurnPose]) -> bool:
+        """Whether a place is real: for all admissible values, or as at the first sample, which is a condition then.
+
+        Where `x` vanishes the two places of a root fall together, and the slope does not change its sign there: the
+        quantity has no extremum but that of a third place, if there is one.
+        """
         for x in place.must_be_positive:
-            condition, possible = require(odd_part(x), ">=", Message("there is such a pose"))
+            odd = odd_part(x)
+            relation = ">=" if self._meet(odd, place, candidates) else ">"
+            condition, possible = require(odd, relation, Message("there is such a pose"))
             if not possible:
                 return False
             if condition is None:
                 continue
             if self._at_first(x) < 0:
-                self._add(-x, "")
+                self._add(-x, "", ">=")
                 return False
             self.conditions.append(condition)
         return True
+
+    def _meet(self, x: Ratio, place: TurnPose, candidates: Sequence[TurnPose]) -> bool:
+        """Whether a place that does not end with it is reached where `x` vanishes: then x is a factor of 1 - (cosine of
+        the angle between the two), or of 1 - cosine^2 where the opposite place is one of them as well."""
+        f = self.field
+        own = [base for base, _e in f.factor(x.num)[1]]
+        for other in (p for p in candidates if all(odd_part(k) != x for k in p.must_be_positive)):
+            cosine = f.lowest_terms(place.cos * other.cos + place.sin * other.sin)
+            opposite = any(p.cos == -other.cos and p.sin == -other.sin for p in candidates)
+            apart = f.lowest_terms(1 - cosine * cosine if opposite else 1 - cosine)
+            shared = [] if apart.is_zero() else [base for base, _e in f.factor(apart.num)[1]]
+            if all(base in shared for base in own):
+                return True
+        return False
 
     def _at_first(self, x: Ratio) -> float:
         """At the first sample, the model's own numbers where it has them: what is taken from it becomes a condition."""
@@ -276,11 +298,12 @@ class ExtremaSearch:
         """All stationary values have the sign that the element has at the start."""
         inner = ExtremaSearch(self.turning)
         sign = 1 if self._at_first(base) > 0 else -1
-        for place in self.turning.zeros(self._slope(base).numerator()):
+        places = self.turning.zeros(self._slope(base).numerator())
+        for place in places:
             value = sign * self.turning.at(base, place)
             if (may_touch and value.is_zero()) or decide(value, ">") is True:
                 continue
-            if not inner._exists(place):  # where it is, a condition
+            if not inner._exists(place, places):  # where it is, a condition
                 continue
             if self._at_first(value) <= 0:
                 raise CannotAnswer(Message("{why}: {x} vanishes on the way", why=otherwise, x=to_text(tidy(base))))
@@ -307,8 +330,8 @@ class ExtremaSearch:
                 return whole if is_less else 2 * f.pi - whole
         return fn["acos"](product)
 
-    def _add(self, x: Ratio, purpose: str) -> None:
-        condition, possible = require(odd_part(x), ">", purpose)
+    def _add(self, x: Ratio, purpose: str, relation: str = ">") -> None:
+        condition, possible = require(odd_part(x), relation, purpose)
         if not possible:
             raise CannotAnswer(
                 Message("for no admissible values {purpose}: {x} is not positive", purpose=purpose, x=to_text(tidy(x)))
