@@ -20,7 +20,9 @@ from freebody.language.sentences import Message
 from freebody.symbolic.atoms import Arc, angle_with
 from freebody.symbolic.conditions import Condition, require
 from freebody.symbolic.field import Ratio
+from freebody.symbolic.functions import functions
 from freebody.symbolic.model import SymbolicModel
+from freebody.symbolic.reduced import without_square_roots
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.unknowns import Coordinate
 from freebody.tolerances import ROUND_OFF
@@ -99,6 +101,29 @@ class Closure:
         if len(in_cos) > 2 or len(in_sin) > 2 or pair[1] in a.generators():
             return None
         return a, b, in_sin[0]
+
+    def put(self, angle: Coordinate, at: Ratio) -> dict[int, Ratio]:
+        """An angle that has a value, with its cosine and sine."""
+        fn = functions(self.field, self.model.samples.is_negative)
+        c, s = self.field.pair_of(angle.index) or (-1, -1)
+        return {angle.index: at, c: fn["cos"](at), s: fn["sin"](at)}
+
+    def without_others(self, kept: int, given: Coordinate, at: Ratio) -> Iterator[Ratio]:
+        """Equations between the variable `kept` and a bound angle that has the value `at`, without the other bound
+        ones: those of the loops that contain no other, and those of two loops with one other."""
+        put = self.put(given, at)
+        loops = [self.field.follow(e.value, put).numerator() for e in self.model.loops]
+        others = {d.index for d in self.model.dependent} - {given.index}
+        for x in loops:
+            if kept in self._inside(x) and not others & self._inside(x):
+                yield x
+        for x, y in combinations(loops, 2):
+            inside = self._inside(x) | self._inside(y)
+            gone = others & inside
+            if kept in inside and len(gone) == 1:
+                equation = self._without((x, y), gone.pop(), kept)
+                if equation is not None:
+                    yield equation
 
     def _other(
         self, both: tuple[Ratio, Ratio], q: Coordinate, known: Coordinate, found: dict[int, Ratio]
@@ -179,15 +204,17 @@ class Closure:
                 )
             )
 
-    def at(self, values: Mapping[int, Ratio]) -> dict[int, Ratio]:
-        """The angles that loops bind, with their cosines and sines, where the independent coordinates have values.
-        Raises CannotAnswer where a loop has no short solution."""
+    def at(self, values: Mapping[int, Ratio], known: Mapping[int, Ratio] | None = None) -> dict[int, Ratio]:
+        """The angles that loops bind, with their cosines and sines, where the independent coordinates have values;
+        some of them may be known. Raises CannotAnswer where a loop has no short solution."""
         found, _needs, left = self._solved
         self._must_be_solved(left)
-        f, there = self.field, dict[int, Ratio]()
+        f, there = self.field, dict(known or {})
         for g, x in found.items():
+            if g in there:
+                continue
             try:
-                there[g] = f.lowest_terms(f.follow(x, values))
+                there[g] = without_square_roots(self.model, f.lowest_terms(f.follow(x, values)))
             except ZeroDivisionError:  # the tangent of half an angle has no value there, the angle has
                 pair = f.pair_of(g)
                 if pair is None or not set(pair) <= there.keys():

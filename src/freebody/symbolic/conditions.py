@@ -15,7 +15,7 @@ from freebody.language.notation import Stated, compared, reworded
 from freebody.language.sentences import Message, in_turn
 from freebody.symbolic.decide import decide, sign_given
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.signs import Sign
+from freebody.symbolic.signs import ARC_RANGES, Sign, arc_argument
 from freebody.symbolic.tidy import tidy
 
 
@@ -126,7 +126,7 @@ def _without_known_factors(x: Ratio, relation: str) -> Ratio:
                 base, result = -base, -result
             is_open = sign in (Sign.UNKNOWN, Sign.ZERO) or (relation == ">" and not sign.is_strict)
             if is_open and not (relation == ">=" and exponent % 2 == 0):
-                plain = _log_as_difference(base)
+                plain = _by_arguments(base)
                 if exponent % 2:
                     result = result * plain
                 else:
@@ -151,20 +151,35 @@ def _is_excluded(base: Ratio, rest: Ratio) -> bool:
     return False
 
 
-def _log_as_difference(base: Ratio) -> Ratio:
-    """log(u) has the sign of u - 1."""
+def _by_arguments(base: Ratio) -> Ratio:
+    """What has the sign of a function that only rises or falls, against a value that it has, by where its argument is:
+    log u as u - 1, atan u - atan v as u - v, asin u - pi/6 as u - 1/2, pi/3 - acos u as u - 1/2."""
     field = base.field
-    if len(base.generators()) == 1 and base.den is None:
-        (index,) = base.generators()
-        name, argument = field.arguments.get(index, ("", base))
-        if name == "log" and base == field.variable(index):
-            beyond = argument - 1
-            below = beyond.denominator()
-            known = sign_given(below)
-            if known.is_strict:
-                return beyond.numerator() if known is Sign.POSITIVE else -beyond.numerator()
-            return beyond.numerator() * below
-    return base
+    used = sorted(base.generators() & field.arguments.keys())
+    names = {field.arguments[g][0] for g in used}
+    parts = base.coefficients(used[0]) if used and base.den is None else []
+    if len(names) != 1 or len(parts) != 2 or (slope := parts[1].fraction()) is None:
+        return base
+    (name,), (rest, u) = names, (parts[0], field.arguments[used[0]][1])
+    sign = -1 if (slope < 0) != (name == "acos") else 1
+    if len(used) == 2 and name in ARC_RANGES and rest == -slope * field.variable(used[1]):
+        return _signed(sign * (u - field.arguments[used[1]][1]))
+    if len(used) != 1:
+        return base
+    if name == "log" and rest.is_zero():
+        return _signed(sign * (u - 1))
+    part = (-rest / (slope * field.pi)).fraction()
+    if name not in ARC_RANGES or part is None or (edge := arc_argument(name, u.field, part)) is None:
+        return base
+    return _signed(sign * (u - edge))
+
+
+def _signed(x: Ratio) -> Ratio:
+    """An element without divisor of the same sign, where that of the divisor is known."""
+    known = sign_given(x.denominator())
+    if not known.is_strict:
+        return x.numerator() * x.denominator()
+    return x.numerator() if known is Sign.POSITIVE else -x.numerator()
 
 
 def merged(conditions: Sequence[Condition]) -> list[str]:

@@ -76,6 +76,13 @@ class FirstIntegrals:
             raise CannotAnswer(Message("through the closed loop the speed would be a formula that is too long"))
         return square
 
+    def coasts(self, c: Coordinate) -> bool:
+        """Whether the one freedom of a model keeps the kinetic energy that it has at the start."""
+        if is_driven(self.model) or len(self.model.coordinates) != 1 or self.start.of(c.speed).is_zero():
+            return False
+        change = self.potential({}) - self.potential(self.start.values)
+        return self.field.lowest_terms(change).is_zero()
+
     def _beside_drivers(self, c: Coordinate, at: Ratio) -> Ratio:
         """By Jacobi's integral, of one freedom."""
         parts = self.by_degree(c)

@@ -11,7 +11,7 @@ Every root that solves an equation but not the problem is reported with the reas
 from __future__ import annotations
 
 from collections.abc import Generator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from functools import cached_property
 
 from freebody.errors import CannotAnswer, NeverHappens, NotReached
@@ -20,6 +20,7 @@ from freebody.language.sentences import Message
 from freebody.questions.reading import QuestionEvent
 from freebody.symbolic.closure import Closure
 from freebody.symbolic.coupled import CoupledMotion, coupled_with
+from freebody.symbolic.event_places import EventPlaces, Need, Variable
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.first_integrals import FirstIntegrals, is_driven
 from freebody.symbolic.laws import Freely, LawInstant, MotionLaw, first, law_of
@@ -105,7 +106,7 @@ class SmoothMotion:
         places = {c.index for c in self.model.coordinates}
         if self.model.dependent and places <= values.keys() and self._has_solved_loops:
             at = {k: x for k, x in values.items() if k in places or k == self.field.index(self.field.time)}
-            values = self.closure.at(at) | values
+            values = self.closure.at(at, reached.bound) | values
         return values
 
     @cached_property
@@ -203,7 +204,12 @@ class SmoothMotion:
                 return together
         if not found and not bound and (driven := self._driven(value, target)) is not None:
             return driven
-        if len(found) != 1 or bound:
+        if not self.model.coordinates and (bound or present & self._in_time):
+            return self._by_the_clock(value, target)
+        at, needs, given = None, list[Need](), dict[int, Ratio]()
+        if len(found) == 1 and not bound:
+            at = solve_linear(value - target, found[0].index)
+        elif len(self.model.coordinates) != 1:
             raise CannotAnswer(
                 Message(
                     "'{event}' involves {n} coordinates ({names}); a closed form is found for one only",
@@ -212,19 +218,17 @@ class SmoothMotion:
                     names=", ".join(c.name for c in (*found, *bound)) or "none",
                 )
             )
-        (c,) = found
-        at = solve_linear(value - target, c.index)
+        c = found[0] if len(found) == 1 else self.model.coordinates[0]
         if at is None:
-            raise CannotAnswer(
-                Message(
-                    "'{event}' is not linear in the coordinate {x}; name a measure that is, or ask for "
-                    "the value of {y}",
-                    event=event.text,
-                    x=c.name,
-                    y=c.name,
-                )
-            )
-        at = self.field.lowest_terms(at)
+            places = EventPlaces(self.model, self.closure, Variable(c.index, c.name), value, target)
+            (at, needs), given = self._on_the_way(c, places), places.bound
+        reached = self._to_place(c, self.field.lowest_terms(at), event)
+        reached.conditions += needs
+        reached.bound = given
+        return reached
+
+    def _to_place(self, c: Coordinate, at: Ratio, event: QuestionEvent) -> Reached:
+        """When a coordinate comes to a place: by its law in the time, else by energy."""
         law = self.law_of(c, takes_side=self._takes_side)
         if law is not None and law.is_still:
             holds = (at - law.q0).is_zero()
@@ -237,6 +241,35 @@ class SmoothMotion:
         if instants is not None:
             return self._first(c, c.name, *instants)
         return self._place_by_energy(c, at, event)
+
+    def _on_the_way(self, c: Coordinate, places: EventPlaces) -> tuple[Ratio, list[Need]]:
+        """The first place of a coordinate at which something that is not linear in it has a value, and what that needs;
+        where the coordinate turns before, the first one on the way back."""
+        q0 = self.start.of(c.index)
+        drive = self.start.of(c.speed)
+        drive = self.field.follow(self.acceleration(c), self.start.values) if drive.is_zero() else drive
+        signs = {(v > 0) - (v < 0) for v in self.model.samples.at_starts(drive)}
+        if len(signs) != 1 or 0 in signs:
+            raise CannotAnswer(Message("which way {x} goes depends on the parameter values", x=c.name))
+        sense = signs.pop()
+        turn = self._turn(c)
+        if turn is not None and not places.is_before(q0, turn, sense):
+            return places.first(turn, -sense)
+        return places.first(q0, sense)
+
+    def _turn(self, c: Coordinate) -> Ratio | None:
+        """Where a coordinate turns first, as far as energy tells that."""
+        with suppress(CannotAnswer):
+            return self.way_of(c).turn
+        return None
+
+    def _by_the_clock(self, value: Ratio, target: Ratio) -> Reached:
+        """The first time at which something has a value that follows from driven measures through closed loops."""
+        f = self.field
+        time = Variable(f.index(f.time), "t")
+        places = EventPlaces(self.model, self.closure, time, value, target)
+        at, needs = places.first(f.zero, 1)
+        return Reached(at, None, target, None, conditions=needs, bound=places.bound)
 
     def _driven(self, value: Ratio, target: Ratio) -> Reached | None:
         """A measure that is given as a function of the time, linear in it."""
@@ -309,6 +342,8 @@ class SmoothMotion:
             together = self._together(place, target, speeds, text, order=1)
             if together is not None:
                 return together
+        if not self.model.coordinates and (inside or bound):
+            return self._by_the_clock(self.model.in_independent_speeds(rate), target)
         if len(speeds) != 1 or inside or bound:
             raise CannotAnswer(Message("the rate depends on several coordinates; a closed form is found for one only"))
         (c,) = speeds
@@ -414,7 +449,8 @@ class SmoothMotion:
         square = self.speed_squared(c, self.field.variable(c.index))
         a0 = self.field.follow(self.acceleration(c), self.start.values)
         start = self.start.of(c.index), self.start.of(c.speed), a0
-        return EnergyPath(self.model, c, square, start, takes_side=self._on_one_side)
+        coasts = self.integrals.coasts(c)
+        return EnergyPath(self.model, c, square, start, takes_side=self._on_one_side, coasts=coasts)
 
     @contextmanager
     def on_one_side(self) -> Generator[None]:

@@ -28,6 +28,7 @@ class Reached:
     limits: dict[int, Ratio] | None = None  # as the time grows without end: what tends to a value
     integral: EllipticTime | None = None  # of the time, where energy gives it
     timed: list[tuple[Ratio, str]] = field(default_factory=list[tuple[Ratio, str]])  # what the time needs besides
+    bound: dict[int, Ratio] = field(default_factory=dict[int, Ratio])  # angles of closed loops that the event gives
     settled: Ratio | None = None  # by when it is there, but for round-off
 
     @property

@@ -9,8 +9,10 @@ from __future__ import annotations
 
 import math
 from enum import Enum
+from fractions import Fraction
 
 from freebody.symbolic.field import Field, Ratio
+from freebody.symbolic.functions import cos_sin
 from freebody.symbolic.waves import Terms, fourier, sine_form, square_variants
 from freebody.tolerances import ROUND_OFF
 
@@ -172,16 +174,45 @@ def _function(field: Field, terms: Terms) -> Sign:
         return Sign.UNKNOWN
     rest, slope = parts
     if len(used) == 1:
-        zero = _RISING[name]
-        if not rest.is_zero() or zero is None:
-            return Sign.UNKNOWN
-        return times(sign_of(slope), sign_of(field.arguments[used[0]][1] - zero))
+        zero, u = _RISING[name], field.arguments[used[0]][1]
+        if rest.is_zero() and zero is not None:
+            return times(sign_of(slope), sign_of(u - zero))
+        turns = (-rest / (slope * field.pi)).fraction()
+        return Sign.UNKNOWN if turns is None or name == "log" else times(sign_of(slope), _arc(name, u, turns))
     below = rest.coefficients(used[1])
     if len(below) != 2 or not below[0].is_zero() or not (below[1] + slope).is_zero():
         return Sign.UNKNOWN
     first, second = (field.arguments[g][1] for g in used)
     found = times(sign_of(slope), sign_of(first - second))
     return -found if name in _FALLING else found
+
+
+ARC_RANGES = {name: (Fraction(-1, 2), Fraction(1, 2)) for name in ("asin", "atan")} | {
+    "acos": (Fraction(0), Fraction(1))
+}
+
+
+def arc_argument(name: str, field: Field, part: Fraction) -> Ratio | None:
+    """Where asin, acos or atan is a part of pi; None beyond its range, and where it only tends to that."""
+    low, high = ARC_RANGES[name]
+    if part < low or part > high or (name == "atan" and part in (low, high)):
+        return None
+    cos, sin = cos_sin(field, field.pi * part)
+    edge = {"asin": sin, "acos": cos}.get(name)
+    return sin / cos if edge is None else edge
+
+
+def _arc(name: str, u: Ratio, part: Fraction) -> Sign:
+    """asin u, acos u or atan u against a part of pi: by the range of the arc, else by where u is."""
+    low, high = ARC_RANGES[name]
+    edge = arc_argument(name, u.field, part)
+    if edge is None:
+        return Sign.POSITIVE if part <= low else Sign.NEGATIVE
+    found = sign_of(u - edge)
+    found = -found if name in _FALLING else found
+    if found is Sign.UNKNOWN and part in (low, high):
+        return Sign.NONNEGATIVE if part == low else Sign.NONPOSITIVE
+    return found
 
 
 def _exponential(field: Field, x: Ratio, g: int) -> Sign:

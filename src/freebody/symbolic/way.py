@@ -23,6 +23,7 @@ from freebody.symbolic.zeros import reals, zeros_of
 Need = tuple[Ratio, str]
 Places = list[tuple[Ratio, list[float]]]  # a place as a formula, and at every sample
 _NEAR = 1e-9
+_CLEAR = 1e-3  # of a number that is not the round-off of a zero
 _TURNS = range(-2, 3)  # by which a place of an angle may differ from the formula's
 _N_STEPS = 64
 
@@ -38,7 +39,8 @@ class Span:
 
 class EnergyPath:
     """The motion of the one coordinate of a model with a first integral of energy. takes_side: whether it is told as it
-    is at the first sample where parameters decide which way it goes; that is then needed."""
+    is at the first sample where parameters decide which way it goes; that is then needed. coasts: whether nothing
+    changes its kinetic energy, which it has from the start."""
 
     def __init__(
         self,
@@ -48,12 +50,14 @@ class EnergyPath:
         start: tuple[Ratio, Ratio, Ratio],
         *,
         takes_side: bool = False,
+        coasts: bool = False,
     ) -> None:
         self.model, self.c = model, c
         self.field = model.field
         self.square = model.field.lowest_terms(square)
         self.q0, self.u0, a0 = start
         self._takes_side, self._others = takes_side, set[int]()  # samples on the other side
+        self._coasts = coasts
         self._drive = a0 if self.u0.is_zero() else self.u0
         if self._drive.is_zero():
             raise CannotAnswer(Message("{x} starts at rest where nothing accelerates it", x=c.name))
@@ -193,6 +197,11 @@ class EnergyPath:
         return self._over(self.q0, self.field.lowest_terms(self.q0 + 2 * way * self.field.pi), needs)
 
     @property
+    def turn(self) -> Ratio:
+        """Where it turns first. Raises CannotAnswer where that is not found, NotReached where it does not turn."""
+        return self._turning[0]
+
+    @property
     def sense(self) -> int:
         """+1 if the coordinate grows at first, else -1."""
         return self._way[0]
@@ -284,10 +293,25 @@ class EnergyPath:
         return places[picks.pop()][0]
 
     def _arrives(self, at: Ratio) -> Need:
-        """u^2 at the end of a way: zero is enough for a place where the coordinate turns, not for the top of a hill."""
+        """u^2 at the end of a way, where it can vanish at all: zero is enough for a place where the coordinate turns,
+        not for the top of a hill."""
+        if self._never_stops:
+            return self.field.one, ">"
         slope = self.field.derivative(self.square, self.c.index)
-        is_hill = self.field.follow(slope, {self.c.index: at}).is_zero() and not self._is_maximum(at)
+        is_flat = not self._has_value(slope, at) and self.field.follow(slope, {self.c.index: at}).is_zero()
+        is_hill = is_flat and not self._is_maximum(at)
         return self._square_at(at), ">" if is_hill else ">="
+
+    @cached_property
+    def _never_stops(self) -> bool:
+        """Whether u^2 is known to be positive in every pose: what coasts has u^2 = M0 u0^2/M, and M is positive."""
+        return self._coasts or sign_of(self.square) is Sign.POSITIVE
+
+    def _has_value(self, x: Ratio, place: Ratio) -> bool:
+        """Whether a function is clearly not zero at a place, at one sample at least: then it does not vanish there
+        formally."""
+        samples, index = self.model.samples, self.c.index
+        return any(abs(samples.at_start_with(x, s, {index: v})) > _CLEAR for s, v in enumerate(self.numbers(place)))
 
     def _is_maximum(self, place: Ratio) -> bool:
         bend = self.field.derivative(self.field.derivative(self.square, self.c.index), self.c.index)
@@ -296,6 +320,8 @@ class EnergyPath:
     def _over(self, start: Ratio, end: Ratio, known: Sequence[Need]) -> tuple[list[Need], list[str]]:
         """What a way between two places needs besides what is known: u^2 is positive at each of its minima there. In
         words, where not every minimum has a formula. Raises CannotAnswer where something else is in the way."""
+        if self._never_stops:
+            return [*known], []
         slope = self.field.derivative(self.square, self.c.index)
         starts, ends = self.numbers(start), self.numbers(end)
         needs: list[Need] = list(known)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Protocol
 
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.field import Field, Ratio
 from freebody.symbolic.functions import functions
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.quadratic import roots
@@ -134,11 +134,34 @@ def _of_wave(model: SymbolicModel, a: Ratio, b: Ratio, r: Ratio) -> list[Ratio]:
     if a.is_zero():
         angle = fn["asin"](-r / b)
         return [angle, pi - angle]
+    if (shifted := _amplitude(f, a, b)) is not None:  # A sin(d - q) + r
+        size, shift = shifted
+        angle = fn["asin"](f.lowest_terms(r / size))
+        return [shift + angle, shift + pi - angle]
     # (r - a) T^2 + 2 b T + r + a = 0 with T = tan(q/2)
     if (r - a).is_zero():
         return [2 * fn["atan"](-a / b), pi]
     root = fn["sqrt"](a * a + b * b - r * r)
     return [2 * fn["atan"]((-b - root) / (r - a)), 2 * fn["atan"]((-b + root) / (r - a))]
+
+
+def _amplitude(f: Field, a: Ratio, b: Ratio) -> tuple[Ratio, Ratio] | None:
+    """(A, d) of a cos q + b sin q = A sin(d - q), where sin d = a/A and -cos d = b/A are those of an angle that is
+    known, or turned by quarters."""
+    square = f.lowest_terms(a * a + b * b)
+    size = f.sqrt(square)
+    if size.generators() & {g for g, known in f.generators.items() if known.kind == "root"} or size.is_zero():
+        return None
+    sin, cos = f.lowest_terms(a / size), f.lowest_terms(-b / size)
+    for g in sorted(sin.generators() & f.angles.keys() | {h - 1 for h in sin.generators() if h - 1 in f.angles}):
+        c, s, angle = f.variable(g), f.variable(g + 1), f.angles[g]
+        for known, base in (((c, s), angle), ((s, -c), angle - f.pi / 2), ((-c, -s), angle + f.pi)):
+            for way in (1, -1):
+                if cos == known[0] and sin == way * known[1]:
+                    return size, way * base
+        if (cos, sin) == (-s, c):
+            return size, angle + f.pi / 2
+    return None
 
 
 def _quadratic_in_one(model: SymbolicModel, p: Ratio, a: Ratio, b: Ratio, r: Ratio) -> list[Ratio]:

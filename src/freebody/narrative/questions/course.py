@@ -9,14 +9,20 @@ from __future__ import annotations
 from dataclasses import replace
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import Symbol
 from freebody.language.sentences import Message
 from freebody.narrative.context import Context, Method
 from freebody.narrative.lines.script import Argument, DerivationStage
 from freebody.narrative.principles.momentum import by_method
 from freebody.narrative.questions.course_by_energy import lines_by_energy, time_by_energy
 from freebody.narrative.questions.course_by_law import lines_by_law
-from freebody.narrative.questions.event_way import TIME, AtEvent, EventWay, coordinates_asked, tell_asked
+from freebody.narrative.questions.event_way import (
+    TIME,
+    AtEvent,
+    EventWay,
+    coordinates_asked,
+    event_means,
+    tell_asked,
+)
 from freebody.questions.reading import Question, QuestionEvent
 from freebody.study.answering.answer import Answer
 from freebody.symbolic.tidy import tidy
@@ -61,15 +67,11 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
 
 def _driven(asked: AtEvent, method: Method) -> list[DerivationStage]:
     """Of a motion that is given as a function of the time."""
-    event, script, model = asked.question.event, asked.script, asked.context.setup.model
+    event, script = asked.question.event, asked.script
     assert isinstance(event, QuestionEvent)
     assert asked.reached.time is not None
-    name = next((n for n, m in asked.context.system.measures.items() if m == event.measure), "")
     with script.stage("stage.event", "hint.event"):
-        lines: list[int] = []
-        if name:
-            given = tidy(model.field.lowest_terms(model.value_of(event.measure)))
-            lines.append(script.line(Symbol(name), given, why="course.given", when="event"))
+        lines = event_means(asked)
         args: dict[str, Argument] = {"event": f"@{event.text}"}
         time = tidy(asked.reached.time)
         lines.append(script.line(TIME, time, why="course.event", args=args, uses=tuple(lines), when="event"))

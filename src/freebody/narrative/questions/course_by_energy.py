@@ -37,7 +37,7 @@ def lines_by_energy(way: EventWay) -> list[int]:
         given = place_line(way)
         # where the place is given its values are put in; where the speed is given the place is found
         put_in: dict[int, Ratio] = {} if event.order == 1 else {c.index: reached.at}
-        second, rest = context.setup.motion.integrals.terms(c)
+        second, rest = (context.setup.motion.closure.explicit(x) for x in context.setup.motion.integrals.terms(c))
         end, u0 = [f.lowest_terms(f.follow(x, put_in)) for x in (second, rest)], at_start(way)[1]
         m_start, v_start = (f.follow(x, context.setup.start.values) for x in (second, rest))
         left = add(multiply(tidy(end[0]), power(u, number(2))), tidy(end[1]))

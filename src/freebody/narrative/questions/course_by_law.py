@@ -7,7 +7,7 @@ from freebody.language.expression import Call, Expr, Symbol, add, multiply, numb
 from freebody.language.sentences import Message
 from freebody.narrative.lines.script import Argument, ready
 from freebody.narrative.principles.sides import positive_first
-from freebody.narrative.questions.event_way import TIME, EventWay, at_start
+from freebody.narrative.questions.event_way import TIME, EventWay, at_start, event_means
 from freebody.questions.motion import rates_of
 from freebody.questions.reading import QuestionEvent
 from freebody.symbolic.coupled import CoupledMotion
@@ -100,7 +100,11 @@ def place_line(way: EventWay) -> int:
     symbol = rates_of(c.name, 1) if event.order == 1 else Symbol(c.name)
     value = way.reached.speed if event.order == 1 else way.reached.at
     assert value is not None
-    return way.script.line(symbol, tidy(value), why="course.event", args={"event": f"@{event.text}"}, when="event")
+    model = way.context.setup.model
+    is_of_loops = event.order == 0 and not model.field.ingredients(model.value_of(event.measure)) <= {c.index}
+    uses = tuple(event_means(way)) if is_of_loops else ()
+    args: dict[str, Argument] = {"event": f"@{event.text}"}
+    return way.script.line(symbol, tidy(value), why="course.event", args=args, uses=uses, when="event")
 
 
 def _time_lines(way: EventWay, x_line: int, u_line: int, square: int | None, at: int, t: Ratio) -> None:

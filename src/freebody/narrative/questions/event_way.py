@@ -13,12 +13,13 @@ from freebody.language.sentences import Message
 from freebody.narrative.context import Context
 from freebody.narrative.lines.naming import asked_entry, asked_symbol
 from freebody.narrative.lines.script import Argument, Script
+from freebody.narrative.principles.loops import closed_loops
 from freebody.narrative.principles.momentum import by_momentum, parts_of
 from freebody.narrative.principles.newton import same_answer
 from freebody.questions.base import Quantity
 from freebody.questions.loads import Work
 from freebody.questions.motion import rates_of
-from freebody.questions.reading import Question
+from freebody.questions.reading import Question, QuestionEvent
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.laws.base import MotionLaw
 from freebody.symbolic.reached import Reached
@@ -51,6 +52,22 @@ class EventWay(AtEvent):
     @property
     def law(self) -> MotionLaw | None:
         return self.context.setup.motion.law_of(self.coordinate, takes_side=True)
+
+
+def event_means(asked: AtEvent) -> list[int]:
+    """What an event says of the coordinates where it is no value of one of them: the measure by the coordinates, and
+    the closed loops that bind these."""
+    event, model, script = asked.question.event, asked.context.setup.model, asked.script
+    assert isinstance(event, QuestionEvent)
+    value = model.field.lowest_terms(model.value_of(event.measure))
+    own = {c.index for c in (*model.coordinates, *model.dependent)}
+    lines: list[int] = []
+    name = next((n for n, m in asked.context.system.measures.items() if m == event.measure), "")
+    if name and value.generators() not in [{index} for index in own]:
+        lines.append(script.line(Symbol(name), tidy(value), why="course.given", when="event"))
+    if model.field.ingredients(value) & {d.index for d in model.dependent}:
+        lines += closed_loops(asked.context.setup, script)
+    return lines
 
 
 def coordinates_asked(context: Context, question: Question) -> list[Coordinate]:

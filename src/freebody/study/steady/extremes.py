@@ -24,7 +24,6 @@ from freebody.study.answering.motion_extremes import along, is_size
 from freebody.study.answering.motion_extremes import find as over_motion
 from freebody.study.setup import Setup
 from freebody.study.steady.drive import FreeToTurn, followed
-from freebody.study.steady.reduced import odd_part
 from freebody.study.steady.round_turn import FullTurn, over_a_turn
 from freebody.study.steady.turning import Extremum, TurningAngle, TurnPose
 from freebody.symbolic.closure import explicit
@@ -33,6 +32,7 @@ from freebody.symbolic.decide import decide
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import functions
 from freebody.symbolic.model import SymbolicModel
+from freebody.symbolic.reduced import odd_part
 from freebody.symbolic.signs import Sign, sign_of, times
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.unknowns import Coordinate

@@ -20,10 +20,10 @@ from freebody.language.sentences import Message, further
 from freebody.questions.event import AskedEvent, QuestionEvent
 from freebody.questions.steady import SteadyValue
 from freebody.study.eom import primitive_part
-from freebody.study.steady.reduced import without_square_roots
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.linear import RHS, Row, solve
 from freebody.symbolic.model import SymbolicModel
+from freebody.symbolic.reduced import without_square_roots
 from freebody.symbolic.speeds import total_of
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy
