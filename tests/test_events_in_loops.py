@@ -59,6 +59,7 @@ loads: {weight: {gravity: g}}
 measures: {theta: {angle of line from ground.O to bob from down}, x: x of bob}
 start: {theta: a}
 """
+HEAVY = COASTING.replace("crank: {rod: {length: r}}", "crank: {rod: {mass: m, length: r}}")
 ARC = "acos((X^2 + r^2 - l^2)/(2*X*r))"
 
 FORMULAS = {
@@ -77,6 +78,7 @@ FORMULAS = {
     "block far out": (MOTOR, "psi when s = h", "pi + asin(r/(2*h))"),
     "lever by energy": (COASTING, "angular velocity of lever when phi = 90 deg", "r^2*w/(r^2 + h^2)"),
     "crank by energy": (COASTING, "angular velocity of crank when phi = 90 deg", "r*w*(r + h)/(r^2 + h^2)"),
+    "reversal of what coasts": (HEAVY, "psi when rate(phi) = 0", "pi + asin(r/h)"),
     "yoke": (YOKE, "velocity of x when x = r/2", "-r*w*sqrt(3)/2"),
     "yoke reverses": (YOKE, "time when rate(x) = 0", "pi/w"),
     "bob by its place": (PENDULUM, "theta when x = L/2", "pi/6"),

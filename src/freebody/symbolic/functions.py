@@ -243,8 +243,14 @@ def _known_arc(field: Field, name: str, x: Ratio) -> Ratio | None:
 
 
 def _arc_or_known(field: Field, name: str, x: Ratio, slope: Callable[[Ratio], Ratio]) -> Ratio:
+    """An inverse function: where it is known, else an atom of its own; of asin and atan, which are odd, that of an
+    argument that is not a sum of negative terms."""
     known = _known_arc(field, name, x)
-    return _arc(field, name, x, slope) if known is None else known
+    if known is not None:
+        return known
+    if name != "acos" and all(c < 0 for c in field.terms(x.num).values()):
+        return -_arc(field, name, -x, slope)
+    return _arc(field, name, x, slope)
 
 
 def _without_logs(field: Field, x: Ratio, root: Callable[[Ratio], Ratio]) -> tuple[Ratio, Ratio]:

@@ -68,7 +68,7 @@ class SmoothMotion:
                 )
             )
         if event.order == 1:
-            reached = self._reach_rate(value, target, place, event.text)
+            reached = self._reach_rate(value, target, place, event)
         else:
             reached = self._reach_place(value, target, event)
         if begins:
@@ -245,17 +245,19 @@ class SmoothMotion:
     def _on_the_way(self, c: Coordinate, places: EventPlaces) -> tuple[Ratio, list[Need]]:
         """The first place of a coordinate at which something that is not linear in it has a value, and what that needs;
         where the coordinate turns before, the first one on the way back."""
-        q0 = self.start.of(c.index)
+        q0, sense, turn = self.start.of(c.index), self._sense(c), self._turn(c)
+        if turn is not None and not places.is_before(q0, turn, sense):
+            return places.first(turn, -sense)
+        return places.first(q0, sense)
+
+    def _sense(self, c: Coordinate) -> int:
+        """+1 if a coordinate grows at first, else -1."""
         drive = self.start.of(c.speed)
         drive = self.field.follow(self.acceleration(c), self.start.values) if drive.is_zero() else drive
         signs = {(v > 0) - (v < 0) for v in self.model.samples.at_starts(drive)}
         if len(signs) != 1 or 0 in signs:
             raise CannotAnswer(Message("which way {x} goes depends on the parameter values", x=c.name))
-        sense = signs.pop()
-        turn = self._turn(c)
-        if turn is not None and not places.is_before(q0, turn, sense):
-            return places.first(turn, -sense)
-        return places.first(q0, sense)
+        return signs.pop()
 
     def _turn(self, c: Coordinate) -> Ratio | None:
         """Where a coordinate turns first, as far as energy tells that."""
@@ -334,16 +336,18 @@ class SmoothMotion:
         return Reached(lowest(i.time), c, lowest(i.place), lowest(i.rate), [], [*needs, *found.conditions])
 
     # -- a rate -------------------------------------------------------------------------------
-    def _reach_rate(self, rate: Ratio, target: Ratio, place: Ratio, text: str) -> Reached:
+    def _reach_rate(self, rate: Ratio, target: Ratio, place: Ratio, event: QuestionEvent) -> Reached:
         speeds = [c for c in self.model.coordinates if c.speed in rate.generators()]
         inside = self.field.ingredients(rate) & {c.index for c in (*self.model.coordinates, *self.model.dependent)}
         bound = any(c.speed in rate.generators() for c in self.model.dependent)
         if len(speeds) > 1 and not inside and not bound:
-            together = self._together(place, target, speeds, text, order=1)
+            together = self._together(place, target, speeds, event.text, order=1)
             if together is not None:
                 return together
         if not self.model.coordinates and (inside or bound):
             return self._by_the_clock(self.model.in_independent_speeds(rate), target)
+        if len(self.model.coordinates) == 1 and target.is_zero() and (inside or bound):
+            return self._reach_reversal(self.model.coordinates[0], rate, event)
         if len(speeds) != 1 or inside or bound:
             raise CannotAnswer(Message("the rate depends on several coordinates; a closed form is found for one only"))
         (c,) = speeds
@@ -368,6 +372,21 @@ class SmoothMotion:
         if instants is not None:
             return self._first(c, c.name, *instants)
         return self._rate_by_energy(c, wanted)
+
+    def _reach_reversal(self, c: Coordinate, rate: Ratio, event: QuestionEvent) -> Reached:
+        """Where a rate g(q) u vanishes: at a zero of g, or where the coordinate turns, whichever is first."""
+        x = self.field.lowest_terms(self.model.in_independent_speeds(rate))
+        parts = x.numerator().coefficients(c.speed)
+        if len(parts) != 2 or not parts[0].is_zero() or c.speed in x.denominator().generators():
+            raise CannotAnswer(Message("the rate is not linear in the rate of {x}", x=c.name))
+        places = EventPlaces(self.model, self.closure, Variable(c.index, c.name), parts[1], self.field.zero)
+        turn = self._turn(c)
+        if turn is not None and not places.is_before(self.start.of(c.index), turn, self._sense(c)):
+            return self._rate_by_energy(c, self.field.zero)
+        at, needs = places.first(self.start.of(c.index), self._sense(c))
+        reached = self._to_place(c, self.field.lowest_terms(at), event)
+        reached.conditions += needs
+        return reached
 
     # -- a motion that repeats itself ---------------------------------------------------------
     def period(self, c: Coordinate) -> Reached:

@@ -9,6 +9,7 @@ from freebody.symbolic.functions import functions
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.quadratic import roots
 from freebody.symbolic.signs import Sign, sign_of
+from freebody.symbolic.waves import sine_form
 
 
 def solve_linear(x: Ratio, index: int) -> Ratio | None:
@@ -101,12 +102,12 @@ def _turned_zeros(model: SymbolicModel, base: Ratio, cos: int, sin: int) -> list
     f = model.field
     in_cos = base.coefficients(cos)
     if len(in_cos) > 3:
-        return []
+        return _in_sine(model, base, cos, sin)
     parts = [[*x.coefficients(sin), f.zero][:2] for x in in_cos]  # sin^2 never stands in the normal form
     parts += [[f.zero, f.zero]] * (3 - len(parts))
     (r, b), (a, k), (p, cubic) = parts
     if not cubic.is_zero():
-        return []
+        return _in_sine(model, base, cos, sin)
     if p.is_zero() and k.is_zero():
         return _of_wave(model, a, b, r)
     if a.is_zero() and b.is_zero() and not k.is_zero():
@@ -114,6 +115,22 @@ def _turned_zeros(model: SymbolicModel, base: Ratio, cos: int, sin: int) -> list
         halves = [angle / 2 for angle in _of_wave(model, p / 2, k / 2, r + p / 2)]
         return [*halves, *(half + f.pi for half in halves)]
     return _quadratic_in_one(model, p, a, b, r) if k.is_zero() else []
+
+
+def _in_sine(model: SymbolicModel, base: Ratio, cos: int, sin: int) -> list[Ratio]:
+    """The angles at which a polynomial of higher degree vanishes that is one in the sine alone, with cos^2 = 1 -
+    sin^2, by its linear and quadratic factors."""
+    f, fn = model.field, functions(model.field, model.samples.is_negative)
+    terms = sine_form(f.terms(base.num), cos, sin)
+    if any(g == cos for monomial in terms for g, _e in monomial):
+        return []
+    angles: list[Ratio] = []
+    for c in f.factors_in(terms, sin):
+        if len(c) == 2:
+            angles.append(fn["asin"](f.lowest_terms(-c[0] / c[1])))
+        elif len(c) == 3 and sign_of(f.lowest_terms(c[1] * c[1] - 4 * c[0] * c[2])) is not Sign.NEGATIVE:
+            angles += [fn["asin"](f.lowest_terms(x)) for x in roots(c, model.samples.is_negative) or []]
+    return [x for angle in angles for x in (angle, f.pi - angle)]
 
 
 def _of_wave(model: SymbolicModel, a: Ratio, b: Ratio, r: Ratio) -> list[Ratio]:
