@@ -89,8 +89,12 @@ def require(x: Ratio, relation: str, purpose: str = "") -> tuple[Condition | Non
         return Condition(_without_known_factors(x, relation), relation, purpose), True
     total = x.field.one
     for part in _open_factors(x):
-        if decide(part, "!=") is not True:
-            total = total * part
+        if decide(part, "!=") is True:
+            continue
+        plain = _by_arguments(part)
+        for own in [part] if plain is part else _open_factors(plain):
+            if decide(own, "!=") is not True:
+                total = total * own
     return Condition(total, relation, purpose), True
 
 
