@@ -135,7 +135,7 @@ def _assembled_whole(reference: NumericSystem, extra: Wanted, guess: Array | Non
     for wish in wishes:
         fit = reference.placing.fit(guess, [*equations, *wish], 0.0, {})
         if fit is not None and _stands(reference, fit):
-            return fit
+            return _nearest(reference, fit, guess)
     left = allowed(MOST_STEPS)
     q = guess
     for q in _starts(reference, guess, equations, n_starts):
@@ -178,7 +178,16 @@ def _assembled_whole(reference: NumericSystem, extra: Wanted, guess: Array | Non
                 )
             )
         raise CannotAnswer(Message("the start cannot be assembled: {why}", why=at_best))
-    return best
+    return _nearest(reference, best, guess)
+
+
+def _nearest(reference: NumericSystem, found: Fit, guess: Array) -> Fit:
+    """The pose to which small moves that break nothing lead from one that was found, towards the guess. The bodies of a
+    large system stay where they were put, one after the other from the ground."""
+    if len(guess) > LARGE:
+        return found
+    nearer = reference.placing.nearest(found, guess, 0.0)
+    return nearer if _stands(reference, nearer) else found
 
 
 def _settled(reference: NumericSystem, found: Fit, guess: Array, wishes: Iterable[Sequence[PoseEquation]]) -> Fit:
