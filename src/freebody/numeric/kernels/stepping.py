@@ -81,6 +81,7 @@ Y, OLD, NEW, STAGE, HELD, FIRST = range(6)  # rows of `Run.states`
 
 EPSILON = 2.220446049250313e-16
 N_PROJECTIONS = 8
+N_TOGETHER = 3  # of these, in which places and motion are closed together
 CAREFUL_PIVOT = 1e-2  # below this part of the best pivot met so far, stages are projected too
 MOST_ALLOWED = 1e5  # errors of a step, by the tolerance, that are accepted there if nothing else helps
 NEAR_PIVOT = 1e-5  # below this part of it, no step should end
@@ -157,6 +158,11 @@ def project(L, S, clock, count, unit, y, t):
             return False
         enough = place <= place_enough and motion <= motion_enough
         stuck = place >= 0.5 * last_place and motion >= 0.5 * last_motion
+        if attempt > N_TOGETHER:
+            # rows that say the same thing may leave a gap of places that none can close, while that of motion goes on
+            # to vanish: then each of the two is enough, or stuck, for itself
+            is_placed = place <= place_enough or place >= 0.5 * last_place
+            stuck = is_placed and (motion <= motion_enough or motion >= 0.5 * last_motion)
         if enough or stuck:
             if place > 1e-10 * size or motion > 1e-8 * clock[SPEED] + 1e-9:
                 return False
