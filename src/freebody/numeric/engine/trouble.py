@@ -8,6 +8,7 @@ import numpy as np
 
 from freebody.language.expression import ZERO, free_symbols
 from freebody.language.sentences import Message, in_turn
+from freebody.language.units import DIMENSIONLESS
 from freebody.numeric.engine.course import Status
 from freebody.numeric.kernels import stepping
 
@@ -17,6 +18,7 @@ if TYPE_CHECKING:
 
 SINGULAR = 1e-3  # a singular value below this part of the largest: the pose is next to a singular one
 ROUND_OFF = 16.0 * stepping.EPSILON  # steps below this part of a time are too small beside it
+STEEPEST = 1e6  # [rad] a gradient by the size of the system, beyond which a direction has no value
 SHARE = 0.05  # a row belongs to the combination that vanishes if it has this part in it
 
 
@@ -35,7 +37,7 @@ def diagnosed(engine: Evaluator, run: SteppedRun) -> tuple[Status, str]:
     y = run.states[0].copy()
     stepping.visit(engine.layout, engine.room, run, -1.0, y, t, out, 1)
     if trouble in (stepping.NOT_FINITE, stepping.NOT_HELD):
-        name = _without_value(engine, run, y, out, t)
+        name = _without_direction(engine) or _without_value(engine, run, y, out, t)
         if name:
             return Status.NOT_FINITE, Message(
                 "{name} has no finite value beyond t = {t:.6g} s; change its law or stop before", name=name, t=t
@@ -93,6 +95,16 @@ def _dependent(engine: Evaluator) -> tuple[list[int], float]:
     k = int(kept[-1])
     share = np.abs(U[:, k])
     return [int(i) for i in np.flatnonzero(share > SHARE * share.max())], float(singular[k] / singular[0])
+
+
+def _without_direction(engine: Evaluator) -> str:
+    """The first held measure without a dimension that a small part of the system's size turns by a radian: the
+    direction of a line goes like one over its length."""
+    slopes = np.abs(engine.jacobian().reshape(len(engine.held), -1) * engine.unit).max(axis=1, initial=0.0)
+    for row, slope in zip(engine.held, slopes, strict=True):
+        if row.measure.dimension == DIMENSIONLESS and slope > STEEPEST:
+            return row.name
+    return ""
 
 
 def _without_value(engine: Evaluator, run: SteppedRun, y: np.ndarray, out: np.ndarray, t: float) -> str:  # type: ignore[type-arg]
