@@ -368,8 +368,8 @@ measures: {theta: angle of crank}
 
 @pytest.mark.parametrize("friction", ["", "  rub: {dry_friction: {measure: height of p, force: 0.2 N}}\n"])
 def test_a_direction_is_driven_until_the_ends_of_its_line_meet(friction: str) -> None:
-    """The line from p to the origin is led to turn by w t. No force acts along it but a little friction, so p goes on as
-    it was thrown, v = 1 m/s towards the origin 1 m away with w = 0: it is there after 1 s, where no angle can be said."""
+    """The line from p to the origin is held level. No force acts along it, so p goes on as it was thrown, with 1 m/s
+    towards the origin 1 m away: it is there after 1 s, where the line has no direction."""
     text = f"""
 bodies: {{p: {{particle: {{mass: 1 kg}}, at: [1 m, 0], velocity: [-1 m/s, 0]}}}}
 connections:

@@ -20,13 +20,14 @@ import numpy as np
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message, further, in_turn
+from freebody.numeric.contact.after import After, Choice
 from freebody.numeric.contact.bounded import Bounded
 from freebody.numeric.contact.problem import OutcomeCount as Consistency
 from freebody.numeric.contact.record import PhaseRecord, merged
 from freebody.numeric.contact.rows import ContactInstant, ModeOf, within
 from freebody.numeric.contact.sharing import SharedReactions
 from freebody.numeric.contact.sudden import SuddenBlows
-from freebody.numeric.contact.transition import After, Choice, InstantTransition
+from freebody.numeric.contact.transition import InstantTransition
 from freebody.numeric.contact.trouble import advised, contradiction, jammed
 from freebody.numeric.contact.words import events_between
 from freebody.numeric.engine.course import BlowRecord, Collision, Event, Status, Trajectory
@@ -34,7 +35,7 @@ from freebody.numeric.engine.engine import Engine
 from freebody.numeric.engine.motion import stopped
 from freebody.numeric.engine.patrol import Guarding
 from freebody.numeric.engine.writing import OF_MULTIPLIER, OF_RATE, OF_VALUE
-from freebody.numeric.kernels import dynamics
+from freebody.numeric.kernels import factoring
 from freebody.numeric.kernels.arrays import Floats
 from freebody.numeric.options import SimulationOptions
 
@@ -130,7 +131,7 @@ class Hybrid:
         self._keep(mode, now)
         engine.count_from(at.near)
         sizes = self._sizes(engine, guards, y, t)
-        is_open = engine.is_shared or engine.room.info[dynamics.N_LEFT_OUT] > 0.0
+        is_open = engine.is_shared or engine.room.info[factoring.N_LEFT_OUT] > 0.0
         if is_open:
             self.sharing.share(engine, mode, y, t)
 
@@ -362,12 +363,12 @@ class Hybrid:
                 t=self.ahead[0],
                 energy=self.ahead[1],
             )
-        if self.transition.tied:
+        if self.transition.collisions.tied:
             yield Message(
                 "of {names}, which are hit equally fast, the first by name is taken first",
-                names=in_turn([*self.transition.tied]),
+                names=in_turn([*self.transition.collisions.tied]),
             )
-        if self.transition.is_replaced:
+        if self.transition.collisions.is_replaced:
             yield Message(
                 "the law of impact, {law}, has no solution where several contacts or frictions are hit at once; "
                 "Poisson's took over",

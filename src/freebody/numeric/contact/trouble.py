@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from freebody.language.sentences import Message, further, in_turn
+from freebody.numeric.contact.after import HELD_ALONE, After
 from freebody.numeric.contact.bounded import Bounded
 from freebody.numeric.contact.problem import OutcomeCount
 from freebody.numeric.contact.rows import ModeOf
-from freebody.numeric.contact.transition import HELD_ALONE, After
 
 ADVICE = Message("use time stepping (method moreau, with a step), which does not follow single events")
 
