@@ -116,7 +116,7 @@ class QuestionSolver:
 
             return number_of_turn(q.quantity, self.setup, q)
         if q.quantity.scope == "linkage" and self.setup.has_values:
-            from freebody.study.mobility.loop_answers import number as number_of_loop
+            from freebody.study.mobility.loop_answers import value_of as number_of_loop
 
             return number_of_loop(q.quantity, self.setup)
         if not self.setup.has_values or q.quantity.scope == "steady motion" or q.quantity.wanted is not None:
@@ -159,9 +159,9 @@ class QuestionSolver:
 
         asked = replace(self.question, quantity=q.of, options={}, key=None)
         if q.of.scope == "linkage":
-            from freebody.study.mobility.loop_answers import is_so
+            from freebody.study.mobility.loop_answers import holds
 
-            return solved_for(self.setup, self.question, [is_so(q.of, self.setup)])
+            return solved_for(self.setup, self.question, [holds(q.of, self.setup)])
         if isinstance(q.of, StableEquilibrium):
             from freebody.study.small_motion.stable_for import stability
 
