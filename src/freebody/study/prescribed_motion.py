@@ -1,4 +1,4 @@
-"""One measure that is led along a motion: as a formula in the time, a function, or samples between which it is smooth."""
+"""One measure that is led along a motion: as a formula in the time, a function, or samples with cubics between."""
 
 from __future__ import annotations
 
