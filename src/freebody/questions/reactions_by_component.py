@@ -101,44 +101,19 @@ questions: {it: tension of rod}
 )
 def _multiplier(names: Names, found: Found, path: Path) -> Quantity | None:
     of, what = str(found["of"]), str(found["what"])
-    if of in names.broken:
+    if of in names.broken or _is_misnamed(names, what, of, path) or not has_connection(names, of, path):
         return None
-    if of not in names.connections:
-        close = difflib.get_close_matches(what, _OPENINGS, n=1, cutoff=0.7)
-        if close and close[0] != what:
-            names.problem(
-                Message(
-                    "there is nothing called {what}. Did you mean: {close} of {of}", what=what, close=close[0], of=of
-                ),
-                *path,
-            )
-            return None
-        if of in names.bodies:
-            known = ", ".join(_OPENINGS[:7])
-            names.problem(
-                Message(
-                    "'{what}' is nothing that is found of a body; one can ask for its {known}, momenta and energies",
-                    what=what,
-                    known=known,
-                ),
-                *path,
-            )
-            return None
-    if not has_connection(names, of, path):
-        return None
+
+    # the rows of the connection that have this name
     rows = [row for row in names.constraint_rows if row.connection == of]
     kinds = sorted({row.reaction for row in rows})
     if what not in kinds:
-        names.problem(
-            Message(
-                "{of} has no {what}.{hint} Or ask for: reaction of {of}",
-                of=of,
-                what=what,
-                hint=did_you_mean(what, kinds),
-            ),
-            *path,
-        )
+        hint = did_you_mean(what, kinds)
+        told = Message("{of} has no {what}.{hint} Or ask for: reaction of {of}", of=of, what=what, hint=hint)
+        names.problem(told, *path)
         return None
+
+    # of several the one at the places that are named, or all where they are one force
     at = tuple(_place(names, str(found[k]), path) for k in ("at", "a", "b") if found[k] is not None)
     places = [place for row in rows if row.reaction == what for place in _places(row)]
     matching = [place for place in places if set(at) <= set(place[1].places)]
@@ -163,6 +138,28 @@ def _multiplier(names: Names, found: Found, path: Path) -> Quantity | None:
     less = tuple(f"{of}.{component}" for component in stretch.less)
     further = tuple(other.name for other, _stretch in matching[1:])
     return ReactionComponent(of, what, row.name, at, less, further, dimension)
+
+
+def _is_misnamed(names: Names, what: str, of: str, path: Path) -> bool:
+    """Whether something else was meant than a component of a reaction: another question, or something of a body."""
+    if of in names.connections:
+        return False
+    close = difflib.get_close_matches(what, _OPENINGS, n=1, cutoff=0.7)
+    if close and close[0] != what:
+        told = Message(
+            "there is nothing called {what}. Did you mean: {close} of {of}", what=what, close=close[0], of=of
+        )
+    elif of in names.bodies:
+        known = ", ".join(_OPENINGS[:7])
+        told = Message(
+            "'{what}' is nothing that is found of a body; one can ask for its {known}, momenta and energies",
+            what=what,
+            known=known,
+        )
+    else:
+        return False
+    names.problem(told, *path)
+    return True
 
 
 def _listed(places: tuple[str, ...]) -> list[str]:

@@ -55,6 +55,7 @@ def read_turned_round(
         told = Message("{name} is no parameter.{hint}", name=name, hint=did_you_mean(name, names.parameters))
         names.unknown(name, told, "find")
         return None
+    # what is to be so: a quantity largest, an inequality, a full turn, something that happens, a place that is reached
     relation, is_just = without_just(as_timed(steadily(relation)))
     extremal = IS_EXTREMAL.match(relation)
     if extremal is not None and not end:
@@ -78,6 +79,13 @@ def read_turned_round(
         )
         names.problem(told, "find")
         return None
+    # else an equation
+    return _value(read, names, parameter, relation, when)
+
+
+def _value(read: Read, names: Names, parameter: Parameter, relation: str, when: object) -> Meant | None:
+    """The value of a parameter for which an equation holds."""
+    name = parameter.name
     head, condition = (relation, None) if when is not None else event_at_end(names, relation)
     starts = condition is None and without_start(head) != head  # else these words belong to what is last
     found = relation_of(without_start(head) if starts else head, condition)
@@ -85,6 +93,7 @@ def read_turned_round(
         told = Message("write an equation: value of {name} for which acceleration of x = 0", name=name)
         names.problem(told, "find")
         return None
+    # the left side is asked for when it is meant; what stands on the right is its value, or taken from it
     left, right, condition = found
     timed = f" when {condition}" if condition is not None else " at start" if starts else ""
     asked = read(names, left + timed, when)
