@@ -64,6 +64,7 @@ class RunningMotion(MotionUnderWay):
         self.counting: Counting | None = None
         self.patrol: GuardMonitor | None = None
         self.violation: Violation | None = None
+        self.stiffness = ""  # when it was met, and what was done about it
 
     def guard(self, guarding: Guarding) -> None:
         """The first violation of a guard of the layout ends the motion; see `GuardMonitor`."""
@@ -72,76 +73,81 @@ class RunningMotion(MotionUnderWay):
 
     # -- the loop -----------------------------------------------------------------------------
     def course(self, began: float, progress: Progress | None) -> Trajectory:
-        max_seconds, max_steps = self.options.max_seconds, self.options.max_steps
-        clock, count = self.run.clock, self.run.count
-        status, message, note = Status.FINISHED, "", ""
-        if not self._begin():
-            status, message = Status.UNREACHABLE, Message("the start does not hold what is held")
-        else:
-            size = 64
+        """The motion to its end. began: when, by the clock of the process."""
+        clock = self.run.clock
+        status, message = Status.UNREACHABLE, Message("the start does not hold what is held")
+        if self._begin():
             if self.integrator.steps is not None:
                 self.solver = self.integrator.steps(self, float(clock[stepped_run.STEP]))
             try:
-                while clock[stepped_run.NOW] < self.until:
-                    is_late = time.perf_counter() - began > max_seconds
-                    if is_late or count[stepped_run.STEPS] >= max_steps:
-                        status = Status.TOO_LONG
-                        message = stopped(
-                            float(clock[stepped_run.NOW]),
-                            Message("{n} steps", n=int(count[stepped_run.STEPS])),
-                            max_seconds if is_late else None,
-                        )
-                        jumping = [p.name for p in self.engine.applied_loads if has_jump(p.law, free_symbols(p.law))]
-                        if jumping:
-                            jumps = Message(
-                                "the law of {names} jumps, which takes many small steps", names=in_turn(jumping)
-                            )
-                            message = further(message, jumps)
-                        break
-                    at = time.perf_counter()
-                    result = self._advance(min(size, max_steps - int(count[stepped_run.STEPS])))
-                    took = time.perf_counter() - at
-                    size = max(16, min(1_000_000, int(size * min(4.0, CHUNK / max(took, 1e-6)))))
-                    if progress is not None:
-                        progress(float(clock[stepped_run.NOW]), int(count[stepped_run.STEPS]))
-                    if result == stepped_run.LOOK and self.counting is not None:
-                        self.counting.add()
-                    if result == stepped_run.LOOK and self._look():
-                        status = Status.EVENT
-                        if self.violation is None:
-                            message = Message(
-                                "{event} at t = {t:.9g} s", event=self.events[-1].name, t=self.events[-1].time
-                            )
-                        break
-                    if result == stepped_run.TOO_SMALL:
-                        status, message = self._trouble()
-                        break
-                    # a step that is looked at ends before stiffness is
-                    is_stiff = result == stepped_run.LOOK and count[stepped_run.STIFF] >= stepped_run.STIFF_STEPS
-                    if result == stepped_run.STIFF_FOUND or (is_stiff and self.solver is None):
-                        count[stepped_run.STIFF] = -1_000_000_000 if not self.is_automatic else 0
-                        now = float(clock[stepped_run.NOW])
-                        if self.is_automatic:
-                            steps = integrator(STIFF).steps
-                            assert steps is not None
-                            self.solver = steps(self, 10.0 * float(clock[stepped_run.DONE_STEP]))
-                            self.method = f"{EXPLICIT}, then {STIFF}"
-                            note = Message("stiff from t = {t:.6g} s, where the method changed to radau5", t=now)
-                        else:
-                            note = Message("stiff from t = {t:.6g} s: radau5 takes fewer steps", t=now)
+                status, message = self._to_end(began, progress)
             except KeyboardInterrupt:
-                status, message = (
-                    Status.INTERRUPTED,
-                    Message("interrupted at t = {t:.6g} s", t=float(clock[stepped_run.NOW])),
-                )
+                now = float(clock[stepped_run.NOW])
+                status, message = Status.INTERRUPTED, Message("interrupted at t = {t:.6g} s", t=now)
         loose = ""
         if clock[stepped_run.ALLOWED] > 1.0:
             loose = Message(
                 "near singular poses steps were accepted with up to {n:.0e} times the tolerance",
                 n=float(clock[stepped_run.ALLOWED]),
             )
-        message = further(*(part for part in (message, note, loose, *self.notes) if part))
+        message = further(*(part for part in (message, self.stiffness, loose, *self.notes) if part))
         return self._collected(status, message, time.perf_counter() - began)
+
+    def _to_end(self, began: float, progress: Progress | None) -> tuple[Status, str]:
+        """Makes steps, as many at once as take about a time that nobody waits for, until something ends the motion."""
+        clock, count, size = self.run.clock, self.run.count, 64
+        while clock[stepped_run.NOW] < self.until:
+            is_late = time.perf_counter() - began > self.options.max_seconds
+            if is_late or count[stepped_run.STEPS] >= self.options.max_steps:
+                return Status.TOO_LONG, self._too_long(is_late=is_late)
+
+            at = time.perf_counter()
+            result = self._advance(min(size, self.options.max_steps - int(count[stepped_run.STEPS])))
+            took = time.perf_counter() - at
+            size = max(16, min(1_000_000, int(size * min(4.0, CHUNK / max(took, 1e-6)))))
+            if progress is not None:
+                progress(float(clock[stepped_run.NOW]), int(count[stepped_run.STEPS]))
+
+            if result == stepped_run.LOOK and self.counting is not None:
+                self.counting.add()
+            if result == stepped_run.LOOK and self._look():
+                if self.violation is not None:
+                    return Status.EVENT, ""
+                event = self.events[-1]
+                return Status.EVENT, Message("{event} at t = {t:.9g} s", event=event.name, t=event.time)
+            if result == stepped_run.TOO_SMALL:
+                return self._trouble()
+            # a step that is looked at ends before stiffness is
+            is_stiff = result == stepped_run.LOOK and count[stepped_run.STIFF] >= stepped_run.STIFF_STEPS
+            if result == stepped_run.STIFF_FOUND or (is_stiff and self.solver is None):
+                self._meet_stiffness()
+        return Status.FINISHED, ""
+
+    def _too_long(self, *, is_late: bool) -> str:
+        """What ended a motion that took too long, and what made its steps small, where that is known."""
+        ended = stopped(
+            float(self.run.clock[stepped_run.NOW]),
+            Message("{n} steps", n=int(self.run.count[stepped_run.STEPS])),
+            self.options.max_seconds if is_late else None,
+        )
+        jumping = [p.name for p in self.engine.applied_loads if has_jump(p.law, free_symbols(p.law))]
+        if not jumping:
+            return ended
+        jumps = Message("the law of {names} jumps, which takes many small steps", names=in_turn(jumping))
+        return further(ended, jumps)
+
+    def _meet_stiffness(self) -> None:
+        """Goes on by the implicit method, or says that it would take fewer steps."""
+        now = float(self.run.clock[stepped_run.NOW])
+        self.run.count[stepped_run.STIFF] = -1_000_000_000 if not self.is_automatic else 0
+        if self.is_automatic:
+            steps = integrator(STIFF).steps
+            assert steps is not None
+            self.solver = steps(self, 10.0 * float(self.run.clock[stepped_run.DONE_STEP]))
+            self.method = f"{EXPLICIT}, then {STIFF}"
+            self.stiffness = Message("stiff from t = {t:.6g} s, where the method changed to radau5", t=now)
+        else:
+            self.stiffness = Message("stiff from t = {t:.6g} s: radau5 takes fewer steps", t=now)
 
     def _advance(self, n: int) -> int:
         e = self.engine

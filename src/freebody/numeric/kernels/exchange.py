@@ -116,6 +116,7 @@ def choose_rule(L, X, R, v, h, still):
     """Which bodies move by h v+. Rows ask for gap + h u+ >= 0; a body moves by the mean of its velocities instead
     unless that would close a gap too far, or add energy (rates below `still` do not count). Bodies that press each
     other do the same."""
+    # bodies of a row that would close too far, or add energy
     whole = R.is_whole
     for b in range(len(whole)):
         whole[b] = 0
@@ -131,6 +132,7 @@ def choose_rule(L, X, R, v, h, still):
             found = True
             for k in range(X.ptr[r], X.ptr[r + 1]):
                 whole[X.coordinate[k] // 3] = 1
+    # what presses or is joined to such a body does as it does; to and fro, until nothing changes
     is_backward = False
     while found:
         found = False

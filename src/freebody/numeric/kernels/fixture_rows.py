@@ -29,6 +29,7 @@ from freebody.numeric.kernels.tape import play
 
 @kernel
 def add_layout_row(L, S, X, r, row, sign):
+    """The gradient of a row of the layout, as entries of row r."""
     for k in range(L.slot_ptr[row], L.slot_ptr[row + 1]):
         b, o = L.slots[k, 0], L.slots[k, 1]
         for i in range(3):
@@ -37,7 +38,9 @@ def add_layout_row(L, S, X, r, row, sign):
 
 @kernel
 def add_bounds(L, S, F, X, v, free, t, h, tolerance):
+    """Rows of stops and strings that may close in the step."""
     for k in range(len(F.bound)):
+        # the gap, with what a target moves
         row, sign = F.bound[k, 0], F.bound[k, 1]
         target, moving, bending = F.bound_number[k, 0], 0.0, 0.0
         if F.bound[k, 2] >= 0:
@@ -45,6 +48,7 @@ def add_bounds(L, S, F, X, v, free, t, h, tolerance):
             play(begin, end, F.tape, F.tape_number, t, S.rows, F.registers)
             target, moving, bending = F.registers[end - 1, 0], F.registers[end - 1, 1], F.registers[end - 1, 2]
         gap = sign * (S.rows[row, VALUE] - target)
+        # whether the contact exists here
         is_closed = True
         for j in range(2):
             span = F.bound[k, 3 + j]
@@ -54,6 +58,7 @@ def add_bounds(L, S, F, X, v, free, t, h, tolerance):
                     is_closed = False
         F.row_of_bound[k] = -1
         if is_closed:
+            # its row, taken back if it does not close in this step
             n = begin_row(X, NORMAL, OF_BOUND, k, 0, F.bound_memory[k])
             add_layout_row(L, S, X, n, row, sign)
             drift = sign * (S.rows[row, DRIFT] - moving)
@@ -75,6 +80,7 @@ def add_bounds(L, S, F, X, v, free, t, h, tolerance):
 
 @kernel
 def limit_of(S, F, tape, t):
+    """A law of the time and the rows."""
     begin, end = F.tape_ptr[tape], F.tape_ptr[tape + 1]
     play(begin, end, F.tape, F.tape_number, t, S.rows, F.registers)
     return F.registers[end - 1, 0]
@@ -87,6 +93,7 @@ def add_dry_friction(L, S, F, X, v, t, h, still_speed):
         r = begin_row(X, FRICTION, OF_FRICTION, k, 0, F.friction_memory[k])
         add_layout_row(L, S, X, r, F.friction[k, 0], 1.0)
         set_rates(X, r, S.rows[F.friction[k, 0], DRIFT], S.rows[F.friction[k, 0], ROW_BIAS], v, h)
+        # static as long as it is still, then kinetic
         moves = 0 if abs(X.number[r, BEFORE]) <= still_speed else 1
         if F.friction[k, 3] >= 0:
             X.what[r, LOAD_A] = X.what[r, LOAD_B] = -1
@@ -94,6 +101,7 @@ def add_dry_friction(L, S, F, X, v, t, h, still_speed):
             X.number[r, FORWARD] = X.number[r, BACK] = limit
             continue
         X.number[r, FORWARD], X.number[r, BACK] = F.friction_number[k, moves], F.friction_number[k, 2 + moves]
+        # what presses: held rows, or bounds that are closed in this step
         is_pressed = False
         for j in range(2):
             load = F.friction[k, 1 + j]

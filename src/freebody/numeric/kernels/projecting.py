@@ -60,6 +60,7 @@ def project(L, S, clock, count, unit, y, t):
     n = len(unit)
     q, v = y[:n].reshape((n // 3, 3)), y[n : 2 * n].reshape((n // 3, 3))
     normalised(S.frames, y, 2 * n + 1)
+    # how small gaps must become
     size = 1.0
     for i in range(n):
         size = max(size, abs(y[i]) / unit[i])

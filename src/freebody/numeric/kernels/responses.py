@@ -20,6 +20,7 @@ def add_responses(L, S, X, is_jointed, n_passes):
     n = len(L.inverse_mass)
     for r in range(X.count[0]):
         X.response_ptr[r] = p = X.count[2]
+        # a row on bodies with held rows moves all that they lead to
         is_wide = False
         if len(L.held) > 0:
             for k in range(X.ptr[r], X.ptr[r + 1]):
@@ -27,6 +28,7 @@ def add_responses(L, S, X, is_jointed, n_passes):
         if p + (n if is_wide else X.ptr[r + 1] - X.ptr[r]) > len(X.response):
             return False
         bare = 0.0
+        # M^-1 J^T, entry by entry; or spread out, with the impulses in held rows taken in
         if not is_wide:
             for k in range(X.ptr[r], X.ptr[r + 1]):
                 w = L.inverse_mass[X.coordinate[k]] * X.entry[k]
@@ -53,6 +55,7 @@ def add_responses(L, S, X, is_jointed, n_passes):
         X.count[2] = X.response_ptr[r + 1] = p
         for i in range(X.response_ptr[r], p):
             X.wide[X.response_at[i]] = X.response[i]
+        # J M^-1 J^T of the row, and with the next one where the two are a block
         own, cross = 0.0, 0.0
         if X.what[r, IS_COUPLED] > 0:
             for k in range(X.ptr[r + 1], X.ptr[r + 2]):

@@ -110,6 +110,7 @@ def is_within(C, s, tolerance):
 @part
 def add_site(L, C, X, s, v, free, h, still_speed):
     """The rows of a closed site: normal, slip, turn."""
+    # how it closes within the step
     a, b = C.site[s, FIRST_BODY], C.site[s, SECOND_BODY]
     m, sign, restitution = C.site[s, GAP], C.site[s, SIGN], C.number[s, RESTITUTION]
     bias = sign * C.measures[m, 1]
@@ -118,12 +119,14 @@ def add_site(L, C, X, s, v, free, h, still_speed):
     what, gap = approach(rate, speed, gained, gap_of(C, s), bias, restitution, h)
     if what == 0:
         return
+    # its normal
     n = begin_row(X, NORMAL, OF_SITE, s, NORMAL_IMPULSE, C.memory[s, NORMAL_IMPULSE])
     X.local[:6] = 0.0
     pour(C, m, sign, a, b, X.local)
     add_local(L, X, n, a, b)
     set_rates(X, n, 0.0, bias, v, h)
     set_normal(X, n, what, gap, restitution, h)
+    # friction along its slip, pressed by the normal: static as long as it is still
     if C.number[s, STATIC] > 0.0:
         r = begin_row(X, FRICTION, OF_SITE, s, SLIP_IMPULSE, C.memory[s, SLIP_IMPULSE])
         X.local[:6] = 0.0
@@ -139,6 +142,7 @@ def add_site(L, C, X, s, v, free, h, still_speed):
         mu = C.number[s, STATIC] if abs(X.number[r, BEFORE]) <= still_speed else C.number[s, KINETIC]
         X.number[r, FORWARD], X.number[r, BACK] = mu, mu
         X.what[r, LOAD_A], X.what[n, IS_COUPLED] = n, 1
+    # resistance against rolling, mu N with an arm in place of mu
     if C.number[s, ARM] > 0.0:
         r = begin_row(X, FRICTION, OF_SITE, s, TURN_IMPULSE, C.memory[s, TURN_IMPULSE])
         X.local[:6] = 0.0
@@ -154,6 +158,7 @@ def separating_edge(C, p, v, half, margin):
     """The edge of a pair of outlines beyond which the other one lies farthest at the start of the step; the last one
     as long as no other is better by more than the margin. The gap there is that at the middle less half a step."""
     chosen, best, kept = -1, 0.0, 0.0
+    # the least gap beyond each edge, and the edge of which that is largest
     for e in range(C.pair[p, N_EDGES]):
         least, is_first = 0.0, True
         for s in range(C.pair_ptr[p], C.pair_ptr[p + 1]):
@@ -165,6 +170,7 @@ def separating_edge(C, p, v, half, margin):
             chosen, best = e, least
         if e == C.pair[p, CHOSEN]:
             kept = least
+    # the one before, unless another is better by more than the margin
     if C.pair[p, CHOSEN] >= 0 and best <= kept + margin:
         chosen = C.pair[p, CHOSEN]
     C.pair[p, CHOSEN] = chosen
@@ -174,12 +180,14 @@ def separating_edge(C, p, v, half, margin):
 @kernel
 def facing_edge(C, p, chosen):
     """The edge of the other outline that faces an edge most; -1: it has none."""
+    # the normal of the edge that was chosen
     nx, ny, side = 0.0, 0.0, -1
     for s in range(C.pair_ptr[p], C.pair_ptr[p + 1]):
         if C.site[s, EDGE] == chosen:
             o = C.at[C.site[s, GAP]]
             nx, ny, side = C.gradient[o], C.gradient[o + 1], C.site[s, SIDE]
             break
+    # the edge of the other side whose normal is most against it
     found, most = -1, 0.0
     for s in range(C.pair_ptr[p], C.pair_ptr[p + 1]):
         if C.site[s, EDGE] >= 0 and C.site[s, SIDE] != side:
@@ -197,6 +205,7 @@ def add_candidates(L, C, X, v, free, h, reach, tolerance, still_speed):
     of a body are negative too. False if the rows have no room."""
     for p in range(len(C.pair)):
         begin, end = C.pair_ptr[p], C.pair_ptr[p + 1]
+        # pairs of which nothing comes near need no row
         nearest = 1e300
         for s in range(begin, end):
             nearest = min(nearest, gap_of(C, s))
@@ -204,6 +213,7 @@ def add_candidates(L, C, X, v, free, h, reach, tolerance, still_speed):
             continue
         if X.count[0] + 3 * (end - begin) + 1 >= len(X.what):
             return False
+        # of several edges two count
         chosen, facing = -1, -1
         if C.pair[p, N_EDGES] > 1:
             chosen = separating_edge(C, p, v, 0.5 * h, 4.0 * tolerance)

@@ -51,6 +51,7 @@ def slid(L, S, n_passes, t):
     multipliers by a unit force along slip j alone; then the accelerations with them. Newton's method, which is done
     after one step where all loads are linear in lambda."""
     n, n_held, phi, A, F = len(L.slide), len(L.held), S.slide_force, S.slide_matrix, S.unit_force
+    # lambda_0, and the multipliers by a unit force along each slip
     for r in range(n_held):
         S.slide_response[n, r] = S.multiplier[r]
     for k in range(n):
@@ -61,6 +62,7 @@ def slid(L, S, n_passes, t):
         for r in range(n_held):
             S.slide_response[k, r] = S.multiplier[r]
         phi[k] = 0.0
+    # Newton's method for the forces
     for _ in range(N_SLIDE):
         for r in range(n_held):
             S.multiplier[r] = S.slide_response[n, r]
@@ -91,6 +93,7 @@ def slid(L, S, n_passes, t):
             largest, change = max(largest, abs(phi[k])), max(change, abs(A[k, n]))
         if not change > 1e-15 * largest:
             break
+    # the accelerations with them
     for k in range(n):
         pushed_along(L, S, k, phi[k], S.force)
         row = L.slide[k, 0]

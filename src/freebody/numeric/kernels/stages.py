@@ -42,12 +42,14 @@ def error_of(T, R, h):
     fastest = 0.0
     for i in range(n):
         fastest = max(fastest, abs(R.slopes[0, n + i]) / R.unit[i])
+    # by the largest speed and the largest move so far
     speed = max(R.clock[SPEED], h * fastest)
     moved = min(1.0, max(R.clock[MOVED], h * speed))
     first, second = 0.0, 0.0
     for i in range(len(R.states[Y])):
         if i == 2 * n:
             continue
+        # both estimates of an entry, by what is allowed of it
         e1, e2 = 0.0, 0.0
         for j in range(n_slopes):
             e1 += T.error[0, j] * R.slopes[j, i]
@@ -98,6 +100,7 @@ def interpolant(L, S, T, R):
     """The terms of the dense output of the last step."""
     n_stages, n_extra, n_y = T.sizes[0], T.sizes[1], len(R.states[Y])
     t, h = R.clock[BEFORE], R.clock[DONE_STEP]
+    # stages that only the dense output needs
     for s in range(n_stages + 1, n_stages + 1 + n_extra):
         for i in range(n_y):
             R.states[STAGE][i] = 0.0
@@ -109,6 +112,7 @@ def interpolant(L, S, T, R):
         for i in range(n_y):
             R.states[STAGE][i] = R.states[OLD][i] + h * R.states[STAGE][i]
         slope_held(L, S, R.clock, R.count, R.unit, R.states[HELD], R.states[STAGE], t + T.c[s] * h, R.slopes[s])
+    # values and slopes at both ends (Hermite), then what the slopes of the stages add
     for i in range(n_y):
         change = R.states[Y][i] - R.states[OLD][i]
         R.dense[0, i] = change

@@ -274,6 +274,7 @@ def search(
     what it is zero, the resolution, how many parts may be looked at. state: what is carried from step to step. found:
     places in the step and kinds. info: how many were found, where the search begins and how far it came, how many parts
     were looked at, the value there, value and slope at the end (beyond the resolution: any). Returns how it ended."""
+    # where the search begins, and the parts that are left on a stack
     zero, resolution, most = sizes[1], sizes[2], sizes[3]
     W = Watched(code, constants, P, T, t0, h, sizes[0], turns, C, R)
     n, n_parts = 0, 0.0
@@ -291,6 +292,7 @@ def search(
             info[0], info[1], info[2] = n, a, n_parts
             return FULL if n + 4 > len(found) else EXHAUSTED
         n_parts += 1.0
+        # what the enclosures say of the next part; nothing: it is halved, or holds a jump
         c0, c2, is_known, is_clear, is_monotone, is_bent, is_within = judged(W, a, b, resolution)
         if not is_known or not (is_clear or is_monotone or is_bent or is_within):
             if b - a > NARROWEST and top + 2 <= len(stack):
@@ -300,6 +302,7 @@ def search(
                 top += 2
                 continue
             is_clear, c0 = pass_jump(W, b, fa, is_known, zero, resolution, state)
+        # one sign throughout; else monotone, or with one turn; else all within the resolution
         if is_clear:
             n = pass_clear(W, a, 1.0 if c0 > 0.0 else -1.0, found, n, state)
             fa, da = c0, 0.0
