@@ -77,6 +77,7 @@ def test_four_things_thrown_at_each_other(seed: int) -> None:
         (3, 1042, "a slip rate of round-off with the wrong sign"),
         (4, 101, "a particle on a rod, which has two sides"),
         (4, 404, "a contact that pushes nothing, which no other row keeps closed"),
+        (4, 470, "a wedged ball: a gap of places that rows hold more than once stays, while that of motion vanishes"),
         (4, 135, "a ball passes near a corner within one step"),
         (5, 431, "a mode begins again in which a contact carried nothing the time before"),
         (6, 204, "a gap is pushed below zero where another one is closed"),

@@ -15,7 +15,7 @@ from conftest import formula
 from declared import undeclared
 from examples_told import EXAMPLES, FOLDER, solved
 from freebody.language.parser import parse
-from freebody.questions.reactions import ReactionComponent
+from freebody.questions.reactions_by_component import ReactionComponent
 from freebody.study.simulation.recorded import reaction_names
 from goldens import assert_golden
 

@@ -18,7 +18,7 @@ import pytest
 import freebody as fb
 import kernel_runs
 from command import freebody
-from freebody.numeric.kernels import declaring, enclosures, library, near, stepping
+from freebody.numeric.kernels import declaring, library, near, stepping, zeros
 from goldens import FOLDER, WRITE
 
 ROOT = Path(__file__).parents[1]
@@ -225,6 +225,6 @@ def test_neither_numba_nor_its_compiler_is_imported() -> None:
 
 
 def test_every_entry_is_in_the_library() -> None:
-    assert enclosures.search
+    assert zeros.search
     for name in declaring.ENTRIES:
         assert hasattr(library.loaded(), name)

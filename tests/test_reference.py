@@ -476,6 +476,40 @@ def test_coinciding_points_are_parted_the_same_way_every_time() -> None:
     assert (first.q == second.q).all()
 
 
+def test_a_start_is_the_nearest_pose_by_the_masses_to_what_is_guessed() -> None:
+    """Two blocks on guides at right angles, joined by a link of 1 m and guessed to be at (a, 0) and (0, b). The least
+    of m1 (x - a)^2 + m2 (y - b)^2 with x^2 + y^2 = 1 has m1 (x - a)/x = m2 (y - b)/y."""
+    a, b, m1, m2 = 0.9, 0.2, 1.0, 7.0
+    text = f"""
+bodies:
+  p: {{particle: {{mass: {m1} kg}}, near: {{at: [{a} m, 0]}}}}
+  q: {{particle: {{mass: {m2} kg}}, near: {{at: [0, {b} m]}}}}
+connections:
+  h: {{slider: {{body: p, along: right}}}}
+  v: {{slider: {{body: q, along: up}}}}
+  l: {{link: {{first: p, second: q, length: 1 m}}}}
+"""
+    reference = Reference(System.from_text(text))
+    q = reference.assemble()
+    x, y = q[reference.columns("p")[0]], q[reference.columns("q")[1]]
+    assert math.hypot(x, y) == pytest.approx(1.0, abs=1e-12)
+    assert m1 * (x - a) / x == pytest.approx(m2 * (y - b) / y, rel=1e-9)
+
+
+def test_a_start_has_no_nearest_pose_where_the_ends_of_a_line_would_meet() -> None:
+    """The line from q to p is level and leads to the left. q is guessed at the origin, 1 m above p; it may come as near
+    to p as it likes, and where both meet the line has no direction: the first pose that is found stays."""
+    text = """
+bodies: {p: {particle: {mass: 1 kg}, at: [0, -1 m]}, q: {particle: {mass: 1 kg}}}
+connections: {c: {driver: {measure: angle of line from q to p from left, follows: 0}}}
+"""
+    reference = Reference(System.from_text(text))
+    pose = reference.assemble()
+    q = pose[list(reference.columns("q"))]
+    assert q[1] == pytest.approx(-1.0, abs=1e-9)
+    assert q[0] > 0.1
+
+
 def test_a_further_pose_keeps_what_the_start_held() -> None:
     s = start_of(ATWOOD)
     x1, x2 = measured(s, "x1"), measured(s, "x2")

@@ -366,6 +366,22 @@ measures: {theta: angle of crank}
 """
 
 
+@pytest.mark.parametrize("friction", ["", "  rub: {dry_friction: {measure: height of p, force: 0.2 N}}\n"])
+def test_a_direction_is_driven_until_the_ends_of_its_line_meet(friction: str) -> None:
+    """The line from p to the origin is held level. No force acts along it, so p goes on as it was thrown, with 1 m/s
+    towards the origin 1 m away: it is there after 1 s, where the line has no direction."""
+    text = f"""
+bodies: {{p: {{particle: {{mass: 1 kg}}, at: [1 m, 0], velocity: [-1 m/s, 0]}}}}
+connections:
+  aim: {{driver: {{measure: angle of line from p to ground.O from left, follows: 0*t}}}}
+{friction}"""
+    result = model(text).simulate(2.0)
+    assert result.status is Status.NOT_FINITE
+    assert "aim" in result.message
+    assert "no finite value" in result.message
+    assert result.t_end == pytest.approx(1.0, abs=1e-6)
+
+
 def test_a_driver_beyond_its_reach_stops_at_the_limit_with_names() -> None:
     result = model(FOUR_BAR).simulate(5.0)
     assert result.status is Status.UNREACHABLE

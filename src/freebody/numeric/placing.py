@@ -1,4 +1,4 @@
-"""Finding a pose: the nearest one, by the masses, in which all gaps F(q) of some equations vanish.
+"""Finding a pose near a guess, by the masses, in which all gaps F(q) of some equations vanish, and the nearest one.
 
 Damped Gauss-Newton, with A the gradients of the weighted gaps and D the metric of the masses:
 
@@ -38,6 +38,11 @@ _NEWTON = 1e-6  # by the size of the system: from gaps below this Newton's steps
 _EQUAL = 1e-6  # relative: gaps that round-off does not tell apart
 _RCOND = 1e-13  # of equations that say the same thing
 N_STEPS = 200
+N_NEARER = 100  # steps towards a guess
+N_HALVED = 12  # times that such a step is halved
+FURTHEST = 8.0  # such a step, by the descent
+NEAREST = 1e-11  # the descent, by the distance, at which nothing is nearer
+STEEPEST = 1e4  # the gradient of a gap where it has an end, by that of the pose that was found
 
 
 @dataclass(frozen=True)
@@ -105,6 +110,16 @@ class Fit:
 
 
 @dataclass(frozen=True)
+class _Apart:
+    """A pose and a guess apart from each other."""
+
+    fit: Fit
+    free: Array  # what the equations leave free of the move that leads to the guess
+    distance: float  # by the masses
+    slope: float  # the length of what is free, by the distance
+
+
+@dataclass(frozen=True)
 class Placing:
     """Poses of one system in numbers."""
 
@@ -154,12 +169,60 @@ class Placing:
                 damping *= 10.0
         return replace(here, n_steps=n_tried + 1)
 
+    def nearest(self, found: Fit, guess: Array, t: float) -> Fit:
+        """Of the poses that fulfil the equations of a fit, as it does, one that no small move brings nearer to a guess.
+
+        With d the move that leads to the guess and J the gradients, d - J^+ J d in the metric of the masses is what the
+        equations leave free of it: the descent of half the squared distance, after which the least move leads back to
+        the equations. How far to go tells the change of the last descent by the last move, |dx|^2 / (dx . -d(descent)).
+        Where the way ends beside a pose in which a gradient has no end (the ends of a line meet), there is no nearest
+        pose, and the fit is returned. Source: Barzilai & Borwein, IMA J. Numer. Anal. 8, 1988, 141-148."""
+        here, part = self._from(found, guess), 1.0
+        for _ in range(N_NEARER):
+            there = None if here.slope <= NEAREST else self._nearer(here, part, guess, t)
+            if there is None:
+                break
+            moved = self.frame.difference(there.fit.q, here.fit.q) / self.sizes.small_moves
+            curved = float(moved @ ((here.free - there.free) / self.sizes.small_moves))
+            part = min(float(moved @ moved) / curved, FURTHEST) if curved > 0.0 else FURTHEST
+            here = there
+        is_nearest = here.slope <= _NEWTON and self._steepness(here.fit) <= STEEPEST * self._steepness(found)
+        return here.fit if is_nearest else found
+
+    def _nearer(self, here: _Apart, part: float, guess: Array, t: float) -> _Apart | None:
+        """Nearer to the guess by a part of the descent, halved until it is; where the distance is told from its least
+        value by round-off alone, nearer to where the descent ends."""
+        step = self.sizes.clipped(part * here.free, 0.0)
+        for _ in range(N_HALVED):
+            fit = self.fit(self.frame.moved(here.fit.q, step), here.fit.equations, t, here.fit.branches)
+            if fit is not None and fit.error <= max(here.fit.error, TOLERANCE):
+                there = self._from(fit, guess)
+                if there.slope < here.slope if here.slope <= _NEWTON else there.distance < here.distance:
+                    return there
+            step = 0.5 * step
+        return None
+
+    def _from(self, fit: Fit, guess: Array) -> _Apart:
+        wanted = self.frame.difference(guess, fit.q)
+        free = wanted - self._least(fit, fit.rows @ wanted)
+        distance = float(np.linalg.norm(wanted / self.sizes.small_moves))
+        descent = float(np.linalg.norm(free / self.sizes.small_moves))
+        is_there = float(self.sizes.relative(wanted).max(initial=0.0)) <= TOLERANCE * fit.extent
+        return _Apart(fit, free, distance, 0.0 if is_there else descent / distance)
+
+    def _steepness(self, fit: Fit) -> float:
+        """The largest gradient of the gaps, by the size of the system."""
+        rows = fit.rows.whole if isinstance(fit.rows, SparseRows) else fit.rows
+        return float(np.abs(fit.weights[:, None] * rows * self.sizes.unit_moves).max(initial=0.0))
+
+    def _least(self, here: Fit, gaps: Array) -> Array:
+        """The smallest move that changes the measures by so much."""
+        D = self.sizes.small_moves
+        return here.rows.least(D, gaps) if isinstance(here.rows, SparseRows) else Split(here.rows, D).least(gaps)
+
     def _newton(self, here: Fit) -> Array:
         """The smallest step that closes small gaps."""
-        D = self.sizes.small_moves
-        if isinstance(here.rows, SparseRows):
-            return -here.rows.least(D, here.gaps)
-        return -Split(here.rows, D).least(here.gaps)
+        return -self._least(here, here.gaps)
 
     def _gaps(self, q: Array, equations: Sequence[PoseEquation], t: float, near: Mapping[Branch, float]) -> Fit | None:
         g = JetGeometry(self.frame, q, np.zeros_like(q), t, near)

@@ -39,8 +39,8 @@ class Reference(NumericSystem):
         n_starts: int = N_STARTS,
     ) -> Array:
         """The pose at t = 0: the held measures hold, the start of the model is as described, and the `extra`
-        measures have the given values (which replace those of the model's start). What is left free stays near zero,
-        or near the `guess`: each step on the way is the smallest by the masses. From here on measures of which only
+        measures have the given values (which replace those of the model's start). What is left free is as near to zero,
+        or to the `guess`, as small moves bring it, by the masses. From here on measures of which only
         changes mean something count from this pose. n_starts: disturbed guesses that are tried after the guess itself,
         the first of them near it.
 

@@ -120,8 +120,7 @@ def _assembled_whole(reference: NumericSystem, extra: Wanted, guess: Array | Non
     equations = _equations(reference, extra)
     described = turned_to_face(reference, _guess(reference))
     guess = described if guess is None else guess
-    best: Fit | None = None
-    facing: Attitude | None = None  # a joint that was found turned over
+
     # a guess is kept where the rest fits to it, so that bodies of which nothing is said do not pull at it; what a guide
     # keeps also without that
     guides, near = _guided(reference, described), _body_equations(reference, _guessed)
@@ -135,9 +134,23 @@ def _assembled_whole(reference: NumericSystem, extra: Wanted, guess: Array | Non
     for wish in wishes:
         fit = reference.placing.fit(guess, [*equations, *wish], 0.0, {})
         if fit is not None and _stands(reference, fit):
-            return fit
-    left = allowed(MOST_STEPS)
-    q = guess
+            return _nearest(reference, fit, guess)
+
+    # else from the guess alone, and from disturbed ones
+    best, q = _searched(reference, guess, equations, n_starts)
+    if q is not guess:
+        best = _settled(reference, best, guess, wishes)
+    return _nearest(reference, best, guess)
+
+
+def _searched(
+    reference: NumericSystem, guess: Array, equations: Sequence[PoseEquation], n_starts: int
+) -> tuple[Fit, Array]:
+    """The first pose that fulfils the equations to round-off, else the best one that is good enough; and the guess that
+    was looked at last. Raises CannotAnswer where there is none, BudgetExhausted where the search ended before."""
+    best: Fit | None = None
+    facing: Attitude | None = None  # a joint that was found turned over
+    left, q = allowed(MOST_STEPS), guess
     for q in _starts(reference, guess, equations, n_starts):
         fit = reference.placing.fit(q, equations, 0.0, {}, min(N_STEPS, left))
         left -= 1 if fit is None else fit.n_steps
@@ -147,10 +160,17 @@ def _assembled_whole(reference: NumericSystem, extra: Wanted, guess: Array | Non
             best = fit
         if left <= 0 or (best is not None and best.error <= TOLERANCE):
             break
-    if best is not None and best.error <= ACCEPTED and q is not guess:
-        best = _settled(reference, best, guess, wishes)
+    if best is None or best.error > ACCEPTED:
+        raise _not_found(reference, best, facing, is_exhausted=left <= 0)
+    return best, q
+
+
+def _not_found(
+    reference: NumericSystem, best: Fit | None, facing: Attitude | None, *, is_exhausted: bool
+) -> CannotAnswer:
+    """Why no start pose was found: a joint was turned over in all of them, or a gap stays open."""
     if best is None and facing is not None:
-        raise CannotAnswer(
+        return CannotAnswer(
             Message(
                 "the start cannot be assembled: in the poses that were found an axis of {a} points against "
                 "that of {b} with which a joint makes it parallel. Say with turned how one is turned",
@@ -159,26 +179,33 @@ def _assembled_whole(reference: NumericSystem, extra: Wanted, guess: Array | Non
             )
         )
     if best is None:
-        raise CannotAnswer(
+        return CannotAnswer(
             Message("no start pose was found in which all measures have a value; give positions with at")
         )
-    if best.error > ACCEPTED:
-        at_best = Message(
-            "at best {worst}. Change the start of the model (at, {turned}, start) or the lengths",
-            worst=best.worst,
-            turned="turned" if reference.system.space else "angle",
-        )
-        if left <= 0:
-            raise BudgetExhausted(
-                Message(
-                    "a start that can be assembled was not found within {n} steps; raise the effort (--effort) to look "
-                    "further: {at_best}",
-                    n=allowed(MOST_STEPS),
-                    at_best=at_best,
-                )
+    at_best = Message(
+        "at best {worst}. Change the start of the model (at, {turned}, start) or the lengths",
+        worst=best.worst,
+        turned="turned" if reference.system.space else "angle",
+    )
+    if is_exhausted:
+        return BudgetExhausted(
+            Message(
+                "a start that can be assembled was not found within {n} steps; raise the effort (--effort) to look "
+                "further: {at_best}",
+                n=allowed(MOST_STEPS),
+                at_best=at_best,
             )
-        raise CannotAnswer(Message("the start cannot be assembled: {why}", why=at_best))
-    return best
+        )
+    return CannotAnswer(Message("the start cannot be assembled: {why}", why=at_best))
+
+
+def _nearest(reference: NumericSystem, found: Fit, guess: Array) -> Fit:
+    """The pose to which small moves that break nothing lead from one that was found, towards the guess. The bodies of a
+    large system stay where they were put, one after the other from the ground."""
+    if len(guess) > LARGE:
+        return found
+    nearer = reference.placing.nearest(found, guess, 0.0)
+    return nearer if _stands(reference, nearer) else found
 
 
 def _settled(reference: NumericSystem, found: Fit, guess: Array, wishes: Iterable[Sequence[PoseEquation]]) -> Fit:

@@ -2,18 +2,17 @@
 
 from __future__ import annotations
 
-import difflib
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from freebody.errors import CannotAnswer
-from freebody.language.sentences import NOTHING, Argument, Message, Sentence, listed
-from freebody.language.units import FORCE, LENGTH, TORQUE, Dimension
+from freebody.language.sentences import NOTHING, Argument, Message, Sentence
+from freebody.language.units import FORCE, TORQUE, Dimension
 from freebody.measures.geometry import RIGHT, UP, Direction, Point
-from freebody.model.elements import ConstraintRow, StringStretch
+from freebody.model.elements import ConstraintRow
 from freebody.model.noting import did_you_mean
 from freebody.model.state import State
-from freebody.questions.base import NAME, PLACE, POINT, Described, Found, Path, Quantity, asked
+from freebody.questions.base import NAME, POINT, Described, Found, Path, Quantity, asked
 from freebody.questions.loads import LoadForce
 from freebody.questions.vectors import (
     IN_BASIS,
@@ -32,80 +31,6 @@ from freebody.tolerances import ROUNDED
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
-
-# what else can be asked of something: the nearest is proposed where the name of a reaction is misspelt
-_OPENINGS = (
-    "position",
-    "velocity",
-    "acceleration",
-    "angular velocity",
-    "angular acceleration",
-    "speed",
-    "instant centre",
-    "angle",
-    "reaction",
-    "moment",
-    "tension",
-    "normal force",
-    "friction force",
-    "kinetic energy",
-    "potential energy",
-    "total energy",
-    "linear momentum",
-    "angular momentum",
-    "power",
-    "work",
-    "equilibrium",
-)
-
-
-@dataclass(frozen=True)
-class ReactionComponent(Quantity, kind="reaction component"):
-    """What one row of a connection transmits: tension, normal force, tooth force ..."""
-
-    connection: str
-    reaction: str
-    row: str
-    at: tuple[str, ...] = ()
-    less: tuple[str, ...] = ()  # rows whose reactions are subtracted: the tension before a drum with friction
-    further: tuple[str, ...] = ()  # rows whose reactions are added: the other places at which two outlines touch
-    transmits: Dimension = FORCE
-
-    example = """
-bodies: {bob: {particle: {mass: 1 kg}}}
-connections: {rod: {link: [ground.O, bob, 1 m]}}
-loads: {weight: {gravity: 9.81 m/s^2}}
-measures: {theta: {angle of line from ground.O to bob from down}}
-start: {theta: 60 deg}
-questions: {it: tension of rod}
-"""
-
-    @property
-    def dimension(self) -> Dimension:
-        return self.transmits
-
-    is_reaction = True
-    # the keys of its words, of a force and of a moment
-    said_as: ClassVar[tuple[str, str]] = ("force", "moment")
-
-    @property
-    def may_jump(self) -> bool:
-        return True
-
-    def value(self, system: Described, state: State[Any]) -> Any:
-        """What the row transmits, less the dry friction on the way to the place that is asked for."""
-        rows = {row.name: row for row in system.rows}
-        total = rows[self.row].sign * state.multiplier(rows[self.row])
-        for name in self.less:
-            total = total - rows[name].sign * state.multiplier(rows[name])
-        for name in self.further:
-            total = total + rows[name].sign * state.multiplier(rows[name])
-        return total
-
-    def sentence(self, system: Described) -> Sentence:
-        at = Sentence("what.at", {"places": self.at}) if self.at else NOTHING
-        args: dict[str, Argument] = {"reaction": f"@reaction.{self.reaction}", "connection": self.connection, "at": at}
-        return Sentence("what.reaction", args)
 
 
 @dataclass(frozen=True)
@@ -272,7 +197,6 @@ questions: {it: force of weight on ball along up}
         return component(force, self.along, self.size, state, self.basis)
 
 
-# -- words ------------------------------------------------------------------------------------
 @asked(
     "reaction of CONNECTION [on BODY] [along DIRECTION]; x, y component of, size of",
     rf"(?:(?P<part>horizontal|vertical|size of|magnitude of|x component of|y component of) )?(?:the )?"
@@ -332,94 +256,6 @@ def read_moment(names: Names, found: Found, path: Path, kind: type[Wrench] = Wre
         names.problem(Message("in the plane a moment has no direction; leave it out"), *path)
     basis = read_basis(names, found["basis"], path)
     return kind(of, on, along, found["size"] is not None, moment=True, about=about, basis=basis)
-
-
-@asked(
-    "tension | normal force | friction force | tooth force | ... of CONNECTION [at BODY | between BODY and BODY]",
-    rf"(?P<what>[a-z][a-z ]*?) (?:of|in) (?P<of>{NAME})"
-    rf"(?: (?:at|on) (?P<at>{PLACE})| between (?P<a>{PLACE}) and (?P<b>{PLACE}))?",
-    rank=0,  # any word of any name: after all others
-)
-def _multiplier(names: Names, found: Found, path: Path) -> Quantity | None:
-    of, what = str(found["of"]), str(found["what"])
-    if of in names.broken:
-        return None
-    if of not in names.connections:
-        close = difflib.get_close_matches(what, _OPENINGS, n=1, cutoff=0.7)
-        if close and close[0] != what:
-            names.problem(
-                Message(
-                    "there is nothing called {what}. Did you mean: {close} of {of}", what=what, close=close[0], of=of
-                ),
-                *path,
-            )
-            return None
-        if of in names.bodies:
-            known = ", ".join(_OPENINGS[:7])
-            names.problem(
-                Message(
-                    "'{what}' is nothing that is found of a body; one can ask for its {known}, momenta and energies",
-                    what=what,
-                    known=known,
-                ),
-                *path,
-            )
-            return None
-    if not has_connection(names, of, path):
-        return None
-    rows = [row for row in names.constraint_rows if row.connection == of]
-    kinds = sorted({row.reaction for row in rows})
-    if what not in kinds:
-        names.problem(
-            Message(
-                "{of} has no {what}.{hint} Or ask for: reaction of {of}",
-                of=of,
-                what=what,
-                hint=did_you_mean(what, kinds),
-            ),
-            *path,
-        )
-        return None
-    at = tuple(_place(names, str(found[k]), path) for k in ("at", "a", "b") if found[k] is not None)
-    places = [place for row in rows if row.reaction == what for place in _places(row)]
-    matching = [place for place in places if set(at) <= set(place[1].places)]
-    is_whole = not at and names.connections[of].is_one_force
-    if len(matching) != 1 and not (matching and is_whole):
-        ends = "; ".join(" - ".join(_listed(stretch.places)) for _row, stretch in places)
-        names.problem(
-            Message(
-                "{of} has several values of {what}{at}; say which: at BODY, or between BODY and BODY ({ends})"
-                if matching
-                else "{of} has no value of {what}{at}; say which: at BODY, or between BODY and BODY ({ends})",
-                of=of,
-                what=what,
-                at=Message(" at {places}", places=listed(at)) if at else "",
-                ends=ends,
-            ),
-            *path,
-        )
-        return None
-    row, stretch = matching[0]
-    dimension = FORCE if row.measure.dimension == LENGTH else TORQUE / row.measure.dimension
-    less = tuple(f"{of}.{component}" for component in stretch.less)
-    further = tuple(other.name for other, _stretch in matching[1:])
-    return ReactionComponent(of, what, row.name, at, less, further, dimension)
-
-
-def _listed(places: tuple[str, ...]) -> list[str]:
-    """The places of a stretch, a body that is there by a point of its own as that point."""
-    return [p for p in places if not any(other.startswith(f"{p}.") for other in places)]
-
-
-def _place(names: Names, text: str, path: Path) -> str:
-    """A body, or a point as `rod.end`, by the name that rows have for it."""
-    return str(names.point(text, *path)) if "." in text else names.body(text, *path).name
-
-
-def _places(row: ConstraintRow) -> list[tuple[ConstraintRow, StringStretch]]:
-    """The row with each of its stretches; one that is no string is one of its own."""
-    bodies = row.ends or tuple(dict.fromkeys(row.measure.bodies()))
-    return [(row, stretch) for stretch in row.stretches or (StringStretch(bodies),)]
 
 
 def has_connection(names: Names, name: str, path: Path) -> bool:

@@ -11,9 +11,8 @@ import difflib
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from typing import Any, Literal, cast
+from typing import Any, cast
 
-from freebody.language.expression import ZERO, Expr
 from freebody.language.plain_text import plain
 from freebody.language.sentences import Message
 from freebody.model.elements import Parameter
@@ -23,48 +22,17 @@ from freebody.questions import turned_round
 from freebody.questions.arithmetic import AtStart, read_calculated
 from freebody.questions.base import FORMS, Path, Quantity
 from freebody.questions.blow import BesideBlow
-from freebody.questions.clock import by_the_clock, time_asked
-from freebody.questions.course import Counted, Transition, When, as_condition, read_transition
-from freebody.questions.event import AskedEvent, QuestionEvent, read_event
-from freebody.questions.happening import Happening, read_happening
-from freebody.questions.linkages import TURNS_FULLY, full_turn
+from freebody.questions.clock import time_asked
+from freebody.questions.course import Counted, Transition, When, as_condition
+from freebody.questions.event import AskedEvent, QuestionEvent
 from freebody.questions.motion import OfMeasure
-from freebody.questions.operands import (
-    Operands,
-    event_at_end,
-    has_quantities,
-    operands_of,
-    ratio_as_quotient,
-    without_start,
-)
+from freebody.questions.operands import Operands, event_at_end, operands_of, ratio_as_quotient, without_start
+from freebody.questions.reading_of_parameters import End, read_extremal, read_limit, read_turned_round
+from freebody.questions.reading_when import Meant, as_timed, is_of_start, placed_at
 from freebody.questions.rest import asks_for_rest
 from freebody.questions.spoken.understanding import understood
-from freebody.questions.sudden import by_blows, side_of_blow
-from freebody.questions.turned_round import (
-    EXTREME_FOR,
-    INFINITE,
-    IS_EXTREMAL,
-    LIMIT,
-    OVER_PARAMETER,
-    REACHED,
-    SO,
-    VALUE_FOR,
-    ExtremalFor,
-    ExtremalForOnTheWay,
-    LimitOf,
-    LimitOfOnTheWay,
-    RangeFor,
-    RangeForAtRest,
-    RangeForOnTheWay,
-    RangeForSmallMotion,
-    ValueFor,
-    ValueForOnTheWay,
-    inequality_of,
-    reached_in,
-    relation_of,
-    steadily,
-    without_just,
-)
+from freebody.questions.sudden import side_of_blow
+from freebody.questions.turned_round import EXTREME_FOR, LIMIT, OVER_PARAMETER, REACHED, VALUE_FOR, RangeFor
 
 
 @dataclass(frozen=True)
@@ -82,7 +50,6 @@ class Question:
     understood: str = ""  # the question in the words of the grammar
 
 
-# -- reading ----------------------------------------------------------------------------------
 def read_quantity(names: Names, text: str, path: Path) -> Quantity | None:
     if text in names.measures:
         return OfMeasure(names.measures[text], 0, text)
@@ -203,50 +170,35 @@ def _question(names: Names, name: str, value: Any) -> Question | None:
     )
 
 
-def _understood(names: Names, text: str, when: object) -> tuple[_Asked, str] | None:
+def _understood(names: Names, text: str, when: object) -> tuple[Meant, str] | None:
     """What a text asks for, and the words of the grammar in which it does."""
     found = understood(names, text, lambda words: _asked(names, as_condition(names, words.rstrip(" ?!")), when))
     return None if found is None else (found[0], as_condition(names, found[1]))
 
 
-def _timed(phrase: str) -> str:
-    """Words for instants of the clock and for the two sides of a blow as conditions."""
-    return by_the_clock(by_blows(phrase))
-
-
-@dataclass(frozen=True)
-class _Asked:
-    """A quantity, and when it is meant."""
-
-    quantity: Quantity
-    event: AskedEvent | None = None
-    at_start: bool = False
-    transition: Transition | None = None
-
-
-def _asked(names: Names, phrase: str, when: object) -> _Asked | None:
+def _asked(names: Names, phrase: str, when: object) -> Meant | None:
     """What a phrase asks for. when: what the file says of it beside the phrase."""
     extreme = EXTREME_FOR.match(phrase)
     turned = extreme or VALUE_FOR.match(phrase)
     if turned is not None and not asks_for_rest(phrase):
         least = extreme is not None and extreme["least"] is not None
         end = "" if extreme is None else "least" if least else "largest"
-        return _turned_round(names, turned["parameter"], turned["relation"], when, end)
+        return read_turned_round(_asked, _reaching, names, turned["parameter"], turned["relation"], when, end)
     over = OVER_PARAMETER.match(phrase)
     if over is not None and over["parameter"] in names.parameters:
-        return _extremal(names, names.parameters[over["parameter"]], over, when, asks_place=False)
+        return read_extremal(_asked, names, names.parameters[over["parameter"]], over, when, asks_place=False)
     limit = LIMIT.match(phrase)
     if limit is not None and limit["parameter"] in names.parameters and not phrase.lower().startswith("does "):
-        return _limit(names, limit, when)
+        return read_limit(_asked, names, limit, when)
     if when is not None:
         path: Path = ("when",)
-        phrase, condition = _timed(phrase), _timed(f" {when}").removeprefix(" when ").strip()
+        phrase, condition = as_timed(phrase), as_timed(f" {when}").removeprefix(" when ").strip()
         phrase, at_start = without_start(phrase), False
         if condition in ("start", "at start"):
             condition, at_start = None, True
     else:
         path = ("find",)
-        phrase, condition = event_at_end(names, ratio_as_quotient(names, _timed(phrase)))
+        phrase, condition = event_at_end(names, ratio_as_quotient(names, as_timed(phrase)))
         at_start = condition is None and without_start(phrase) != phrase
         phrase = without_start(phrase)
     operands = operands_of(names, phrase)
@@ -255,105 +207,9 @@ def _asked(names: Names, phrase: str, when: object) -> _Asked | None:
     return _meant(names, phrase, condition, at_start, path)
 
 
-def _turned_round(
-    names: Names, name: str, relation: str, when: object, end: Literal["", "least", "largest"]
-) -> _Asked | None:
-    """For which value of a parameter an equation holds, or for which values an inequality does. end: of these values
-    the one that is asked for."""
-    parameter = names.parameters.get(name)
-    if parameter is None or parameter.form is not None:
-        told = Message("{name} is no parameter.{hint}", name=name, hint=did_you_mean(name, names.parameters))
-        names.unknown(name, told, "find")
-        return None
-    relation, is_just = without_just(_timed(steadily(relation)))
-    extremal = IS_EXTREMAL.match(relation)
-    if extremal is not None and not end:
-        return _extremal(names, parameter, extremal, when, asks_place=True)
-    inequality = inequality_of(relation)
-    if inequality is not None:
-        return _range(names, parameter, inequality, when, end)
-    turns = re.fullmatch(TURNS_FULLY, relation)
-    if turns is not None and when is None:
-        return _turning(names, parameter, str(turns["of"]), relation, end)
-    happening = read_happening(names, relation, ("find",)) if when is None else None
-    if happening is not None:
-        return _happening(parameter, happening, end)
-    if (event := reached_in(relation)) is not None and when is None:
-        return _reaching(names, parameter, event, end)
-    if end or is_just:
-        told = (
-            Message("write an inequality: {end} {name} so that acceleration of x >= 0", end=end, name=name)
-            if end
-            else Message("say what is just so: value of {name} for which x just reaches d", name=name)
-        )
-        names.problem(told, "find")
-        return None
-    head, condition = (relation, None) if when is not None else event_at_end(names, relation)
-    starts = condition is None and without_start(head) != head  # else these words belong to what is last
-    found = relation_of(without_start(head) if starts else head, condition)
-    if found is None:
-        told = Message("write an equation: value of {name} for which acceleration of x = 0", name=name)
-        names.problem(told, "find")
-        return None
-    left, right, condition = found
-    timed = f" when {condition}" if condition is not None else " at start" if starts else ""
-    asked = _asked(names, left + timed, when)
-    if asked is None:
-        return None
-    target: Expr = ZERO
-    if has_quantities(names, right):
-        left = f"({left}) - ({right})"
-        asked = _asked(names, left + timed, when)
-        if asked is None:
-            return None
-    elif right != "zero":
-        target = names.formula(right, asked.quantity.dimension, "find")
-    kind = ValueForOnTheWay if asked.quantity.scope == "course" else ValueFor
-    unit = "rad" if parameter.is_angle else str(parameter.dimension)
-    return replace(asked, quantity=kind(name, asked.quantity, target, parameter.dimension, unit, left + timed))
-
-
-def _range(
-    names: Names,
-    parameter: Parameter,
-    inequality: tuple[str, str, str],
-    when: object,
-    end: Literal["", "least", "largest"],
-) -> _Asked | None:
-    """The values of a parameter for which an inequality holds."""
-    left, sign, right = inequality
-    right, condition = (right, None) if when is not None else event_at_end(names, right)
-    starts = condition is None and without_start(right) != right
-    timed = f" when {condition}" if condition is not None else " at start" if starts else ""
-    right = without_start(right) if starts else right
-    if has_quantities(names, right):
-        left, right = f"({left}) - ({right})", "0"
-    asked = _asked(names, left + timed, when)
-    if asked is None:
-        return None
-    target = names.formula(right, asked.quantity.dimension, "find") if right not in ("0", "zero") else ZERO
-    kind = RangeForOnTheWay if asked.quantity.scope == "course" else RangeFor
-    unit = "rad" if parameter.is_angle else str(parameter.dimension)
-    quantity = kind(
-        parameter.name, asked.quantity, target, parameter.dimension, unit, left + timed, relation=sign, end=end
-    )
-    return replace(asked, quantity=quantity)
-
-
-def _turning(
-    names: Names, parameter: Parameter, link: str, text: str, end: Literal["", "least", "largest"]
-) -> _Asked | None:
-    """The values of a parameter for which a link turns fully."""
-    of = full_turn(names, link, ("find",))
-    unit = "rad" if parameter.is_angle else str(parameter.dimension)
-    if of is None:
-        return None
-    return _Asked(RangeFor(parameter.name, of, ZERO, parameter.dimension, unit, text, relation=REACHED, end=end))
-
-
-def _reaching(names: Names, parameter: Parameter, event: str, end: Literal["", "least", "largest"]) -> _Asked | None:
+def _reaching(names: Names, parameter: Parameter, event: str, end: End) -> Meant | None:
     """The values of a parameter for which a measure reaches a value."""
-    placed = _placed(names, When(), event, False, ("find",))
+    placed = placed_at(names, When(), event, False, ("find",))
     if placed is None or not isinstance(placed.event, QuestionEvent):
         return None
     unit = "rad" if parameter.is_angle else str(parameter.dimension)
@@ -364,54 +220,9 @@ def _reaching(names: Names, parameter: Parameter, event: str, end: Literal["", "
     return replace(placed, quantity=quantity)
 
 
-def _extremal(
-    names: Names, parameter: Parameter, found: re.Match[str], when: object, *, asks_place: bool
-) -> _Asked | None:
-    """The value of a parameter for which a quantity is largest or least, or the quantity there."""
-    text = found["of"] + (found["timed"] or "")
-    asked = _asked(names, text, when)
-    if asked is None:
-        return None
-    of, end = asked.quantity, "largest" if found["largest"] else "least"
-    kind = ExtremalForOnTheWay if of.scope == "course" else ExtremalFor
-    unit = "rad" if parameter.is_angle else str(parameter.dimension)
-    measured, shown = (parameter.dimension, unit) if asks_place else (of.dimension, of.unit)
-    quantity = kind(parameter.name, of, ZERO, measured, shown, text, end=end, asks_place=asks_place)
-    return replace(asked, quantity=quantity)
-
-
-def _limit(names: Names, found: re.Match[str], when: object) -> _Asked | None:
-    """A quantity as a parameter tends to a value."""
-    parameter = names.parameters[found["parameter"]]
-    if parameter.form is not None:
-        names.problem(Message("{name} is no parameter.{hint}", name=parameter.name, hint=""), "find")
-        return None
-    value = "0" if found["small"] else (found["value"] or "").strip()
-    grows = found["large"] is not None or value in INFINITE
-    text = found["of"] + (found["timed"] or "")
-    asked = _asked(names, text, when)
-    if asked is None:
-        return None
-    target = ZERO if grows or value == "0" else names.formula(value, parameter.dimension, "find")
-    of = asked.quantity
-    kind = LimitOfOnTheWay if of.scope == "course" else LimitOf
-    end = "grows" if grows else ""
-    return replace(asked, quantity=kind(parameter.name, of, target, of.dimension, of.unit, text, end=end))
-
-
-def _happening(parameter: Parameter, happening: Happening, end: Literal["", "least", "largest"]) -> _Asked:
-    """The values of a parameter for which something is so of the motion."""
-    unit = "rad" if parameter.is_angle else str(parameter.dimension)
-    kinds = {"rest": RangeForAtRest, "small motion": RangeForSmallMotion}
-    kind = kinds.get(happening.scope, RangeFor)
-    return _Asked(
-        kind(parameter.name, happening, ZERO, parameter.dimension, unit, happening.text, relation=SO, end=end)
-    )
-
-
 def _calculated(
     names: Names, phrase: str, operands: Operands, condition: str | None, at_start: bool, path: Path
-) -> _Asked | None:
+) -> Meant | None:
     """What is calculated from operands, which may say themselves when they are meant: all at one event, or at the
     start."""
     read: dict[int, Quantity] = {}
@@ -441,12 +252,12 @@ def _calculated(
     quantity = read_calculated(names, phrase, read, ("find",), operands.runs)
     if quantity is None:
         return None
-    return _placed(names, quantity, condition, at_start, path)
+    return placed_at(names, quantity, condition, at_start, path)
 
 
 def _with_blow(
     names: Names, phrase: str, operands: Operands, read: dict[int, Quantity], condition: str | None, at_start: bool
-) -> _Asked | None:
+) -> Meant | None:
     """What is calculated with impulses, or with the energy lost in a blow: of everything else it is said on which side
     of the blow it is meant, or that it is so at the start."""
     last, struck = max(operands.phrases), frozenset[str]().union(*(q.struck for q in read.values()))
@@ -473,10 +284,10 @@ def _with_blow(
             return None
         read[k] = BesideBlow(read[k], "start" if side is None else "before" if side[0] == "before" else "after")
     quantity = read_calculated(names, phrase, read, ("find",), operands.runs)
-    return None if quantity is None else _Asked(quantity, at_start=True)
+    return None if quantity is None else Meant(quantity, at_start=True)
 
 
-def _meant(names: Names, phrase: str, condition: str | None, at_start: bool, path: Path) -> _Asked | None:
+def _meant(names: Names, phrase: str, condition: str | None, at_start: bool, path: Path) -> Meant | None:
     """One quantity."""
     if phrase in ("time", "the time"):
         if condition is None:
@@ -485,40 +296,11 @@ def _meant(names: Names, phrase: str, condition: str | None, at_start: bool, pat
         if time_asked(condition) is not None and "t" not in names.measures:
             names.problem(Message("the time of an instant by the clock is given; ask for another quantity then"), *path)
             return None
-        return _placed(names, When(), condition, at_start, path)
+        return placed_at(names, When(), condition, at_start, path)
     # the event is read first: what is wrong with it is said first
-    placed = _placed(names, When(), condition, at_start, path)
+    placed = placed_at(names, When(), condition, at_start, path)
     quantity = None if placed is None else read_quantity(names, phrase, ("find",))
-    return None if quantity is None or placed is None else _placed(names, quantity, condition, at_start, path)
-
-
-def _placed(names: Names, quantity: Quantity, condition: str | None, at_start: bool, path: Path) -> _Asked | None:
-    """A quantity at the event that a condition states, or at the start."""
-    of_start = is_of_start(quantity)
-    if condition is None:
-        return _Asked(quantity, at_start=at_start or of_start)
-    if of_start:
-        told = Message("impulses act in a blow; leave out 'when' and 'until'")
-        names.problem(told, *path)
-        return None
-    transition = read_transition(names, condition, path)
-    if transition is not None and transition.kind == "after" and _is_at_start(names, transition):
-        return _Asked(quantity, at_start=True)
-    event = None if transition is not None else read_event(names, condition, path)
-    if event is None and transition is None:
-        return None
-    return _Asked(quantity, event, at_start, transition)
-
-
-def _is_at_start(names: Names, transition: Transition) -> bool:
-    """Whether the blow that is meant is that of the start."""
-    struck = names.struck_at_start
-    return bool(struck) and struck.issuperset(transition.of)
-
-
-def is_of_start(quantity: Quantity) -> bool:
-    """Whether a quantity, or one that it is made of, belongs to the blow at the start."""
-    return quantity.is_of_start or any(map(is_of_start, quantity.inner))
+    return None if quantity is None or placed is None else placed_at(names, quantity, condition, at_start, path)
 
 
 def _option_text(value: Any) -> str:

@@ -12,22 +12,20 @@ Source: Nikravesh, Computer-Aided Analysis of Mechanical Systems, 1988, sec. 8.3
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from copy import copy
 from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from freebody.connections.driver import Driver
 from freebody.errors import CannotAnswer, InputError
-from freebody.language.expression import Expr, Symbol, number
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS
 from freebody.model.elements import ConstraintRow, NonholonomicForm
 from freebody.numeric.instant import UNIQUE
-from freebody.numeric.jets import TIME, Array, Jet
+from freebody.numeric.jets import Array, Jet
 from freebody.numeric.placing import ACCEPTED, Fit, PoseEquation
 from freebody.numeric.reference import Reference
 from freebody.numeric.rest import CountedPose
@@ -36,7 +34,7 @@ from freebody.numeric.split import Split, stack
 from freebody.present.lines import number_text
 from freebody.present.report.blocks import Block, Report, Section
 from freebody.present.report.results import Result, entries, entry, summary, table
-from freebody.study.given import formula, named_measure
+from freebody.study.prescribed_motion import CONNECTION, Course, PrescribedMeasure
 from freebody.study.settled import settled
 from freebody.study.small_motion.equilibrium import moved_most
 from freebody.study.small_motion.found import unit_of
@@ -44,10 +42,6 @@ from freebody.study.worded import in_words
 from freebody.system.system import System
 from freebody.tolerances import LEAST, ROUND_OFF
 
-# text in `t` and the parameters; a number; a function of t giving (value, rate, acceleration); three arrays of these
-Course = str | float | Callable[[float], Sequence[float]] | Sequence[ArrayLike]
-
-_CONNECTION = "motion"
 _STRIDE = 0.2  # in sizes or radians: further than this from one pose to the next the way is divided
 _N_STRIDES = 10_000
 _MOST_SHOWN = 12  # times in a report
@@ -140,82 +134,12 @@ def inverse_dynamics(system: System, motion: Mapping[str, Course] | None, times:
     return _Follower(settled(system), motion or {}, at).result()
 
 
-class _Prescribed:
-    """One measure of the motion: its course as an expression in t, and at some time as numbers."""
-
-    def __init__(self, system: System, name: str, course: Course, times: Array) -> None:
-        self.name, self.measure = name, named_measure(system, name)
-        self._call: Callable[[float], Sequence[float]] | None = None
-        self.arrays: tuple[Array, Array, Array] | None = None
-        self.expression: Expr | None = None
-        if isinstance(course, (str, int, float)):
-            self.expression = formula(system, name, course, in_time=True)
-        elif callable(course):
-            self._call = course
-        else:
-            arrays = [np.broadcast_to(np.asarray(part, dtype=np.float64), times.shape) for part in course]
-            if len(arrays) != 3 or not all(np.isfinite(a).all() for a in arrays):
-                raise InputError(
-                    Message("{name}: give three arrays of finite numbers: values, rates and accelerations", name=name)
-                )
-            self.arrays = arrays[0], arrays[1], arrays[2]
-        self._times = times
-
-    @property
-    def names(self) -> tuple[str, str, str]:
-        """Hidden parameters with the numbers of an instant; no user can type these names."""
-        return f"@{self.name}", f"@{self.name}'", f"@{self.name}''"
-
-    def target(self) -> Expr:
-        """The course; for numbers, its parabola about the time @t."""
-        if self.expression is not None:
-            return self.expression
-        value, rate, acceleration = map(Symbol, self.names)
-        later = Symbol(TIME) - Symbol("@t")
-        return value + rate * later + acceleration * later * later * number(0.5)
-
-    def numbers(self, t: float) -> Mapping[str, float]:
-        """The hidden parameters at a time."""
-        if self.expression is not None:
-            return {}
-        if self._call is not None:
-            found = [float(x) for x in self._call(t)]
-            if len(found) != 3 or not np.isfinite(found).all():
-                raise InputError(
-                    Message(
-                        "{name}: its function must give value, rate and acceleration; found {found}",
-                        name=self.name,
-                        found=found,
-                    )
-                )
-            return dict(zip(self.names, found, strict=True))
-        assert self.arrays is not None
-        return dict(zip(self.names, self._between(t), strict=True))
-
-    def _between(self, t: float) -> tuple[float, float, float]:
-        """Between the times of the arrays, a cubic through values and rates: on the way only."""
-        assert self.arrays is not None
-        values, rates, accelerations = self.arrays
-        k = int(np.searchsorted(self._times, t))
-        if k < len(self._times) and self._times[k] == t:
-            return float(values[k]), float(rates[k]), float(accelerations[k])
-        k = min(max(k, 1), len(self._times) - 1)
-        if k < 1:
-            return float(values[0]), float(rates[0]), float(accelerations[0])
-        t0, t1 = float(self._times[k - 1]), float(self._times[k])
-        h, s = t1 - t0, (t - t0) / (t1 - t0)
-        y0, y1, d0, d1 = float(values[k - 1]), float(values[k]), float(rates[k - 1]) * h, float(rates[k]) * h
-        c2, c3 = 3.0 * (y1 - y0) - 2.0 * d0 - d1, 2.0 * (y0 - y1) + d0 + d1
-        value = y0 + s * (d0 + s * (c2 + s * c3))
-        return value, (d0 + s * (2.0 * c2 + 3.0 * s * c3)) / h, (2.0 * c2 + 6.0 * s * c3) / h**2
-
-
 class _Follower:
     """Follows a prescribed motion in time."""
 
     def __init__(self, system: System, motion: Mapping[str, Course], times: Array) -> None:
         self.system, self.times = system, times
-        self.courses = [_Prescribed(system, name, course, times) for name, course in motion.items()]
+        self.courses = [PrescribedMeasure(system, name, course, times) for name, course in motion.items()]
         self.free = Reference(system)  # the mechanism without the motion, which measures count from
         q = self.free.assemble()
         self.start = CountedPose(q, self.free.geometry(q, np.zeros_like(q), 0.0).angles)
@@ -225,7 +149,7 @@ class _Follower:
                 "driving torque" if c.measure.dimension == DIMENSIONLESS else "driving force",
                 c.measure,
                 c.target(),
-                connection=_CONNECTION,
+                connection=CONNECTION,
             )
             for c in self.courses
         ]
@@ -370,7 +294,7 @@ class _Follower:
         forces: dict[str, Array] = {}
         powers: dict[str, Array] = {}
         for row in [*drivers, *self.rows]:
-            name = row.component if row.connection == _CONNECTION else row.connection
+            name = row.component if row.connection == CONNECTION else row.connection
             forces[name] = multipliers[row.name]
             powers[name] = forces[name] * np.array([s.rate(row.measure) for s in snapshots])
         reactions = {

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
-from freebody.numeric.contact.transition import HELD_ALONE, InstantTransition
+from freebody.numeric.contact.after import HELD_ALONE
+from freebody.numeric.contact.transition import InstantTransition
 from freebody.numeric.options import Law
 from freebody.study.answering.draws import SEED, draw_parameters
 from freebody.study.simulation.simulator import Simulator

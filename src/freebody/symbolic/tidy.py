@@ -11,24 +11,18 @@ from collections.abc import Mapping
 from fractions import Fraction
 from typing import Any
 
-from freebody.language.expression import (
-    Call,
-    Expr,
-    Number,
-    PowerOf,
-    ProductOf,
-    Sum,
-    add,
-    divide,
-    multiply,
-    n_operations,
-    negate,
-    number,
-    power,
-)
+from freebody.language.expression import Call, Expr, add, divide, multiply, n_operations, negate, number, power
 from freebody.symbolic.field import Field, Ratio
 from freebody.symbolic.polynomials import Poly, declaration_order, has_lonely_symbol, primitive
 from freebody.symbolic.signs import Sign, sign_is_negative, sign_is_positive, sign_of
+from freebody.symbolic.signs_shown import (
+    factors_of,
+    fraction_shown,
+    is_written_negative,
+    positive_first,
+    root_shown,
+    signed_product,
+)
 from freebody.symbolic.waves import Monomial, Terms, fourier, square_variants
 
 # order in which factors of a product are written
@@ -59,7 +53,7 @@ def tidy(x: Ratio) -> Expr:
     if x.den is None:
         return top
     bottom = _poly(x.field, x.den)
-    return _fraction(top, bottom, turns=not sign_is_positive(x.denominator()))
+    return fraction_shown(top, bottom, turns=not sign_is_positive(x.denominator()))
 
 
 def _root_of_a_quotient(x: Ratio) -> Expr | None:
@@ -88,9 +82,9 @@ def _root_of_a_quotient(x: Ratio) -> Expr | None:
         return None
     front, upside_down = tidy(outside), field.lowest_terms(1 / inside)
     if upside_down.den is None:  # 1/sqrt(a), not sqrt(1/a)
-        return divide(front, _root_of(tidy(upside_down)))
-    root = _root_of(tidy(inside))
-    return root if front == number(1) else multiply(*_factors(front), root)
+        return divide(front, root_shown(tidy(upside_down)))
+    root = root_shown(tidy(inside))
+    return root if front == number(1) else multiply(*factors_of(front), root)
 
 
 def _over_a_root(x: Ratio) -> Expr | None:
@@ -105,7 +99,7 @@ def _over_a_root(x: Ratio) -> Expr | None:
             continue
         above = field.lowest_terms(x * field.variable(g))
         if sum(map(len, above.terms())) + 1 < sum(map(len, x.terms())):
-            return divide(tidy(above), _root_of(tidy(field.radicand(g))))
+            return divide(tidy(above), root_shown(tidy(field.radicand(g))))
     return None
 
 
@@ -114,53 +108,10 @@ def _strict_sign(x: Ratio) -> int:
     return {Sign.POSITIVE: 1, Sign.NEGATIVE: -1}.get(sign_of(x), 0)
 
 
-def _root_of(inside: Expr) -> Expr:
-    """The root of an expression; that of a square is a size."""
-    if isinstance(inside, PowerOf) and inside.exponent == number(2):
-        return Call("abs", inside.base)
-    return Call("sqrt", inside)
-
-
 def _is_root_generator(field: Field, base: Ratio) -> bool:
     (index,) = base.generators()
     generator = field.generators[index]
     return generator.kind == "root" and bool(generator.made_of) and len(base.num) == 1
-
-
-def _fraction(top: Expr, bottom: Expr, *, turns: bool = True) -> Expr:
-    """top/bottom with the sign in front and the numbers gathered. turns: a sign may go into a difference below, which
-    spoils one that is known to be positive."""
-    n_top, rest_top = _number_part(top)
-    n_bottom, rest_bottom = _number_part(bottom)
-    ratio = n_top / n_bottom
-    if turns and ratio < 0 and isinstance(rest_bottom, Sum) and any(map(_is_negative, rest_bottom.terms)):
-        ratio, rest_bottom = -ratio, _positive_first([negate(t) for t in rest_bottom.terms])
-    elif turns and ratio < 0 and isinstance(rest_bottom, ProductOf):
-        ratio, rest_bottom = _sign_of_a_factor(ratio, rest_bottom)
-    up = multiply(number(ratio.numerator), *_factors(rest_top))
-    down = multiply(number(ratio.denominator), *_factors(rest_bottom))
-    return divide(up, down)
-
-
-def _sign_of_a_factor(ratio: Fraction, product: ProductOf) -> tuple[Fraction, Expr]:
-    """-1/(a (b - c)) = 1/(a (c - b))"""
-    for k, factor in enumerate(product.factors):
-        if isinstance(factor, Sum) and any(map(_is_negative, factor.terms)):
-            turned = _positive_first([negate(t) for t in factor.terms])
-            return -ratio, multiply(*product.factors[:k], turned, *product.factors[k + 1 :])
-    return ratio, product
-
-
-def _number_part(e: Expr) -> tuple[Fraction, Expr]:
-    if isinstance(e, Number):
-        return e.value, number(1)
-    if isinstance(e, ProductOf) and isinstance(e.factors[0], Number):
-        return e.factors[0].value, multiply(*e.factors[1:])
-    return Fraction(1), e
-
-
-def _factors(e: Expr) -> tuple[Expr, ...]:
-    return e.factors if isinstance(e, ProductOf) else (e,)
 
 
 def _root_on_top(x: Ratio) -> Ratio:
@@ -224,22 +175,11 @@ def _candidates(field: Field, poly: Poly) -> list[Expr]:
                 shown = _sum(field, base.num)
                 parts.append((_place(field, base), shown if exponent == 1 else power(shown, number(exponent))))
             parts.sort(key=lambda item: item[0])
-            found.append(_signed_product(unit, [e for _p, e in parts]))
+            found.append(signed_product(unit, [e for _p, e in parts]))
             if by_degree is not None or sum(len(base.num) > 1 for base, _e in factors) <= 1:
                 return found  # only symbols came out in front: no other form is shorter
     found.append(_sum(field, poly))
     return found
-
-
-def _signed_product(unit: int, parts: list[Expr]) -> Expr:
-    """Turns a factor such as (m2 - m1) round so that the product has no sign in front, if one can."""
-    if unit < 0:
-        for k, part in enumerate(parts):
-            n, rest = _number_part(part)
-            if isinstance(rest, Sum) and 2 * sum(map(_is_negative, rest.terms)) >= len(rest.terms):
-                parts[k] = _positive_first([negate(t) for t in rest.terms])
-                return multiply(number(-unit * n), *parts)
-    return multiply(number(unit), *parts)
 
 
 def _place(field: Field, base: Ratio) -> tuple[int, int]:
@@ -276,24 +216,9 @@ def _monomials(field: Field, terms: Mapping[Monomial, int]) -> Expr:
     for _m, c in ordered:
         content = math.gcd(content, c)
     if content > 1 and len(ordered) > 1:
-        inner = _positive_first([_monomial(field, m, c // content) for m, c in ordered])
-        return multiply(number(content), *_factors(inner))
-    return _positive_first([_monomial(field, m, c) for m, c in ordered])
-
-
-def _positive_first(terms: list[Expr]) -> Expr:
-    """A sum that does not begin with a minus sign, if it need not."""
-    if terms and _is_negative(terms[0]):
-        for k, term in enumerate(terms):
-            if not _is_negative(term):
-                return add(term, *terms[:k], *terms[k + 1 :])
-        if len(terms) > 1:
-            return negate(add(*(negate(term) for term in terms)))
-    return add(*terms)
-
-
-def _is_negative(e: Expr) -> bool:
-    return _number_part(e)[0] < 0
+        inner = positive_first([_monomial(field, m, c // content) for m, c in ordered])
+        return multiply(number(content), *factors_of(inner))
+    return positive_first([_monomial(field, m, c) for m, c in ordered])
 
 
 def _monomial(field: Field, monomial: Monomial, coefficient: int) -> Expr:
@@ -306,11 +231,11 @@ def shown(field: Field, index: int) -> Expr:
     """A generator as it is displayed; roots and arcs with a tidy argument."""
     generator = field.generators[index]
     if generator.kind == "root" and generator.made_of:
-        return _root_of(tidy(field.radicand(index)))
+        return root_shown(tidy(field.radicand(index)))
     if index in field.moduli:
         phi, k = field.moduli[index]
         modulus = tidy(k)
-        modulus = negate(modulus) if _is_negative(modulus) else modulus  # both integrals are even in it
+        modulus = negate(modulus) if is_written_negative(modulus) else modulus  # both integrals are even in it
         return Call("elliptic_K", modulus) if phi is None else Call("elliptic_F", tidy(phi), modulus)
     name, x = field.arguments.get(index, ("", field.one))
     if name == "exp" and (raised := _as_power(field, x)) is not None:
@@ -372,10 +297,10 @@ def _collected(field: Field, terms: Mapping[Monomial, int], *, gather: bool) -> 
     for key, group in whole.items():
         if group:
             coefficient = _factored(field, {m: c // content for m, c in group.items()})
-            shown_terms.append(multiply(*_factors(coefficient), *_factors(pieces[key])))
+            shown_terms.append(multiply(*factors_of(coefficient), *factors_of(pieces[key])))
     ratio = Fraction(content, common)
-    total = multiply(number(ratio.numerator), *_factors(_positive_first(shown_terms)))
-    return _fraction(total, number(ratio.denominator))
+    total = multiply(number(ratio.numerator), *factors_of(positive_first(shown_terms)))
+    return fraction_shown(total, number(ratio.denominator))
 
 
 def _is_fixed(field: Field, g: int) -> bool:
@@ -398,12 +323,12 @@ def _factored(field: Field, terms: Mapping[Monomial, int]) -> Expr:
     content, common, rest = primitive(terms)
     if has_lonely_symbol(rest):
         front = _monomial(field, tuple(sorted(common.items())), content)
-        return multiply(*_factors(front), *_factors(_monomials(field, rest)))
+        return multiply(*factors_of(front), *factors_of(_monomials(field, rest)))
     poly = field.polynomial(terms)
     unit, factors = field.factor(poly.num)
     plain = _monomials(field, terms)
     parts = sorted(((_place(field, b), b, e) for b, e in factors), key=lambda item: item[0])
-    product = _signed_product(
+    product = signed_product(
         unit,
         [power(_monomials(field, field.terms(b.num)), number(e)) for _p, b, e in parts],
     )

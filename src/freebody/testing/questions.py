@@ -23,7 +23,8 @@ from freebody.narrative.sheets.asking import asking, headline
 from freebody.narrative.telling.catalogue import Catalogue
 from freebody.narrative.words import languages
 from freebody.questions.base import FORMS, Quantity
-from freebody.questions.reading import Question, is_of_start
+from freebody.questions.reading import Question
+from freebody.questions.reading_when import is_of_start
 from freebody.study.answering.answer import Answer
 from freebody.study.answering.crosscheck import element_at
 from freebody.study.setup import Setup

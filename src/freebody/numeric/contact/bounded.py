@@ -34,7 +34,7 @@ from freebody.numeric.contact.rows import (
 from freebody.numeric.engine.engine import Engine
 from freebody.numeric.engine.evaluator import EngineRows, EngineWatch, packed
 from freebody.numeric.engine.writing import OF_MULTIPLIER, OF_RATE, OF_RESERVE, OF_SHARE, OF_VALUE, ArrayBuilder, Guard
-from freebody.numeric.kernels import dynamics, stepping
+from freebody.numeric.kernels import kinematics, stepping
 from freebody.numeric.kernels.arrays import Floats
 from freebody.numeric.numbers import Numbers
 from freebody.questions.clock import Clock
@@ -144,7 +144,7 @@ class Bounded:
         """A blow happens in a state: what is held where it is then is held there."""
         self.instant(y, t, near)
         for place, row in self.blows[k].keeps:
-            self.written.keep_at(place, float(self.free.room.rows[row, dynamics.VALUE]))
+            self.written.keep_at(place, float(self.free.room.rows[row, kinematics.VALUE]))
         self.past |= {k}
 
     @property
@@ -274,15 +274,15 @@ class Bounded:
         np.add.at(gradients.ravel(), at, e.room.gradient[entries])
         table = e.room.rows
         v = y[n : 2 * n]
-        drifts = table[rows, dynamics.DRIFT] if rows else np.zeros(0)
+        drifts = table[rows, kinematics.DRIFT] if rows else np.zeros(0)
         goals = self._goals(t)
         return ContactInstant(
             y,
             t,
             gradients,
-            table[rows, dynamics.VALUE].copy() if rows else np.zeros(0),
+            table[rows, kinematics.VALUE].copy() if rows else np.zeros(0),
             gradients @ v + drifts - goals[:, 1],
-            (table[rows, dynamics.BIAS].copy() if rows else np.zeros(0)) - goals[:, 2],
+            (table[rows, kinematics.BIAS].copy() if rows else np.zeros(0)) - goals[:, 2],
             e.room.force.copy(),
         )
 
@@ -386,4 +386,4 @@ class Bounded:
 
     def keep(self, drag: int, now: ContactInstant) -> None:
         """The slip of a drag is kept from now on where it is."""
-        self.written.keep(self.drags[drag].packed, float(self.free.room.rows[self.drags[drag].row, dynamics.VALUE]))
+        self.written.keep(self.drags[drag].packed, float(self.free.room.rows[self.drags[drag].row, kinematics.VALUE]))

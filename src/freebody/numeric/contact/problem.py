@@ -34,6 +34,7 @@ class RowState(IntEnum):
 Mode = tuple[RowState, ...]  # one state a row
 Choice = tuple[int, RowState]  # a row and a state
 
+MOST_OTHERS = 300  # modes that are tried to find out whether there is another outcome: those of three contacts
 SLIPPING = (RowState.FORWARD, RowState.BACKWARD)
 
 

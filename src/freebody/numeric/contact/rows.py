@@ -10,7 +10,7 @@ from freebody.model.elements import DryFriction as RubElement
 from freebody.model.elements import UnilateralConstraint
 from freebody.numeric.contact.problem import ContactProblem
 from freebody.numeric.engine.evaluator import EngineWatch
-from freebody.numeric.kernels import dynamics
+from freebody.numeric.kernels import kinematics
 from freebody.numeric.kernels.arrays import Floats
 
 
@@ -112,4 +112,4 @@ class RowProblem:
 
 def within(barrier: UnilateralRow, rows: Floats, slack: float = 0.0) -> bool:
     """Whether a barrier exists, by the rows of an engine at the instant that it looked at last."""
-    return all(low - slack <= rows[row, dynamics.VALUE] <= high + slack for row, low, high in barrier.within)
+    return all(low - slack <= rows[row, kinematics.VALUE] <= high + slack for row, low, high in barrier.within)

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from freebody.language.sentences import Message
+from freebody.numeric.contact.after import After
 from freebody.numeric.contact.bounded import Bounded
 from freebody.numeric.contact.rows import FrictionRow, ModeOf, UnilateralRow
-from freebody.numeric.contact.transition import After
 from freebody.numeric.engine.course import Event
 
 

@@ -15,13 +15,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from freebody.numeric.engine.course import Tracks
-from freebody.numeric.kernels import stepping
+from freebody.numeric.kernels import stepped_run
 from freebody.numeric.kernels.arrays import Floats
 from freebody.numeric.kernels.following import follow
 
 if TYPE_CHECKING:
     from freebody.numeric.engine.evaluator import Evaluator
-    from freebody.numeric.kernels.stepping import SteppedRun
+    from freebody.numeric.kernels.stepped_run import SteppedRun
 
 TURN = 0.5  # [rad] of a body, in which bearings are counted on
 BATCH = 128  # steps
@@ -39,14 +39,14 @@ class Counting:
         self._dense = np.empty((n_kept, n_terms, n_y))
         self._clock = np.empty((n_kept, len(run.clock)))
         self._near = np.empty((n_kept, len(engine.room.measures)))  # after a step, as the steps alone count
-        self._last = run.states[stepping.OLD], run.dense, run.clock, engine.near_view  # of the last step
+        self._last = run.states[stepped_run.OLD], run.dense, run.clock, engine.near_view  # of the last step
         self._n = 0
         self._times: list[Floats] = []
         self._bearings: list[Floats] = []
 
     def begin(self) -> None:
         """Counts from where bearings are now."""
-        self._counted(self.run.clock[[stepping.NOW]], self.engine.near()[None, :])
+        self._counted(self.run.clock[[stepped_run.NOW]], self.engine.near()[None, :])
 
     def add(self) -> None:
         """Takes the last step."""
@@ -64,16 +64,16 @@ class Counting:
         old, dense = self._old[:n], self._dense[:n]
         turned = self.engine.border.largest_turn(old, old + dense[:, 0])
         if turned.max() <= TURN:
-            self._counted(self._clock[:n, stepping.NOW].copy(), self._near[:n].copy())
+            self._counted(self._clock[:n, stepped_run.NOW].copy(), self._near[:n].copy())
             return
         n_parts = np.maximum(1, np.ceil(turned / TURN).astype(np.intp))
         step = np.repeat(np.arange(n), n_parts)
         part = np.arange(1, len(step) + 1) - np.repeat(np.cumsum(n_parts) - n_parts, n_parts)
         s = part / n_parts[step]
         clock = self._clock[step]
-        times = clock[:, stepping.BEFORE] + s * clock[:, stepping.DONE_STEP]
+        times = clock[:, stepped_run.BEFORE] + s * clock[:, stepped_run.DONE_STEP]
         is_end = part == n_parts[step]
-        times[is_end] = clock[is_end, stepping.NOW]
+        times[is_end] = clock[is_end, stepped_run.NOW]
         states = between(old[step], dense[step], s)
         self._counted(times, bearings_at(self.engine, self._bearings[-1][-1], times, states))
 
@@ -96,7 +96,7 @@ def bearings_at(engine: Evaluator, near: Floats, times: Floats, states: Floats) 
 
 
 def between(old: Floats, dense: Floats, s: Floats) -> Floats:
-    """(n, n_y) the state at the part s of each of n steps; see `stepping.between`."""
+    """(n, n_y) the state at the part s of each of n steps; see `stages.between`."""
     states, factors = np.zeros(old.shape), (s[:, None], 1.0 - s[:, None])
     for k in reversed(range(dense.shape[1])):
         states = (states + dense[:, k]) * factors[k % 2]

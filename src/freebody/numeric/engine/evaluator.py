@@ -20,12 +20,12 @@ from freebody.numeric.engine.integrators import dop853
 from freebody.numeric.engine.packing import Packing
 from freebody.numeric.engine.workspace import room_for
 from freebody.numeric.engine.writing import ArrayBuilder, Guard
-from freebody.numeric.kernels import dynamics, stepping
+from freebody.numeric.kernels import kinematics, solving, stepped_run, stepping
 from freebody.numeric.kernels.arrays import Floats, ModelArrays
 from freebody.numeric.kernels.declaring import plain
 from freebody.numeric.kernels.measures_planar import BEARING, NEAR
 from freebody.numeric.kernels.observing import observe
-from freebody.numeric.kernels.stepping import SteppedRun, Tableau
+from freebody.numeric.kernels.stepped_run import SteppedRun, Tableau
 from freebody.numeric.kernels.tape import play
 from freebody.numeric.numbers import Numbers
 
@@ -232,7 +232,7 @@ class Evaluator(Packed):
         That depends on no order of rows, on no units, and where bodies are joined by forces on no axes.
 
         Every row is given the same small compliance e, (J M^-1 J^T + e H^-2) lambda = b, which the passes of
-        `dynamics.projected` take back without leaving the range of J: what is left of it is the choice of lambda.
+        `solving.projected` take back without leaving the range of J: what is left of it is the choice of lambda.
         Rows that are `idle` yield without limit and carry nothing.
         Their sizes are those at the instant looked at last; raises RuntimeError if something was shared there.
         Source: Tikhonov regularisation, Hansen, Rank-Deficient and Discrete Ill-Posed Problems, 1998, ch. 5."""
@@ -246,7 +246,7 @@ class Evaluator(Packed):
         yielding = compliance / held**2
         yielding[self.place_of[list(idle)]] *= WITHOUT_LIMIT
         base[np.array(L.column_ptr[:-1])] += yielding
-        self.layout = L._replace(schur_base=base, has_gap=L.has_gap | dynamics.SHARES)
+        self.layout = L._replace(schur_base=base, has_gap=L.has_gap | solving.SHARES)
         self.is_shared = True
 
     def share_no_more(self) -> None:
@@ -281,12 +281,12 @@ class Evaluator(Packed):
         """What the law of a load sees at the instant looked at last."""
         load, rows = self.applied_loads[p], self.room.rows
         own = rows[self.layout.load[p, 0]]
-        names = {**self.numbers.values, "t": t, RATE.name: float(own[dynamics.RATE])}
+        names = {**self.numbers.values, "t": t, RATE.name: float(own[kinematics.RATE])}
         if not isinstance(load.measure, NonholonomicForm):
-            names[VALUE.name] = float(own[dynamics.VALUE]) - self.numbers.start_value(load.measure)
+            names[VALUE.name] = float(own[kinematics.VALUE]) - self.numbers.start_value(load.measure)
         for name, measure in load.measures:
             other = rows[self.rows[measure]]
-            names[name], names[f"rate({name})"] = float(other[dynamics.VALUE]), float(other[dynamics.RATE])
+            names[name], names[f"rate({name})"] = float(other[kinematics.VALUE]), float(other[kinematics.RATE])
         return names
 
     @cached_property
@@ -324,10 +324,10 @@ class Evaluator(Packed):
         n_all = len(tableau.a)
         n, n_held = self.n_coordinates, len(self.order)
         states = np.zeros((6, self.n_y))
-        states[stepping.Y] = states[stepping.FIRST] = y
+        states[stepped_run.Y] = states[stepped_run.FIRST] = y
         return SteppedRun(
-            clock=np.zeros(stepping.N_CLOCK),
-            count=np.zeros(stepping.N_COUNT, dtype=np.int32),
+            clock=np.zeros(stepped_run.N_CLOCK),
+            count=np.zeros(stepped_run.N_COUNT, dtype=np.int32),
             states=states,
             slopes=np.zeros((n_all, self.n_y)),
             dense=np.zeros((3 + len(tableau.dense), self.n_y)),

@@ -19,7 +19,7 @@ import numpy as np
 
 from freebody.numeric.engine.course import Event
 from freebody.numeric.engine.search import StepZero
-from freebody.numeric.kernels import stepping
+from freebody.numeric.kernels import stepped_run
 from freebody.numeric.kernels.arrays import Floats
 
 if TYPE_CHECKING:
@@ -37,7 +37,7 @@ def found_in_step(motion: MotionUnderWay, violation: Violation | None = None) ->
     there. What is zero where the guard is violated (a measure at the limit at which a stop strikes) comes just then,
     whichever of the two searches is ahead of the other by round-off."""
     run = motion.run
-    t0, h = float(run.clock[stepping.BEFORE]), float(run.clock[stepping.DONE_STEP])
+    t0, h = float(run.clock[stepped_run.BEFORE]), float(run.clock[stepped_run.DONE_STEP])
     found: list[tuple[float, int, StepZero]] = []
     for k, (watch, search) in enumerate(zip(motion.engine.watches, motion.searches, strict=True)):
         zeros = list(search.in_step(run))
@@ -47,7 +47,7 @@ def found_in_step(motion: MotionUnderWay, violation: Violation | None = None) ->
             continue
         if search.unsearched is not None:
             motion.say_unsearched(watch.name, search.unsearched)
-        elif run.clock[stepping.NOW] >= motion.until and (last := search.at_end()) is not None:
+        elif run.clock[stepped_run.NOW] >= motion.until and (last := search.at_end()) is not None:
             zeros.append(last)
         if violation is not None:
             zeros = _up_to(motion, k, zeros, violation, t0, h)

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from freebody.numeric.engine.programs import Program
+from freebody.numeric.engine.operations import Program
 from freebody.numeric.engine.writing import ArrayBuilder
-from freebody.numeric.kernels import dynamics
+from freebody.numeric.kernels import guarding
 from freebody.numeric.kernels.arrays import ModelArrays, floats, ints, pointers
 
 
@@ -15,10 +15,10 @@ class GuardPrograms:
 
     def __init__(self, layout: ModelArrays, written: ArrayBuilder) -> None:
         kinds = layout.guard[:, 0]
-        self.guards = np.flatnonzero((kinds == dynamics.GUARD_VALUE) | (kinds == dynamics.GUARD_RATE))
+        self.guards = np.flatnonzero((kinds == guarding.GUARD_VALUE) | (kinds == guarding.GUARD_RATE))
         self.each: list[Program] = []
         for g in self.guards.tolist():
-            order = int(kinds[g] == dynamics.GUARD_RATE)
+            order = int(kinds[g] == guarding.GUARD_RATE)
             program = written.program(int(layout.guard[g, 1]), order, float(layout.guard_factor[g, 0]))
             self.each.append(program)
         codes = [program.code for program in self.each]

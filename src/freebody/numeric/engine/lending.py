@@ -1,6 +1,6 @@
 """How much inertia a body without any is lent for the factor of J M^-1 J^T.
 
-What is lent is taken back (`dynamics.solve`), so that no answer depends on it but by round-off: the less is lent, the
+What is lent is taken back (`solving.solve`), so that no answer depends on it but by round-off: the less is lent, the
 larger its inverse beside those of the neighbours, and the more digits J G^-1 J^T loses (with 1e-6 of the heaviest mass
 a crank in space had twice the rejected steps of 1e-4). So it is of a size that goes with its neighbours: a part of the
 lightest mass of the part that the body belongs to, at an arm of the body's own.

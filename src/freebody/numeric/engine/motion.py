@@ -19,7 +19,7 @@ from freebody.numeric.engine.integrators import integrator
 from freebody.numeric.engine.patrol import Guarding, GuardMonitor, Violation
 from freebody.numeric.engine.trouble import diagnosed
 from freebody.numeric.engine.underway import MotionUnderWay
-from freebody.numeric.kernels import dynamics, stepping
+from freebody.numeric.kernels import factoring, stepped_run, stepping
 from freebody.numeric.kernels.arrays import Floats
 from freebody.numeric.kernels.measures_planar import BEARING, NEAR
 from freebody.numeric.options import SimulationOptions
@@ -58,116 +58,122 @@ class RunningMotion(MotionUnderWay):
         self.options, self.is_automatic, self.method, self.integrator = options, is_automatic, method, chosen
         self.start = start
         clock = self.run.clock
-        clock[stepping.END], clock[stepping.TOLERANCE] = until, options.tolerance
-        clock[stepping.LONGEST], clock[stepping.STEP] = options.longest, options.step or first_step
-        self.run.count[stepping.IS_WATCHED] = int(bool(engine.watches) or engine.is_tracked)
+        clock[stepped_run.END], clock[stepped_run.TOLERANCE] = until, options.tolerance
+        clock[stepped_run.LONGEST], clock[stepped_run.STEP] = options.longest, options.step or first_step
+        self.run.count[stepped_run.IS_WATCHED] = int(bool(engine.watches) or engine.is_tracked)
         self.counting: Counting | None = None
         self.patrol: GuardMonitor | None = None
         self.violation: Violation | None = None
+        self.stiffness = ""  # when it was met, and what was done about it
 
     def guard(self, guarding: Guarding) -> None:
         """The first violation of a guard of the layout ends the motion; see `GuardMonitor`."""
         self.patrol = GuardMonitor(self, guarding)
-        self.run.count[stepping.IS_WATCHED] = 1
+        self.run.count[stepped_run.IS_WATCHED] = 1
 
     # -- the loop -----------------------------------------------------------------------------
     def course(self, began: float, progress: Progress | None) -> Trajectory:
-        max_seconds, max_steps = self.options.max_seconds, self.options.max_steps
-        clock, count = self.run.clock, self.run.count
-        status, message, note = Status.FINISHED, "", ""
-        if not self._begin():
-            status, message = Status.UNREACHABLE, Message("the start does not hold what is held")
-        else:
-            size = 64
+        """The motion to its end. began: when, by the clock of the process."""
+        clock = self.run.clock
+        status, message = Status.UNREACHABLE, Message("the start does not hold what is held")
+        if self._begin():
             if self.integrator.steps is not None:
-                self.solver = self.integrator.steps(self, float(clock[stepping.STEP]))
+                self.solver = self.integrator.steps(self, float(clock[stepped_run.STEP]))
             try:
-                while clock[stepping.NOW] < self.until:
-                    is_late = time.perf_counter() - began > max_seconds
-                    if is_late or count[stepping.STEPS] >= max_steps:
-                        status = Status.TOO_LONG
-                        message = stopped(
-                            float(clock[stepping.NOW]),
-                            Message("{n} steps", n=int(count[stepping.STEPS])),
-                            max_seconds if is_late else None,
-                        )
-                        jumping = [p.name for p in self.engine.applied_loads if has_jump(p.law, free_symbols(p.law))]
-                        if jumping:
-                            jumps = Message(
-                                "the law of {names} jumps, which takes many small steps", names=in_turn(jumping)
-                            )
-                            message = further(message, jumps)
-                        break
-                    at = time.perf_counter()
-                    result = self._advance(min(size, max_steps - int(count[stepping.STEPS])))
-                    took = time.perf_counter() - at
-                    size = max(16, min(1_000_000, int(size * min(4.0, CHUNK / max(took, 1e-6)))))
-                    if progress is not None:
-                        progress(float(clock[stepping.NOW]), int(count[stepping.STEPS]))
-                    if result == stepping.LOOK and self.counting is not None:
-                        self.counting.add()
-                    if result == stepping.LOOK and self._look():
-                        status = Status.EVENT
-                        if self.violation is None:
-                            message = Message(
-                                "{event} at t = {t:.9g} s", event=self.events[-1].name, t=self.events[-1].time
-                            )
-                        break
-                    if result == stepping.TOO_SMALL:
-                        status, message = self._trouble()
-                        break
-                    # a step that is looked at ends before stiffness is
-                    is_stiff = result == stepping.LOOK and count[stepping.STIFF] >= stepping.STIFF_STEPS
-                    if result == stepping.STIFF_FOUND or (is_stiff and self.solver is None):
-                        count[stepping.STIFF] = -1_000_000_000 if not self.is_automatic else 0
-                        now = float(clock[stepping.NOW])
-                        if self.is_automatic:
-                            steps = integrator(STIFF).steps
-                            assert steps is not None
-                            self.solver = steps(self, 10.0 * float(clock[stepping.DONE_STEP]))
-                            self.method = f"{EXPLICIT}, then {STIFF}"
-                            note = Message("stiff from t = {t:.6g} s, where the method changed to radau5", t=now)
-                        else:
-                            note = Message("stiff from t = {t:.6g} s: radau5 takes fewer steps", t=now)
+                status, message = self._to_end(began, progress)
             except KeyboardInterrupt:
-                status, message = (
-                    Status.INTERRUPTED,
-                    Message("interrupted at t = {t:.6g} s", t=float(clock[stepping.NOW])),
-                )
+                now = float(clock[stepped_run.NOW])
+                status, message = Status.INTERRUPTED, Message("interrupted at t = {t:.6g} s", t=now)
         loose = ""
-        if clock[stepping.ALLOWED] > 1.0:
+        if clock[stepped_run.ALLOWED] > 1.0:
             loose = Message(
                 "near singular poses steps were accepted with up to {n:.0e} times the tolerance",
-                n=float(clock[stepping.ALLOWED]),
+                n=float(clock[stepped_run.ALLOWED]),
             )
-        message = further(*(part for part in (message, note, loose, *self.notes) if part))
+        message = further(*(part for part in (message, self.stiffness, loose, *self.notes) if part))
         return self._collected(status, message, time.perf_counter() - began)
+
+    def _to_end(self, began: float, progress: Progress | None) -> tuple[Status, str]:
+        """Makes steps, as many at once as take about a time that nobody waits for, until something ends the motion."""
+        clock, count, size = self.run.clock, self.run.count, 64
+        while clock[stepped_run.NOW] < self.until:
+            is_late = time.perf_counter() - began > self.options.max_seconds
+            if is_late or count[stepped_run.STEPS] >= self.options.max_steps:
+                return Status.TOO_LONG, self._too_long(is_late=is_late)
+
+            at = time.perf_counter()
+            result = self._advance(min(size, self.options.max_steps - int(count[stepped_run.STEPS])))
+            took = time.perf_counter() - at
+            size = max(16, min(1_000_000, int(size * min(4.0, CHUNK / max(took, 1e-6)))))
+            if progress is not None:
+                progress(float(clock[stepped_run.NOW]), int(count[stepped_run.STEPS]))
+
+            if result == stepped_run.LOOK and self.counting is not None:
+                self.counting.add()
+            if result == stepped_run.LOOK and self._look():
+                if self.violation is not None:
+                    return Status.EVENT, ""
+                event = self.events[-1]
+                return Status.EVENT, Message("{event} at t = {t:.9g} s", event=event.name, t=event.time)
+            if result == stepped_run.TOO_SMALL:
+                return self._trouble()
+            # a step that is looked at ends before stiffness is
+            is_stiff = result == stepped_run.LOOK and count[stepped_run.STIFF] >= stepped_run.STIFF_STEPS
+            if result == stepped_run.STIFF_FOUND or (is_stiff and self.solver is None):
+                self._meet_stiffness()
+        return Status.FINISHED, ""
+
+    def _too_long(self, *, is_late: bool) -> str:
+        """What ended a motion that took too long, and what made its steps small, where that is known."""
+        ended = stopped(
+            float(self.run.clock[stepped_run.NOW]),
+            Message("{n} steps", n=int(self.run.count[stepped_run.STEPS])),
+            self.options.max_seconds if is_late else None,
+        )
+        jumping = [p.name for p in self.engine.applied_loads if has_jump(p.law, free_symbols(p.law))]
+        if not jumping:
+            return ended
+        jumps = Message("the law of {names} jumps, which takes many small steps", names=in_turn(jumping))
+        return further(ended, jumps)
+
+    def _meet_stiffness(self) -> None:
+        """Goes on by the implicit method, or says that it would take fewer steps."""
+        now = float(self.run.clock[stepped_run.NOW])
+        self.run.count[stepped_run.STIFF] = -1_000_000_000 if not self.is_automatic else 0
+        if self.is_automatic:
+            steps = integrator(STIFF).steps
+            assert steps is not None
+            self.solver = steps(self, 10.0 * float(self.run.clock[stepped_run.DONE_STEP]))
+            self.method = f"{EXPLICIT}, then {STIFF}"
+            self.stiffness = Message("stiff from t = {t:.6g} s, where the method changed to radau5", t=now)
+        else:
+            self.stiffness = Message("stiff from t = {t:.6g} s: radau5 takes fewer steps", t=now)
 
     def _advance(self, n: int) -> int:
         e = self.engine
         if self.solver is not None:
             for _ in range(min(n, 64)):
                 result = self.solver.advance()
-                if result != stepping.PAUSED:
+                if result != stepped_run.PAUSED:
                     return result
-            return stepping.PAUSED
+            return stepped_run.PAUSED
         return int(stepping.advance(e.layout, e.room, self.tableau, self.run, n))
 
     def _begin(self) -> bool:
         e, run = self.engine, self.run
         clock, y = run.clock, run.states[0]
         n = e.n_coordinates
-        clock[stepping.NOW] = clock[stepping.BEFORE] = self.start
+        clock[stepped_run.NOW] = clock[stepped_run.BEFORE] = self.start
         # a speed that moves nothing by a thousandth of its size within the whole time does not matter
         slowest = 1e-3 / (self.until - self.start)
-        clock[stepping.SPEED] = float((np.abs(y[n : 2 * n]) / e.unit).max(initial=slowest))
-        e.room.info[dynamics.N_REDUNDANT] = e.room.info[dynamics.BEST_OF_MOTION] = 0.0
+        clock[stepped_run.SPEED] = float((np.abs(y[n : 2 * n]) / e.unit).max(initial=slowest))
+        e.room.info[factoring.N_REDUNDANT] = e.room.info[factoring.BEST_OF_MOTION] = 0.0
         if not stepping.visit(e.layout, e.room, run, -1.0, y, self.start, run.slopes[0], 0):
             return False
         if not np.isfinite(run.slopes[0]).all():
             return False
-        run.count[stepping.LEFT_OUT] = int(e.room.info[dynamics.N_LEFT_OUT])
-        clock[stepping.BEST_PIVOT] = e.room.info[dynamics.SMALLEST_PIVOT]
+        run.count[stepped_run.LEFT_OUT] = int(e.room.info[factoring.N_LEFT_OUT])
+        clock[stepped_run.BEST_PIVOT] = e.room.info[factoring.SMALLEST_PIVOT]
         e.room.measures[:, NEAR] = e.room.measures[:, BEARING]
         run.multiplier[:] = e.room.multiplier
         fastest = float((np.abs(y[n : 2 * n]) / e.unit).max(initial=0.0))
@@ -176,9 +182,9 @@ class RunningMotion(MotionUnderWay):
         order, is_adaptive = int(self.tableau.sizes[2]), self.integrator.is_adaptive
         h = self.until - self.start
         if is_adaptive and rate > 0.0:
-            h = min(h, 0.1 / rate * (clock[stepping.TOLERANCE] * 1e6) ** (1.0 / order))
-        if clock[stepping.STEP] == 0.0:
-            clock[stepping.STEP] = h if is_adaptive else h / 1000.0
+            h = min(h, 0.1 / rate * (clock[stepped_run.TOLERANCE] * 1e6) ** (1.0 / order))
+        if clock[stepped_run.STEP] == 0.0:
+            clock[stepped_run.STEP] = h if is_adaptive else h / 1000.0
         self._store_start()
         if e.is_tracked:
             is_read = e.reads_turns or bool(e.watches) or self.patrol is not None
@@ -192,8 +198,8 @@ class RunningMotion(MotionUnderWay):
         """What is zero at the start is an event there."""
         from freebody.numeric.engine.search import ProgramSearch
 
-        e, tolerance = self.engine, float(self.run.clock[stepping.TOLERANCE])
-        near, self.run.states[stepping.OLD] = e.near(), self.run.states[stepping.Y]
+        e, tolerance = self.engine, float(self.run.clock[stepped_run.TOLERANCE])
+        near, self.run.states[stepped_run.OLD] = e.near(), self.run.states[stepped_run.Y]
         for watch, row, value in zip(e.watches, e.watched_rows, self.values(), strict=True):
             program = e.written.program(row, watch.order)
             search = ProgramSearch(program, watch.value, watch.size, tolerance, near)
@@ -212,7 +218,7 @@ class RunningMotion(MotionUnderWay):
             run.out_a[k] = e.room.acceleration
             run.out_multiplier[k] = e.room.multiplier
             k += 1
-        run.count[stepping.OUTPUTS] = k
+        run.count[stepped_run.OUTPUTS] = k
 
     def _look(self) -> bool:
         """Finds the events of the last step; True if a terminal one ends the motion there."""
@@ -233,8 +239,8 @@ class RunningMotion(MotionUnderWay):
     def _collected(self, status: Status, message: str, wall: float) -> Trajectory:
         e, run, n = self.engine, self.run, self.engine.n_coordinates
         tracks = NO_TRACKS if self.counting is None else self.counting.tracks()
-        k = int(run.count[stepping.OUTPUTS])
-        now = float(run.clock[stepping.NOW])
+        k = int(run.count[stepped_run.OUTPUTS])
+        now = float(run.clock[stepped_run.NOW])
         times = [float(t) for t in run.out_t[:k]]
         states = [run.out_y[i] for i in range(k)]
         accelerations = [run.out_a[i] for i in range(k)]
@@ -275,14 +281,14 @@ class RunningMotion(MotionUnderWay):
             unique=self._unique(T, Y, multiplier_rows.shape),
             work=Y[:, 2 * n].copy(),
             events=tuple(self.events),
-            n_steps=int(run.count[stepping.STEPS]),
-            n_evaluations=int(run.count[stepping.EVALUATIONS]),
-            n_rejected=int(run.count[stepping.REJECTED]),
-            n_regularised=int(run.count[stepping.REGULARISED]),
+            n_steps=int(run.count[stepped_run.STEPS]),
+            n_evaluations=int(run.count[stepped_run.EVALUATIONS]),
+            n_rejected=int(run.count[stepped_run.REJECTED]),
+            n_regularised=int(run.count[stepped_run.REGULARISED]),
             wall_time=wall,
-            place_gap=float(run.clock[stepping.PLACE_GAP]),
-            motion_gap=float(run.clock[stepping.MOTION_GAP]),
-            last_step=float(run.clock[stepping.STEP]),
+            place_gap=float(run.clock[stepped_run.PLACE_GAP]),
+            motion_gap=float(run.clock[stepped_run.MOTION_GAP]),
+            last_step=float(run.clock[stepped_run.STEP]),
             method=self.method,
             tracks=tracks,
             near=near,
@@ -303,11 +309,11 @@ class RunningMotion(MotionUnderWay):
                 unique[k] = ~known[0]  # rows that depend on each other everywhere
                 continue
             stepping.visit(e.layout, e.room, self.run, -1.0, states[k].copy(), float(t), out, 1)
-            is_open = e.is_shared or e.room.info[dynamics.N_LEFT_OUT] > 0.0
-            if is_open or e.room.info[dynamics.IS_REGULARISED] > 0.0:
+            is_open = e.is_shared or e.room.info[factoring.N_LEFT_OUT] > 0.0
+            if is_open or e.room.info[factoring.IS_REGULARISED] > 0.0:
                 mask = e.non_unique()
                 unique[k] = ~mask
                 known.append(mask)
-            elif k == 0 and self.run.count[stepping.REGULARISED] == 0:
+            elif k == 0 and self.run.count[stepped_run.REGULARISED] == 0:
                 return unique
         return unique

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields
+from dataclasses import fields
 from typing import Any
 
 import numpy as np
@@ -25,59 +25,9 @@ from freebody.model.elements import (
 )
 from freebody.numeric.engine.cells import cells_of
 from freebody.numeric.engine.laws import linear_law, stored_law
+from freebody.numeric.engine.packed import Base, Composition, Hold, MeasureKey, RowProduct, Slide, Where, summed
 from freebody.numeric.kernels.arrays import Floats
 from freebody.numeric.numbers import Numbers
-
-Terms = tuple[tuple[int, float], ...]  # (measure, coefficient)
-
-
-@dataclass(frozen=True)
-class Base:
-    """constant + sum of coefficient * measure."""
-
-    constant: float
-    terms: Terms
-
-
-@dataclass
-class Composition:
-    """An expression in base rows and time."""
-
-    expr: Expr
-    inputs: dict[str, int]
-
-
-@dataclass(frozen=True)
-class Hold:
-    """A row that may be held."""
-
-    where: Where
-    target: Expr | None
-    held: ConstraintRow
-    is_place: bool
-
-
-@dataclass(frozen=True)
-class Slide:
-    """Dry friction: the row of its slip, the place among the rows that may be held that keeps it where it is, and where
-    its load is among them."""
-
-    where: Where
-    friction: DryFriction
-    keeps: int
-    loads: tuple[int, ...]
-    sign: int
-
-
-@dataclass
-class RowProduct:
-    """Sum of c(pose) dm/dt, both c and m rows of their own."""
-
-    terms: list[tuple[tuple[str, int], tuple[str, int]]]
-
-
-_Key = tuple[tuple[int, ...], tuple[float, ...]]  # bodies and numbers of a measure
-Where = tuple[str, int]  # "base" or "other", and the place there
 
 
 class Packing:
@@ -90,8 +40,8 @@ class Packing:
         self._bodies = {body.name: k for k, body in enumerate(numbers.system.moving)}
         self.n_bodies = len(self._bodies)
         self.constant_force = np.zeros((self.n_bodies + 1, 3 * self.measures.width))
-        self._measures: list[dict[_Key, int]] = [{} for _ in self.measures.kinds]
-        self.pieces: list[tuple[int, _Key]] = []
+        self._measures: list[dict[MeasureKey, int]] = [{} for _ in self.measures.kinds]
+        self.pieces: list[tuple[int, MeasureKey]] = []
         self.part_lent = 1.0  # of what massless bodies are lent
         self.reads_turns = False  # whether held rows or loads depend on turns
         self._with_bearing: dict[int, tuple[Measure, float, float | None]] = {}
@@ -161,7 +111,7 @@ class Packing:
                 inner = self._linear(part)
                 if inner is None or "t" in free_symbols(coefficient):
                     return None
-                total = _sum(total, inner, self.numbers.number(coefficient))
+                total = summed(total, inner, self.numbers.number(coefficient))
             return total
         if isinstance(measure, Composed):
             names = dict(measure.measures)
@@ -178,7 +128,7 @@ class Packing:
                 inner = self._linear(part)
                 if inner is None:
                     return None
-                total = _sum(total, inner, self.numbers.number(slopes[name]))
+                total = summed(total, inner, self.numbers.number(slopes[name]))
             return total
         return self._elementary(measure)
 
@@ -253,7 +203,7 @@ class Packing:
         base = self._elementary(measure)
         return -1 if base is None else self._places()[base.terms[0][0]]
 
-    def keys(self) -> dict[tuple[int, _Key], int]:
+    def keys(self) -> dict[tuple[int, MeasureKey], int]:
         """Measures that count turns, with their place in the layout: the same measure has the same key everywhere."""
         return {self.pieces[old]: place for old, place in self._places().items() if old in self._with_bearing}
 
@@ -360,7 +310,7 @@ class Packing:
         self.constant_force += force * forces
         return True
 
-    def constant_gradient(self, index: int, key: _Key) -> Floats:
+    def constant_gradient(self, index: int, key: MeasureKey) -> Floats:
         """The gradient of a measure of a kind, as far as it is the same in every pose; NaN where it changes."""
         kind, (_bodies, numbers) = self.measures.kinds[index], key
         n = 3 * self.measures.width * kind.n_bodies
@@ -384,19 +334,8 @@ class Packing:
         return {k for part in inner for k in self.pieces_of(part)}
 
 
-# -- small things -----------------------------------------------------------------------------
-
-
 def _exact(value: float) -> Expr:
     return number(value)
-
-
-def _sum(a: Base, b: Base, factor: float) -> Base:
-    """a + factor * b, measures in the order in which they first occur."""
-    terms = dict(a.terms)
-    for k, c in b.terms:
-        terms[k] = terms.get(k, 0.0) + factor * c
-    return Base(a.constant + factor * b.constant, tuple(terms.items()))
 
 
 def _component(component: Component) -> Displacement:

@@ -31,8 +31,9 @@ from numpy.typing import NDArray
 
 from freebody.numeric.brent import least_between, zero_between
 from freebody.numeric.engine.search import ProgramSearch
-from freebody.numeric.kernels import dynamics, enclosures, stepping
+from freebody.numeric.kernels import enclosures, stepped_run, stepping
 from freebody.numeric.kernels.arrays import Floats
+from freebody.numeric.kernels.guarding import GUARD_RATE, GUARD_VALUE
 from freebody.tolerances import RESOLUTION, WATCHED_ZERO
 
 if TYPE_CHECKING:
@@ -90,12 +91,12 @@ class Gaps:
         self._sizes, self._near = sizes, motion.engine.near()
         self._offsets: Floats | None = None
 
-    def look(self, run: stepping.SteppedRun, values: Floats, floor: Floats) -> Floats:
+    def look(self, run: stepped_run.SteppedRun, values: Floats, floor: Floats) -> Floats:
         """The signs that the guards with programs have throughout the last step; 0 where that is not clear. values: of
         the guards where it begins; floor: from where each counts."""
-        dense, old = run.dense, run.states[stepping.OLD]
+        dense, old = run.dense, run.states[stepped_run.OLD]
         enclosures.powers(dense, old, self.programs.inputs, self._powers)
-        t0, h = float(run.clock[stepping.BEFORE]), float(run.clock[stepping.DONE_STEP])
+        t0, h = float(run.clock[stepped_run.BEFORE]), float(run.clock[stepped_run.DONE_STEP])
         if self._offsets is None:  # rows count from somewhere: what a program is off by at the beginning is that
             self._sift(t0, 0.0, np.zeros(len(self.signs)))
             self._offsets = np.where(self._turning, 0.0, values[self.guards] - self.signs)
@@ -144,9 +145,9 @@ class GuardMonitor:
         self.sizes, self.is_valid, self.lasts = guarding.sizes, guarding.is_valid, guarding.lasts
         n = len(motion.engine.layout.guard)
         self._kinds = motion.engine.layout.guard[:, 0]
-        self._is_gap = self._kinds == dynamics.GUARD_VALUE
-        self._is_force = ~self._is_gap & (self._kinds != dynamics.GUARD_RATE)
-        self._is_counted = self._is_gap | (self._kinds == dynamics.GUARD_RATE)
+        self._is_gap = self._kinds == GUARD_VALUE
+        self._is_force = ~self._is_gap & (self._kinds != GUARD_RATE)
+        self._is_counted = self._is_gap | (self._kinds == GUARD_RATE)
         self._is_counted[list(guarding.asleep)] = False
         self._gaps: Gaps | None = None
         self._side = np.zeros(n)  # of gaps and rates: the sign met last
@@ -166,7 +167,9 @@ class GuardMonitor:
         n_parts = 0
         if self._is_force.any():
             largest = float(
-                self.motion.engine.border.largest_turn(states[stepping.OLD], states[stepping.Y], self.guarding.turning)
+                self.motion.engine.border.largest_turn(
+                    states[stepped_run.OLD], states[stepped_run.Y], self.guarding.turning
+                )
             )
             n_parts = max(N_PARTS, min(MOST_PARTS, int(largest / TURN) + 1))
         if n_parts + 1 != len(self._parts):
@@ -199,9 +202,9 @@ class GuardMonitor:
         if found is None:
             return None
         s, g = found
-        t0, h = float(run.clock[stepping.BEFORE]), float(run.clock[stepping.DONE_STEP])
+        t0, h = float(run.clock[stepped_run.BEFORE]), float(run.clock[stepped_run.DONE_STEP])
         if s == 0.0:
-            return Violation(g, t0, run.states[stepping.OLD].copy(), at_start=True)
+            return Violation(g, t0, run.states[stepped_run.OLD].copy(), at_start=True)
         t, state = self._mended(g, t0, s, h)
         return Violation(g, t, state)
 
@@ -303,7 +306,7 @@ class GuardMonitor:
         """Where in the last step the forces of the mode cease to be admissible, though they are not unique: one of them
         is below zero as it is computed, and no other distribution is found either. Found by bisection."""
         run = self.motion.run
-        t0, h = float(run.clock[stepping.BEFORE]), float(run.clock[stepping.DONE_STEP])
+        t0, h = float(run.clock[stepped_run.BEFORE]), float(run.clock[stepped_run.DONE_STEP])
 
         def holds(s: float) -> bool:
             values = self._at(s)

@@ -1,6 +1,6 @@
 """The search for zeros of what is watched or guarded along a motion: one `ProgramSearch` for each, step after step.
 
-What is looked at is the dense output of every step as it is; `enclosures` says what is found for certain. The dense
+What is looked at is the dense output of every step as it is; `zeros` says what is found for certain. The dense
 output itself is off the motion by what the steps before are off, of which the tolerance is an estimate: what comes
 nearer to zero than that (the resolution), without crossing it or by crossing it twice, is a touch, and whether it
 crosses or misses no number can say.
@@ -15,18 +15,18 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from freebody.numeric.engine.programs import Program
-from freebody.numeric.kernels import enclosures, stepping
+from freebody.numeric.engine.operations import Program
+from freebody.numeric.kernels import enclosures, stepped_run, zeros
 from freebody.numeric.kernels.arrays import Floats
 from freebody.tolerances import RESOLUTION, WATCHED_ZERO
 
 if TYPE_CHECKING:
-    from freebody.numeric.kernels.stepping import SteppedRun
+    from freebody.numeric.kernels.stepped_run import SteppedRun
 
 A_STEP = 0.1  # of the tolerance, that a step may be off
 MOST_PARTS = 2_000_000  # of one step that are looked at
 N_FOUND = 1024  # events for which there is room in one call
-KINDS = {enclosures.RISING: "rising", enclosures.FALLING: "falling", enclosures.TOUCH: "touch"}
+KINDS = {zeros.RISING: "rising", zeros.FALLING: "falling", zeros.TOUCH: "touch"}
 
 
 @dataclass(frozen=True)
@@ -78,21 +78,21 @@ class ProgramSearch:
 
     def begin(self, value: float) -> None:
         """The value where the motion begins."""
-        self._state[enclosures.SIDE] = 0.0 if abs(value) <= self.zero else math.copysign(1.0, value)
+        self._state[zeros.SIDE] = 0.0 if abs(value) <= self.zero else math.copysign(1.0, value)
 
     def forget(self) -> None:
         """It is zero now: nothing counts before it has been different."""
-        self._state[enclosures.SIDE] = self._state[enclosures.IS_NEAR] = 0.0
+        self._state[zeros.SIDE] = self._state[zeros.IS_NEAR] = 0.0
 
     @property
     def side(self) -> float:
         """The sign met last; 0 if it has been zero since the beginning."""
-        return float(self._state[enclosures.SIDE])
+        return float(self._state[zeros.SIDE])
 
     @property
     def is_idle(self) -> bool:
         """Whether nothing is left to be decided from the step before."""
-        return self._state[enclosures.IS_NEAR] == 0.0
+        return self._state[zeros.IS_NEAR] == 0.0
 
     @property
     def offset(self) -> float:
@@ -108,7 +108,7 @@ class ProgramSearch:
         if not self._is_shared:
             if not len(self._powers):
                 self._powers = np.zeros((run.dense.shape[1], enclosures.N_TERMS))
-            enclosures.powers(run.dense, run.states[stepping.OLD], self.program.inputs, self._powers)
+            enclosures.powers(run.dense, run.states[stepped_run.OLD], self.program.inputs, self._powers)
 
     def calibrate(self, run: SteppedRun, value: float) -> None:
         """Counts from the value where the last step begins, if the program does not say the same: of some measures only
@@ -123,33 +123,33 @@ class ProgramSearch:
     def in_step(self, run: SteppedRun) -> Iterator[StepZero]:
         """The zeros in the last step."""
         self.look(run)
-        self._sizes[2] = self._resolution(int(run.count[stepping.STEPS]))
+        self._sizes[2] = self._resolution(int(run.count[stepped_run.STEPS]))
         self.unsearched = None
         at = 0.0
         while True:
             ended = self._call(run, at)
             for part, kind in self._found[: int(self._info[0])]:
                 yield StepZero(float(part), KINDS[float(kind)])
-            if ended != enclosures.FULL:
+            if ended != zeros.FULL:
                 break
             at = float(self._info[1])
-        if ended == enclosures.EXHAUSTED:
+        if ended == zeros.EXHAUSTED:
             self.unsearched = float(self._info[1])
             self.forget()
 
     def at_end(self) -> StepZero | None:
         """What the end of the motion is, if it comes to zero just there."""
-        side, value = float(self._state[enclosures.SIDE]), self.ends[1]
-        if side == 0.0 or not self._state[enclosures.IS_NEAR] or abs(value) > self.zero:
+        side, value = float(self._state[zeros.SIDE]), self.ends[1]
+        if side == 0.0 or not self._state[zeros.IS_NEAR] or abs(value) > self.zero:
             return None
         is_steep = abs(float(self._info[5])) > math.sqrt(self.zero * RESOLUTION * self._size)
         return StepZero(1.0, "touch" if not is_steep else "falling" if side > 0.0 else "rising")
 
     def _call(self, run: SteppedRun, at: float) -> int:
-        t0, h = float(run.clock[stepping.BEFORE]), float(run.clock[stepping.DONE_STEP])
+        t0, h = float(run.clock[stepped_run.BEFORE]), float(run.clock[stepped_run.DONE_STEP])
         self._info[1] = at
         return int(
-            enclosures.search(
+            zeros.search(
                 self.program.code,
                 self.program.constants,
                 self._powers,

@@ -15,7 +15,7 @@ from typing import Any
 
 import numpy as np
 
-from freebody.numeric.kernels.stepping import Tableau
+from freebody.numeric.kernels.stepped_run import Tableau
 
 Row = Mapping[int, float]
 

@@ -8,22 +8,24 @@ import numpy as np
 
 from freebody.language.expression import ZERO, free_symbols
 from freebody.language.sentences import Message, in_turn
+from freebody.language.units import DIMENSIONLESS
 from freebody.numeric.engine.course import Status
-from freebody.numeric.kernels import stepping
+from freebody.numeric.kernels import stepped_run, stepping
 
 if TYPE_CHECKING:
     from freebody.numeric.engine.evaluator import Evaluator
-    from freebody.numeric.kernels.stepping import SteppedRun
+    from freebody.numeric.kernels.stepped_run import SteppedRun
 
 SINGULAR = 1e-3  # a singular value below this part of the largest: the pose is next to a singular one
-ROUND_OFF = 16.0 * stepping.EPSILON  # steps below this part of a time are too small beside it
+ROUND_OFF = 16.0 * stepped_run.EPSILON  # steps below this part of a time are too small beside it
+STEEPEST = 1e6  # [rad] a gradient by the size of the system, beyond which a direction has no value
 SHARE = 0.05  # a row belongs to the combination that vanishes if it has this part in it
 
 
 def diagnosed(engine: Evaluator, run: SteppedRun) -> tuple[Status, str]:
     """Status and message for a step that became too small."""
-    t, trouble = float(run.clock[stepping.NOW]), int(run.count[stepping.TROUBLE])
-    step, end = float(run.clock[stepping.STEP]), float(run.clock[stepping.END])
+    t, trouble = float(run.clock[stepped_run.NOW]), int(run.count[stepped_run.TROUBLE])
+    step, end = float(run.clock[stepped_run.STEP]), float(run.clock[stepped_run.END])
     if abs(t) * ROUND_OFF <= step < abs(end) * ROUND_OFF:
         return Status.STEP_TOO_SMALL, Message(
             "the end at {end:.6g} s is too far away: beside it a step of {step:.3g} s, which the motion needs, is "
@@ -34,8 +36,8 @@ def diagnosed(engine: Evaluator, run: SteppedRun) -> tuple[Status, str]:
     out = np.zeros(engine.n_y)
     y = run.states[0].copy()
     stepping.visit(engine.layout, engine.room, run, -1.0, y, t, out, 1)
-    if trouble in (stepping.NOT_FINITE, stepping.NOT_HELD):
-        name = _without_value(engine, run, y, out, t)
+    if trouble in (stepped_run.NOT_FINITE, stepped_run.NOT_HELD):
+        name = _without_direction(engine) or _without_value(engine, run, y, out, t)
         if name:
             return Status.NOT_FINITE, Message(
                 "{name} has no finite value beyond t = {t:.6g} s; change its law or stop before", name=name, t=t
@@ -61,7 +63,7 @@ def diagnosed(engine: Evaluator, run: SteppedRun) -> tuple[Status, str]:
             t=t,
             connections=in_turn(names),
         )
-    if trouble == stepping.NOT_HELD:
+    if trouble == stepped_run.NOT_HELD:
         what = in_turn(names) or Message("what is held")
         return Status.UNREACHABLE, Message("beyond t = {t:.9g} s no pose holds {what}", t=t, what=what)
     return Status.STEP_TOO_SMALL, Message(
@@ -95,9 +97,19 @@ def _dependent(engine: Evaluator) -> tuple[list[int], float]:
     return [int(i) for i in np.flatnonzero(share > SHARE * share.max())], float(singular[k] / singular[0])
 
 
+def _without_direction(engine: Evaluator) -> str:
+    """The first held measure without a dimension that a small part of the system's size turns by a radian: the
+    direction of a line goes like one over its length."""
+    slopes = np.abs(engine.jacobian().reshape(len(engine.held), -1) * engine.unit).max(axis=1, initial=0.0)
+    for row, slope in zip(engine.held, slopes, strict=True):
+        if row.measure.dimension == DIMENSIONLESS and slope > STEEPEST:
+            return row.name
+    return ""
+
+
 def _without_value(engine: Evaluator, run: SteppedRun, y: np.ndarray, out: np.ndarray, t: float) -> str:  # type: ignore[type-arg]
     """The first load or held measure that is not finite in states a little ahead."""
-    for h in (0.0, *(float(run.clock[stepping.STEP]) * 10.0**k for k in range(9))):
+    for h in (0.0, *(float(run.clock[stepped_run.STEP]) * 10.0**k for k in range(9))):
         ahead = y + h * out
         stepping.visit(engine.layout, engine.room, run, -1.0, ahead, t + h, np.zeros(engine.n_y), 1)
         rows = engine.room.rows

@@ -11,10 +11,10 @@ from freebody.numeric.engine.course import Event
 from freebody.numeric.engine.evaluator import EngineWatch, Evaluator
 from freebody.numeric.engine.integrators.base import OwnSteps
 from freebody.numeric.engine.search import ProgramSearch
-from freebody.numeric.kernels import dynamics, stepping
+from freebody.numeric.kernels import kinematics, stepped_run, stepping
 from freebody.numeric.kernels.arrays import Floats
 from freebody.numeric.kernels.measures_planar import NEAR
-from freebody.numeric.kernels.stepping import SteppedRun, Tableau
+from freebody.numeric.kernels.stepped_run import SteppedRun, Tableau
 
 
 class MotionUnderWay:
@@ -36,7 +36,7 @@ class MotionUnderWay:
         """Value, rate and second derivative of what is watched, at the instant looked at last, counted from where it is
         zero."""
         e, watch, row = self.engine, self.engine.watches[k], self.engine.watched_rows[k]
-        value, rate, bias = (float(e.room.rows[row, c]) for c in (dynamics.VALUE, dynamics.RATE, dynamics.BIAS))
+        value, rate, bias = (float(e.room.rows[row, c]) for c in (kinematics.VALUE, kinematics.RATE, kinematics.BIAS))
         if watch.order == 0:
             value -= watch.value
         else:
@@ -55,19 +55,24 @@ class MotionUnderWay:
         e, run = self.engine, self.run
         if self.solver is not None:
             after = self.solver.state_after(h)
-            return None if after is None else self._seen(after, float(run.clock[stepping.BEFORE]) + h)
+            return None if after is None else self._seen(after, float(run.clock[stepped_run.BEFORE]) + h)
         own = e.new_run(run.states[1], self.tableau, np.zeros(0))
         own.clock[:] = run.clock
-        stepping.visit(e.layout, e.room, own, -1.0, own.states[0], float(run.clock[stepping.BEFORE]), own.slopes[0], 1)
-        own.clock[stepping.NOW], own.clock[stepping.STEP] = run.clock[stepping.BEFORE], h
-        own.clock[stepping.END], own.clock[stepping.TOLERANCE] = run.clock[stepping.BEFORE] + h, 1e6
-        own.count[stepping.LEFT_OUT], own.count[stepping.IS_CAREFUL] = run.count[stepping.LEFT_OUT], 1
+        stepping.visit(
+            e.layout, e.room, own, -1.0, own.states[0], float(run.clock[stepped_run.BEFORE]), own.slopes[0], 1
+        )
+        own.clock[stepped_run.NOW], own.clock[stepped_run.STEP] = run.clock[stepped_run.BEFORE], h
+        own.clock[stepped_run.END], own.clock[stepped_run.TOLERANCE] = run.clock[stepped_run.BEFORE] + h, 1e6
+        own.count[stepped_run.LEFT_OUT], own.count[stepped_run.IS_CAREFUL] = run.count[stepped_run.LEFT_OUT], 1
         near = e.room.measures[:, NEAR].copy()
         result = stepping.advance(e.layout, e.room, self.tableau, own, 1)
         e.room.measures[:, NEAR] = near
-        if result not in (stepping.REACHED, stepping.PAUSED) or own.clock[stepping.NOW] < own.clock[stepping.END]:
+        if (
+            result not in (stepped_run.REACHED, stepped_run.PAUSED)
+            or own.clock[stepped_run.NOW] < own.clock[stepped_run.END]
+        ):
             return None
-        return self._seen(own.states[0].copy(), float(own.clock[stepping.NOW]))
+        return self._seen(own.states[0].copy(), float(own.clock[stepped_run.NOW]))
 
     def _seen(self, state: Floats, t: float) -> Floats:
         stepping.visit(self.engine.layout, self.engine.room, self.run, -1.0, state, t, self.slope, 0)
@@ -80,7 +85,7 @@ class MotionUnderWay:
 
     def say_unsearched(self, what: str, part: float) -> None:
         """Notes that events may have been overlooked in the last step from a part of it on."""
-        begin, end = float(self.run.clock[stepping.BEFORE]), float(self.run.clock[stepping.NOW])
+        begin, end = float(self.run.clock[stepped_run.BEFORE]), float(self.run.clock[stepped_run.NOW])
         t = begin + part * (end - begin)
         self.notes.append(
             Message(

@@ -17,14 +17,16 @@ from freebody.language.units import LENGTH
 from freebody.model.elements import VALUE, AppliedLoad, DryFriction, NonholonomicForm
 from freebody.numeric.engine.complement import held_entries, schur_complement
 from freebody.numeric.engine.lending import lent_sizes
+from freebody.numeric.engine.operations import Program
 from freebody.numeric.engine.ordering import elimination_order
-from freebody.numeric.engine.packing import Composition, Packing, Where
-from freebody.numeric.engine.programs import Program, Writer
+from freebody.numeric.engine.packed import Composition, Where
+from freebody.numeric.engine.packing import Packing
+from freebody.numeric.engine.programs import Writer
 from freebody.numeric.engine.tapes import Tapes
-from freebody.numeric.kernels import dynamics
+from freebody.numeric.kernels import solving
 from freebody.numeric.kernels.arrays import ModelArrays, floats, ints, pointers
 
-# what presses a sliding friction, and what is watched; see `dynamics`
+# what presses a sliding friction, and what is watched; see `sliding` and `guarding`
 BY_LAW, BY_ONE, BY_SIZE = 0, 1, 2
 OF_VALUE, OF_RATE, OF_MULTIPLIER, OF_RESERVE, OF_SHARE = range(5)
 
@@ -180,7 +182,7 @@ class ArrayBuilder:
         return {
             "inverse_mass": inverse.ravel(),
             "mass_gap": lent.ravel(),
-            "has_gap": ints([dynamics.LENDS * int(lent.any())]),
+            "has_gap": ints([solving.LENDS * int(lent.any())]),
             "gyration": floats(np.array(gyration).reshape(-1, 3)),
         }
 

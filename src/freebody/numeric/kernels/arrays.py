@@ -32,7 +32,7 @@ class ModelArrays(NamedTuple):
 
     inverse_mass: Floats  # (3 n_cells,) by coordinate
     mass_gap: Floats  # by how much the mass used is more than that of a body without any
-    has_gap: Ints  # (1,): bits `dynamics.LENDS`, `dynamics.SHARES`
+    has_gap: Ints  # (1,): bits `solving.LENDS`, `solving.SHARES`
     constant_force: Floats  # loads that never change
     gyration: Floats2  # (n, 3) in space: I3 - I2, I1 - I3, I2 - I1; (0, 3) in the plane
 
@@ -67,11 +67,11 @@ class ModelArrays(NamedTuple):
     held_ptr: Ints
     held_slots: Ints2  # (n, 2): coordinate (3 cell + 0, 1, 2) and entry; those that are always zero are left out
 
-    slide: Ints2  # (n, 6): row of the slip, what presses (`dynamics.PRESSED_*`), held a, held b, tape, works
+    slide: Ints2  # (n, 6): row of the slip, what presses (`sliding.PRESSED_*`), held a, held b, tape, works
     slide_factor: Floats2  # (n, 2): force = [0] * load; sign of the load of one held row
 
-    guard: Ints2  # (n, 6): kind (`dynamics.GUARD_*`), row or held, held a, held b, tape, shares that follow
-    guard_factor: Floats2  # (n, 4): see `dynamics.guarded`
+    guard: Ints2  # (n, 6): kind (`guarding.GUARD_*`), row or held, held a, held b, tape, shares that follow
+    guard_factor: Floats2  # (n, 4): see `guarding.guarded`
 
     load: Ints2  # (n, 3): row, tape of its law (-1: a linear one), its work is integrated: it has no potential
     load_law: Floats2  # (n, 3): law = [0] + [1] value + [2] rate
@@ -93,10 +93,10 @@ class Workspace(NamedTuple):
     gyroscopic: Floats2  # (n, 3): -w x (I w), in space
     measures: Floats2  # (n, 4): see `measures_planar`
     gradient: Floats
-    rows: Floats2  # (n, 5): see `dynamics`
+    rows: Floats2  # (n, 5): see `kinematics`
     registers: Floats2  # (n, 4): value, two derivatives, weight
     product_weight: Floats
-    held: Floats2  # (n, 6): see `dynamics`
+    held: Floats2  # (n, 6): see `kinematics`
     force: Floats
     weighted: Floats  # slots of held rows times inverse masses
     schur: Floats
@@ -104,7 +104,7 @@ class Workspace(NamedTuple):
     step: Floats
     multiplier: Floats
     acceleration: Floats
-    residual: Floats  # what `dynamics.solve` needs where masses are lent
+    residual: Floats  # what `solving.solve` needs where masses are lent
     descent: Floats
     search: Floats
     slide_force: Floats

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from freebody.numeric.kernels.arrays import Floats, Floats2, ModelArrays, Workspace
 from freebody.numeric.kernels.declaring import of_either
-from freebody.numeric.kernels.dynamics import kinematics
+from freebody.numeric.kernels.kinematics import kinematics
 from freebody.numeric.kernels.measures_planar import BEARING, NEAR
 from freebody.numeric.kernels.rotating import framed
 

@@ -15,310 +15,59 @@ II, 1996, sec. IV.2 (stiffness) and VII.2 (projection).
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
 
-from freebody.numeric.kernels.arrays import Floats, Floats2, Ints, ModelArrays, Workspace
-from freebody.numeric.kernels.declaring import kernel, of_either, part
-from freebody.numeric.kernels.dynamics import (
-    BEST_OF_MOTION,
-    IS_REGULARISED,
-    N_LEFT_OUT,
-    N_REDUNDANT,
-    SMALLEST_PIVOT,
-    accelerations,
-    closed,
-    factored,
-    gaps,
-    guarded,
-    kinematics,
-    power,
-    respond,
-)
+from freebody.numeric.kernels.arrays import Floats, Floats2, ModelArrays, Workspace
+from freebody.numeric.kernels.declaring import of_either, part
+from freebody.numeric.kernels.dynamics import respond
+from freebody.numeric.kernels.factoring import BEST_OF_MOTION, IS_REGULARISED, N_LEFT_OUT, N_REDUNDANT, SMALLEST_PIVOT
+from freebody.numeric.kernels.guarding import guarded
 from freebody.numeric.kernels.measures_planar import BEARING, NEAR
-from freebody.numeric.kernels.rotating import absorbed, framed, normalised, rates
-
-# -- what a run is about ----------------------------------------------------------------------
-N_CLOCK = 16
-(
-    NOW,
-    STEP,
-    END,
-    TOLERANCE,
-    SPEED,
-    LONGEST,
-    PLACE_GAP,
-    MOTION_GAP,
-    BEFORE,
-    DONE_STEP,
-    BEST_PIVOT,
-    LOWEST_PIVOT,
+from freebody.numeric.kernels.projecting import is_near_singular, project, slope, store_slope
+from freebody.numeric.kernels.stages import between, error_of, interpolant, stages, store_outputs
+from freebody.numeric.kernels.stepped_run import (
     ALLOWED,
-    MOVED,
-) = range(14)
-N_COUNT = 12
-(
-    STEPS,
+    BEFORE,
+    BEST_PIVOT,
+    DONE_STEP,
+    END,
+    EPSILON,
+    ERROR_LARGE,
     EVALUATIONS,
-    REJECTED,
-    OUTPUTS,
-    REGULARISED,
-    IS_WATCHED,
-    STIFF,
-    NOT_STIFF,
-    DENSE_READY,
-    TROUBLE,
+    FIRST,
     IS_CAREFUL,
+    IS_WATCHED,
     LEFT_OUT,
-) = range(12)
+    LONGEST,
+    LOOK,
+    LOWEST_PIVOT,
+    MOVED,
+    NEW,
+    NOT_FINITE,
+    NOT_HELD,
+    NOT_STIFF,
+    NOW,
+    OLD,
+    OUTPUTS,
+    PAUSED,
+    REACHED,
+    REGULARISED,
+    REJECTED,
+    SPEED,
+    STEP,
+    STEPS,
+    STIFF,
+    STIFF_FOUND,
+    STIFF_STEPS,
+    TOO_SMALL,
+    TROUBLE,
+    SteppedRun,
+    Tableau,
+    Y,
+)
 
-# what `advance` returns
-REACHED, PAUSED, LOOK, TOO_SMALL, STIFF_FOUND = 0, 1, 2, 3, 4
-STIFF_STEPS = 15  # so many whose size stability bounds are taken for stiffness
-# what was in the way of the last step (`TROUBLE`)
-NOTHING, ERROR_LARGE, NOT_FINITE, NOT_HELD = 0, 1, 2, 3
-
-Y, OLD, NEW, STAGE, HELD, FIRST = range(6)  # rows of `Run.states`
-
-EPSILON = 2.220446049250313e-16
-N_PROJECTIONS = 8
 CAREFUL_PIVOT = 1e-2  # below this part of the best pivot met so far, stages are projected too
 MOST_ALLOWED = 1e5  # errors of a step, by the tolerance, that are accepted there if nothing else helps
-NEAR_PIVOT = 1e-5  # below this part of it, no step should end
 N_OTHER_STEPS = 24  # how often a slightly shorter step is tried to get past a singular pose
-
-
-class Tableau(NamedTuple):
-    """An explicit Runge-Kutta method in arrays (`engine.tableaus`)."""
-
-    a: Floats2  # (n + extra + 1, n + extra + 1)
-    c: Floats
-    b: Floats
-    error: Floats2  # (2, n + 1): the second row is zero if there is one embedded formula only
-    dense: Floats2  # (n_terms, n + extra + 1)
-    sizes: Ints  # number of stages, extra stages, order, is adaptive, error needs the slope at the new point
-
-
-class SteppedRun(NamedTuple):
-    """A motion under way."""
-
-    clock: Floats
-    count: Ints
-    states: (
-        Floats2  # (6, n_y): the state, that before the last step, the new one, a stage, that as it is held, the start
-    )
-    slopes: Floats2  # (stages, len(y)); the first is that of y
-    dense: Floats2  # (terms, len(y)) of the last step
-    unit: Floats  # size of every entry of q: a length or a radian
-    multiplier: Floats  # at y
-    out_t: Floats
-    out_y: Floats2
-    out_a: Floats2
-    out_multiplier: Floats2
-
-
-@part
-def slope(L, S, y, t, out):
-    n = len(L.inverse_mass)
-    q, v = y[:n].reshape((n // 3, 3)), y[n : 2 * n].reshape((n // 3, 3))
-    framed(S.frames, y, 2 * n + 1)
-    accelerations(L, S, q, v, t)
-    store_slope(L, S, y, out)
-
-
-@part
-def store_slope(L, S, y, out):
-    n = len(L.inverse_mass)
-    for i in range(n):
-        out[i] = y[n + i]
-        out[n + i] = S.acceleration[i]
-    out[2 * n] = power(L, S)
-    rates(S.frames, y, n, 2 * n + 1, out)
-
-
-@kernel
-def project(L, S, clock, count, unit, y, t):
-    """Closes the gaps of a state; True if that succeeds. Kinematics are those of the state then."""
-    n = len(unit)
-    q, v = y[:n].reshape((n // 3, 3)), y[n : 2 * n].reshape((n // 3, 3))
-    normalised(S.frames, y, 2 * n + 1)
-    size = 1.0
-    for i in range(n):
-        size = max(size, abs(y[i]) / unit[i])
-    place_enough = 3e-14 + 4.0 * EPSILON * size
-    motion_enough = 1e-13 * clock[SPEED] + 1e-15
-    if count[IS_CAREFUL] > 0:
-        place_enough, motion_enough = EPSILON * size, 2.0 * EPSILON * clock[SPEED]
-    last_place, last_motion = math.inf, math.inf
-    for attempt in range(N_PROJECTIONS):
-        framed(S.frames, y, 2 * n + 1)
-        kinematics(L, S, q, v, t)
-        place, motion = gaps(L, S, y[n : 2 * n])
-        if not (place < math.inf and motion < math.inf):
-            return False
-        enough = place <= place_enough and motion <= motion_enough
-        stuck = place >= 0.5 * last_place and motion >= 0.5 * last_motion
-        if enough or stuck:
-            if place > 1e-10 * size or motion > 1e-8 * clock[SPEED] + 1e-9:
-                return False
-            clock[PLACE_GAP], clock[MOTION_GAP] = place, motion
-            return True
-        if place > 1e4 * last_place and attempt > 1:
-            return False
-        last_place, last_motion = place, motion
-        factored(L, S)
-        closed(L, S, y[:n], y[n : 2 * n])
-        absorbed(S.frames, y, 2 * n + 1)
-    return False
-
-
-@part
-def is_near_singular(S, R):
-    """True if rows nearly depend on each other that do not do so always."""
-    return S.info[SMALLEST_PIVOT] < NEAR_PIVOT * R.clock[BEST_PIVOT] or S.info[N_LEFT_OUT] > R.count[LEFT_OUT]
-
-
-@kernel
-def slope_held(L, S, clock, count, unit, held, y, t, out):
-    """The slope of a stage. Near a singular pose it is that of the nearest state that holds what is held: stages are
-    off by a low power of the step, and there that would be enlarged by the inverse of the smallest pivot."""
-    count[EVALUATIONS] += 1
-    if count[IS_CAREFUL] > 0:
-        for i in range(len(y)):
-            held[i] = y[i]
-        if project(L, S, clock, count, unit, held, t):
-            respond(L, S, t)
-            store_slope(L, S, held, out)
-            clock[LOWEST_PIVOT] = min(clock[LOWEST_PIVOT], S.info[SMALLEST_PIVOT])
-            return
-    slope(L, S, y, t, out)
-    clock[LOWEST_PIVOT] = min(clock[LOWEST_PIVOT], S.info[SMALLEST_PIVOT])
-
-
-@part
-def error_of(T, R, h):
-    """The estimated error of a step, 1 where it is what is allowed; NaN if it is not finite. A turn by an angle changes
-    a quaternion by half of it."""
-    n = len(R.unit)
-    n_slopes = T.error.shape[1]
-    fastest = 0.0
-    for i in range(n):
-        fastest = max(fastest, abs(R.slopes[0, n + i]) / R.unit[i])
-    speed = max(R.clock[SPEED], h * fastest)
-    moved = min(1.0, max(R.clock[MOVED], h * speed))
-    first, second = 0.0, 0.0
-    for i in range(len(R.states[Y])):
-        if i == 2 * n:
-            continue
-        e1, e2 = 0.0, 0.0
-        for j in range(n_slopes):
-            e1 += T.error[0, j] * R.slopes[j, i]
-            e2 += T.error[1, j] * R.slopes[j, i]
-        scale = R.clock[TOLERANCE]
-        if i < n:
-            scale *= R.unit[i] * moved
-        elif i < 2 * n:
-            scale *= R.unit[i - n] * speed
-        else:
-            scale *= 0.5 * moved
-        scale += 4.0 * EPSILON * abs(R.states[Y][i])
-        if scale > 0.0:
-            e1, e2 = abs(e1) / scale, abs(e2) / scale
-            if not e1 <= first:
-                first = e1
-            if not e2 <= second:
-                second = e2
-    if second > 0.0:
-        return h * first * first / math.sqrt(first * first + 0.01 * second * second)
-    return h * first
-
-
-@part
-def stages(L, S, T, R, t, h):
-    """Slopes at the stages of a step, and the new value."""
-    n_stages, n_y = T.sizes[0], len(R.states[Y])
-    for s in range(1, n_stages + 1):
-        out = R.states[STAGE] if s < n_stages else R.states[NEW]
-        if s == n_stages:
-            for i in range(n_y):
-                R.states[OLD][i] = R.states[STAGE][i]  # the last stage is needed to see stiffness
-        for i in range(n_y):
-            out[i] = 0.0
-        for j in range(s):
-            a = T.a[s, j]
-            if a != 0.0:
-                for i in range(n_y):
-                    out[i] += a * R.slopes[j, i]
-        for i in range(n_y):
-            out[i] = R.states[Y][i] + h * out[i]
-        if s < n_stages:
-            slope_held(L, S, R.clock, R.count, R.unit, R.states[HELD], out, t + T.c[s] * h, R.slopes[s])
-
-
-@part
-def interpolant(L, S, T, R):
-    """The terms of the dense output of the last step."""
-    n_stages, n_extra, n_y = T.sizes[0], T.sizes[1], len(R.states[Y])
-    t, h = R.clock[BEFORE], R.clock[DONE_STEP]
-    for s in range(n_stages + 1, n_stages + 1 + n_extra):
-        for i in range(n_y):
-            R.states[STAGE][i] = 0.0
-        for j in range(s):
-            a = T.a[s, j]
-            if a != 0.0:
-                for i in range(n_y):
-                    R.states[STAGE][i] += a * R.slopes[j, i]
-        for i in range(n_y):
-            R.states[STAGE][i] = R.states[OLD][i] + h * R.states[STAGE][i]
-        slope_held(L, S, R.clock, R.count, R.unit, R.states[HELD], R.states[STAGE], t + T.c[s] * h, R.slopes[s])
-    for i in range(n_y):
-        change = R.states[Y][i] - R.states[OLD][i]
-        R.dense[0, i] = change
-        R.dense[1, i] = h * R.slopes[0, i] - change
-        R.dense[2, i] = 2.0 * change - h * (R.slopes[0, i] + R.slopes[n_stages, i])
-    for k in range(len(T.dense)):
-        for i in range(n_y):
-            R.dense[3 + k, i] = 0.0
-        for j in range(n_stages + 1 + n_extra):
-            d = T.dense[k, j]
-            if d != 0.0:
-                for i in range(n_y):
-                    R.dense[3 + k, i] += h * d * R.slopes[j, i]
-
-
-@kernel
-def between(R, s, out):
-    """The state at the part s of the last step, by its dense output."""
-    for i in range(len(out)):
-        out[i] = 0.0
-    for k in range(len(R.dense) - 1, -1, -1):
-        factor = s if k % 2 == 0 else 1.0 - s
-        for i in range(len(out)):
-            out[i] = (out[i] + R.dense[k, i]) * factor
-    for i in range(len(out)):
-        out[i] += R.states[OLD][i]
-
-
-@part
-def store_outputs(L, S, R):
-    """Fills the output times that the last step passed."""
-    k = R.count[OUTPUTS]
-    while k < len(R.out_t) and R.out_t[k] <= R.clock[NOW]:
-        t, y = R.out_t[k], R.out_y[k]
-        if t >= R.clock[NOW]:
-            for i in range(len(y)):
-                y[i] = R.states[Y][i]
-        else:
-            between(R, (t - R.clock[BEFORE]) / R.clock[DONE_STEP], y)
-        held = R.clock[PLACE_GAP], R.clock[MOTION_GAP]
-        project(L, S, R.clock, R.count, R.unit, y, t)
-        R.clock[PLACE_GAP], R.clock[MOTION_GAP] = max(held[0], R.clock[PLACE_GAP]), max(held[1], R.clock[MOTION_GAP])
-        respond(L, S, t)
-        for i in range(len(S.acceleration)):
-            R.out_a[k, i] = S.acceleration[i]
-        for r in range(len(S.multiplier)):
-            R.out_multiplier[k, r] = S.multiplier[r]
-        k += 1
-    R.count[OUTPUTS] = k
 
 
 @part

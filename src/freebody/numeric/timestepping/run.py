@@ -16,9 +16,9 @@ from freebody.measures.base import Measure
 from freebody.numeric.engine.course import NO_TRACKS, Status, Trajectory
 from freebody.numeric.engine.lending import OF_LIGHTEST
 from freebody.numeric.engine.motion import stopped
-from freebody.numeric.kernels import marching
+from freebody.numeric.kernels import march, marching
 from freebody.numeric.kernels.arrays import Floats
-from freebody.numeric.kernels.marching import March
+from freebody.numeric.kernels.march import March
 from freebody.numeric.kernels.measures_planar import NEAR
 from freebody.numeric.kernels.rows import IMPULSE, KIND, NORMAL, OF_BOUND, OF_SITE, ORIGIN, SOURCE
 from freebody.numeric.numbers import Numbers
@@ -124,8 +124,8 @@ class _Run:
         self.step = (until - start) / self.n_steps
         packed, n = scene.packed, scene.n_bodies + 1
         self.march = March(
-            clock=np.zeros(marching.N_CLOCK),
-            count=np.zeros(marching.N_COUNT, np.int32),
+            clock=np.zeros(march.N_CLOCK),
+            count=np.zeros(march.N_COUNT, np.int32),
             **{name: np.zeros((n, 3)) for name in ("q", "v", "middle", "free", "bare", "new")},
             held_impulse=np.zeros(len(packed.layout.held)),
             is_jointed=scene.is_jointed,
@@ -136,9 +136,9 @@ class _Run:
         )
         m = self.march
         m.q[:-1], m.v[:-1] = poses, velocities
-        m.clock[marching.NOW], m.clock[marching.STEP] = start, self.step
-        m.clock[marching.TOLERANCE], m.clock[marching.SLOP] = tolerance, scene.slop
-        m.count[marching.MOST_SWEEPS] = max_sweeps
+        m.clock[march.NOW], m.clock[march.STEP] = start, self.step
+        m.clock[march.TOLERANCE], m.clock[march.SLOP] = tolerance, scene.slop
+        m.count[march.MOST_SWEEPS] = max_sweeps
         if value is not None:
             packed.align(packed.state(poses, velocities), start, value)
         scene.fixtures.bound_memory[:] = 0.0
@@ -190,19 +190,19 @@ class _Run:
 
     @property
     def n_done(self) -> int:
-        return int(self.march.count[marching.STEPS])
+        return int(self.march.count[march.STEPS])
 
     # -- steps --------------------------------------------------------------------------------
     def _look(self) -> None:
         """New candidates."""
         m = self.march
-        fastest = float(np.abs(m.v[:, :2]).sum(axis=1).max(initial=0.0) + self.step * m.clock[marching.ACCELERATION])
+        fastest = float(np.abs(m.v[:, :2]).sum(axis=1).max(initial=0.0) + self.step * m.clock[march.ACCELERATION])
         skin = self.scene.skin(fastest, self.step)
         built, where = self.scene.look(m.q, skin)
         self.candidates = built.arrays
         m.circle_built[:] = where
-        m.clock[marching.SKIN] = skin
-        m.count[marching.REBUILDS] += 1
+        m.clock[march.SKIN] = skin
+        m.count[march.REBUILDS] += 1
 
     def _advance(self, until_step: int) -> tuple[Status, str] | None:
         """Steps until their number is reached; else what is in the way."""
@@ -210,13 +210,13 @@ class _Run:
         L, S = s.packed.layout, s.packed.room
         while True:
             result = marching.advance(L, S, self.candidates, s.fixtures, s.rows, m, until_step)
-            if result == marching.DONE:
+            if result == march.DONE:
                 return None
-            if result == marching.REBUILD:
+            if result == march.REBUILD:
                 self._look()
-            elif result == marching.FULL:
+            elif result == march.FULL:
                 s.grow()
-            elif result == marching.NOT_FINITE:
+            elif result == march.NOT_FINITE:
                 return Status.NOT_FINITE, Message(
                     "after t = {t:.6g} s speeds are not finite; take a shorter step", t=self.now
                 )
@@ -235,8 +235,8 @@ class _Run:
                 m.v.copy(),
                 acceleration,
                 held,
-                float(m.clock[marching.WORK]),
-                float(m.clock[marching.LOSS]),
+                float(m.clock[march.WORK]),
+                float(m.clock[march.LOSS]),
             )
         )
         rows = s.rows
@@ -260,20 +260,20 @@ class _Run:
     # -- the result ---------------------------------------------------------------------------
     def _notes(self) -> Iterator[Message]:
         m = self.march
-        if m.count[marching.CAPPED]:
+        if m.count[march.CAPPED]:
             yield Message(
                 "the contacts of {n} of {all} steps were left after {sweeps} sweeps, with velocities that still "
                 "changed by up to {v:.1e} m/s; more sweeps (max_sweeps) or shorter steps make them exact",
-                n=int(m.count[marching.CAPPED]),
+                n=int(m.count[march.CAPPED]),
                 all=self.n_done,
-                sweeps=int(m.count[marching.MOST_SWEEPS]),
-                v=float(m.clock[marching.WORST_RESIDUAL]),
+                sweeps=int(m.count[march.MOST_SWEEPS]),
+                v=float(m.clock[march.WORST_RESIDUAL]),
             )
-        if m.count[marching.SOFTENED]:
+        if m.count[march.SOFTENED]:
             yield Message(
                 "in {n} steps with several impacts the law of restitution would have added energy; they were done "
                 "without restitution",
-                n=int(m.count[marching.SOFTENED]),
+                n=int(m.count[march.SOFTENED]),
             )
         if self.scene.lent:
             yield Message(
@@ -282,7 +282,7 @@ class _Run:
                 names=in_turn([*self.scene.lent]),
                 share=KEPT * OF_LIGHTEST,
             )
-        reach = self.step * float(m.clock[marching.FASTEST])
+        reach = self.step * float(m.clock[march.FASTEST])
         if len(self.scene.built.pairs) and reach > self.scene.size:
             yield Message(
                 "a body moved {reach:.3g} m in a step, more than the smallest outline ({size:.3g} m): contacts may "
@@ -315,7 +315,7 @@ class _Run:
             n_rejected=0,
             n_regularised=0,
             wall_time=time.perf_counter() - began,
-            place_gap=float(m.clock[marching.PLACE_GAP]),
+            place_gap=float(m.clock[march.PLACE_GAP]),
             motion_gap=0.0,
             last_step=self.step,
             method="moreau",
@@ -335,9 +335,9 @@ class _Run:
                 forces[:, 1],
             ),
             np.array(losses),
-            max(self._deepest, float(m.clock[marching.DEEPEST])),
-            float(m.clock[marching.WORST_RESIDUAL]),
-            int(m.count[marching.CAPPED]),
+            max(self._deepest, float(m.clock[march.DEEPEST])),
+            float(m.clock[march.WORST_RESIDUAL]),
+            int(m.count[march.CAPPED]),
         )
 
     def _multipliers(self, held: Floats, keys: list[NDArray[np.intp]]) -> Floats:

@@ -4,18 +4,15 @@ compared, options are judged."""
 from __future__ import annotations
 
 from collections.abc import Sequence
-from contextlib import suppress
 from dataclasses import replace
 from fractions import Fraction
-from functools import cached_property, singledispatchmethod
+from functools import partial, singledispatchmethod
 from typing import NoReturn
 
 from freebody.assess.verdict import Judgement
 from freebody.errors import CannotAnswer, NeverHappens
-from freebody.language.expression import Expr, number
-from freebody.language.notation import joined, reworded, to_text
+from freebody.language.expression import number
 from freebody.language.sentences import Message, further
-from freebody.numeric.snapshot import Snapshot
 from freebody.questions.base import Quantity, Wanted
 from freebody.questions.clock import Clock
 from freebody.questions.extent import Extent, ExtremeOfMotion
@@ -25,36 +22,25 @@ from freebody.questions.period import Period
 from freebody.questions.reading import AskedEvent, Question, QuestionEvent
 from freebody.questions.small_motion import Equilibrium, OfSmallMotion, SmallOscillations
 from freebody.questions.steady import Extremes
+from freebody.study.answering import about_rest, loops
 from freebody.study.answering import evidence as proof
-from freebody.study.answering import loops
 from freebody.study.answering.answer import Answer, Evidence, Value, made
-from freebody.study.answering.conditions import as_written, at_instant, is_kinematic, real
-from freebody.study.answering.crosscheck import element_at, holds
-from freebody.study.answering.draws import Draw
-from freebody.study.answering.finding import Elements, Finding, Otherwise, answered, judged
-from freebody.study.answering.integrals import has_integrals, integrals_named
-from freebody.study.answering.magnitude import magnitude
-from freebody.study.answering.numbers import LONGEST, number_of
+from freebody.study.answering.completing import AnswerCompletion
+from freebody.study.answering.conditions import as_written, real
+from freebody.study.answering.finding import Elements, Finding, Otherwise, answered
+from freebody.study.answering.integrals import has_integrals
+from freebody.study.answering.numbers import number_of
 from freebody.study.answering.passage import smooth_passage
-from freebody.study.answering.scope import for_all
-from freebody.study.answering.witness import motion_to
 from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition, insisted, require
-from freebody.symbolic.equilibrium import ClosedFormRest, equilibria, lies_in_family
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.on_the_way import MOVING, kept_until
+from freebody.symbolic.on_the_way import kept_until
 from freebody.symbolic.reached import Reached
 from freebody.symbolic.signs import Sign, sign_of
-from freebody.symbolic.small_motion import free_oscillations
 from freebody.symbolic.state import SymbolicState
-from freebody.symbolic.tidy import tidy
 from freebody.symbolic.unknowns import Coordinate
-from freebody.symbolic.validity import texts, validity
 from freebody.symbolic.written import HasNoValue
 from freebody.system.system import System
-
-_MOST_RESTS = 4  # that are named beside the one that is meant
-_ROUND_OFF = 1e-12  # of an assembled pose, by the size of what is added up
 
 
 class QuestionSolver:
@@ -116,7 +102,7 @@ class QuestionSolver:
 
             return number_of_turn(q.quantity, self.setup, q)
         if q.quantity.scope == "linkage" and self.setup.has_values:
-            from freebody.study.mobility.loop_answers import number as number_of_loop
+            from freebody.study.mobility.loop_answers import value_of as number_of_loop
 
             return number_of_loop(q.quantity, self.setup)
         if not self.setup.has_values or q.quantity.scope == "steady motion" or q.quantity.wanted is not None:
@@ -159,9 +145,9 @@ class QuestionSolver:
 
         asked = replace(self.question, quantity=q.of, options={}, key=None)
         if q.of.scope == "linkage":
-            from freebody.study.mobility.loop_answers import is_so
+            from freebody.study.mobility.loop_answers import holds
 
-            return solved_for(self.setup, self.question, [is_so(q.of, self.setup)])
+            return solved_for(self.setup, self.question, [holds(q.of, self.setup)])
         if isinstance(q.of, StableEquilibrium):
             from freebody.study.small_motion.stable_for import stability
 
@@ -172,7 +158,7 @@ class QuestionSolver:
             formula = QuestionSolver(setup, asked)
             found = formula._find()
             roots = _roots(q.of, found.element)
-            needed = [[] if isinstance(x, Fraction) else formula._conditions(found, x) for x in roots]
+            needed = [[] if isinstance(x, Fraction) else formula._completion().conditions(found, x) for x in roots]
             formulas = [Formula(x, n, lambda: found.evidence) for x, n in zip(roots, needed, strict=True)]
             answer = solved_for(setup, self.question, formulas)
             self.setup, self.model, self.system = setup, setup.model, system
@@ -310,241 +296,25 @@ class QuestionSolver:
     # -- small oscillations and equilibrium ---------------------------------------------------
     @_found.register(SmallOscillations)
     def _small(self, q: SmallOscillations) -> Finding:
-        from freebody.study.answering import at_equilibrium
-
-        found = free_oscillations(self.model, self.setup.start)
-        f = self.model.field
-        resting = self._at_rest(found.rest, ">")
-        squares, notes = [found.squares[k] for k in found.swinging], list(found.notes)
-        wanted = [x for k in found.swinging for x in found.positive(found.modes[k])]
-        unstable = CannotAnswer(further(*found.notes, Message("there is no oscillation about it: it is unstable")))
-        swings = insisted((Condition(x, ">", Message("oscillates")) for x in dict.fromkeys(wanted)), unstable)
-        if q.what == "frequencies":
-            squares = list(found.squares)
-        elif not squares:
-            raise CannotAnswer(further(*found.notes, at_equilibrium.NOTHING_DRIVES_BACK))
-        elif len(squares) > 1:
-            raise CannotAnswer(
-                Message("there are {n} natural frequencies; ask for natural frequencies", n=len(squares))
-            )
-        elif len(squares) < len(found.squares):
-            notes.append(Message("beside it there is a motion that nothing drives back to first order"))
-        if any(not x.is_zero() for row in found.linear.damping for x in row):
-            notes.append(Message("damping is left out of it; damped frequency and damped period have it"))
-        if q.what == "period" and "small" not in self.question.text:
-            notes.append(Message("of small oscillations; that of the motion as it starts is the period of a measure"))
-        if q.what == "period":
-            element: Elements = 2 * f.pi * f.sqrt(1 / squares[0], self.model.samples.is_negative)
-        else:
-            roots = [f.sqrt(s, self.model.samples.is_negative) for s in squares]
-            element = roots[0] if len(roots) == 1 else tuple(roots)
-        evidence = at_equilibrium.small_oscillations(
-            self.setup, self.question.text, q, element, found.equilibrium, resting, swings
-        )
-        return Finding(element, evidence, [*resting, *swings], notes, may_be_complex=found.are_real_by_symmetry)
+        return about_rest.oscillations(self.setup, self.question, q)
 
     @_found.register(OfSmallMotion)
     def _of_small_motion(self, q: OfSmallMotion) -> Finding:
         from freebody.study.small_motion.ask import find
 
-        return find(self.setup, self.question, self._at_rest)
+        return find(self.setup, self.question, partial(about_rest.needs_of_rest, self.setup))
 
     @_found.register(Equilibrium)
     def _equilibrium(self, q: Equilibrium) -> Finding:
-        from freebody.study.answering import at_equilibrium
+        return about_rest.equilibrium(self.setup, self.question, q)
 
-        rest, *others = equilibria(self.model, self.setup.start, stable_first=False)
-        x = SymbolicState(self.model, rest.values).value(q.measure)
-        if any(x.field.generators[g].kind == "time" for g in x.field.ingredients(x)):
-            raise CannotAnswer(Message("{x} is driven: it does not come to rest", x=q.name))
-        conditions = self._at_rest(rest)
-        evidence = at_equilibrium.at_rest(self.setup, self.question.text, rest.values, x, conditions)
-        notes = self._stability(rest)
-        if lies_in_family(self.model, rest.values, q.measure):
-            notes.append(Message("one of a family: free to rest anywhere along {names}", names=q.name))
-        return Finding(x, evidence, conditions, notes + self._other_rests(q, x, others))
-
-    def _other_rests(self, q: Equilibrium, x: Ratio, others: Sequence[ClosedFormRest]) -> list[str]:
-        """Where the measure may rest as well, with what that needs."""
-        notes: list[str] = []
-        known = [x]
-        for rest in others[:_MOST_RESTS]:
-            value = SymbolicState(self.model, rest.values).value(q.measure)
-            is_still = all(value.field.generators[g].kind != "time" for g in value.field.ingredients(value))
-            if is_still and all(value != other for other in known):
-                known.append(value)
-                where = joined(texts([*rest.exists, *(replace(c, purpose="") for c in rest.stable)]))
-                shown = to_text(tidy(value))
-                if rest.is_stable is False or not where:
-                    notes.append(reworded(Message("it may rest at {value}, too", value=shown), shown))
-                else:
-                    told = Message("it may rest at {value}, too, stable if {where}", value=shown, where=where)
-                    notes.append(reworded(told, where))
-        return notes
-
-    def _at_rest(self, rest: ClosedFormRest, clear: str = ">=") -> list[Condition]:
-        """What an equilibrium needs: that it exists, and that what the formulas take to be positive is so there, what
-        is to pull pulls, what is to touch presses, what is open does not reach beyond its limit; about an equilibrium
-        that is to swing it has room (clear: >)."""
-        f = self.model.field
-        still = {c.speed: f.zero for c in (*self.model.coordinates, *self.model.dependent)}
-        state = SymbolicState(self.model, {**rest.values, **still})
-        holding = self.setup.holding(state, with_contacts=bool(self.system.applied_loads))
-        return [*rest.exists, *holding, *self.setup.clearances(state, clear)]
-
-    def _stability(self, rest: ClosedFormRest) -> list[str]:
-        """What is to be said of it, with the condition where there is one."""
-        if rest.is_stable is None:
-            return [Message("whether this equilibrium is stable does not follow from the linearised equations")]
-        where = joined(texts([replace(c, purpose="") for c in rest.stable]))
-        if rest.neutral and rest.is_stable and not where:
-            return [
-                Message("apart from {names}, along which equilibria go on, it is stable", names=", ".join(rest.neutral))
-            ]
-        if not where:
-            return [] if rest.is_stable else [Message("this equilibrium is not stable")]
-        if not self.setup.has_values:
-            return [reworded(Message("this equilibrium is stable if {condition}", condition=where), where)]
-        verdict = (
-            Message("this equilibrium is stable if {condition}: with the given numbers it is stable", condition=where)
-            if rest.is_stable
-            else Message(
-                "this equilibrium is stable if {condition}: with the given numbers it is not stable", condition=where
-            )
-        )
-        return [reworded(verdict, where)]
-
-    # -- conditions ---------------------------------------------------------------------------
+    # -- the answer ---------------------------------------------------------------------------
     def finish(self, found: Finding) -> Answer:
         """The answer that a finding is, with its conditions and what the model's own numbers make of it."""
-        q = self.question
-        if isinstance(found.element, Fraction):
-            expression: Expr | tuple[Expr, ...] = number(found.element)
-            value: Value = float(found.element)
-            conditions: list[str] = []
-        else:
-            element = found.element
-            expression = tuple(map(tidy, element)) if isinstance(element, tuple) else tidy(element)
-            value = self._value(element) if found.has_value else None
-            needed = self._conditions(found, element)
-            broken = self._violated(needed)
-            found.notes += broken + loops.loops_in(self.setup, element, self._state)
-            value = None if broken else value
-            parts = element if isinstance(element, tuple) else (element,)
-            found.notes += integrals_named(parts)
-            told = texts(needed, until_event=self._reached is not None)
-            conditions = found.says + told or [for_all(self.system, parts)]
-        judgement = self._judge(found.element) if q.options else None
-        return made(
-            q,
-            expression,
-            value,
-            unit=found.unit,
-            conditions=conditions,
-            notes=found.notes,
-            judgement=judgement,
-            evidence=found.evidence,
-        )
+        return self._completion().answer(found)
 
-    def _conditions(self, found: Finding, element: Elements) -> list[Condition]:
-        """Everything without which the answer is not true."""
-        if found.is_complete:
-            return found.conditions
-        q = self.question.quantity
-        conditions = [*found.conditions]
-        if not found.may_be_complex:
-            conditions += real(element)
-        at_start = self.question.at_start
-        state = self.setup.start_instant if at_start else self.setup.state
-        if q.is_of_state:
-            judges_contacts = bool(self.system.applied_loads) or not is_kinematic(self.setup, q)
-            needed = at_instant(self.setup, self.question, state, with_contacts=judges_contacts)
-            if self._reached is not None:
-                free = self.setup.in_free_coordinates(needed, state)
-                needed = kept_until(self.setup.motion, self._reached, free)
-            conditions += needed
-            if not judges_contacts and any(row.unilateral for row in self.system.constraint_rows):
-                found.notes.append(Message("no load acts, so it is not judged whether contacts and strings hold"))
-        else:
-            conditions += as_written(self.setup, self.question, state)
-        return self.setup.in_free_coordinates(conditions, state)
-
-    def _violated(self, conditions: list[Condition]) -> list[str]:
-        """Conditions that the model's own numbers break at the start; the answer is not true of that model."""
-        if not self.setup.has_values:
-            return []
-        broken = [c for c in conditions if self._is_broken(c)]
-        if not broken:
-            return []
-        parts = [c for c in validity(broken) if self._is_broken(c)] or broken  # a product is broken by one factor
-        told = texts(parts, until_event=self._reached is not None)
-        return [reworded(Message("Not valid for the given numbers: {text}", text=text), text) for text in told]
-
-    def _is_broken(self, c: Condition) -> bool:
-        """Whether the model's own numbers break a condition: at the start, or on the way to the event."""
-        draw = self.setup.draws[0]
-        for here in self._instants(c, draw):
-            with suppress(CannotAnswer, ArithmeticError, ValueError):
-                if not holds(self.setup, c, draw, here, round_off=_ROUND_OFF):
-                    return True
-        return False
-
-    def _instants(self, c: Condition, draw: Draw) -> Sequence[Snapshot]:
-        """At which a condition is judged in numbers: at the start, and what changes with the motion up to the event."""
-        changes = any(c.element.field.generators[g].kind in MOVING for g in c.element.field.ingredients(c.element))
-        return self._way_in_numbers if changes else [draw.start()]
-
-    @cached_property
-    def _way_in_numbers(self) -> Sequence[Snapshot]:
-        """The motion at the model's own numbers, from the start to the event that is asked for."""
-        draw, event = self.setup.draws[0], self.question.event
-        start = draw.start()
-        if event is None or self._reached is None:
-            return [start]
-        try:
-            return [start, *motion_to(draw.reference, start, LONGEST, event).links]
-        except (CannotAnswer, ArithmeticError, ValueError):
-            return [start]
-
-    def _judge(self, element: Elements | Fraction) -> Judgement | None:
-        if isinstance(element, Fraction) and self.question.quantity.scope == "structure":
-            with suppress(CannotAnswer):
-                from freebody.study.mobility.mobility import judged as judged_by_count
-
-                return judged_by_count(self.system, self.question, int(element))
-        return judged(self.question, element, self.model, self.system)
-
-    def _value(self, element: Elements) -> Value:
-        if not self.setup.has_values:
-            return None
-        draw = self.setup.draws[0]
-        field = self.model.field
-        parts = element if isinstance(element, tuple) else (element,)
-        try:
-            # exactly at the start where it has a formula, so that a zero is a zero
-            parts = tuple(field.follow(p, self.setup.start.values) for p in parts)
-        except ZeroDivisionError:
-            return None
-        except CannotAnswer:
-            pass
-        try:
-            values = element_at(self.setup, parts, draw, draw.start())
-        except (CannotAnswer, ArithmeticError, ValueError):
-            return None
-        q = self.question.quantity
-        size = 0.0 if q.wanted is not None else magnitude(q.dimension, draw.seen(draw.start())) or 1.0
-        small = _ROUND_OFF * size  # a parameter is not added up from what moves
-        pairs = zip(parts, values, strict=True)
-        values = tuple(0.0 if abs(v) < small or self._cancels(part) else v for part, v in pairs)
-        return values if isinstance(element, tuple) else values[0]
-
-    def _cancels(self, part: Ratio) -> bool:
-        """Whether it is zero for the decimals as they are written: 4 * 0.3 - 6 * 0.2 is not so in binary numbers."""
-        field, draw = self.model.field, self.setup.draws[0]
-        if any(field.generators[g].kind != "parameter" for g in field.ingredients(part)):
-            return False
-        numbers = self.model.samples.numbers(draw.sample())
-        return field.evaluate(part, {g: Fraction(repr(numbers[g])) for g in field.ingredients(part)}) == 0
+    def _completion(self) -> AnswerCompletion:
+        return AnswerCompletion(self.setup, self.question, self._state, self._reached)
 
 
 def _roots(q: Quantity, x: Elements | Fraction) -> tuple[Elements | Fraction, ...]:

@@ -11,7 +11,8 @@ from freebody.numeric.engine.course import Status
 from freebody.numeric.options import SimulationOptions
 from freebody.questions.clock import Clock
 from freebody.questions.energy import Energy
-from freebody.questions.reading import Question, is_of_start
+from freebody.questions.reading import Question
+from freebody.questions.reading_when import is_of_start
 from freebody.study.answering.answer import Value
 from freebody.study.answering.crosscheck import as_parts
 from freebody.study.answering.numbers import LONGEST

@@ -22,7 +22,7 @@ from freebody.numeric.engine.engine import Engine
 from freebody.numeric.engine.evaluator import EngineWatch
 from freebody.numeric.instant import place_of
 from freebody.numeric.jets import Array
-from freebody.numeric.kernels import dynamics
+from freebody.numeric.kernels import factoring
 from freebody.numeric.options import SimulationOptions
 from freebody.numeric.reference import Reference, Snapshot
 from freebody.questions.clock import Clock
@@ -52,8 +52,8 @@ class NumericSnapshot(Snapshot):
         accelerations, multipliers = self._engine.evaluate(y, self.t)
         info = self._engine.room.info
         is_plain = (
-            info[dynamics.IS_REGULARISED] == 0.0
-            and info[dynamics.N_LEFT_OUT] == 0.0
+            info[factoring.IS_REGULARISED] == 0.0
+            and info[factoring.N_LEFT_OUT] == 0.0
             and not self._engine.layout.has_gap[0]
         )
         return self.reference.by_column(accelerations), multipliers, is_plain
@@ -71,7 +71,7 @@ class NumericSnapshot(Snapshot):
         if is_plain:
             return value
         dense = super().multiplier(row)  # refuses one that is not unique
-        return dense if self._engine.room.info[dynamics.IS_REGULARISED] > 0.0 else value
+        return dense if self._engine.room.info[factoring.IS_REGULARISED] > 0.0 else value
 
 
 @dataclass(frozen=True)

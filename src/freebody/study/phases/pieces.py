@@ -13,7 +13,8 @@ from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.questions.course import Transition
-from freebody.questions.reading import AskedEvent, Question, is_of_start
+from freebody.questions.reading import AskedEvent, Question
+from freebody.questions.reading_when import is_of_start
 from freebody.study.answering.conditions import as_written, at_instant, real
 from freebody.study.answering.finding import NO_FORM, Elements, why
 from freebody.study.phases.changes_asked import (

@@ -20,7 +20,8 @@ from freebody.questions.arithmetic import Joined
 from freebody.questions.base import Quantity
 from freebody.questions.blow import ImpulsiveWrench
 from freebody.questions.loads import Power
-from freebody.questions.reactions import ReactionComponent, Wrench
+from freebody.questions.reactions import Wrench
+from freebody.questions.reactions_by_component import ReactionComponent
 from freebody.system.system import System
 
 

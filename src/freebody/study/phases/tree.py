@@ -24,13 +24,13 @@ from freebody.study.phases.consistent import candidates, checks, without_slip
 from freebody.study.phases.decide import NOTHING, Inequality, Test, as_test, cells
 from freebody.study.phases.ends import PhaseOutcome, Proofs
 from freebody.study.phases.events import first_events
+from freebody.study.phases.handing_over import taking_over
 from freebody.study.phases.home import Home
 from freebody.study.phases.impact import Blow, ClosedFormCollision
 from freebody.study.phases.nodes import PhaseEnd, PhaseImpact, PhaseNode, PhaseStart
 from freebody.study.phases.numbers import Chosen
 from freebody.study.phases.phase import Phase, Placed, has_lines
 from freebody.study.phases.reached import STRIKES, pending
-from freebody.study.phases.words import label
 from freebody.symbolic.conditions import Condition
 from freebody.symbolic.decide import decide
 from freebody.symbolic.field import Ratio
@@ -341,7 +341,7 @@ class PhaseTree(Home):
                 excluded = {"opens": (watch.name, 0), "slips": (watch.name, watch.direction)}.get(watch.kind)
                 closed = phase.mode.closed
                 if watch.kind == "edge ends":
-                    closed = closed - {watch.name} | self._taking_over(phase, there, watch.name, edge.sets)
+                    closed = closed - {watch.name} | taking_over(self, phase, there, watch.name, edge.sets)
                     dry_friction = self.rubbing(closed)
                     slips = {
                         r.name: slips.get(r.name, self.to_home(phase, there.rate(r.row.measure))) for r in dry_friction
@@ -354,28 +354,6 @@ class PhaseTree(Home):
             return
         if not edge.nodes and not edge.stops:
             edge.stops = self.reasons[-1] if len(self.reasons) > n_reasons else Message("no mode is consistent there")
-
-    def _taking_over(self, phase: Phase, there: SymbolicState, left: str, sets: Chosen) -> frozenset[str]:
-        """The places of the same two outlines that touch where an edge ends: the corner behind it."""
-        family, found = self._bound(left).family, set[str]()
-        for bound in self.system.bounds:
-            if bound.name in phase.mode.closed or bound.family != family:
-                continue
-            gap = self.numbers(self.to_home(phase, there.here(phase.gap(bound.row))))[sets]
-            spans = [self.numbers(self.to_home(phase, there.here(x)))[sets] for x in phase.spans(bound.name)]
-            if (np.abs(gap) > ROUND_OFF).any() or any((span < -ROUND_OFF).any() for span in spans):
-                continue
-            rate = bound.row.sign * self.numbers(self.to_home(phase, there.rate(bound.row.measure)))[sets]
-            if (rate < -ROUND_OFF).any():
-                raise CannotAnswer(
-                    Message(
-                        "{contact} reaches the end of its edge and collides there; simulate the motion",
-                        contact=label(left),
-                    )
-                )
-            if (np.abs(rate) <= ROUND_OFF).all():
-                found.add(bound.name)
-        return frozenset(found)
 
     def _touched(
         self,

@@ -17,7 +17,7 @@ import numpy as np
 from freebody.model.elements import NonholonomicForm
 from freebody.numeric.engine.laws import stored_law
 from freebody.numeric.jets import Array
-from freebody.numeric.kernels.stepping import EPSILON
+from freebody.numeric.kernels.stepped_run import EPSILON
 from freebody.numeric.spatial import tensor_of
 
 if TYPE_CHECKING:

@@ -23,7 +23,7 @@ from freebody.numeric.engine.engine import Engine
 from freebody.numeric.engine.evaluator import EngineWatch
 from freebody.numeric.instant import check_laws
 from freebody.numeric.jets import Array
-from freebody.numeric.kernels import dynamics
+from freebody.numeric.kernels import factoring
 from freebody.numeric.options import SimulationOptions
 from freebody.numeric.reference import Reference
 from freebody.questions.clock import Clock
@@ -90,7 +90,7 @@ class Simulator:
             _accelerations, _multipliers = self.engine.evaluate(self.start, 0.0)
         except CannotAnswer as error:
             raise CannotAnswer(further(str(error), *islice(without_value(system), 1))) from error
-        if self.engine.layout.has_gap[0] or self.engine.room.info[dynamics.N_LEFT_OUT]:
+        if self.engine.layout.has_gap[0] or self.engine.room.info[factoring.N_LEFT_OUT]:
             _ = start.accelerations  # the dense solution refuses what moves without inertia or contradicts itself
 
     @property
@@ -98,7 +98,7 @@ class Simulator:
         """Independent velocities at the start."""
         self.engine.evaluate(self.start, 0.0)
         n_free = int(np.count_nonzero(self.engine.layout.inverse_mass))
-        return n_free - len(self.engine.held) + int(self.engine.room.info[dynamics.N_LEFT_OUT])
+        return n_free - len(self.engine.held) + int(self.engine.room.info[factoring.N_LEFT_OUT])
 
     def run(
         self,

@@ -14,7 +14,7 @@ from freebody.measures.base import Measure
 from freebody.model.carriers import is_distance_kept
 from freebody.model.elements import Attitude, ConstraintRow, DryFriction, UnilateralConstraint
 from freebody.model.names import Names
-from freebody.questions.reading import AskedEvent, read_event
+from freebody.questions.event import AskedEvent, read_event
 from freebody.system.reading.loads import happening
 from freebody.system.reading.parameters import forms
 from freebody.system.reading.source import Source

@@ -9,7 +9,7 @@ from freebody.language.expression import free_symbols, replace_rates, substitute
 from freebody.loads.base import Load
 from freebody.model.elements import RATE, VALUE, AppliedLoad
 from freebody.model.names import Names
-from freebody.questions.reading import AskedEvent, read_event
+from freebody.questions.event import AskedEvent, read_event
 from freebody.system.reading.parameters import forms
 
 

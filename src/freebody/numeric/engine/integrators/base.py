@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any, Protocol
 
 from freebody.numeric.kernels.arrays import Floats
-from freebody.numeric.kernels.stepping import Tableau
+from freebody.numeric.kernels.stepped_run import Tableau
 
 
 class OwnSteps(Protocol):

@@ -20,7 +20,7 @@ from freebody.language.expression import FLOAT_FUNCTIONS, Expr, differentiate, e
 from freebody.model.elements import RATE, VALUE, AppliedLoad, NonholonomicForm
 from freebody.numeric.engine.integrators import rk4
 from freebody.numeric.engine.integrators.base import Integrator
-from freebody.numeric.kernels import dynamics, stepping
+from freebody.numeric.kernels import factoring, kinematics, stepped_run, stepping
 from freebody.numeric.kernels.arrays import Floats, ModelArrays
 from freebody.numeric.kernels.measures_planar import BEARING, NEAR
 
@@ -39,22 +39,24 @@ class Implicit:
         self._motion, self._engine = motion, motion.engine
         self._slopes = Slopes(self._engine)
         run = motion.run
-        self._solver = self._new(run.states[stepping.Y], float(run.clock[stepping.NOW]), motion.until, step or None)
+        self._solver = self._new(
+            run.states[stepped_run.Y], float(run.clock[stepped_run.NOW]), motion.until, step or None
+        )
 
     def _new(self, y: Floats, t: float, until: float, first: float | None) -> Any:
         from scipy import integrate
 
         e, clock = self._engine, self._motion.run.clock
-        tolerance, n = float(clock[stepping.TOLERANCE]), e.n_coordinates
+        tolerance, n = float(clock[stepped_run.TOLERANCE]), e.n_coordinates
         out = np.zeros(e.n_y)
 
         def rhs(at: float, state: Floats) -> Floats:
-            self._motion.run.count[stepping.EVALUATIONS] += 1
+            self._motion.run.count[stepped_run.EVALUATIONS] += 1
             stepping.visit(e.layout, e.room, self._motion.run, -1.0, state, at, out, 1)
             return out.copy()
 
         fastest = float((np.abs(rhs(t, y)[n : 2 * n]) / e.unit).max(initial=0.0))
-        speed = max(float(clock[stepping.SPEED]), min(math.sqrt(fastest), fastest * (until - t)))
+        speed = max(float(clock[stepped_run.SPEED]), min(math.sqrt(fastest), fastest * (until - t)))
         turns = np.full(e.n_y - 2 * n - 1, 0.5)
         allowed = tolerance * np.concatenate((e.unit, e.unit * speed, [math.inf], turns))
         if first is not None:
@@ -66,7 +68,7 @@ class Implicit:
             y.copy(),
             until,
             first_step=first,
-            max_step=float(clock[stepping.LONGEST]),
+            max_step=float(clock[stepped_run.LONGEST]),
             rtol=_MIN_RTOL,
             atol=allowed,
             jac=self._slopes.at,
@@ -75,66 +77,66 @@ class Implicit:
     def advance(self) -> int:
         """Makes one step; returns what `stepping.advance` does."""
         run, e = self._motion.run, self._engine
-        if run.clock[stepping.NOW] >= self._motion.until:
-            return stepping.REACHED
+        if run.clock[stepped_run.NOW] >= self._motion.until:
+            return stepped_run.REACHED
         solver = self._solver
         before, y_before = float(solver.t), solver.y.copy()
         with np.errstate(all="ignore"):
             try:
                 solver.step()
             except (ValueError, np.linalg.LinAlgError):
-                run.count[stepping.TROUBLE] = stepping.NOT_FINITE
-                return stepping.TOO_SMALL
+                run.count[stepped_run.TROUBLE] = stepped_run.NOT_FINITE
+                return stepped_run.TOO_SMALL
         if solver.status == "failed":
-            run.count[stepping.TROUBLE] = stepping.ERROR_LARGE
-            return stepping.TOO_SMALL
+            run.count[stepped_run.TROUBLE] = stepped_run.ERROR_LARGE
+            return stepped_run.TOO_SMALL
         t, h = float(solver.t), float(solver.t) - before
         Q = solver.dense_output().Q
-        run.states[stepping.OLD] = y_before
+        run.states[stepped_run.OLD] = y_before
         run.dense[2] = -Q[:, 2]
         run.dense[1] = -Q[:, 2] - Q[:, 1]
         run.dense[0] = Q[:, 0] + Q[:, 1] + Q[:, 2]
         y, slope, unheld = solver.y.copy(), np.zeros(e.n_y), solver.y.copy()
         if not stepping.visit(e.layout, e.room, run, -1.0, y, t, slope, 0):
-            run.count[stepping.TROUBLE] = stepping.NOT_HELD
-            return stepping.TOO_SMALL
+            run.count[stepped_run.TROUBLE] = stepped_run.NOT_HELD
+            return stepped_run.TOO_SMALL
         solver.y, solver.f = y, slope
         run.dense[0] += y - unheld  # what is looked at between ends where the next step begins
-        run.states[stepping.Y], run.slopes[0] = y, slope
+        run.states[stepped_run.Y], run.slopes[0] = y, slope
         run.multiplier[:] = e.room.multiplier
         e.room.measures[:, NEAR] = e.room.measures[:, BEARING]
         n = e.n_coordinates
-        run.clock[stepping.SPEED] = max(
-            float(run.clock[stepping.SPEED]), float((np.abs(y[n : 2 * n]) / e.unit).max(initial=0.0))
+        run.clock[stepped_run.SPEED] = max(
+            float(run.clock[stepped_run.SPEED]), float((np.abs(y[n : 2 * n]) / e.unit).max(initial=0.0))
         )
-        run.clock[stepping.BEFORE], run.clock[stepping.DONE_STEP] = before, h
-        run.clock[stepping.NOW] = self._motion.until if solver.status == "finished" else t
-        run.clock[stepping.STEP] = float(solver.h_abs)
-        run.count[stepping.STEPS] += 1
-        if e.room.info[dynamics.IS_REGULARISED] > 0.0:
-            run.count[stepping.REGULARISED] += 1
+        run.clock[stepped_run.BEFORE], run.clock[stepped_run.DONE_STEP] = before, h
+        run.clock[stepped_run.NOW] = self._motion.until if solver.status == "finished" else t
+        run.clock[stepped_run.STEP] = float(solver.h_abs)
+        run.count[stepped_run.STEPS] += 1
+        if e.room.info[factoring.IS_REGULARISED] > 0.0:
+            run.count[stepped_run.REGULARISED] += 1
         self._store_outputs()
-        return stepping.LOOK if run.count[stepping.IS_WATCHED] else stepping.PAUSED
+        return stepped_run.LOOK if run.count[stepped_run.IS_WATCHED] else stepped_run.PAUSED
 
     def _store_outputs(self) -> None:
         run, e = self._motion.run, self._engine
-        k, out = int(run.count[stepping.OUTPUTS]), np.zeros(e.n_y)
-        while k < len(run.out_t) and run.out_t[k] <= run.clock[stepping.NOW]:
+        k, out = int(run.count[stepped_run.OUTPUTS]), np.zeros(e.n_y)
+        while k < len(run.out_t) and run.out_t[k] <= run.clock[stepped_run.NOW]:
             t = float(run.out_t[k])
-            s = min(1.0, (t - float(run.clock[stepping.BEFORE])) / float(run.clock[stepping.DONE_STEP]))
+            s = min(1.0, (t - float(run.clock[stepped_run.BEFORE])) / float(run.clock[stepped_run.DONE_STEP]))
             if s == 1.0:
-                run.out_y[k] = run.states[stepping.Y]
+                run.out_y[k] = run.states[stepped_run.Y]
                 s = -1.0
             stepping.visit(e.layout, e.room, run, s, run.out_y[k], t, out, 0)
             run.out_a[k], run.out_multiplier[k] = e.room.acceleration, e.room.multiplier
             k += 1
-        run.count[stepping.OUTPUTS] = k
+        run.count[stepped_run.OUTPUTS] = k
 
     def state_after(self, h: float) -> Floats | None:
         """The state a time h after the begin of the last step, by steps of their own."""
         run = self._motion.run
-        begin = float(run.clock[stepping.BEFORE])
-        solver = self._new(run.states[stepping.OLD], begin, begin + h, h)
+        begin = float(run.clock[stepped_run.BEFORE])
+        solver = self._new(run.states[stepped_run.OLD], begin, begin + h, h)
         while solver.status == "running":
             solver.step()
         return solver.y.copy() if solver.status == "finished" else None
@@ -175,7 +177,7 @@ class Slopes:
         values: list[float] = []
         for p, (row, tape, _works) in enumerate(e.layout.load):
             c, x = e.layout.load_law[p], e.room.rows[row]
-            linear = c[0] + c[1] * x[dynamics.VALUE] + c[2] * x[dynamics.RATE]
+            linear = c[0] + c[1] * x[kinematics.VALUE] + c[2] * x[kinematics.RATE]
             values.append(float(linear) if tape < 0 else e.tape_value(int(tape), t))
         return values
 

@@ -1,0 +1,48 @@
+"""Why a motion with contacts cannot go on, in the user's names."""
+
+from __future__ import annotations
+
+from freebody.language.sentences import Message, further, in_turn
+from freebody.numeric.contact.after import HELD_ALONE, After
+from freebody.numeric.contact.bounded import Bounded
+from freebody.numeric.contact.problem import OutcomeCount
+from freebody.numeric.contact.rows import ModeOf
+
+ADVICE = Message("use time stepping (method moreau, with a step), which does not follow single events")
+
+
+def advised(bounded: Bounded, trouble: Message) -> str:
+    """A trouble with single events, and another method where there is one."""
+    return trouble if bounded.numbers.system.space else further(trouble, ADVICE)
+
+
+def contradiction(bounded: Bounded, result: After, t: float) -> str:
+    """No mode is consistent with an instant."""
+    if result.status is OutcomeCount.NOT_FOUND:
+        return advised(
+            bounded,
+            Message("at t = {t:.9g} s no force was found that is consistent with {what}", t=t, what=result.why),
+        )
+    if result.why == HELD_ALONE:
+        return Message("at t = {t:.9g} s no force is consistent with {what}", t=t, what=result.why)
+    return Message(
+        "at t = {t:.9g} s no force is consistent with {what}: with so much friction the contact can neither "
+        "slide nor hold (Painleve's paradox). A rigid model ends here. Go on with an impulse (option jams), make "
+        "the contact compliant with a spring, or lower the friction",
+        t=t,
+        what=result.why,
+    )
+
+
+def jammed(bounded: Bounded, mode: ModeOf, t: float) -> str:
+    """Sliding friction whose forces grow without bound; nothing where none slides that a reaction presses."""
+    sliding = [d for d, state in zip(bounded.drags, mode.drags, strict=True) if state and d.loads]
+    if not sliding:
+        return ""
+    return Message(
+        "at t = {t:.9g} s the forces of {names} grow without bound: sliding friction jams there (Painleve). A "
+        "rigid model ends here. Go on with an impulse (option jams), make the contact compliant with a spring, or "
+        "lower the friction",
+        t=t,
+        names=in_turn([d.name for d in sliding]),
+    )

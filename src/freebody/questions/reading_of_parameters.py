@@ -1,0 +1,192 @@
+"""What is asked of a parameter: for which values of it something is so, where a quantity is largest, what it tends to.
+
+value of P for which QUANTITY = VALUE     range of P for which QUANTITY > VALUE     QUANTITY as P grows
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Literal
+
+from freebody.language.expression import ZERO, Expr
+from freebody.language.sentences import Message
+from freebody.model.elements import Parameter
+from freebody.model.names import Names, did_you_mean
+from freebody.questions.happening import Happening, read_happening
+from freebody.questions.linkages import TURNS_FULLY, full_turn
+from freebody.questions.operands import event_at_end, has_quantities, without_start
+from freebody.questions.reading_when import Meant, as_timed
+from freebody.questions.turned_round import (
+    INFINITE,
+    IS_EXTREMAL,
+    REACHED,
+    SO,
+    ExtremalFor,
+    ExtremalForOnTheWay,
+    LimitOf,
+    LimitOfOnTheWay,
+    RangeFor,
+    RangeForAtRest,
+    RangeForOnTheWay,
+    RangeForSmallMotion,
+    ValueFor,
+    ValueForOnTheWay,
+    inequality_of,
+    reached_in,
+    relation_of,
+    steadily,
+    without_just,
+)
+
+End = Literal["", "least", "largest"]  # of the values of a parameter that which is asked for
+Read = Callable[[Names, str, object], Meant | None]  # what a phrase asks for, with what the file says beside it
+Reaching = Callable[[Names, Parameter, str, End], Meant | None]  # for which values a measure reaches a value
+
+
+def read_turned_round(
+    read: Read, reaching: Reaching, names: Names, name: str, relation: str, when: object, end: End
+) -> Meant | None:
+    """For which value of a parameter an equation holds, or for which values an inequality does. end: of these values
+    the one that is asked for."""
+    parameter = names.parameters.get(name)
+    if parameter is None or parameter.form is not None:
+        told = Message("{name} is no parameter.{hint}", name=name, hint=did_you_mean(name, names.parameters))
+        names.unknown(name, told, "find")
+        return None
+    # what is to be so: a quantity largest, an inequality, a full turn, something that happens, a place that is reached
+    relation, is_just = without_just(as_timed(steadily(relation)))
+    extremal = IS_EXTREMAL.match(relation)
+    if extremal is not None and not end:
+        return read_extremal(read, names, parameter, extremal, when, asks_place=True)
+    inequality = inequality_of(relation)
+    if inequality is not None:
+        return _range(read, names, parameter, inequality, when, end)
+    turns = re.fullmatch(TURNS_FULLY, relation)
+    if turns is not None and when is None:
+        return _turning(names, parameter, str(turns["of"]), relation, end)
+    happening = read_happening(names, relation, ("find",)) if when is None else None
+    if happening is not None:
+        return _happening(parameter, happening, end)
+    if (event := reached_in(relation)) is not None and when is None:
+        return reaching(names, parameter, event, end)
+    if end or is_just:
+        told = (
+            Message("write an inequality: {end} {name} so that acceleration of x >= 0", end=end, name=name)
+            if end
+            else Message("say what is just so: value of {name} for which x just reaches d", name=name)
+        )
+        names.problem(told, "find")
+        return None
+    # else an equation
+    return _value(read, names, parameter, relation, when)
+
+
+def _value(read: Read, names: Names, parameter: Parameter, relation: str, when: object) -> Meant | None:
+    """The value of a parameter for which an equation holds."""
+    name = parameter.name
+    head, condition = (relation, None) if when is not None else event_at_end(names, relation)
+    starts = condition is None and without_start(head) != head  # else these words belong to what is last
+    found = relation_of(without_start(head) if starts else head, condition)
+    if found is None:
+        told = Message("write an equation: value of {name} for which acceleration of x = 0", name=name)
+        names.problem(told, "find")
+        return None
+    # the left side is asked for when it is meant; what stands on the right is its value, or taken from it
+    left, right, condition = found
+    timed = f" when {condition}" if condition is not None else " at start" if starts else ""
+    asked = read(names, left + timed, when)
+    if asked is None:
+        return None
+    target: Expr = ZERO
+    if has_quantities(names, right):
+        left = f"({left}) - ({right})"
+        asked = read(names, left + timed, when)
+        if asked is None:
+            return None
+    elif right != "zero":
+        target = names.formula(right, asked.quantity.dimension, "find")
+    kind = ValueForOnTheWay if asked.quantity.scope == "course" else ValueFor
+    unit = "rad" if parameter.is_angle else str(parameter.dimension)
+    return replace(asked, quantity=kind(name, asked.quantity, target, parameter.dimension, unit, left + timed))
+
+
+def _range(
+    read: Read,
+    names: Names,
+    parameter: Parameter,
+    inequality: tuple[str, str, str],
+    when: object,
+    end: End,
+) -> Meant | None:
+    """The values of a parameter for which an inequality holds."""
+    left, sign, right = inequality
+    right, condition = (right, None) if when is not None else event_at_end(names, right)
+    starts = condition is None and without_start(right) != right
+    timed = f" when {condition}" if condition is not None else " at start" if starts else ""
+    right = without_start(right) if starts else right
+    if has_quantities(names, right):
+        left, right = f"({left}) - ({right})", "0"
+    asked = read(names, left + timed, when)
+    if asked is None:
+        return None
+    target = names.formula(right, asked.quantity.dimension, "find") if right not in ("0", "zero") else ZERO
+    kind = RangeForOnTheWay if asked.quantity.scope == "course" else RangeFor
+    unit = "rad" if parameter.is_angle else str(parameter.dimension)
+    quantity = kind(
+        parameter.name, asked.quantity, target, parameter.dimension, unit, left + timed, relation=sign, end=end
+    )
+    return replace(asked, quantity=quantity)
+
+
+def _turning(names: Names, parameter: Parameter, link: str, text: str, end: End) -> Meant | None:
+    """The values of a parameter for which a link turns fully."""
+    of = full_turn(names, link, ("find",))
+    unit = "rad" if parameter.is_angle else str(parameter.dimension)
+    if of is None:
+        return None
+    return Meant(RangeFor(parameter.name, of, ZERO, parameter.dimension, unit, text, relation=REACHED, end=end))
+
+
+def read_extremal(
+    read: Read, names: Names, parameter: Parameter, found: re.Match[str], when: object, *, asks_place: bool
+) -> Meant | None:
+    """The value of a parameter for which a quantity is largest or least, or the quantity there."""
+    text = found["of"] + (found["timed"] or "")
+    asked = read(names, text, when)
+    if asked is None:
+        return None
+    of, end = asked.quantity, "largest" if found["largest"] else "least"
+    kind = ExtremalForOnTheWay if of.scope == "course" else ExtremalFor
+    unit = "rad" if parameter.is_angle else str(parameter.dimension)
+    measured, shown = (parameter.dimension, unit) if asks_place else (of.dimension, of.unit)
+    quantity = kind(parameter.name, of, ZERO, measured, shown, text, end=end, asks_place=asks_place)
+    return replace(asked, quantity=quantity)
+
+
+def read_limit(read: Read, names: Names, found: re.Match[str], when: object) -> Meant | None:
+    """A quantity as a parameter tends to a value."""
+    parameter = names.parameters[found["parameter"]]
+    if parameter.form is not None:
+        names.problem(Message("{name} is no parameter.{hint}", name=parameter.name, hint=""), "find")
+        return None
+    value = "0" if found["small"] else (found["value"] or "").strip()
+    grows = found["large"] is not None or value in INFINITE
+    text = found["of"] + (found["timed"] or "")
+    asked = read(names, text, when)
+    if asked is None:
+        return None
+    target = ZERO if grows or value == "0" else names.formula(value, parameter.dimension, "find")
+    of = asked.quantity
+    kind = LimitOfOnTheWay if of.scope == "course" else LimitOf
+    end = "grows" if grows else ""
+    return replace(asked, quantity=kind(parameter.name, of, target, of.dimension, of.unit, text, end=end))
+
+
+def _happening(parameter: Parameter, happening: Happening, end: End) -> Meant:
+    """The values of a parameter for which something is so of the motion."""
+    unit = "rad" if parameter.is_angle else str(parameter.dimension)
+    kinds = {"rest": RangeForAtRest, "small motion": RangeForSmallMotion}
+    kind = kinds.get(happening.scope, RangeFor)
+    return Meant(kind(parameter.name, happening, ZERO, parameter.dimension, unit, happening.text, relation=SO, end=end))

@@ -1,0 +1,57 @@
+"""A quantity, and when it is meant: at an instant, at an event, at the start, beside a blow."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from freebody.language.sentences import Message
+from freebody.model.names import Names
+from freebody.questions.base import Path, Quantity
+from freebody.questions.clock import by_the_clock
+from freebody.questions.course import Transition, read_transition
+from freebody.questions.event import AskedEvent, read_event
+from freebody.questions.sudden import by_blows
+
+
+def as_timed(phrase: str) -> str:
+    """Words for instants of the clock and for the two sides of a blow as conditions."""
+    return by_the_clock(by_blows(phrase))
+
+
+@dataclass(frozen=True)
+class Meant:
+    """A quantity, and when it is meant."""
+
+    quantity: Quantity
+    event: AskedEvent | None = None
+    at_start: bool = False
+    transition: Transition | None = None
+
+
+def placed_at(names: Names, quantity: Quantity, condition: str | None, at_start: bool, path: Path) -> Meant | None:
+    """A quantity at the event that a condition states, or at the start."""
+    of_start = is_of_start(quantity)
+    if condition is None:
+        return Meant(quantity, at_start=at_start or of_start)
+    if of_start:
+        told = Message("impulses act in a blow; leave out 'when' and 'until'")
+        names.problem(told, *path)
+        return None
+    transition = read_transition(names, condition, path)
+    if transition is not None and transition.kind == "after" and _is_at_start(names, transition):
+        return Meant(quantity, at_start=True)
+    event = None if transition is not None else read_event(names, condition, path)
+    if event is None and transition is None:
+        return None
+    return Meant(quantity, event, at_start, transition)
+
+
+def _is_at_start(names: Names, transition: Transition) -> bool:
+    """Whether the blow that is meant is that of the start."""
+    struck = names.struck_at_start
+    return bool(struck) and struck.issuperset(transition.of)
+
+
+def is_of_start(quantity: Quantity) -> bool:
+    """Whether a quantity, or one that it is made of, belongs to the blow at the start."""
+    return quantity.is_of_start or any(map(is_of_start, quantity.inner))

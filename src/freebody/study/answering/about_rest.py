@@ -1,0 +1,127 @@
+"""Closed forms of rest and of small oscillations about it: what an equilibrium needs, and what is to be said of it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from freebody.errors import CannotAnswer
+from freebody.language.notation import joined, reworded, to_text
+from freebody.language.sentences import Message, further
+from freebody.questions.reading import Question
+from freebody.questions.small_motion import Equilibrium, SmallOscillations
+from freebody.study.answering.finding import Elements, Finding
+from freebody.study.setup import Setup
+from freebody.symbolic.conditions import Condition, insisted
+from freebody.symbolic.equilibrium import ClosedFormRest, equilibria, lies_in_family
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.small_motion import free_oscillations
+from freebody.symbolic.state import SymbolicState
+from freebody.symbolic.tidy import tidy
+from freebody.symbolic.validity import texts
+
+_MOST_RESTS = 4  # that are named beside the one that is meant
+
+
+def oscillations(setup: Setup, question: Question, q: SmallOscillations) -> Finding:
+    """Frequencies and period of small oscillations about the equilibrium that is meant."""
+    from freebody.study.answering import at_equilibrium
+
+    model = setup.model
+    found = free_oscillations(model, setup.start)
+    f = model.field
+    resting = needs_of_rest(setup, found.rest, ">")
+    squares, notes = [found.squares[k] for k in found.swinging], list(found.notes)
+    wanted = [x for k in found.swinging for x in found.positive(found.modes[k])]
+    unstable = CannotAnswer(further(*found.notes, Message("there is no oscillation about it: it is unstable")))
+    swings = insisted((Condition(x, ">", Message("oscillates")) for x in dict.fromkeys(wanted)), unstable)
+    if q.what == "frequencies":
+        squares = list(found.squares)
+    elif not squares:
+        raise CannotAnswer(further(*found.notes, at_equilibrium.NOTHING_DRIVES_BACK))
+    elif len(squares) > 1:
+        raise CannotAnswer(Message("there are {n} natural frequencies; ask for natural frequencies", n=len(squares)))
+    elif len(squares) < len(found.squares):
+        notes.append(Message("beside it there is a motion that nothing drives back to first order"))
+    if any(not x.is_zero() for row in found.linear.damping for x in row):
+        notes.append(Message("damping is left out of it; damped frequency and damped period have it"))
+    if q.what == "period" and "small" not in question.text:
+        notes.append(Message("of small oscillations; that of the motion as it starts is the period of a measure"))
+    if q.what == "period":
+        element: Elements = 2 * f.pi * f.sqrt(1 / squares[0], model.samples.is_negative)
+    else:
+        roots = [f.sqrt(s, model.samples.is_negative) for s in squares]
+        element = roots[0] if len(roots) == 1 else tuple(roots)
+    evidence = at_equilibrium.small_oscillations(setup, question.text, q, element, found.equilibrium, resting, swings)
+    return Finding(element, evidence, [*resting, *swings], notes, may_be_complex=found.are_real_by_symmetry)
+
+
+def equilibrium(setup: Setup, question: Question, q: Equilibrium) -> Finding:
+    """Where a measure comes to rest, whether that is stable, and where else it may."""
+    from freebody.study.answering import at_equilibrium
+
+    model = setup.model
+    rest, *others = equilibria(model, setup.start, stable_first=False)
+    x = SymbolicState(model, rest.values).value(q.measure)
+    if any(x.field.generators[g].kind == "time" for g in x.field.ingredients(x)):
+        raise CannotAnswer(Message("{x} is driven: it does not come to rest", x=q.name))
+    conditions = needs_of_rest(setup, rest)
+    evidence = at_equilibrium.at_rest(setup, question.text, rest.values, x, conditions)
+    notes = _stability(setup, rest)
+    if lies_in_family(model, rest.values, q.measure):
+        notes.append(Message("one of a family: free to rest anywhere along {names}", names=q.name))
+    return Finding(x, evidence, conditions, notes + _other_rests(setup, q, x, others))
+
+
+def _other_rests(setup: Setup, q: Equilibrium, x: Ratio, others: Sequence[ClosedFormRest]) -> list[str]:
+    """Where the measure may rest as well, with what that needs."""
+    model = setup.model
+    notes: list[str] = []
+    known = [x]
+    for rest in others[:_MOST_RESTS]:
+        value = SymbolicState(model, rest.values).value(q.measure)
+        is_still = all(value.field.generators[g].kind != "time" for g in value.field.ingredients(value))
+        if is_still and all(value != other for other in known):
+            known.append(value)
+            where = joined(texts([*rest.exists, *(replace(c, purpose="") for c in rest.stable)]))
+            shown = to_text(tidy(value))
+            if rest.is_stable is False or not where:
+                notes.append(reworded(Message("it may rest at {value}, too", value=shown), shown))
+            else:
+                told = Message("it may rest at {value}, too, stable if {where}", value=shown, where=where)
+                notes.append(reworded(told, where))
+    return notes
+
+
+def needs_of_rest(setup: Setup, rest: ClosedFormRest, clear: str = ">=") -> list[Condition]:
+    """What an equilibrium needs: that it exists, and that what the formulas take to be positive is so there, what
+    is to pull pulls, what is to touch presses, what is open does not reach beyond its limit; about an equilibrium
+    that is to swing it has room (clear: >)."""
+    f, model = setup.model.field, setup.model
+    still = {c.speed: f.zero for c in (*model.coordinates, *model.dependent)}
+    state = SymbolicState(model, {**rest.values, **still})
+    holding = setup.holding(state, with_contacts=bool(setup.system.applied_loads))
+    return [*rest.exists, *holding, *setup.clearances(state, clear)]
+
+
+def _stability(setup: Setup, rest: ClosedFormRest) -> list[str]:
+    """What is to be said of it, with the condition where there is one."""
+    if rest.is_stable is None:
+        return [Message("whether this equilibrium is stable does not follow from the linearised equations")]
+    where = joined(texts([replace(c, purpose="") for c in rest.stable]))
+    if rest.neutral and rest.is_stable and not where:
+        return [
+            Message("apart from {names}, along which equilibria go on, it is stable", names=", ".join(rest.neutral))
+        ]
+    if not where:
+        return [] if rest.is_stable else [Message("this equilibrium is not stable")]
+    if not setup.has_values:
+        return [reworded(Message("this equilibrium is stable if {condition}", condition=where), where)]
+    verdict = (
+        Message("this equilibrium is stable if {condition}: with the given numbers it is stable", condition=where)
+        if rest.is_stable
+        else Message(
+            "this equilibrium is stable if {condition}: with the given numbers it is not stable", condition=where
+        )
+    )
+    return [reworded(verdict, where)]

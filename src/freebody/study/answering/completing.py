@@ -1,0 +1,183 @@
+"""The answer that a finding is: its conditions, whether the model's own numbers break them, its value, its options.
+
+A condition that does not change with the motion is judged at the start, one that does on the way to the event that is
+asked for, in numbers.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from contextlib import suppress
+from fractions import Fraction
+from functools import cached_property
+
+from freebody.assess.verdict import Judgement
+from freebody.errors import CannotAnswer
+from freebody.language.expression import Expr, number
+from freebody.language.notation import reworded
+from freebody.language.sentences import Message
+from freebody.numeric.snapshot import Snapshot
+from freebody.questions.reading import Question
+from freebody.study.answering import loops
+from freebody.study.answering.answer import Answer, Value, made
+from freebody.study.answering.conditions import as_written, at_instant, is_kinematic, real
+from freebody.study.answering.crosscheck import element_at, holds
+from freebody.study.answering.draws import Draw
+from freebody.study.answering.finding import Elements, Finding, judged
+from freebody.study.answering.integrals import integrals_named
+from freebody.study.answering.magnitude import magnitude
+from freebody.study.answering.numbers import LONGEST
+from freebody.study.answering.scope import for_all
+from freebody.study.answering.witness import motion_to
+from freebody.study.setup import Setup
+from freebody.symbolic.conditions import Condition
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.on_the_way import MOVING, kept_until
+from freebody.symbolic.reached import Reached
+from freebody.symbolic.state import SymbolicState
+from freebody.symbolic.tidy import tidy
+from freebody.symbolic.validity import texts, validity
+
+_ROUND_OFF = 1e-12  # of an assembled pose, by the size of what is added up
+
+
+class AnswerCompletion:
+    """What is made of the finding of one question."""
+
+    def __init__(
+        self, setup: Setup, question: Question, state: SymbolicState | None = None, reached: Reached | None = None
+    ) -> None:
+        """state: the instant in which it was found, where it is one; reached: the event that the motion is followed
+        to."""
+        self.setup, self.question, self.state, self.reached = setup, question, state, reached
+
+    def answer(self, found: Finding) -> Answer:
+        """The answer that a finding is, with its conditions and what the model's own numbers make of it."""
+        q = self.question
+        if isinstance(found.element, Fraction):
+            expression: Expr | tuple[Expr, ...] = number(found.element)
+            value: Value = float(found.element)
+            conditions: list[str] = []
+        else:
+            element = found.element
+            expression = tuple(map(tidy, element)) if isinstance(element, tuple) else tidy(element)
+            value = self._value(element) if found.has_value else None
+            needed = self.conditions(found, element)
+            broken = self._violated(needed)
+            found.notes += broken + loops.loops_in(self.setup, element, self.state)
+            value = None if broken else value
+            parts = element if isinstance(element, tuple) else (element,)
+            found.notes += integrals_named(parts)
+            told = texts(needed, until_event=self.reached is not None)
+            conditions = found.says + told or [for_all(self.setup.system, parts)]
+        judgement = self._judge(found.element) if q.options else None
+        return made(
+            q,
+            expression,
+            value,
+            unit=found.unit,
+            conditions=conditions,
+            notes=found.notes,
+            judgement=judgement,
+            evidence=found.evidence,
+        )
+
+    def conditions(self, found: Finding, element: Elements) -> list[Condition]:
+        """Everything without which the answer is not true."""
+        if found.is_complete:
+            return found.conditions
+        q = self.question.quantity
+        conditions = [*found.conditions]
+        if not found.may_be_complex:
+            conditions += real(element)
+        at_start = self.question.at_start
+        state = self.setup.start_instant if at_start else self.setup.state
+        if q.is_of_state:
+            judges_contacts = bool(self.setup.system.applied_loads) or not is_kinematic(self.setup, q)
+            needed = at_instant(self.setup, self.question, state, with_contacts=judges_contacts)
+            if self.reached is not None:
+                free = self.setup.in_free_coordinates(needed, state)
+                needed = kept_until(self.setup.motion, self.reached, free)
+            conditions += needed
+            if not judges_contacts and any(row.unilateral for row in self.setup.system.constraint_rows):
+                found.notes.append(Message("no load acts, so it is not judged whether contacts and strings hold"))
+        else:
+            conditions += as_written(self.setup, self.question, state)
+        return self.setup.in_free_coordinates(conditions, state)
+
+    def _violated(self, conditions: list[Condition]) -> list[str]:
+        """Conditions that the model's own numbers break at the start; the answer is not true of that model."""
+        if not self.setup.has_values:
+            return []
+        broken = [c for c in conditions if self._is_broken(c)]
+        if not broken:
+            return []
+        parts = [c for c in validity(broken) if self._is_broken(c)] or broken  # a product is broken by one factor
+        told = texts(parts, until_event=self.reached is not None)
+        return [reworded(Message("Not valid for the given numbers: {text}", text=text), text) for text in told]
+
+    def _is_broken(self, c: Condition) -> bool:
+        """Whether the model's own numbers break a condition: at the start, or on the way to the event."""
+        draw = self.setup.draws[0]
+        for here in self._instants(c, draw):
+            with suppress(CannotAnswer, ArithmeticError, ValueError):
+                if not holds(self.setup, c, draw, here, round_off=_ROUND_OFF):
+                    return True
+        return False
+
+    def _instants(self, c: Condition, draw: Draw) -> Sequence[Snapshot]:
+        """At which a condition is judged in numbers: at the start, and what changes with the motion up to the event."""
+        changes = any(c.element.field.generators[g].kind in MOVING for g in c.element.field.ingredients(c.element))
+        return self._way_in_numbers if changes else [draw.start()]
+
+    @cached_property
+    def _way_in_numbers(self) -> Sequence[Snapshot]:
+        """The motion at the model's own numbers, from the start to the event that is asked for."""
+        draw, event = self.setup.draws[0], self.question.event
+        start = draw.start()
+        if event is None or self.reached is None:
+            return [start]
+        try:
+            return [start, *motion_to(draw.reference, start, LONGEST, event).links]
+        except (CannotAnswer, ArithmeticError, ValueError):
+            return [start]
+
+    def _judge(self, element: Elements | Fraction) -> Judgement | None:
+        if isinstance(element, Fraction) and self.question.quantity.scope == "structure":
+            with suppress(CannotAnswer):
+                from freebody.study.mobility.mobility import judged as judged_by_count
+
+                return judged_by_count(self.setup.system, self.question, int(element))
+        return judged(self.question, element, self.setup.model, self.setup.system)
+
+    def _value(self, element: Elements) -> Value:
+        if not self.setup.has_values:
+            return None
+        draw = self.setup.draws[0]
+        field = self.setup.model.field
+        parts = element if isinstance(element, tuple) else (element,)
+        try:
+            # exactly at the start where it has a formula, so that a zero is a zero
+            parts = tuple(field.follow(p, self.setup.start.values) for p in parts)
+        except ZeroDivisionError:
+            return None
+        except CannotAnswer:
+            pass
+        try:
+            values = element_at(self.setup, parts, draw, draw.start())
+        except (CannotAnswer, ArithmeticError, ValueError):
+            return None
+        q = self.question.quantity
+        size = 0.0 if q.wanted is not None else magnitude(q.dimension, draw.seen(draw.start())) or 1.0
+        small = _ROUND_OFF * size  # a parameter is not added up from what moves
+        pairs = zip(parts, values, strict=True)
+        values = tuple(0.0 if abs(v) < small or self._cancels(part) else v for part, v in pairs)
+        return values if isinstance(element, tuple) else values[0]
+
+    def _cancels(self, part: Ratio) -> bool:
+        """Whether it is zero for the decimals as they are written: 4 * 0.3 - 6 * 0.2 is not so in binary numbers."""
+        field, draw = self.setup.model.field, self.setup.draws[0]
+        if any(field.generators[g].kind != "parameter" for g in field.ingredients(part)):
+            return False
+        numbers = self.setup.model.samples.numbers(draw.sample())
+        return field.evaluate(part, {g: Fraction(repr(numbers[g])) for g in field.ingredients(part)}) == 0

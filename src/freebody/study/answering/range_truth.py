@@ -1,0 +1,146 @@
+"""Whether an inequality holds for a value of a parameter, in numbers: by formulas with their conditions."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from freebody.errors import CannotAnswer
+from freebody.language.expression import Symbol
+from freebody.language.sentences import Message
+from freebody.model.elements import Parameter
+from freebody.questions.base import Wanted
+from freebody.questions.happening import FailsFirst, Happening
+from freebody.questions.reading import Question
+from freebody.questions.turned_round import REACHED, SO
+from freebody.study.answering.draws import Draw
+from freebody.study.answering.turned_round import (
+    Formula,
+)
+from freebody.study.setup import Setup
+from freebody.symbolic.conditions import Condition
+from freebody.symbolic.field import Ratio
+
+_ON = 1e-7  # of the size of its terms: a formula that vanishes at an end
+_INSIDE = (0.07, 0.31, 0.5, 0.68, 0.94)  # places between two ends that are looked at
+_BEYOND = (1.02, 1.5, 4.0, 30.0)  # times the last end, where there is none behind it
+
+
+@dataclass(frozen=True)
+class End:
+    """Where an interval ends: a formula, or none where the parameter itself ends. is_in: whether it belongs to it."""
+
+    value: Ratio | None
+    is_in: bool
+
+
+Interval = tuple[End, End]
+
+
+@dataclass(frozen=True)
+class Truth:
+    """A formula with what it is compared with. element: its difference from the target, which the relation is about;
+    none where only its conditions matter."""
+
+    formula: Formula
+    element: Ratio | None
+    relation: str
+
+    @property
+    def conditions(self) -> Sequence[Condition]:
+        return self.formula.needed
+
+
+class TruthInNumbers:
+    """Whether something is so of one parameter, whatever else the model says."""
+
+    def __init__(self, setup: Setup, question: Question, wanted: Wanted, formulas: Sequence[Formula]) -> None:
+        self.setup, self.question, self.wanted = setup, question, wanted
+        self.model, self.field = setup.model, setup.model.field
+        self.parameter: Parameter = setup.system.parameters[wanted.parameter]
+        self.index = self.field.index(self.model.geometry.scalar(Symbol(wanted.parameter)))
+        self.truths = [self._truth(formula) for formula in formulas]
+        of = wanted.of  # what is to come before something else comes with it at the ends
+        self.is_open = isinstance(of, FailsFirst) or (isinstance(of, Happening) and of.before is not None)
+
+    def _truth(self, formula: Formula) -> Truth:
+        if self.wanted.relation in (REACHED, SO):
+            return Truth(formula, None, self.wanted.relation)
+        if not isinstance(formula.element, Ratio):
+            raise CannotAnswer(Message("one number must have a value here, and that is none in closed form"))
+        element = self.field.lowest_terms(formula.element - self.model.geometry.scalar(self.wanted.target))
+        return Truth(formula, element, self.wanted.relation)
+
+    # -- in numbers ---------------------------------------------------------------------------
+    def numbers_of(self, draw: Draw) -> dict[int, Any]:
+        return self.model.samples.numbers(draw.sample(draw.start()))
+
+    def with_value(self, numbers: Mapping[int, Any], value: float) -> dict[int, Any]:
+        """All generators with a value for the parameter."""
+        f = self.field
+        kept = {g: v for g, v in numbers.items() if self.index not in f.generators[g].made_of}
+        return f.complete({**kept, self.index: value})
+
+    def value_of(self, x: Ratio, numbers: Mapping[int, Any]) -> tuple[float, float]:
+        """An element, and the size of its terms; nan where it has no real value."""
+        try:
+            value = float(self.field.evaluate(x, numbers))
+            total, size = self.field.numerator_and_size(x, numbers)
+            return value, abs(value) * size / abs(total) if total else 0.0
+        except (KeyError, ValueError, ArithmeticError):
+            return math.nan, 0.0
+
+    def is_true(self, numbers: Mapping[int, Any], value: float, *, at_end: bool = False) -> bool:
+        """Whether the inequality holds for a value of the parameter, by one of the formulas. at_end: where something
+        vanishes, which then counts as zero. Raises CannotAnswer where none of them says whether it is so."""
+        if at_end and self.is_open:
+            return False
+        here = self.with_value(numbers, value)
+        found = [truth.formula for truth in self.truths if self.holds_for(truth, here, at_end)]
+        if self.wanted.relation != SO or at_end or any(formula.says for formula in found):
+            return any(formula.says for formula in found)
+        if not any(formula.says is False for formula in found):
+            why = next((formula.why for formula in found if formula.why), "")
+            told = Message("for some values of {name} it is not known what happens", name=self.parameter.name)
+            raise CannotAnswer(Message("{told}: {why}", told=told, why=why) if why else told)
+        return False
+
+    def holds_for(self, truth: Truth, here: Mapping[int, Any], at_end: bool) -> bool:
+        checks = [(c.element, c.relation) for c in truth.conditions]
+        checks += [] if truth.element is None else [(truth.element, truth.relation)]
+        return all(self.is_so(x, relation, here, at_end) for x, relation in checks)
+
+    def is_so(self, x: Ratio, relation: str, here: Mapping[int, Any], at_end: bool) -> bool:
+        value, size = self.value_of(x, here)
+        if at_end and abs(value) <= _ON * size:
+            value = 0.0
+        if math.isnan(value):
+            return False
+        return {
+            ">": value > 0,
+            ">=": value >= 0,
+            "<": value < 0,
+            "<=": value <= 0,
+            "!=": value != 0,
+        }[relation]
+
+    def domain(self) -> tuple[float, float]:
+        low = -math.inf if self.parameter.sign == "any" else 0.0
+        return (0.0, math.pi / 2) if self.parameter.acute else (low, math.inf)
+
+    def places_between(self, a: float, b: float) -> list[float]:
+        if math.isfinite(a) and math.isfinite(b):
+            return [a + share * (b - a) for share in _INSIDE]
+        size = next((abs(x) for x in (a, b) if math.isfinite(x) and x), None)
+        size = abs(self.parameter.value or 1.0) if size is None else size
+        if math.isfinite(a):
+            return [a + size * (factor - 1.0) for factor in _BEYOND]
+        if math.isfinite(b):
+            return [b - size * (factor - 1.0) for factor in _BEYOND]
+        return [way * size * factor for way in (1, -1) for factor in _BEYOND]
+
+
+def keys_of(found: Sequence[Interval]) -> list[Any]:
+    return [(end.value.key() if end.value is not None else None, end.is_in) for interval in found for end in interval]

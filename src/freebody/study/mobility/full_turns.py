@@ -1,0 +1,175 @@
+"""Which links turn fully: Grashof's condition, and of other loops what is under the roots of their solution.
+
+A loop that is none of four links is asked through its coordinates: what is under the roots must not become negative on
+the way round. Both are compared with the motion of the mechanism followed in numbers at random lengths.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+
+from freebody.errors import CannotAnswer
+from freebody.language.notation import joined, reworded
+from freebody.language.sentences import Message, further
+from freebody.measures.angle import Angle
+from freebody.measures.geometry import Pose
+from freebody.numeric.jets import Array
+from freebody.numeric.reference import Reference
+from freebody.questions.linkages import FullTurn
+from freebody.questions.reading import Question
+from freebody.study.answering.answer import Evidence
+from freebody.study.answering.crosscheck import INSTANT_TOLERANCE, CrossCheck, SaysNothing, element_at
+from freebody.study.answering.draws import Draw
+from freebody.study.answering.finding import Finding
+from freebody.study.answering.turned_round import Formula
+from freebody.study.mobility.dead_points import margins
+from freebody.study.mobility.four_links import FourLinks
+from freebody.study.mobility.grashof import dimensions
+from freebody.study.mobility.linkages import FourBar
+from freebody.study.mobility.loop_questions import answered, four_links, is_so, loop_draws, path_round, refuse_pose
+from freebody.study.setup import Setup
+from freebody.study.steady.extremes import ExtremaSearch
+from freebody.study.steady.turning import TurningAngle
+from freebody.symbolic.closure import explicit
+from freebody.symbolic.conditions import Condition, merged
+from freebody.system.system import System
+
+
+@answered.register(FullTurn)
+def _full_turn(q: FullTurn, setup: Setup, question: Question) -> Finding:
+    refuse_pose(question)
+    if q.angle is not None:
+        raise CannotAnswer(Message("ask for the speed or the impulse: least v so that {name} turns fully", name=q.link))
+    try:
+        links = four_links(setup)
+        turning = links.turning(q.link)
+    except CannotAnswer:
+        return _full_turn_by_coordinate(q, setup, question)
+    notes = _case(links)
+    does = Message("with the given numbers {link} turns fully", link=q.link)
+    does_not = Message("with the given numbers {link} does not turn fully", link=q.link)
+    if setup.has_values:
+        notes.insert(0, does if links.does_turn(q.link) else does_not)
+    if turning.needs:
+        notes.append(Message("what must not be negative; where it is zero the linkage passes a change point"))
+    evidence = _turns_in_numbers(setup, question.text, q.link, turning.conditions)
+    says = reworded(Message("{link} turns fully if {condition}", link=q.link, condition=turning.says), turning.says)
+    if not turning.needs:
+        says = Message("{link} turns fully for all lengths", link=q.link)
+    lengths = margins(links, q.link)
+    element = lengths[0] if len(lengths) == 1 else lengths or setup.model.field.one
+    return Finding(element, evidence, says=[says], notes=notes, unit="m" if lengths else "1", is_complete=True)
+
+
+def _case(links: FourLinks) -> list[str]:
+    """Grashof's case at the model's own numbers."""
+    if not links.setup.has_values or not isinstance(links.loop, FourBar):
+        return []
+    draw = links.setup.draws[0]
+    return [Message("with the given numbers: {case}", case=dimensions(links.loop, draw.reference, draw.q).case)]
+
+
+@is_so.register(FullTurn)
+def _(q: FullTurn, setup: Setup) -> Formula:
+    try:
+        turning = four_links(setup).turning(q.link)
+    except CannotAnswer as error:
+        from freebody.study.mobility.round_by_energy import goes_round
+
+        return goes_round(setup, q, error)
+    if not turning.needs:
+        raise CannotAnswer(Message("{link} turns fully for all lengths", link=q.link))
+
+    def evidence() -> Evidence:
+        return _turns_in_numbers(setup, q.link, q.link, turning.conditions)
+
+    def in_numbers(values: dict[str, float]) -> float:
+        try:
+            pose = Reference(setup.system, values).assemble(guess=setup.draws[0].q, n_starts=2)
+        except CannotAnswer:
+            return 0.0
+        return float(turns_fully(setup.system, values, pose, q.link))
+
+    return Formula(Fraction(1), turning.conditions, evidence, in_numbers)
+
+
+def _full_turn_by_coordinate(q: FullTurn, setup: Setup, question: Question) -> Finding:
+    """Any loop that is solved by the angle of the link."""
+    model = setup.model
+    c = next((c for c in model.coordinates if model.measure_of(c) == Angle(q.link)), None)
+    if c is None or len(model.coordinates) != 1:
+        raise CannotAnswer(
+            Message(
+                "a full turn of {link} has a condition in closed form in a loop of four links, and elsewhere where the "
+                "angle of {link} is the only coordinate. Its reach in numbers: freebody mobility --along",
+                link=q.link,
+            )
+        )
+    turning = TurningAngle(model, c)
+    try:
+        conditions = _all_round(setup, turning)
+    except CannotAnswer:
+        if not setup.has_values:
+            raise CannotAnswer(Message("a condition for a full turn of {link} was not found", link=q.link)) from None
+        so = turns_fully(setup.system, setup.draws[0].values, setup.draws[0].q, q.link)
+        told = (
+            Message("with the given numbers {link} turns fully", link=q.link)
+            if so
+            else Message("with the given numbers {link} does not turn fully", link=q.link)
+        )
+        why = Message("a condition for a full turn of {link} was not found", link=q.link)
+        raise CannotAnswer(further(told, why)) from None
+    evidence = _turns_in_numbers(setup, question.text, q.link, conditions, only_if=True)
+    told = joined(merged([Condition(c.element, c.relation) for c in conditions]))
+    says = (
+        reworded(Message("{link} turns fully if {condition}", link=q.link, condition=told), told)
+        if conditions
+        else Message("{link} turns fully for all lengths", link=q.link)
+    )
+    notes: list[str] = [*turning.notes]
+    if setup.has_values:
+        notes.insert(0, Message("with the given numbers {link} turns fully", link=q.link))
+    if conditions:
+        notes.append(Message("as it is assembled at the start; other lengths may allow it in another way"))
+    needs = tuple(c.element for c in conditions)
+    element = needs[0] if len(needs) == 1 else needs or model.field.one
+    return Finding(element, evidence, says=[says], notes=notes, unit="" if needs else "1", is_complete=True)
+
+
+def _all_round(setup: Setup, turning: TurningAngle) -> list[Condition]:
+    """Under what conditions all bodies have places on the way round, on the branch of the start."""
+    search = ExtremaSearch(turning)
+    for body in setup.system.moving:
+        pose = setup.model.geometry.pose(body.name)
+        assert isinstance(pose, Pose)
+        for x in (pose.x, pose.y):
+            there = explicit(setup.model, x)
+            if turning.occurs_in(there):
+                search.must_exist(there)
+    search.must_go_round(setup)
+    return search.conditions
+
+
+def _turns_in_numbers(
+    setup: Setup, question: str, link: str, conditions: Sequence[Condition], *, only_if: bool = False
+) -> Evidence:
+    """The motion is followed in numbers. only_if: draws that break a condition say nothing."""
+    route = Message("the motion of the full system followed all round in numbers")
+    check = CrossCheck(question, route, INSTANT_TOLERANCE)
+
+    def compare(draw: Draw) -> None:
+        so = all(element_at(setup, c.element, draw, draw.start())[0] >= 0 for c in conditions)
+        if only_if and not so:
+            return
+        check.compare(draw, float(so), float(turns_fully(setup.system, draw.values, draw.q, link)))
+
+    return check.gather(loop_draws(setup), compare).evidence()
+
+
+def turns_fully(system: System, values: dict[str, float], q: Array, link: str) -> bool:
+    """Whether a link goes round, by the motion from a pose. Raises SaysNothing where it cannot be followed."""
+    try:
+        return path_round(system, values, q, Angle(link))[1].full_turn
+    except CannotAnswer as error:
+        raise SaysNothing(str(error)) from None

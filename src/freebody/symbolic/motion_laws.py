@@ -1,0 +1,107 @@
+"""The laws by which the coordinates of a model move from its start, and their ways by energy.
+
+A coordinate whose acceleration depends on nothing that moves but itself has a law of its own (`laws/`), several that
+are coupled linearly have one together; where energy is conserved M u^2/2 + V tells the speed at a place.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Generator
+from contextlib import contextmanager
+from functools import cached_property
+
+from freebody.errors import CannotAnswer
+from freebody.symbolic.coupled import CoupledMotion, coupled_with
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.first_integrals import FirstIntegrals, is_driven
+from freebody.symbolic.laws import Freely, MotionLaw, law_of
+from freebody.symbolic.model import SymbolicModel
+from freebody.symbolic.start import StartState
+from freebody.symbolic.unknowns import Coordinate
+from freebody.symbolic.way import EnergyPath
+
+
+class MotionLaws:
+    """How the coordinates of a model move from its start."""
+
+    def __init__(self, model: SymbolicModel, start: StartState) -> None:
+        self.model = model
+        self.start = start
+        self.field = model.field
+        self.integrals = FirstIntegrals(model, start)
+        self._on_one_side = False
+
+    def coupled(self, c: Coordinate) -> CoupledMotion | None:
+        """How a coordinate moves with those to which it is coupled linearly."""
+        return coupled_with(self.model, self.start, c, self.acceleration)
+
+    @cached_property
+    def stands_still(self) -> bool:
+        """True where it is proved that nothing ever moves: no speed and no acceleration at the start, nothing that
+        depends on time, and laws smooth enough for the motion to be unique (Lipschitz; no root or sign of zero)."""
+        f, model = self.field, self.model
+        if any(not self.start.of(c.speed).is_zero() for c in model.coordinates) or is_driven(model):
+            return False
+        now = {k: x for k, x in self.start.values.items() if k != f.index(f.time)}
+        try:
+            accelerations = [model.in_independent_speeds(a) for a in model.dynamics.solved_accelerations.values()]
+            for a in accelerations:
+                for g in a.generators():
+                    kind, (name, argument) = f.generators[g].kind, f.arguments.get(g, ("", f.one))
+                    if kind == "root" and f.follow(f.radicand(g), now).is_zero():
+                        return False
+                    if name == "sign" and f.follow(argument, now).is_zero():
+                        return False
+            return all(f.follow(a, now).is_zero() for a in accelerations)
+        except (CannotAnswer, ZeroDivisionError):
+            return False
+
+    @property
+    def _in_time(self) -> set[int]:
+        """The generators of the time and of given functions of it."""
+        return {g for g, generator in self.field.generators.items() if generator.kind == "time"}
+
+    # -- laws of motion -----------------------------------------------------------------------
+    def acceleration(self, c: Coordinate) -> Ratio:
+        """Of a coordinate, as a function of coordinates, speeds and time."""
+        k = self.model.coordinates.index(c)
+        found = self.field.lowest_terms(self.model.dynamics.solved_accelerations[self.model.accelerations[k]])
+        still = self.integrals.resting  # coordinates that stay where they start are no variables
+        return self.field.lowest_terms(self.field.follow(found, still)) if still else found
+
+    def law_of(self, c: Coordinate, *, takes_side: bool = False) -> MotionLaw | None:
+        """How a coordinate moves by itself, where that is one of the laws that have closed forms. takes_side: whether
+        what parameters decide may be as it is at the first sample; that is then assumed."""
+        q0, u0 = self.start.of(c.index), self.start.of(c.speed)
+        return law_of(Freely(self.model, c, self.acceleration(c), q0, u0, takes_side))
+
+    @cached_property
+    def _takes_side(self) -> bool:
+        """Whether laws may take a side: where no integral of energy serves for all of them."""
+        try:
+            self.integrals.potential({})
+        except CannotAnswer:
+            return True
+        return False
+
+    # -- first integral -----------------------------------------------------------------------
+    def way_of(self, c: Coordinate) -> EnergyPath:
+        """The way of a coordinate by energy."""
+        square = self.speed_squared(c, self.field.variable(c.index))
+        a0 = self.field.follow(self.acceleration(c), self.start.values)
+        start = self.start.of(c.index), self.start.of(c.speed), a0
+        coasts = self.integrals.coasts(c)
+        return EnergyPath(self.model, c, square, start, takes_side=self._on_one_side, coasts=coasts)
+
+    @contextmanager
+    def on_one_side(self) -> Generator[None]:
+        """Ways by energy are told as they are at the first sample, where parameters decide."""
+        self._on_one_side = True
+        try:
+            yield
+        finally:
+            self._on_one_side = False
+
+    def speed_squared(self, c: Coordinate, at: Ratio) -> Ratio:
+        """u^2 at q = at."""
+        return self.integrals.speed_squared(c, at)

@@ -1,0 +1,91 @@
+"""Signs, factors and quotients of plain expressions, as people write them.
+
+A sum is written with a positive term first, a product with its sign in front; a quotient has no numbers to cancel.
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from freebody.language.expression import (
+    Call,
+    Expr,
+    Number,
+    PowerOf,
+    ProductOf,
+    Sum,
+    add,
+    divide,
+    multiply,
+    negate,
+    number,
+)
+
+
+def root_shown(inside: Expr) -> Expr:
+    """The root of an expression; that of a square is a size."""
+    if isinstance(inside, PowerOf) and inside.exponent == number(2):
+        return Call("abs", inside.base)
+    return Call("sqrt", inside)
+
+
+def fraction_shown(top: Expr, bottom: Expr, *, turns: bool = True) -> Expr:
+    """top/bottom with the sign in front and the numbers gathered. turns: a sign may go into a difference below, which
+    spoils one that is known to be positive."""
+    n_top, rest_top = number_part(top)
+    n_bottom, rest_bottom = number_part(bottom)
+    ratio = n_top / n_bottom
+    if turns and ratio < 0 and isinstance(rest_bottom, Sum) and any(map(is_written_negative, rest_bottom.terms)):
+        ratio, rest_bottom = -ratio, positive_first([negate(t) for t in rest_bottom.terms])
+    elif turns and ratio < 0 and isinstance(rest_bottom, ProductOf):
+        ratio, rest_bottom = _sign_of_a_factor(ratio, rest_bottom)
+    up = multiply(number(ratio.numerator), *factors_of(rest_top))
+    down = multiply(number(ratio.denominator), *factors_of(rest_bottom))
+    return divide(up, down)
+
+
+def _sign_of_a_factor(ratio: Fraction, product: ProductOf) -> tuple[Fraction, Expr]:
+    """-1/(a (b - c)) = 1/(a (c - b))"""
+    for k, factor in enumerate(product.factors):
+        if isinstance(factor, Sum) and any(map(is_written_negative, factor.terms)):
+            turned = positive_first([negate(t) for t in factor.terms])
+            return -ratio, multiply(*product.factors[:k], turned, *product.factors[k + 1 :])
+    return ratio, product
+
+
+def number_part(e: Expr) -> tuple[Fraction, Expr]:
+    if isinstance(e, Number):
+        return e.value, number(1)
+    if isinstance(e, ProductOf) and isinstance(e.factors[0], Number):
+        return e.factors[0].value, multiply(*e.factors[1:])
+    return Fraction(1), e
+
+
+def factors_of(e: Expr) -> tuple[Expr, ...]:
+    return e.factors if isinstance(e, ProductOf) else (e,)
+
+
+def signed_product(unit: int, parts: list[Expr]) -> Expr:
+    """Turns a factor such as (m2 - m1) round so that the product has no sign in front, if one can."""
+    if unit < 0:
+        for k, part in enumerate(parts):
+            n, rest = number_part(part)
+            if isinstance(rest, Sum) and 2 * sum(map(is_written_negative, rest.terms)) >= len(rest.terms):
+                parts[k] = positive_first([negate(t) for t in rest.terms])
+                return multiply(number(-unit * n), *parts)
+    return multiply(number(unit), *parts)
+
+
+def positive_first(terms: list[Expr]) -> Expr:
+    """A sum that does not begin with a minus sign, if it need not."""
+    if terms and is_written_negative(terms[0]):
+        for k, term in enumerate(terms):
+            if not is_written_negative(term):
+                return add(term, *terms[:k], *terms[k + 1 :])
+        if len(terms) > 1:
+            return negate(add(*(negate(term) for term in terms)))
+    return add(*terms)
+
+
+def is_written_negative(e: Expr) -> bool:
+    return number_part(e)[0] < 0
