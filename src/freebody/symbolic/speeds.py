@@ -43,7 +43,10 @@ class Speeds:
         names = [name for name, _total in totals]
         preference = [c.speed for c in sorted(kept, key=lambda c: ranks[c.index])]
         rows = [self._row(total, preference) for _name, total in totals]
-        solved = solve(self.field, rows, preference, samples.vanishes, in_order=True)
+        # what would be divided by zero at the start binds no speed: there the motion begins
+        solved = solve(
+            self.field, rows, preference, samples.vanishes, in_order=True, is_last=samples.vanishes_at_starts
+        )
         if solved.contradictory:
             raise CannotAnswer(
                 Message(
