@@ -21,7 +21,6 @@ from freebody.language.expression import Symbol
 from freebody.language.notation import compared, joined, reworded
 from freebody.language.sentences import Message
 from freebody.model.elements import Parameter
-from freebody.numeric.reference import Reference
 from freebody.questions.base import Wanted
 from freebody.questions.happening import FailsFirst, Happening
 from freebody.questions.reading import Question
@@ -431,8 +430,7 @@ class RangeSearch:
             with suppress(CannotAnswer):
                 check.compare(draw, 1.0 if truth.formula.says else 0.0, truth.formula.in_numbers(values))
             return
-        reference = Reference(self.setup.system, values)
-        made = PutBack(number, Draw(values, reference, reference.assemble(guess=draw.q, n_starts=2)), 1.0)
+        made = PutBack(number, draw.with_values(values, self.setup.system), 1.0)
         numeric = quantity_with(self.setup, self.question, self.wanted.of, truth.formula, made)
         if self.wanted.of.is_verdict:
             check.compare(made.draw, 1.0, numeric)
