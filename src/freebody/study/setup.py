@@ -99,8 +99,8 @@ class Setup:
         if found < model.degrees_of_freedom or not self.system.space:
             raise CannotAnswer(
                 Message(
-                    "about the start the connections leave {m} degrees of freedom, and in the formulas {n}: the pose or "
-                    "a number of the model is a special one, in which formulas do not tell what is held. Start "
+                    "about the start the connections leave {m} degrees of freedom, and in the formulas {n}: the pose "
+                    "or a number of the model is a special one, in which formulas do not tell what is held. Start "
                     "elsewhere, or ask for numbers",
                     m=found,
                     n=model.degrees_of_freedom,
