@@ -14,7 +14,7 @@ from freebody.errors import CannotAnswer, ModelError, Problem
 from freebody.language.sentences import Message
 from freebody.language.units import LENGTH
 from freebody.measures.base import Measure
-from freebody.model.elements import ConstraintRow
+from freebody.model.elements import ConstraintRow, NonholonomicForm
 from freebody.numeric.reference import Snapshot
 from freebody.numeric.split import Split, stack
 from freebody.questions.base import Quantity
@@ -96,6 +96,9 @@ class Setup:
         found = min(rank_freedoms(draw.anywhere(SEED + k, _TIME, 0.1)) for k, draw in enumerate(self.draws[:3]))
         if found == model.degrees_of_freedom:
             return
+        rolls = any(isinstance(row.measure, NonholonomicForm) for row in self.system.constraint_rows)
+        if found > model.degrees_of_freedom and rolls and not self.system.space:
+            return  # rows of velocities may bind more a step away, where no motion leads
         if found < model.degrees_of_freedom or not self.system.space:
             raise CannotAnswer(
                 Message(
