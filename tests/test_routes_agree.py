@@ -243,3 +243,19 @@ questions: [{find: height of p when t = 1 s}]
 """)
     assert system.solve().answers[0].value == pytest.approx(1.0 - 5.0, rel=1e-12)
     assert "defect" not in system.explain().to_text()
+
+
+def test_a_sum_that_cancels_in_a_product_is_judged_by_its_terms() -> None:
+    """A kick of a body in a slot: m (s' + d w)/24 = 0 is zero to the round-off of its addends, each of about one."""
+    system = fb.System.from_text("""
+parameters: {k1: 1 kg, k2: 0.5 m, k3: 1 kg, S: 0.5 N m s}
+bodies:
+  p:
+    composite:
+      parts: {hub: {disk: {mass: k1/3, radius: k2}}, tip: {particle: {mass: k3/3}, at: [0.125 m, 0.5 m]}}
+    at: [-1 m, 0]
+connections: {c: {slot: {pin: p.hub, along: up}}}
+loads: {kick: {angular_impulse: {on: p, magnitude: S}}}
+questions: [{find: angular velocity of p at start}]
+""")
+    assert "defect" not in system.explain().to_text()
