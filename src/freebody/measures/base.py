@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import ClassVar, Protocol, TypeVar
 
 from freebody.language.units import Dimension
-from freebody.measures.geometry import Geometry, Scalar
+from freebody.measures.geometry import Geometry, Point, Scalar
 
 S = TypeVar("S", bound=Scalar)
 
@@ -32,3 +32,7 @@ class Measure(Protocol):
     def bodies(self) -> Iterator[str]:
         """The bodies whose poses it reads."""
         ...
+
+    def lines(self) -> Iterator[tuple[Point, Point]]:
+        """The points between which it needs a line: where two of them coincide it has no gradient."""
+        yield from ()

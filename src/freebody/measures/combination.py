@@ -9,7 +9,7 @@ from typing import ClassVar, TypeVar
 from freebody.language.expression import Expr
 from freebody.language.units import Dimension
 from freebody.measures.base import Measure
-from freebody.measures.geometry import Geometry, Scalar
+from freebody.measures.geometry import Geometry, Point, Scalar
 
 S = TypeVar("S", bound=Scalar)
 
@@ -38,6 +38,10 @@ class Combination(Measure):
         for _coefficient, measure in self.terms:
             yield from measure.bodies()
 
+    def lines(self) -> Iterator[tuple[Point, Point]]:
+        for _coefficient, measure in self.terms:
+            yield from measure.lines()
+
 
 @dataclass(frozen=True)
 class Composed(Measure):
@@ -62,3 +66,7 @@ class Composed(Measure):
     def bodies(self) -> Iterator[str]:
         for _name, measure in self.measures:
             yield from measure.bodies()
+
+    def lines(self) -> Iterator[tuple[Point, Point]]:
+        for _name, measure in self.measures:
+            yield from measure.lines()

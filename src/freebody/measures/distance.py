@@ -32,6 +32,9 @@ class Distance(Measure):
     def bodies(self) -> Iterator[str]:
         yield from (self.start.body, self.end.body)
 
+    def lines(self) -> Iterator[tuple[Point, Point]]:
+        yield self.start, self.end
+
 
 @dataclass(frozen=True)
 class Bearing(Measure):
@@ -60,3 +63,6 @@ class Bearing(Measure):
 
     def bodies(self) -> Iterator[str]:
         yield from (self.start.body, self.end.body, self.origin)
+
+    def lines(self) -> Iterator[tuple[Point, Point]]:
+        yield self.start, self.end

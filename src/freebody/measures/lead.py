@@ -46,3 +46,6 @@ class Lead(Measure):
 
     def bodies(self) -> Iterator[str]:
         yield from (self.start.body, self.end.body)
+
+    def lines(self) -> Iterator[tuple[Point, Point]]:
+        yield self.start, self.end

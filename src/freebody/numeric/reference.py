@@ -11,6 +11,7 @@ Source: Nikravesh, Computer-Aided Analysis of Mechanical Systems, 1988, ch. 7 an
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 
 import numpy as np
@@ -18,8 +19,10 @@ import numpy as np
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure
+from freebody.measures.displacement import Displacement
 from freebody.model.elements import NonholonomicForm
 from freebody.numeric.blow import blow
+from freebody.numeric.described import axes_of
 from freebody.numeric.jets import Array
 from freebody.numeric.linearised import frequencies, linearised
 from freebody.numeric.snapshot import Snapshot, snapshot_of
@@ -27,6 +30,8 @@ from freebody.numeric.start import N_STARTS, assembled
 from freebody.numeric.start_velocities import start_velocities
 from freebody.numeric.system import NumericSystem
 from freebody.numeric.trajectory import ReferenceTrajectory, integrate
+
+HARDLY_APART = 1e-6  # of the size of a system: points that are to coincide are found to half the digits
 
 
 class Reference(NumericSystem):
@@ -52,7 +57,29 @@ class Reference(NumericSystem):
             self.remember(fit.q, fit.branches)
             fit = assembled(self, extra, chosen(self, fit.q, self.system.mode))
         self.remember(fit.q, fit.branches)
+        if not extra:
+            self._check_lines(fit.q)
         return fit.q
+
+    def _check_lines(self, q: Array) -> None:
+        """Raises CannotAnswer where something is held along a line that has no length at the start: a link, a belt or
+        a mesh of wheels with one centre has no direction in which it could act."""
+        g = self.geometry(q, np.zeros_like(q), 0.0)
+        for row in self.system.constraint_rows:
+            if isinstance(row.measure, NonholonomicForm) or not row.measure.incremental:
+                continue
+            for first, second in row.measure.lines():
+                gaps = [self.jet(g, Displacement(second, first, axis)).value for axis in axes_of(self.system)]
+                if math.hypot(*gaps) <= HARDLY_APART * self.sizes.length:
+                    raise CannotAnswer(
+                        Message(
+                            "at the start {first} and {second} are in one place, and {connection} needs a line between "
+                            "them, which has no direction: put them apart (at)",
+                            first=first,
+                            second=second,
+                            connection=row.connection,
+                        )
+                    )
 
     def wander(self, q: Array, rng: np.random.Generator, size: float, t: float = 0.0) -> tuple[Array, Array]:
         """A pose and velocities (q, v) near q that hold what q holds, otherwise arbitrary: the free

@@ -66,6 +66,13 @@ class Snapshot:
     def rate(self, measure: Measure | NonholonomicForm) -> float:
         return self._jet(measure).rate
 
+    def rate_size(self, measure: Measure | NonholonomicForm) -> float:
+        """[SI/s] How large a rate may be at these speeds, |J| |v| for J v, in coordinates by the size of the system.
+        Its round-off is a part of that, also where J v cancels, as in the rate of an angle to a body that turns."""
+        moves = self.reference.sizes.unit_moves
+        slope: Array = self._jet(measure).row(len(self.q)) * moves
+        return float(np.linalg.norm(slope) * np.linalg.norm(self.v / moves))
+
     def acceleration(self, measure: Measure | NonholonomicForm) -> float:
         jet = self._jet(measure)
         return float(jet.row(len(self.q)) @ self.accelerations) + jet.bias

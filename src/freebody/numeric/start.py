@@ -31,6 +31,7 @@ from freebody.numeric.placing import ACCEPTED, N_STEPS, TOLERANCE, Fit, PoseEqua
 from freebody.numeric.rotation import matrix, rotation_vector
 from freebody.numeric.senses import turned_over, turned_to_face
 from freebody.numeric.system import NumericSystem
+from freebody.tolerances import ROUND_OFF
 
 N_STARTS = 16
 MOST_STEPS = 3200  # of all starts together
@@ -328,17 +329,23 @@ def _body_equations(reference: NumericSystem, start_of: Callable[[RigidBody], St
 
 
 def _attitude(body: str, R: Array) -> list[PoseEquation]:
-    """The axes of a body are those of R: the axial vector of R^T times them vanishes."""
+    """The axes A of a body are those of R. With R^T A a turn by phi about n, its axial vector sin(phi) n divided by
+    1 + cos(phi), half of its trace and one, is tan(phi/2) n: twice that vanishes for phi = 0 alone, and not half a turn
+    away as the axial vector itself does."""
 
-    def gap(g: JetGeometry, i: int, j: int) -> Jet:
+    def along(g: JetGeometry, i: int, j: int) -> Jet:
+        """Of R^T A the entry in row j and column i."""
         pose = g.pose(body)
         assert isinstance(pose, SpatialPose)
-        one, other = pose.axes[i], pose.axes[j]
-        (ax, ay, az), (bx, by, bz) = R[:, j], R[:, i]
-        assert one.z is not None
-        assert other.z is not None
-        mixed = one.x * ax + one.y * ay + one.z * az - (other.x * bx + other.y * by + other.z * bz)
-        return 0.5 * mixed
+        axis, (x, y, z) = pose.axes[i], R[:, j]
+        assert axis.z is not None
+        return axis.x * x + axis.y * y + axis.z * z
+
+    def gap(g: JetGeometry, i: int, j: int) -> Jet:
+        cosine = along(g, 0, 0) + along(g, 1, 1) + along(g, 2, 2) + 1.0
+        if cosine.value <= ROUND_OFF:
+            raise CannotAnswer(Message("a measure has no value"))
+        return 2.0 * (along(g, i, j) - along(g, j, i)) / cosine
 
     return [
         PoseEquation(f"turned of {body}", "rad", lambda g, i=i, j=j: gap(g, i, j), frozenset({body}))

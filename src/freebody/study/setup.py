@@ -14,7 +14,7 @@ from freebody.errors import CannotAnswer, ModelError, Problem
 from freebody.language.sentences import Message
 from freebody.language.units import LENGTH
 from freebody.measures.base import Measure
-from freebody.model.elements import ConstraintRow
+from freebody.model.elements import ConstraintRow, NonholonomicForm
 from freebody.numeric.reference import Snapshot
 from freebody.numeric.split import Split, stack
 from freebody.questions.base import Quantity
@@ -71,8 +71,7 @@ class Setup:
                 near = draws(self.system, n, seed=SEED + _OTHER_WAY, widest=widest, near=kept[0])
                 self.draws = [*kept, *(d for d in near if _is_on_branch(model, d, d.start()))][:n]
                 model = self._formulas()
-            if self.system.space:
-                self._check_freedoms(model)
+            self._check_freedoms(model)
         except CannotAnswer as error:
             return error
         return model
@@ -91,10 +90,25 @@ class Setup:
         return model
 
     def _check_freedoms(self, model: SymbolicModel) -> None:
-        """Named angles must leave a body all the freedom that its joints leave it."""
+        """The formulas must have the freedoms that the rank leaves. Fewer are left by angles of a body in space that
+        are named, or where a number of the model is special, as a radius of zero; more where what rows bind nearly
+        vanishes about the start."""
         found = min(rank_freedoms(draw.anywhere(SEED + k, _TIME, 0.1)) for k, draw in enumerate(self.draws[:3]))
-        if found <= model.degrees_of_freedom:
+        if found == model.degrees_of_freedom:
             return
+        rolls = any(isinstance(row.measure, NonholonomicForm) for row in self.system.constraint_rows)
+        if found > model.degrees_of_freedom and rolls and not self.system.space:
+            return  # rows of velocities may bind more a step away, where no motion leads
+        if found < model.degrees_of_freedom or not self.system.space:
+            raise CannotAnswer(
+                Message(
+                    "about the start the connections leave {m} degrees of freedom, and in the formulas {n}: the pose "
+                    "or a number of the model is a special one, in which formulas do not tell what is held. Start "
+                    "elsewhere, or ask for numbers",
+                    m=found,
+                    n=model.degrees_of_freedom,
+                )
+            )
         few = [b.name for b in self.system.moving if 0 < sum(bool(turn.name) for turn in b.chain) < 3]
         if few:
             raise CannotAnswer(

@@ -19,7 +19,7 @@ from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.symbolic.atoms import Arc, angle_with
 from freebody.symbolic.conditions import Condition, require
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.field import Field, Ratio
 from freebody.symbolic.functions import functions
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.reduced import without_square_roots
@@ -36,6 +36,7 @@ class Closure:
     def __init__(self, model: SymbolicModel) -> None:
         self.model, self.field = model, model.field
         self.sides: list[Ratio] = []  # positive on the branch on which the loops are assembled
+        self._turned: dict[int, Ratio] = {}  # whole turns of the angles beside their principal values
 
     @cached_property
     def _solved(self) -> tuple[dict[int, Ratio], list[Ratio], list[Coordinate]]:
@@ -172,7 +173,19 @@ class Closure:
         if any(len(part.num) > _MOST_TERMS for part in (cos, sin)):
             raise CannotAnswer(Message("the formula of {x} would be too long", x=q.name))
         c, s = f.pair_of(q.index) or (-1, -1)
-        return {c: cos, s: sin, q.index: angle_with(f, cos, sin, _arc(cos, sin, half))}
+        principal = _principal(f, cos, sin, half)
+        return {c: cos, s: sin, q.index: principal + self._turns(q, principal)}
+
+    def _turns(self, q: Coordinate, value: Ratio) -> Ratio:
+        """The whole turns by which an angle differs at the start from a value with the same cosine and sine: a spring
+        that twists with it feels them."""
+        samples = self.model.samples
+        pairs = zip(samples.start_numbers(q.index), samples.at_starts(value), strict=True)
+        turns = {round((own - other) / math.tau) for own, other in pairs if not math.isnan(own - other)}
+        if len(turns) > 1:
+            raise CannotAnswer(Message("which way the loop is assembled depends on the parameter values"))
+        self._turned[q.index] = 2 * (turns.pop() if turns else 0) * self.field.pi
+        return self._turned[q.index]
 
     def _side(self, x: Ratio) -> int:
         """The sign of an element that is the branch on which the loop is assembled."""
@@ -220,7 +233,7 @@ class Closure:
                 if pair is None or not set(pair) <= there.keys():
                     raise
                 cos, sin = there[pair[0]], there[pair[1]]
-                there[g] = angle_with(f, cos, sin, _arc(cos, sin, None))
+                there[g] = angle_with(f, cos, sin, _arc(cos, sin, None)) + self._turned[g]
         return there
 
     def closes(self) -> list[Condition]:
@@ -231,6 +244,16 @@ class Closure:
             if condition is not None:
                 found.append(condition)
         return found
+
+
+def _principal(f: Field, cos: Ratio, sin: Ratio, half: Ratio | None) -> Ratio:
+    """An angle by its cosine and sine, up to whole turns. Where the sign of one of them is known it is written by the
+    other one, without a jump wherever the sign holds; the tangent of half the angle jumps where it turns over."""
+    if sign_of(cos) in (Sign.NEGATIVE, Sign.NONPOSITIVE):
+        return f.pi - angle_with(f, -cos, sin, ("asin", sin))
+    if sign_of(sin) in (Sign.NEGATIVE, Sign.NONPOSITIVE):
+        return -angle_with(f, cos, -sin, ("acos", cos))
+    return angle_with(f, cos, sin, _arc(cos, sin, half))
 
 
 def _arc(cos: Ratio, sin: Ratio, half: Ratio | None) -> Arc | None:

@@ -13,7 +13,7 @@ What is not decided for all parameters is a condition: of stability, of the plac
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from freebody.errors import CannotAnswer
@@ -27,7 +27,7 @@ from freebody.symbolic.decide import decide, sign_given
 from freebody.symbolic.existence import exists
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.linear import determinant, solve
-from freebody.symbolic.linearised import Linearised, stand_still
+from freebody.symbolic.linearised import Linearised, Matrix, stand_still
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.signs import Sign
 from freebody.symbolic.start import StartState
@@ -136,6 +136,8 @@ def _straight_families(linear: Linearised) -> list[dict[int, Ratio]]:
 
 def _judged(model: SymbolicModel, at: dict[int, Ratio]) -> ClosedFormRest | None:
     """The equilibrium with its conditions; None where there is none, for any parameters or at the first sample."""
+    if not _has_full_inertia(model, at):
+        return None
     conditions = exists(at.values())
     state = SymbolicState(model, at | {c.speed: model.field.zero for c in model.coordinates})
     for row in model.system.constraint_rows:
@@ -151,6 +153,23 @@ def _judged(model: SymbolicModel, at: dict[int, Ratio]) -> ClosedFormRest | None
     if not all(_at_first(model, c) for c in conditions):
         return None
     return _with_stability(model, at, tuple(conditions))
+
+
+def _has_full_inertia(model: SymbolicModel, at: dict[int, Ratio]) -> bool:
+    """Whether the mass matrix has the rank at a place that it has elsewhere. Where it has not the coordinates are
+    singular, as an angle about a point is in that point, and F = 0 tells nothing of the forces there: the generalized
+    force r F_phi of an angle vanishes with r, whatever F_phi is."""
+    linear, f = Linearised(model, at), model.field
+    columns = [c.index for c in model.coordinates]
+
+    def n_without(matrix: Matrix, is_zero: Callable[[Ratio], bool]) -> int:
+        return len(solve(f, [dict(zip(columns, row, strict=True)) for row in matrix], columns, is_zero).free)
+
+    try:
+        here = n_without(linear.mass, linear.vanishes)
+    except ZeroDivisionError:
+        return False
+    return not here or here == n_without(model.dynamics.mass_matrix, model.samples.vanishes)
 
 
 def _at_first(model: SymbolicModel, c: Condition) -> bool:

@@ -35,6 +35,7 @@ class Speeds:
         contradict each other, or leave accelerations open."""
         self.field = unknowns.field
         self._samples, self._configuration = samples, configuration
+        self._at_starts: dict[object, bool] = {}  # by entry, of those that were asked about
         for speed in unknowns.speeds.values():
             self.field.clear_rate(speed)  # of an earlier pass
         kept = [unknowns.coordinate(u) for u in elimination.kept]
@@ -43,7 +44,7 @@ class Speeds:
         names = [name for name, _total in totals]
         preference = [c.speed for c in sorted(kept, key=lambda c: ranks[c.index])]
         rows = [self._row(total, preference) for _name, total in totals]
-        solved = solve(self.field, rows, preference, samples.vanishes, in_order=True)
+        solved = solve(self.field, rows, preference, samples.vanishes, in_order=True, is_last=self._vanishes_at_starts)
         if solved.contradictory:
             raise CannotAnswer(
                 Message(
@@ -62,6 +63,14 @@ class Speeds:
         self.accelerations = self._make_accelerations()
         if self.dependent:
             self._solve_dependent_accelerations(totals, solved)
+
+    def _vanishes_at_starts(self, entry: Ratio) -> bool:
+        """Whether an entry is zero where the motion begins: a speed that it would be divided by for is bound only where
+        nothing else can be."""
+        key = entry.key()
+        if key not in self._at_starts:
+            self._at_starts[key] = self._samples.vanishes_at_starts(entry)
+        return self._at_starts[key]
 
     # -- equations in speeds ------------------------------------------------------------------
     def _of_loops(self, elimination: Elimination) -> list[tuple[str, Ratio]]:

@@ -6,6 +6,7 @@ stands for a quantity that the numeric route can tell on its own (a reaction, an
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from copy import copy
@@ -15,7 +16,7 @@ from itertools import islice
 from typing import Any, Literal, Self, cast
 
 from freebody.errors import CannotAnswer, ExpressionError
-from freebody.language.expression import FLOAT_FUNCTIONS, Call, Expr, Sum, Symbol, evaluate, rate_key
+from freebody.language.expression import FLOAT_FUNCTIONS, Call, Expr, ProductOf, Sum, Symbol, evaluate, rate_key
 from freebody.language.sentences import Sentence
 from freebody.language.units import FORCE
 from freebody.measures.base import Measure
@@ -97,10 +98,16 @@ class World(SymbolValues):
                 largest = max(largest, *(abs(float(self[name])) for name in formulas_in(side) if name in self), 0.0)
                 continue
             parts: tuple[Expr, ...] = side if isinstance(side, tuple) else (side,)
-            for part in parts:
-                for term in part.terms if isinstance(part, Sum) else (part,):
-                    largest = max(largest, abs(float(evaluate(term, self, FLOAT_FUNCTIONS))))
+            largest = max(largest, *map(self._largest_term, parts))
         return largest
+
+    def _largest_term(self, e: Expr) -> float:
+        """Of a sum, also of one that stands as a factor in a product: multiplied out, these would be its terms."""
+        if isinstance(e, Sum):
+            return max(map(self._largest_term, e.terms))
+        if isinstance(e, ProductOf):
+            return math.prod(map(self._largest_term, e.factors))
+        return abs(float(evaluate(e, self, FLOAT_FUNCTIONS)))
 
     def __getitem__(self, name: str) -> float:
         if name not in self._known:

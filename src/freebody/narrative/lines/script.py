@@ -175,6 +175,9 @@ class Script:
             except (CannotAnswer, ArithmeticError, ValueError) as error:
                 trouble = str(error)
                 continue
+            if not all(math.isfinite(part) for side in known for part in side):  # as angles in a gimbal lock
+                trouble = Message("a part of it has no value there")
+                continue
             n_held += 1
             for k, (left, right) in enumerate(pairwise(known)):
                 for a, b in zip(left, right, strict=True):
@@ -196,8 +199,6 @@ class Script:
 
 
 def _agrees(a: float, b: float, relation: Relation, scale: float, share: float = ROUND_OFF) -> bool:
-    if not (math.isfinite(a) and math.isfinite(b)):
-        return False
     room = share * max(abs(a), abs(b), scale, 1e-9)
     match relation:
         case "=" | "≈":

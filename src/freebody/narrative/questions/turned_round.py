@@ -17,13 +17,11 @@ from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.script import DerivationStage, Legend, NumberedFormula, Script, Sentence
 from freebody.narrative.principles.sides import parted
 from freebody.narrative.questions.wanted import has_values, introduced
-from freebody.numeric.reference import Reference
 from freebody.questions.base import Quantity, Wanted
 from freebody.questions.happening import Happening
 from freebody.questions.reading import Question
 from freebody.questions.turned_round import EXTREMAL, TENDS
 from freebody.study.answering.answer import Answer
-from freebody.study.answering.draws import Draw
 from freebody.study.answering.numbers import LONGEST, at_event, number_at
 from freebody.study.answering.simulated_numbers import number_with_changes
 from freebody.study.answering.solve import solve
@@ -208,15 +206,14 @@ class _Refined:
         if has_phases(self.system):
             found = number_with_changes(self.system.with_parameters(**_given(self.system, values)), _of(question, of))
         else:
-            reference = Reference(setup.system, values)
-            draw = Draw(values, reference, reference.assemble(guess=world.draw.q, n_starts=2))
+            draw = world.draw.with_values(values, setup.system)
             if not of.is_of_state:
                 found = number_at(setup, of, question.event, draw)
             elif question.event is not None:
                 found = at_event(setup, of, draw, draw.start(), LONGEST, question.event)
             else:
                 here = world.snapshot
-                moved = draw.start() if question.at_start else reference.snapshot(here.q, here.v, here.t)
+                moved = draw.start() if question.at_start else draw.reference.snapshot(here.q, here.v, here.t)
                 found = of.value(setup.system, draw.seen(moved))
         if isinstance(found, (int, float)):
             return float(found)

@@ -141,7 +141,8 @@ def _reach(reference: Reference, g: JetGeometry, bound: UnilateralConstraint, ga
 
 
 def _turning(reference: Reference, bounds: tuple[UnilateralConstraint, ...], closing: set[str]) -> dict[str, str]:
-    """Families of a polygon on a line whose angle nobody gave: it will lie flat; with the body."""
+    """Families of a polygon on a line whose angle nobody gave: it will lie flat; with the body. One that touches with a
+    point of it alone stands on that."""
     system = reference.system
     found: dict[str, str] = {}
     for family in sorted(closing):
@@ -150,7 +151,10 @@ def _turning(reference: Reference, bounds: tuple[UnilateralConstraint, ...], clo
         if len(names) != 1 or any(b.obstacle for b in own):
             continue
         body = system.bodies.get(next(iter(names)))
-        if body is None or len(body.corners) < 3 or not (body.start.angle is None and body.start.turned is None):
+        met = {b.row.ends[0].partition(".")[2] for b in own}
+        if body is None or len(body.corners) < 3 or not met.issuperset(body.corners):
+            continue
+        if not (body.start.angle is None and body.start.turned is None):
             continue
         rows = [row for row in system.constraint_rows if not isinstance(system.connections.get(row.connection), Planar)]
         if not any(body.name in row.measure.bodies() for row in rows):

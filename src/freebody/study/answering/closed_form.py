@@ -219,10 +219,10 @@ class QuestionSolver:
         # a formula with signs that were taken at the start is compared only where they are so, there and at the event
         there = SymbolicState(self.model, self.setup.motion.known_at(reached))
         begins, ends = (self.setup.holding(s, with_contacts=False) for s in (self.setup.start_instant, there))
-        ends = [c for c in ends if not self._moving_in(c.element)]
+        ends = [c for c in ends if not self._is_untold(c.element)]
         # nor is it compared where the closed loops do not close at the event; where they just do, in a singular pose,
         # there is a place but no velocity
-        closing = [c for c in self.setup.closing(there) if not self._moving_in(c.element)]
+        closing = [c for c in self.setup.closing(there) if not self._is_untold(c.element)]
         # on the way there, too
         everywhere = kept_until(self.setup.motion, reached, self.setup.closing(self.setup.state))
         closing += [c for c in everywhere if not c.element.field.ingredients(c.element) & self.model.moving]
@@ -258,6 +258,20 @@ class QuestionSolver:
                     names=", ".join(c.name for c in left),
                 )
             )
+        if self._is_untold(x):
+            raise CannotAnswer(
+                Message("the quantity depends on the time of the event as well; {why}", why=self._reached.why_no_time)
+                if self._reached is not None and self._reached.why_no_time
+                else Message("the quantity depends on the time of the event as well, which has no closed form")
+            )
+
+    def _is_untold(self, x: Elements) -> bool:
+        """Whether something is left in an element whose value at the event is not known: a coordinate, or the time,
+        with which a drive turns."""
+        f = self.model.field
+        inside = set[int]().union(*map(f.ingredients, x if isinstance(x, tuple) else (x,)))
+        is_timed = self._reached is not None and self._reached.time is None
+        return bool(self._moving_in(x)) or (is_timed and any(f.generators[g].kind == "time" for g in inside))
 
     def _refuse_at_clock(self, event: Clock, left: Sequence[Coordinate]) -> NoReturn:
         names = ", ".join(c.name for c in left)

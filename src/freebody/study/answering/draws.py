@@ -21,6 +21,7 @@ from freebody.language.units import DIMENSIONLESS, LENGTH
 from freebody.measures.base import Measure
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference, Snapshot
+from freebody.numeric.rotation import matrix, rotation_vector
 from freebody.symbolic.sample import Sample
 from freebody.symbolic.spatial.tree import tree_of
 from freebody.system.system import System
@@ -48,6 +49,22 @@ class Draw:
     def start(self) -> Snapshot:
         """The start, with its velocities."""
         return self.reference.snapshot(self.q, self.reference.velocities(self.q))
+
+    def with_values(self, values: dict[str, float], system: System | None = None) -> Draw:
+        """Another one near it. system: where it is not the same. Raises CannotAnswer where that does not assemble."""
+        reference = Reference(self.reference.system if system is None else system, values)
+        return Draw(values, reference, reference.assemble(guess=self.guess_for(reference), n_starts=_NEARBY))
+
+    def guess_for(self, reference: Reference) -> Array:
+        """Its pose for other numbers of the parameters: bodies are turned as they are here, whatever principal axes
+        they have there, which may change places from one mass to the next."""
+        q = self.q.copy()
+        for body in reference.system.moving if reference.system.space else ():
+            own = list(reference.columns(body.name)[3:])
+            if own:
+                axes = matrix(q[own]) @ self.reference.frame.principal[body.name].T
+                q[own] = rotation_vector(axes @ reference.frame.principal[body.name])
+        return q
 
     def seen(self, snapshot: Snapshot) -> Snapshot:
         """The same instant, with accelerations and multipliers by the engine."""
@@ -145,11 +162,13 @@ def draws(system: System, n: int, *, seed: int = SEED, widest: float = 1.0, near
                 spread = widest
             values = draw_parameters(system, rng, 0.0 if k == 0 and near is None else spread, lengths=lengths)
             try:
-                reference = Reference(system, values)
                 # on the same branch as the file's own numbers: near its pose, or not at all
                 branch = near or (found[0] if found else None)
-                q = reference.assemble() if branch is None else reference.assemble(guess=branch.q, n_starts=_NEARBY)
-                found.append(Draw(values, reference, q))
+                if branch is None:
+                    reference = Reference(system, values)
+                    found.append(Draw(values, reference, reference.assemble()))
+                else:
+                    found.append(branch.with_values(values, system))
                 break
             except CannotAnswer as error:
                 if k == 0 and near is None and system.has_values:

@@ -18,7 +18,7 @@ from freebody.study.answering.crosscheck import (
 from freebody.study.answering.draws import Draw
 from freebody.study.answering.finding import Finding, NotHere
 from freebody.study.answering.repeated import checked, coordinate_of
-from freebody.study.answering.witness import run, snapshots
+from freebody.study.answering.witness import least_rate, run, snapshots
 from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition, insisted
 from freebody.symbolic.field import Ratio
@@ -60,7 +60,7 @@ def turn_of(setup: Setup, measure: Measure, side: int) -> tuple[Coordinate, Reac
 def extent_in_numbers(draw: Draw, measure: Measure, side: int) -> float:
     """The farthest of the start and the first two turns."""
     start, reference = draw.start(), draw.reference
-    watches = [EngineWatch("turn", measure, 1, size=1e-3)]
+    watches = [EngineWatch("turn", measure, 1, size=least_rate(start, measure))]
     engine, course = run(reference, start, np.array([start.t, start.t + LONGEST]), watches)
     turns = [h.time for h in course.events if h.kind in ("rising", "falling") and h.time > start.t][:_N_TURNS]
     goes_on = course.status in (Status.FINISHED, Status.TOO_LONG)

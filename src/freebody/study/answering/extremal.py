@@ -14,7 +14,6 @@ from freebody.errors import CannotAnswer
 from freebody.language.expression import Symbol
 from freebody.language.notation import compared, reworded
 from freebody.language.sentences import Message
-from freebody.numeric.reference import Reference
 from freebody.questions.base import Wanted
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Evidence
@@ -156,8 +155,7 @@ def _evidence(
 
     def numeric(draw: Draw, k: int, value: float) -> tuple[PutBack, float]:
         values = draw.values | {wanted.parameter: value}
-        reference = Reference(setup.system, values)
-        made = PutBack(k, Draw(values, reference, reference.assemble(guess=draw.q, n_starts=2)), 1.0)
+        made = PutBack(k, draw.with_values(values, setup.system), 1.0)
         if wanted.of.is_of_state:
             return made, float(quantity_with(setup, question, wanted.of, formula, made))
         return made, as_parts(number_at(setup, wanted.of, question.event, made.draw))[0]

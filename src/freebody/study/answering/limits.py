@@ -15,7 +15,6 @@ from freebody.errors import CannotAnswer
 from freebody.language.expression import Symbol
 from freebody.language.notation import to_text
 from freebody.language.sentences import Message
-from freebody.numeric.reference import Reference
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Evidence
 from freebody.study.answering.conditions import real as real_conditions
@@ -211,8 +210,7 @@ class _Search:
             at = element_at(self.setup, self.value, draw, draw.start())[0]
             near = at + found.approach.way * share * (abs(at) or own)
         values = draw.values | {self.parameter.name: near}
-        reference = Reference(self.setup.system, values)
-        return PutBack(k, Draw(values, reference, reference.assemble(guess=draw.q, n_starts=2)), 1.0)
+        return PutBack(k, draw.with_values(values, self.setup.system), 1.0)
 
     def _confirm(self, found: _Found, x: Ratio, draw: Draw) -> None:
         """Raises CannotAnswer where the formula is not near its limit."""

@@ -27,7 +27,7 @@ from freebody.study.answering.crosscheck import (
 )
 from freebody.study.answering.draws import Draw
 from freebody.study.answering.finding import Finding, NotHere
-from freebody.study.answering.witness import run
+from freebody.study.answering.witness import least_rate, run
 from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition, insisted
 from freebody.symbolic.field import Ratio
@@ -157,7 +157,8 @@ def _watched_motion(draw: Draw, measure: Measure, until: float) -> tuple[Engine,
     start = draw.start()
     begin, rate = start.value(measure), start.rate(measure)
     whole = begin + math.copysign(2 * math.pi, rate)
-    watches = [EngineWatch("turn", measure, 1, size=1e-3), EngineWatch("over", measure, 0, whole, size=1.0)]
+    turn = EngineWatch("turn", measure, 1, size=least_rate(start, measure))
+    watches = [turn, EngineWatch("over", measure, 0, whole, size=1.0)]
     engine, course = run(draw.reference, start, np.array([start.t, until]), watches)
     if course.status not in (Status.FINISHED, Status.TOO_LONG):
         raise SaysNothing(course.message or Message("the motion does not go on"))

@@ -10,14 +10,20 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator
 
-from freebody.errors import RoutesDisagree, RoutesUntold
+import numpy as np
+
+from freebody.errors import CannotAnswer, RoutesDisagree, RoutesUntold
 from freebody.language.expression import Expr, Symbol, free_symbols
 from freebody.language.sentences import Message
 from freebody.language.units import LENGTH, MASS
+from freebody.model.elements import NonholonomicForm
+from freebody.numeric.mobility.rank import gradients
 from freebody.numeric.reference import Reference
 from freebody.system.system import System
+from freebody.tolerances import ROUND_OFF
 
 APART = 1e8
+FLAT = 1e-4  # a slope below this part of the usual one: where poses are off by 1e-12 the place is by 1e-8
 FAR = 1e9  # a parameter of more than this, or less than its inverse, in SI units
 
 _Named = tuple[str, float]
@@ -30,7 +36,7 @@ NO_DERIVATION = Message("No derivation is shown")
 def disagreement(message: str, reference: Reference, what: str = NO_ANSWER) -> RoutesDisagree:
     """The error of a difference between both routes. message: without the full stop; what: the sentence on
     what is not shown."""
-    far = far_apart(reference.system, reference.number)
+    far = far_apart(reference.system, reference.number) or held_at_extreme(reference)
     if far:
         return RoutesUntold(
             Message(
@@ -68,6 +74,27 @@ def far_apart(system: System, number: Callable[[Expr], float]) -> str:
         x = abs(number(Symbol(p.name))) if p.form is None else 0.0
         if x and not 1.0 / FAR < x < FAR:
             return Message("{parameter} is {x:.3g} in SI units", parameter=p.name, x=x)
+    return ""
+
+
+def held_at_extreme(reference: Reference) -> str:
+    """A row whose measure is at an extreme value at the start, as a mesh of wheels between shafts that can only just
+    be as oblique as it demands; "" where there is none. The gap of such a row grows with the square of what the pose
+    is off, so poses are known to half the digits."""
+    try:
+        q, unit = reference.assemble(), reference.sizes.length
+        rows = [row for row in reference.system.constraint_rows if not isinstance(row.measure, NonholonomicForm)]
+        slopes = gradients(reference, q, rows) * reference.sizes.unit_moves
+    except CannotAnswer:
+        return ""
+    for row, slope in zip(rows, slopes, strict=True):
+        size = float(np.linalg.norm(slope)) / unit ** float(row.measure.dimension.length)
+        if ROUND_OFF < size < FLAT:
+            return Message(
+                "at the start {row} is held at an extreme value of its measure, and the pose is known to half of the "
+                "digits",
+                row=row.name,
+            )
     return ""
 
 

@@ -21,7 +21,6 @@ from freebody.language.expression import ZERO, Symbol
 from freebody.language.notation import compared, joined, reworded, to_text
 from freebody.language.sentences import Message
 from freebody.model.elements import Parameter
-from freebody.numeric.reference import Reference
 from freebody.questions.base import Quantity, Wanted
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Evidence, Value
@@ -238,8 +237,7 @@ class _Turned:
                 (number,) = element_at(self.setup, value, draw, draw.start())
                 if math.isfinite(number) and is_within(self.parameter, number):
                     values = draw.values | {self.parameter.name: number}
-                    reference = Reference(system, values)
-                    made = Draw(values, reference, reference.assemble(guess=draw.q, n_starts=2))
+                    made = draw.with_values(values, system)
                     yield PutBack(k, made, max(self._size(draw), self._size(made)) or 1.0)
 
     def _draws(self) -> Iterator[Draw]:

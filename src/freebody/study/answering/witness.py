@@ -16,7 +16,8 @@ import numpy as np
 from freebody.budgets import allowed
 from freebody.errors import BudgetExhausted, CannotAnswer
 from freebody.language.sentences import Message
-from freebody.model.elements import ConstraintRow
+from freebody.measures.base import Measure
+from freebody.model.elements import ConstraintRow, NonholonomicForm
 from freebody.numeric.engine.course import Status, Trajectory
 from freebody.numeric.engine.engine import Engine
 from freebody.numeric.engine.evaluator import EngineWatch
@@ -33,6 +34,7 @@ N_LINKS = 33  # snapshots along a motion, by which angles are counted on
 TOLERANCE = 1e-11
 _FEW = 9  # links up to an event
 _TURN = "turn"
+_SLOW = 1e-3  # [SI/s]
 _SOON = 1e-9  # [s] of a motion that is looked at where it begins
 TOUCH = 1e-8  # what a measure may miss a value by where it turns, by the size of the event
 
@@ -94,9 +96,10 @@ def motion_to(
         return _at_time(reference, start, until if event.time is None else reference.number(event.time), times)
     target = reference.number(event.value)
     own = reference.sizes.length ** float(event.measure.dimension.length)  # of a place; an angle is of the size of one
-    size = max(abs(target), own if event.order == 0 else 1e-3)
+    slow = least_rate(start, event.measure)
+    size = max(abs(target), own if event.order == 0 else slow)
     crossing = EngineWatch("event", event.measure, event.order, target, is_terminal=True, size=size)
-    watches = [crossing] if event.order else [crossing, EngineWatch(_TURN, event.measure, 1, size=1e-3)]
+    watches = [crossing] if event.order else [crossing, EngineWatch(_TURN, event.measure, 1, size=slow)]
     course, links = _followed(reference, start, until, watches, times)
     turn = _turn_at(course, links, event, target, size)
     if turn is not None:
@@ -117,6 +120,12 @@ def motion_to(
         course, links = _followed(reference, start, found.time + soon, watches[1:], times)
         return _turn_at(course, links, event, target, size) or found
     return found
+
+
+def least_rate(start: Snapshot, measure: Measure | NonholonomicForm) -> float:
+    """[SI/s] What counts as large where a rate is watched for zeros: what it is the sum of at the start, since it may
+    be zero there but for the round-off of that."""
+    return max(_SLOW, start.rate_size(measure))
 
 
 def states_at(reference: Reference, start: Snapshot, times: Array) -> tuple[NumericSnapshot, ...]:

@@ -224,7 +224,7 @@ def _in_case(setup: Setup, draw: Draw, case: VanishingCase) -> Draw:
         elif isinstance(shown, Symbol) and shown.name in values:
             values[shown.name] = float(model.field.evaluate(model.field.element(element), numbers))
     reference = Reference(_with_forms(system, forms) if forms else system, values)
-    return Draw(values, reference, reference.assemble(guess=draw.q))
+    return Draw(values, reference, reference.assemble(guess=draw.guess_for(reference)))
 
 
 def _is_number(system: System, shown: Expr) -> bool:

@@ -12,10 +12,8 @@ from fractions import Fraction
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS
-from freebody.numeric.reference import Reference
 from freebody.questions.linkages import FullTurn
 from freebody.study.answering.answer import Evidence
-from freebody.study.answering.draws import Draw
 from freebody.study.answering.repeated import LONGEST, comes_round
 from freebody.study.answering.turned_round import Formula
 from freebody.study.setup import Setup
@@ -43,8 +41,7 @@ def goes_round(setup: Setup, q: FullTurn, otherwise: CannotAnswer) -> Formula:
     purpose = Message("{link} turns fully", link=q.link)
 
     def in_numbers(values: dict[str, float]) -> float:
-        reference = Reference(setup.system, values)
-        draw = Draw(values, reference, reference.assemble(guess=setup.draws[0].q, n_starts=2))
+        draw = setup.draws[0].with_values(values, setup.system)
         return float(comes_round(draw, measure, LONGEST))
 
     return Formula(Fraction(1), [Condition(x, relation, purpose) for x, relation in needs], _none, in_numbers)

@@ -127,7 +127,7 @@ def stage(tree: PhaseTree, node: PhaseNode) -> FollowedPhase:
 
 
 def _at_once(tree: PhaseTree, question: Question, piece: AnswerBranch) -> Evidence:
-    """At the start, what slides though nothing slipped is accelerated its way, and what has opened parts: of the first
+    """At the start, what slides though it did not slip is accelerated its way, and what has opened parts: of the first
     derivatives of a gap the first that does not vanish is positive. What is struck comes nearer just before."""
     check = CrossCheck(question.text, Message("floating-point rates and accelerations at the start"), INSTANT_TOLERANCE)
 
@@ -144,8 +144,11 @@ def _at_once(tree: PhaseTree, question: Question, piece: AnswerBranch) -> Eviden
             signs = [(row.sign, now.rate(row.measure), now.acceleration(row.measure)) for row in rows]
             begins = all((s * u if abs(u) > ROUNDED else s * a) > 0 for s, u, a in signs)
         else:
-            states = [(s, now.acceleration(mode.dry_friction[n].row.measure)) for n, s in mode.mode.states.items() if s]
-            begins = all(s * a > 0 for s, a in states)
+            # what slides from the start on may be braked; what begins to slide has no rate yet
+            slides = [(s, mode.dry_friction[n].row.measure) for n, s in mode.mode.states.items() if s]
+            resting = [(s, m) for s, m in slides if abs(now.rate(m)) <= ROUNDED * max(1.0, now.rate_size(m))]
+            runs = all(s * now.rate(m) > 0 for s, m in slides if (s, m) not in resting)
+            begins = runs and all(s * now.acceleration(m) > 0 for s, m in resting) and bool(resting)
         draw = Draw(mode.values, mode.references[0], q)
         check.compare(draw, _home_numbers(tree, piece, k), 0.0 if begins else np.inf)
 

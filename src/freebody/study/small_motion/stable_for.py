@@ -10,10 +10,8 @@ import numpy as np
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
-from freebody.numeric.reference import Reference
 from freebody.study.answering.answer import Evidence
 from freebody.study.answering.at_equilibrium import AT_REST, places_at, small_motions_at, unrest
-from freebody.study.answering.draws import Draw
 from freebody.study.answering.turned_round import Formula
 from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition
@@ -34,8 +32,7 @@ def stability(setup: Setup, *, is_so: bool) -> list[Formula]:
         )
 
     def in_numbers(values: dict[str, float]) -> float:
-        reference = Reference(setup.system, values)
-        draw = Draw(values, reference, reference.assemble(guess=setup.draws[0].q))
+        draw = setup.draws[0].with_values(values, setup.system)
         places = places_at(setup, rest.values, draw)
         if unrest(setup, draw, places) > AT_REST:
             raise CannotAnswer(Message("this is no equilibrium"))

@@ -77,16 +77,25 @@ class SpatialLines(Lines):
     def _angle(self, index: int, a: Ratio, b: Ratio, d: Ratio) -> Ratio | None:
         """With r^2 = a^2 + b^2 and w = b cos q - a sin q = +-sqrt(r^2 - d^2):
 
-        cos q = (b w - a d)/r^2,    sin q = -(a w + b d)/r^2."""
+        cos q = (b w - a d)/r^2,    sin q = -(a w + b d)/r^2.
+
+        The sign of w is that of the start and an assumption, since both branches meet where w = 0; a start at which
+        they meet is on neither."""
         f, at_starts = self.field, self.samples.at_starts
         own = f.pair_of(index)
         assert own is not None
         square = f.lowest_terms(a * a + b * b)
-        signs = {v > 0 for v in at_starts(b * f.variable(own[0]) - a * f.variable(own[1]))}
-        if len(signs) != 1 or any(abs(v) < ROUND_OFF for v in at_starts(square)):
+        leading = b * f.variable(own[0]) - a * f.variable(own[1])
+        at_start = list(zip(at_starts(leading), at_starts(square), strict=True))
+        signs = {v > 0 for v, _r in at_start}
+        if len(signs) != 1 or any(abs(r) < ROUND_OFF or v * v < ROUND_OFF * r for v, r in at_start):
             return None
         w = f.sqrt(f.lowest_terms(square - d * d)) * (1 if signs.pop() else -1)
         pair = (b / w, -a / w) if d.is_zero() else ((b * w - a * d) / square, -(a * w + b * d) / square)
         c, s = map(f.lowest_terms, pair)
         n_terms = sum(len(part) for x in (c, s) for part in (x.num, x.denominator().num))
-        return angle_with(f, c, s) if n_terms <= _MOST_TERMS else None
+        if n_terms > _MOST_TERMS:
+            return None
+        if not d.is_zero():
+            self.samples.is_negative(leading)  # where it vanishes the loop may close the other way
+        return angle_with(f, c, s)
