@@ -6,7 +6,7 @@ import random
 from collections.abc import Iterator, Mapping, Sequence, Set
 from contextlib import suppress
 from dataclasses import replace
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from typing import Any
 
 import numpy as np
@@ -210,7 +210,20 @@ class Home:
                 (shown(vx), shown(vy)),
                 shown(w) if body.turns else None,
             )
-        return Placed(starts, self._since(phase, values))
+        return Placed(starts, self._since(phase, values), self.lengths)
+
+    @cached_property
+    def lengths(self) -> dict[str, Expr]:
+        """Of what is held at the length that it has at the start, by row, where a formula in the parameters tells it."""
+        found: dict[str, Expr] = {}
+        model = self.home.model
+        moving = {g for c in (*model.coordinates, *model.dependent) for g in (c.index, c.speed)}
+        symbols = {model.field.index(symbol) for symbol in model.samples.start_symbols.values()}
+        for row in ideal_bounds(self.system):
+            length = self.constants.get(_symbol_of(row))
+            if length is not None and not model.field.ingredients(length) & (moving | symbols):
+                found[row.name] = model.field.expression(length)
+        return found
 
     def _since(self, phase: Phase | Setup, values: dict[int, Ratio]) -> Expr | None:
         """The time of the motion at a state of a phase, where it matters."""

@@ -248,7 +248,7 @@ class PhaseTree(Home):
         if placed.bodies is None and self._parts_too_early(phase):
             placed = self.placed(self.home, self.home.start.values)
             return Phase.begun(self.system, mode, placed, self.sets.some(left, 3))
-        if placed.bodies is None and mode.closed != self.closed and has_lines(self.system):
+        if placed.bodies is None and has_lines(self.system):
             with suppress(CannotAnswer):
                 _ = phase.course
                 return phase
@@ -278,7 +278,8 @@ class PhaseTree(Home):
         except NO_FORM as error:
             node.reason = why(self.system, error)
             return
-        gone = [row.connection for row in ideal_bounds(self.system) if row.name not in node.phase.mode.closed]
+        watched = node.phase.mode.closed | node.phase.closing_again.keys()
+        gone = [row.connection for row in ideal_bounds(self.system) if row.name not in watched]
         again = (
             Message("whether {contact} closes again is not looked at; simulate the motion", contact=gone[0])
             if gone

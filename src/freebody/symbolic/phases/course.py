@@ -338,8 +338,15 @@ class EnergyMotion(ClosedFormMotion):
         return found
 
 
+def has_roots(c: Sequence[Ratio]) -> bool:
+    """Whether a polynomial has roots in closed form here: one of the second degree at most, or one in the square of
+    the unknown."""
+    return len(c) <= 3 or (len(c) == 5 and c[1].is_zero() and c[3].is_zero())
+
+
 def polynomial_roots(model: SymbolicModel, c: list[Ratio]) -> list[Ratio]:
-    """Roots other than zero of a polynomial of degree two at most, of which the coefficients are given."""
+    """Roots other than zero of a polynomial of degree two at most, of which the coefficients are given, or of one in
+    the square of the unknown."""
     c = list(c)
     while c and c[-1].is_zero():
         c.pop()
@@ -347,6 +354,9 @@ def polynomial_roots(model: SymbolicModel, c: list[Ratio]) -> list[Ratio]:
         c.pop(0)
     if len(c) < 2:
         return []
+    if len(c) == 5 and c[1].is_zero() and c[3].is_zero():
+        squares = roots(c[::2], model.samples.is_negative) or []
+        return [sign * model.field.sqrt(x, model.samples.is_negative) for x in squares for sign in (-1, 1)]
     found = roots(c, model.samples.is_negative)
     if found is None:
         raise CannotAnswer(Message("the time is a root of a polynomial of degree {n}", n=len(c) - 1))
