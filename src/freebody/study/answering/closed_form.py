@@ -85,6 +85,7 @@ class QuestionSolver:
 
     def _conserved(self) -> Answer:
         """The rate of the quantity, and whether it vanishes; `study/conservation/conserved.py` has more to say."""
+        from freebody.study.conservation.balance import CARRIED
         from freebody.study.conservation.judge import Judge
 
         found = Judge(self.setup).answer(self.question)
@@ -96,16 +97,21 @@ class QuestionSolver:
             blow.append(
                 Message("this is meant of the motion after the blow; of the blow ask: is ... conserved in the blow")
             )
+        is_zero = found.rate == number(0)
+        notes = [*blow, *([Message("this is its rate")] if found.rate is not None else [])]
+        for term in () if found.rate is None else (part for what, part in found.parts if what == CARRIED):
+            words = Message("the point moves, so dH/dt = M - v × P, here with -v × P = {term}", term=to_text(term))
+            notes.append(words)
         return made(
             self.question,
             found.rate,
-            0.0 if found.rate == number(0) else None,
+            0.0 if is_zero else None,
             conditions=() if found.reason else (answer,),
-            notes=(*blow, *([Message("this is its rate")] if found.rate is not None else []), *found.notes),
+            notes=(*notes, *found.notes),
             reason=found.reason or (further(*found.notes) if found.rate is None else ""),
             judgement=Judgement(found.choice, found.options, found.author_notes),
             evidence=None if c is None else Evidence(c.motions, c.largest_drift or 0.0, c.route),
-            why_no_value=Message("the rate depends on the motion"),
+            why_no_value="" if is_zero else Message("the rate depends on the motion"),
         )
 
     def _number_instead(self) -> Value:
