@@ -20,7 +20,7 @@ from freebody.questions.base import Quantity, Wanted
 from freebody.questions.clock import Clock
 from freebody.questions.extent import Extent, ExtremeOfMotion
 from freebody.questions.freedom import DegreesOfFreedom
-from freebody.questions.happening import StableEquilibrium
+from freebody.questions.happening import StableEquilibrium, StableSteadyMotion
 from freebody.questions.period import Period
 from freebody.questions.reading import AskedEvent, Question, QuestionEvent
 from freebody.questions.small_motion import Equilibrium, OfSmallMotion, SmallOscillations
@@ -172,6 +172,11 @@ class QuestionSolver:
             from freebody.study.small_motion.stable_for import stability
 
             return solved_for(self.setup, self.question, stability(self.setup, is_so=q.of.is_so))
+
+        if isinstance(q.of, StableSteadyMotion):
+            from freebody.study.steady.stable_for import stability as steady_stability
+
+            return solved_for(self.setup, self.question, steady_stability(self.setup, is_so=q.of.is_so))
 
         def attempt(system: System) -> Finding:
             setup = self.setup if system is self.system else Setup(system)
