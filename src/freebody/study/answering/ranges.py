@@ -219,6 +219,29 @@ class RangeSearch:
             "!=": value != 0,
         }[relation]
 
+    def true_at(self, draw: Draw, value: float) -> list[int]:
+        """The numbers of the formulas that are true, their relation aside, for a value of the parameter."""
+        here = self._with(self._numbers(draw), value)
+        return [
+            k
+            for k, truth in enumerate(self.truths)
+            if all(self._is_so(c.element, c.relation, here, at_end=True) for c in truth.conditions)
+        ]
+
+    def values_at(self, draw: Draw, value: float, formulas: Sequence[Formula]) -> list[float]:
+        """What formulas are worth for a value of the parameter; those that have a value."""
+        here = self._with(self._numbers(draw), value)
+        found = [self._value(f.element, here)[0] for f in formulas if isinstance(f.element, Ratio)]
+        return [x for x in found if not math.isnan(x)]
+
+    def values_between(self, draw: Draw, formulas: Sequence[Formula]) -> Iterator[float]:
+        """What the formulas are worth that are true, at places between all ends."""
+        numbers, (low, high) = self._numbers(draw), self._domain()
+        placed = sorted(x for end in self.ends if low < (x := self._value(end, numbers)[0]) < high)
+        for a, b in pairwise([low, *placed, high]):
+            for value in self._values(a, b):
+                yield from self.values_at(draw, value, [formulas[k] for k in self.true_at(draw, value)])
+
     # -- the intervals ------------------------------------------------------------------------
     def _domain(self) -> tuple[float, float]:
         low = -math.inf if self.parameter.sign == "any" else 0.0
