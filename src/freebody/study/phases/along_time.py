@@ -45,7 +45,7 @@ def in_time(course: UniformMotion, watches: Sequence[PhaseWatch], sets: Sets, in
         return by_laws(course, watches, sets, indices)
     for watch in watches:
         try:
-            coefficients = course.along(watch.element)
+            coefficients = course.sign_along(watch.element)
         except CannotAnswer as error:
             raise no_closed_form(watch, error) from None
         n_now = next((k for k, c in enumerate(coefficients) if not c.is_zero()), 0)  # zeros at the start itself

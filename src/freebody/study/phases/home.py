@@ -71,6 +71,8 @@ class Home:
                 needed.append(
                     (self._gap(bound), ">=", Message("{contact} is open at the start", contact=bound.row.connection))
                 )
+            elif bound.name in self.moving:
+                needed += self._on_its_edge(bound)
         needed += self._held_in_blow(state)
         for row in [r for r in self.system.constraint_rows if r.unilateral] + [b.row for b in self.system.bounds]:
             if row.name in touching and isinstance(row.measure, Distance) and row.target is not None:
@@ -95,6 +97,16 @@ class Home:
                     raise CannotAnswer(blow_loads_friction(row))
             elif row.unilateral:
                 yield row.sign * state.impulse(row), ">=", held_in_blow(row)
+
+    def _on_its_edge(self, bound: UnilateralConstraint) -> Iterator[Inequality]:
+        """What is struck at the start is so between the ends of its edge."""
+        scalar, purpose = self.home.model.geometry.scalar, Message("{contact} is struck", contact=bound.row.connection)
+        for span in bound.within:
+            measure: Any = span.measure
+            value = self.home.start_instant.value(measure)
+            ends = [] if span.low is None else [value - scalar(span.low)]
+            ends += [] if span.high is None else [scalar(span.high) - value]
+            yield from ((self.home.model.field.lowest_terms(x), ">", purpose) for x in ends if not x.is_zero())
 
     def _gap(self, bound: UnilateralConstraint) -> Ratio:
         measure: Any = bound.row.measure

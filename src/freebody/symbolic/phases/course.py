@@ -121,9 +121,25 @@ class UniformMotion(MotionInTime):
         below = x.denominator()
         return [f.lowest_terms(c / below) for c in x.numerator().coefficients(index)] or [f.zero]
 
+    def sign_along(self, x: Ratio) -> list[Ratio]:
+        """Coefficients of a polynomial in the time that has the sign of a function of the state everywhere: where that
+        has no roots in closed form here, without the factors that stand in it to an even power. Raises CannotAnswer."""
+        c, f = self.along(x), self.model.field
+        first = next((k for k, part in enumerate(c) if not part.is_zero()), 0)
+        if has_roots(c[first:]):
+            return c
+        whole = f.lowest_terms(sum((part * self.tau**k for k, part in enumerate(c)), f.zero))
+        even, index = f.one, f.index(self.tau)
+        for base, exponent in f.factor(whole.num)[1]:
+            if index in base.generators():
+                even = even * base ** (exponent - exponent % 2)
+        rest = f.lowest_terms(whole / even)
+        below = rest.denominator()
+        return [f.lowest_terms(part / below) for part in rest.numerator().coefficients(index)] or [f.zero]
+
     def zeros(self, x: Ratio) -> list[CourseZero]:
         try:
-            times = polynomial_roots(self.model, self.along(x))
+            times = polynomial_roots(self.model, self.sign_along(x))
         except CannotAnswer:
             return self._in_waves(x)
         return [CourseZero(t, self.values(t)) for t in times]
