@@ -304,6 +304,7 @@ class EnergyMotion(ClosedFormMotion):
     def zeros_of(self, x: Ratio) -> list[Ratio]:
         """Values of the coordinate at which a function of it vanishes; of a polynomial up to the second degree."""
         f, index = self.model.field, self.coordinate.index
+        x = without_root(x, index)
         _unit, factors = f.factor(x.num)
         found: list[Ratio] = []
         for base, _exponent in factors:
