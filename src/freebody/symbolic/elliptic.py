@@ -13,8 +13,9 @@ Two forms of W, with psi = n q - delta so that W is largest at psi = 0:
       C (y^2 - a^2)(y^2 - b^2)   C, A < 0, b < |y| < a:  k^2 = 1 - b^2/a^2,  sin^2(phi) = (a^2 - y^2)/(a^2 - b^2),
                                  t = -F(phi, k)/(a sqrt(-C))
 
-    W = P(u)/sin^2(psi) in u = cos(psi), with the cubic P of leading coefficient p > 0 and its roots u_1 < u_2 <= 1 <= u_3,
-    by which a spherical pendulum and a heavy top nod between u_1 and u_2: du = -sin(psi) dpsi, so u'^2 = n^2 P(u),
+    W = P(u)/sin^2(psi) in u = cos(psi), with the cubic P of leading coefficient p > 0 and its roots
+    u_1 < u_2 <= 1 <= u_3, by which a spherical pendulum and a heavy top nod between u_1 and u_2:
+    du = -sin(psi) dpsi, so u'^2 = n^2 P(u),
                                  k^2 = (u_2 - u_1)/(u_3 - u_1),  sin^2(phi) = (u - u_1)/(u_2 - u_1),
                                  t = -2 F(phi, k)/(n sqrt(p (u_3 - u_1)))          (from rest at one of the two)
 

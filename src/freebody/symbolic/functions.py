@@ -46,7 +46,7 @@ def cos_sin(field: Field, angle: Ratio) -> Complex:
         else:
             base, multiple = _in_known_angles(field, base, multiple)
         if multiple % 2 == 0 and (double := field.doubled_pairs.get(base.key())) is not None:
-            pair, multiple = double, multiple // 2  # of a vector, whose components tell more shortly than its half angle
+            pair, multiple = double, multiple // 2  # of a vector: its components are shorter than its half angle's
         else:
             pair = _atom(field, base)
         if multiple < 0:

@@ -11,7 +11,7 @@ Every root that solves an equation but not the problem is reported with the reas
 from __future__ import annotations
 
 from collections.abc import Generator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from functools import cached_property
 
 from freebody.errors import CannotAnswer, NeverHappens, NotReached
@@ -34,7 +34,9 @@ from freebody.symbolic.tidy import tidy
 from freebody.symbolic.uniform_passage import passage_at
 from freebody.symbolic.unknowns import Coordinate
 from freebody.symbolic.way import EnergyPath
-from freebody.symbolic.zeros import solve_linear
+from freebody.symbolic.zeros import solve_linear, without_root, zeros_of
+
+_MOST_PLACES = 2  # at which a measure has a value that is not linear in its coordinate
 
 
 class SmoothMotion:
@@ -214,6 +216,8 @@ class SmoothMotion:
             )
         (c,) = found
         at = solve_linear(value - target, c.index)
+        if at is None and (only := self._only_place(c, value - target, event)) is not None:
+            return only
         if at is None:
             raise CannotAnswer(
                 Message(
@@ -237,6 +241,27 @@ class SmoothMotion:
         if instants is not None:
             return self._first(c, c.name, *instants)
         return self._place_by_energy(c, at, event)
+
+    def _only_place(self, c: Coordinate, gap: Ratio, event: QuestionEvent) -> Reached | None:
+        """Where a measure that is not linear in its coordinate has a value: the place on the way by energy that comes
+        first; None where which one that is depends on the parameters, or they have no closed form."""
+        try:
+            places = zeros_of(self.model, without_root(gap, c.index).numerator(), c, quadratic=True)
+        except CannotAnswer:
+            return None
+        found: list[Reached] = []
+        for place in places:
+            with suppress(CannotAnswer):
+                found.append(self._place_by_energy(c, self.field.lowest_terms(place), event))
+        if len(found) < 2 or len(places) > _MOST_PLACES:
+            return found[0] if len(found) == 1 and len(places) <= _MOST_PLACES else None
+        # of two on one side the nearer one, where it is that whatever the parameters are
+        one, other = (r.at for r in found)
+        start = self.start.of(c.index)
+        apart, ways = sign_of(other - one), [sign_of(x - start) for x in (one, other)]
+        if not apart.is_strict or ways[0] is not ways[1] or not ways[0].is_strict:
+            return None
+        return found[0] if apart is ways[0] else found[1]
 
     def _driven(self, value: Ratio, target: Ratio) -> Reached | None:
         """A measure that is given as a function of the time, linear in it."""

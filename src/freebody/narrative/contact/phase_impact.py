@@ -97,7 +97,8 @@ class _Telling:
 
     def _what(self, name: str) -> Sentence:
         is_friction = any(rub.name == name for rub in self.collision.dry_friction)
-        return Sentence("symbol.impulse_of_friction" if is_friction else "symbol.impulse_of", {"connection": label(name)})
+        key = "symbol.impulse_of_friction" if is_friction else "symbol.impulse_of"
+        return Sentence(key, {"connection": label(name)})
 
     def _read(self, row: ConstraintRow) -> Callable[[World], float]:
         """The impulse in numbers, from the momenta before and after."""
@@ -214,10 +215,9 @@ class _Telling:
 
     # -- what follows -------------------------------------------------------------------------
     def _impulse(self, name: str, laws: tuple[int, ...]) -> int:
+        value = self.shown(self._sign(name) * self.impulses[name])
         args: dict[str, Argument] = {"lines": laws}
-        return self.script.line(
-            self.symbols[name], self.shown(self._sign(name) * self.impulses[name]), why="blow.solved", args=args, uses=laws, when="start"
-        )
+        return self.script.line(self.symbols[name], value, why="blow.solved", args=args, uses=laws, when="start")
 
     def _after(self, laws: tuple[int, ...], impulses: tuple[int, ...]) -> tuple[int, ...]:
         """The places and speeds with which the phase begins."""

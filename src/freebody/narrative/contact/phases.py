@@ -63,7 +63,8 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
     happens = tuple(end.get("time") or end.get("place", 0) for end in ends)
     sticks = _after(script, way)
     if way.piece.after is not None:
-        return _behind_blow(context, way, script, answer, before, {"happens": happens, "before": happens, "slips": slips})
+        lines = {"happens": happens, "before": happens, "slips": slips}
+        return _behind_blow(context, way, script, answer, before, lines)
     tell_conditions(script, way, {"happens": happens, "before": happens, "slips": slips, "sticks": sticks})
     tell_answer(context, script, way, question, answer, ends, forces)
     return script.stages

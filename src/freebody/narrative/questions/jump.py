@@ -66,4 +66,5 @@ def _parts(answer: Answer) -> tuple[Expr, ...]:
 
 
 def _last(stages: Sequence[DerivationStage]) -> int:
-    return max((item.number for stage in stages for item in stage.items if isinstance(item, NumberedFormula)), default=0)
+    numbers = [item.number for stage in stages for item in stage.items if isinstance(item, NumberedFormula)]
+    return max(numbers, default=0)

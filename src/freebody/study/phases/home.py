@@ -226,7 +226,7 @@ class Home:
 
     @cached_property
     def lengths(self) -> dict[str, Expr]:
-        """Of what is held at the length that it has at the start, by row, where a formula in the parameters tells it."""
+        """Of what is held at the length that it has at the start, by row, where the parameters tell it."""
         found: dict[str, Expr] = {}
         model = self.home.model
         moving = {g for c in (*model.coordinates, *model.dependent) for g in (c.index, c.speed)}

@@ -23,7 +23,6 @@ from freebody.symbolic.conditions import Condition
 from freebody.symbolic.field import Ratio
 
 
-
 def stability(setup: Setup, *, is_so: bool) -> list[Formula]:
     """Where the steady motion of the start is stable, or (not is_so) unstable. Raises CannotAnswer where the linearised
     equations have no closed form, or the start is no steady motion."""

@@ -25,10 +25,9 @@ from freebody.symbolic.laws.uniform import UniformLaw
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.motion import SmoothMotion
 from freebody.symbolic.quadratic import roots
-from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.start import StartState
 from freebody.symbolic.unknowns import Coordinate
-from freebody.symbolic.zeros import reals, solve_linear, zeros_of
+from freebody.symbolic.zeros import reals, solve_linear, without_root, zeros_of
 
 TAU = "@since"  # the time since a phase began, as a generator
 
@@ -224,24 +223,6 @@ class LawMotion(MotionInTime):
                 times.append((instant.time + instant.period, tuple(-x for x in key)))
             for time, after in times:
                 yield CourseZero(time, {**self.values(time), **own}, needs=(*needs, *after))
-
-
-def without_root(x: Ratio, index: int) -> Ratio:
-    """An element that has the sign of x everywhere, and no root of a generator: where a and b have opposite signs,
-    a + b r = (a^2 - b^2 r^2)/(a - b r), of which the divisor has the sign of a. x itself where that is not known."""
-    f, top = x.field, x.numerator()
-    roots = [g for g in top.generators() if f.generators[g].kind == "root" and index in f.generators[g].made_of]
-    if len(roots) != 1:
-        return x
-    a, b = (*top.coefficients(roots[0]), f.zero)[:2]
-    if len(top.coefficients(roots[0])) != 2 or index in f.ingredients(a) | f.ingredients(b):
-        return x
-    signs = sign_of(a), sign_of(b)
-    positive, negative = (Sign.POSITIVE, Sign.NONNEGATIVE), (Sign.NEGATIVE, Sign.NONPOSITIVE)
-    if not ((signs[0] in positive and signs[1] in negative) or (signs[0] in negative and signs[1] in positive)):
-        return x
-    square = a * a - b * b * f.radicand(roots[0])
-    return f.lowest_terms((square if signs[0] in positive else -square) / x.denominator())
 
 
 class EnergyMotion(ClosedFormMotion):
