@@ -16,7 +16,7 @@ from functools import cached_property
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Call, Expr, Symbol, add
 from freebody.language.sentences import Message
-from freebody.model.elements import ConstraintRow, DryFriction
+from freebody.model.elements import ConstraintRow, DryFriction, NonholonomicForm
 from freebody.narrative.contact.phase_way import PhaseSegment, PhaseSequence, on_the_way
 from freebody.narrative.contact.phase_worlds import CourseWorld
 from freebody.narrative.lines.glossary import Meaning, World
@@ -139,6 +139,7 @@ class _Telling:
     def _slopes(self, row: ConstraintRow) -> dict[int, Ratio]:
         """Of the rate of what a row measures, by the speeds, in the pose of the impact."""
         model, f = self.collision.model, self.collision.model.field
+        assert not isinstance(row.measure, NonholonomicForm)
         rate = model.in_independent_speeds(model.rate(model.value_of(row.measure)))
         return {c.speed: self.collision.here(f.partial(rate, c.speed)) for c in model.coordinates}
 

@@ -22,7 +22,7 @@ from numpy.typing import NDArray
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, evaluate
 from freebody.language.sentences import Message
-from freebody.model.elements import DryFriction
+from freebody.model.elements import DryFriction, NonholonomicForm
 from freebody.numeric.brent import least_between, zero_between
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference, Snapshot
@@ -213,7 +213,8 @@ class NumericMode:
         reference = Reference(in_mode(self.base, ContactMode.of(touching, {}))[0], self.values)
         q = reference.assemble()
         begin = reference.snapshot(q, np.zeros_like(q), 0.0)
-        return {name: begin.value(row.measure) for name, row in self.stage.phase.closing_again.items()}
+        again = self.stage.phase.closing_again.items()
+        return {n: begin.value(row.measure) for n, row in again if not isinstance(row.measure, NonholonomicForm)}
 
     def on_edge(self, name: str, q: Array, v: Array, t: float) -> float:
         """How far the place of a bound is from the nearer end of its edge; spans that are none count as long."""

@@ -69,8 +69,8 @@ def during_steady_motion(
             exact = element_at(setup, by_root[min(k, len(by_root) - 1)], draw, snapshot)
             pairs.append((exact, as_parts(numeric), draw.seen(snapshot)))
         if is_angle and pairs:  # side by side: an arc of nearly one has half of the digits only
-            exact, numeric = (tuple(x for pair in pairs for x in pair[side]) for side in (0, 1))
-            witness.compare(draw, exact, numeric)
+            sides = tuple(x for exact, _n, _s in pairs for x in exact), tuple(x for _e, n, _s in pairs for x in n)
+            witness.compare(draw, *sides)
             continue
         for exact, numeric, seen in pairs:
             witness.compare(draw, exact, numeric, partial(magnitude, quantity.dimension, seen))

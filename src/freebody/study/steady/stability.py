@@ -103,9 +103,12 @@ def _rates_shown(linear: Linear) -> list[str]:
 def _places_shown(linear: Linear) -> list[str]:
     """The place about which it is, where the start is no steady motion."""
     generators = linear.steady.model.field.generators
-    shown = [compared(generators[index].display, "=", tidy(linear.place[index])) for index in linear.moved]
-    told = Message("the start is no steady motion; this is about the one nearest to it, {place}", place="")
-    return [reworded(Message(told.template, place=place), place) for place in shown]
+    found: list[str] = []
+    for index in sorted(linear.moved):
+        place = compared(generators[index].display, "=", tidy(linear.place[index]))
+        told = Message("the start is no steady motion; this is about the one nearest to it, {place}", place=place)
+        found.append(reworded(told, place))
+    return found
 
 
 def given_by_start(setup: Setup, linear: Linear) -> dict[int, Ratio]:
