@@ -42,6 +42,7 @@ from freebody.tolerances import ROUND_OFF, ROUNDED
 MAX_DEPTH = 5
 MAX_NODES = 24
 MAX_IMPACTS = 2  # one after the other, in formulas
+MOST_TERMS = 6  # of a condition behind the jerk of a string
 _EFFORT = 1000  # what an effort is told by
 
 
@@ -278,6 +279,10 @@ class PhaseTree(Home):
         except NO_FORM as error:
             node.reason = why(self.system, error)
             return
+        found = (c for o, _given in outcomes for c in self.outcome_conditions(node.phase, o))
+        if self._came_taut(node) and any(len(c.element.num) > MOST_TERMS for c in found):
+            node.reason = Message("what follows on the jerk of the string depends on conditions too long to read")
+            return
         watched = node.phase.mode.closed | node.phase.closing_again.keys()
         gone = [row.connection for row in ideal_bounds(self.system) if row.name not in watched]
         again = (
@@ -296,6 +301,11 @@ class PhaseTree(Home):
                 edge.stops = again
             else:
                 self._after(node, edge)
+
+    def _came_taut(self, node: PhaseNode) -> bool:
+        """Whether a phase begins with the jerk of a string that was slack."""
+        ideal = {row.name for row in ideal_bounds(self.system)}
+        return node.impact is not None and not ideal.isdisjoint(node.impact.hits)
 
     def _never(self, node: PhaseNode, conditions: Sequence[Condition], proofs: Proofs) -> bool:
         """Whether it follows from the conditions that something does not end a phase."""
