@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import ClassVar, TypeVar
 
-from freebody.language.expression import Expr
+from freebody.language.expression import Call, Expr
 from freebody.language.units import Dimension
 from freebody.measures.base import Measure
 from freebody.measures.geometry import Geometry, Point, Scalar
@@ -57,7 +57,9 @@ class Composed(Measure):
 
     @property
     def is_angle(self) -> bool:
-        """So is an angle that is counted the other way round, or in another unit."""
+        """So is an angle that is counted the other way round, or in another unit, and an arc of something."""
+        if isinstance(self.expression, Call) and self.expression.function in ("acos", "asin", "atan"):
+            return True
         return len(self.measures) == 1 and self.measures[0][1].is_angle
 
     def value(self, g: Geometry[S]) -> S:

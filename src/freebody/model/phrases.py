@@ -119,7 +119,17 @@ def direction_angle(direction: Direction) -> Expr:
 def _bearing(names: Names, found: Found, path: Path) -> Measure:
     ref = RIGHT if found["ref"] is None else names.direction(found["ref"], *path)
     start, end = names.point(found["start"], *path), names.point(found["end"], *path)
+    if len(ref.components) > 2 and ref.components[2] != number(0):
+        return _inclination(start, end, ref)
     return _clockwise(Bearing(start, end, ref.body, direction_angle(ref)), found["cw"])
+
+
+def _inclination(start: Point, end: Point, ref: Direction) -> Measure:
+    """The angle between a line in space and a direction out of the plane of x and y, from 0 to 180 degrees: no sense of
+    turning is told apart there."""
+    share = Symbol("along") / Symbol("length")
+    parts = ("along", Displacement(end, start, ref)), ("length", Distance(start, end))
+    return Composed(Call("acos", share), parts, DIMENSIONLESS)
 
 
 @_phrase(

@@ -17,6 +17,7 @@ from freebody.narrative.lines.script import DerivationStage, FormulaTable, Listi
 from freebody.narrative.mistakes.mistakes import found_mistakes
 from freebody.narrative.telling.telling import raised
 from freebody.questions.reading import Question
+from freebody.questions.steady import is_steady_place
 from freebody.study.answering.answer import Answer
 
 
@@ -36,6 +37,7 @@ def _result(context: Context, script: Script, question: Question, answer: Answer
     scope = question.quantity.scope
     is_told = scope in ("rest", "linkage") or question.quantity.wanted is not None
     is_told |= scope == "steady motion" and question.event is not None  # what is given, and no event of a motion
+    is_told |= is_steady_place(question.quantity)  # which the start need not have
     if answer.expression is not None and not is_told:
         n = len(answer.expression) if isinstance(answer.expression, tuple) else 1
         name = asked_symbol(context, question, n)

@@ -68,7 +68,8 @@ class Context:
         """What is meant of one law of motion is told, with contacts or dry friction, of the mode with which the motion
         begins."""
         quantity = question.quantity
-        if quantity.scope in ("structure", "rest") or quantity.is_of_state or not has_phases(self.system):
+        is_told_whole = quantity.scope in ("structure", "rest") or quantity.is_of_state or quantity.jump is not None
+        if is_told_whole or not has_phases(self.system):
             return self
         self._first_mode.next_number = self.next_number
         return self._first_mode

@@ -36,6 +36,8 @@ def _place(system: System, question: Question) -> str:
     scope = question.quantity.scope
     if question.quantity.wanted is not None:
         return "questions.turned_round"
+    if question.quantity.jump is not None:
+        return "questions.jump"
     if is_of_start(question.quantity) and (system.is_struck or not has_phases(system)):
         return "questions.blow"
     if scope == "rest":

@@ -75,6 +75,13 @@ class StableEquilibrium(Happening):
     scope = "small motion"
 
 
+@dataclass(frozen=True)
+class StableSteadyMotion(Happening):
+    """Whether the steady motion of the start is stable."""
+
+    scope = "steady motion"
+
+
 # -- words ------------------------------------------------------------------------------------
 _SUBJECT = rf"(?:it|the motion|the system|(?:the )?(?P<of>{NAME}))"
 _STAYS = r"(?:always )?(?:stays?|remains?|keeps?|is always)(?: always)?"
@@ -116,11 +123,16 @@ _STABLE = re.compile(
 )
 
 
+_STEADY = re.compile(r"^(?:the |this |its )?steady (?:motion|rotation|precession|state) is (?P<not>un|not )?stable$")
+
+
 def read_happening(names: Names, text: str, path: Path) -> Happening | None:
     """What a text states of a motion, or of a state of rest; None if it is nothing of the kind."""
     whole = text.strip()
     if (stable := _STABLE.match(whole)) is not None:
         return StableEquilibrium(None, whole, is_so=stable["not"] is None)
+    if (steady := _STEADY.match(whole)) is not None:
+        return StableSteadyMotion(None, whole, is_so=steady["not"] is None)
     if (fails := _FAILS.match(whole)) is not None:
         return _fails_first(names, whole, fails, path)
     parts = _BEFORE.match(whole)

@@ -78,6 +78,11 @@ questions: {it: rate of psi in steady motion}
         return True
 
 
+def is_steady_place(q: Quantity) -> bool:
+    """Whether a question asks where something stays in a steady motion."""
+    return isinstance(q, SteadyValue) and q.of.watched is not None and q.of.watched[1] == 0
+
+
 @dataclass(frozen=True)
 class Extremes(Steady, kind="extremes"):
     """The least and the largest value of a quantity over a turn of an angle; None: of the one angle it depends on.

@@ -13,9 +13,15 @@ Two forms of W, with psi = n q - delta so that W is largest at psi = 0:
       C (y^2 - a^2)(y^2 - b^2)   C, A < 0, b < |y| < a:  k^2 = 1 - b^2/a^2,  sin^2(phi) = (a^2 - y^2)/(a^2 - b^2),
                                  t = -F(phi, k)/(a sqrt(-C))
 
-(up to a constant; the last for y > 0). K and F have the modulus k, not the parameter m = k^2.
-Source: Byrd & Friedman, Handbook of Elliptic Integrals, 2nd ed. 1971, 213, 218, 219, 291; Landau & Lifshitz, Mechanics,
-3rd ed. 1976, sec. 11.
+    W = P(u)/sin^2(psi) in u = cos(psi), with the cubic P of leading coefficient p > 0 and its roots
+    u_1 < u_2 <= 1 <= u_3, by which a spherical pendulum and a heavy top nod between u_1 and u_2:
+    du = -sin(psi) dpsi, so u'^2 = n^2 P(u),
+                                 k^2 = (u_2 - u_1)/(u_3 - u_1),  sin^2(phi) = (u - u_1)/(u_2 - u_1),
+                                 t = -2 F(phi, k)/(n sqrt(p (u_3 - u_1)))          (from rest at one of the two)
+
+(up to a constant; the last two for y > 0 and sin(psi) > 0). K and F have the modulus k, not the parameter m = k^2.
+Source: Byrd & Friedman, Handbook of Elliptic Integrals, 2nd ed. 1971, 213, 218, 219, 233, 291; Landau & Lifshitz,
+Mechanics, 3rd ed. 1976, sec. 11 and 14.
 """
 
 from __future__ import annotations
@@ -88,7 +94,7 @@ class _Finder:
     def find(self) -> EllipticTime | None:
         f, index = self.field, self.c.index
         if index in f.ingredients(self.square.denominator()):
-            return None
+            return self._nodding()
         moving = {g for g in self.square.generators() if index in f.ingredients(f.variable(g))}
         if moving == {index}:
             parts = [part / self.square.denominator() for part in self.square.numerator().coefficients(index)]
@@ -148,6 +154,46 @@ class _Finder:
         if parts[1].is_zero():  # counted from a quarter turn on: sin = cos', cos^2 = 1 - cos'^2
             return self._in_tangents(angle - f.pi / 2, n, constant + parts[2], sines, -parts[2])
         return None
+
+    def _nodding(self) -> EllipticTime | None:
+        """P(u)/sin^2 with a cubic P in the cosine, from rest at one of its roots."""
+        f, index = self.field, self.c.index
+        inside = f.pairs({g for g in self.square.generators() if index in f.ingredients(f.variable(g))})
+        if len(inside) != 1 or not self.starts_at_rest:
+            return None
+        cos, sin = inside[0]
+        n = f.lowest_terms(f.derivative(f.angles[cos], index))
+        whole = f.lowest_terms(self.square * (1 - f.variable(cos) ** 2))
+        if not n.is_constant() or {index, cos, sin} & f.ingredients(whole.denominator()):
+            return None
+        parts = [part / whole.denominator() for part in whole.numerator().coefficients(cos)]
+        if len(parts) != 4 or any(index in f.ingredients(part) for part in parts):
+            return None
+        # in u = way cos, in which the leading coefficient is positive
+        way = self._sign(parts[3])
+        d, c, b, a = (f.lowest_terms(part * way**k) for k, part in enumerate(parts))
+        at = self._placed(f.angles[cos])
+        first, sine = cos_sin(f, at(self.q0))
+        first, side = f.lowest_terms(way * first), way * self._sign(sine)
+        if not side or not (d + first * (c + first * (b + first * a))).is_zero():
+            return None
+        # the other two roots, of a u^2 + (b + a u_0) u + c + (b + a u_0) u_0
+        linear = f.lowest_terms(b + a * first)
+        root = self._root(linear * linear - 4 * a * (c + linear * first))
+        other, last = (f.lowest_terms((sign * root - linear) / (2 * a)) for sign in (-1, 1))
+        order = self._sign(f.lowest_terms(first - other))
+        if not order:
+            return None
+        low, high = (other, first) if order > 0 else (first, other)
+        k = self._root((high - low) / (last - low))
+
+        def amplitude(place: Ratio) -> Ratio:
+            u = way * cos_sin(f, at(place))[0]
+            return self._arc("asin", self._root((u - low) / (high - low)))
+
+        half = f.pi / 2
+        ends = (half, f.zero) if side * self._sign(n) > 0 else (f.zero, half)
+        return self._time(-side * 2 / (n * self._root(a * (last - low))), k, amplitude, ends)
 
     def _wave(self, angle: Ratio, n: Ratio, a: Ratio, cosines: Ratio, sines: Ratio) -> EllipticTime | None:
         """a + b cos(angle) + c sin(angle) = a + r cos(psi)."""

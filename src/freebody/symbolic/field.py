@@ -238,6 +238,7 @@ class Field(PolynomialRing):
         self.angles: dict[int, Ratio] = {}  # the angle of every cosine generator
         self.arcs: dict[int, tuple[str, Ratio]] = {}  # how such an angle is written: an arc, or "half", of an element
         self.known_pairs: dict[int, tuple[Ratio, Ratio]] = {}  # cosine and sine of angles that are made of them
+        self.doubled_pairs: dict[Any, tuple[Ratio, Ratio]] = {}  # cosine and sine of twice an angle, by its key
         self.positive_roots: dict[int, bool] = {}  # what `signs` found out about roots
         self.known_signs: dict[str, Any] = {}  # the same about polynomials, by their texts
         self.decided: dict[Any, Any] = {}  # what `decide` found out about signs under premises

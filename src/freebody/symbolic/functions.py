@@ -45,7 +45,10 @@ def cos_sin(field: Field, angle: Ratio) -> Complex:
             base, multiple = base * multiple, 1
         else:
             base, multiple = _in_known_angles(field, base, multiple)
-        pair = _atom(field, base)
+        if multiple % 2 == 0 and (double := field.doubled_pairs.get(base.key())) is not None:
+            pair, multiple = double, multiple // 2  # of a vector: its components are shorter than its half angle's
+        else:
+            pair = _atom(field, base)
         if multiple < 0:
             pair = pair[0], -pair[1]
         result = _times(result, _power(pair, abs(multiple)))
@@ -176,7 +179,10 @@ def atan2(field: Field, y: Ratio, x: Ratio, length: Ratio) -> Ratio:
     if known is not None:
         return known
     # tan(a/2) = y/(l + x) keeps the quadrant
-    return 2 * _arc(field, "atan", y / (length + x), lambda u: 1 / (1 + u * u))
+    half = _arc(field, "atan", y / (length + x), lambda u: 1 / (1 + u * u))
+    if half.generators() <= field.arguments.keys():
+        field.doubled_pairs[half.key()] = field.lowest_terms(x / length), field.lowest_terms(y / length)
+    return 2 * half
 
 
 def known_angle(field: Field, y: Ratio, x: Ratio, length: Ratio) -> Ratio | None:

@@ -246,8 +246,9 @@ class Samples:
         return abs(value) <= ROUND_OFF * size
 
     def is_negative(self, x: Ratio) -> bool:
-        """The sign at the first sample, where formulas do not tell; the choice is noted as an assumption."""
-        if sign_of(x) in (Sign.POSITIVE, Sign.NONNEGATIVE):
+        """The sign at the first sample, where formulas do not tell; the choice is noted as an assumption. A length that
+        is a root is none by definition."""
+        if sign_of(x) in (Sign.POSITIVE, Sign.NONNEGATIVE) or self._is_length(x):
             return False
         values = self.at_starts(x)
         negative = bool(values) and values[0] < 0
@@ -255,6 +256,11 @@ class Samples:
         if all(assumed != other for other in self.assumed):
             self.assumed.append(assumed)
         return negative
+
+    def _is_length(self, x: Ratio) -> bool:
+        """Whether an element is one of the lengths that are unknowns with a square."""
+        inside = x.generators()
+        return len(inside) == 1 and inside <= self._unknowns.roots.keys() and x == self.field.variable(min(inside))
 
     def is_turned(self, x: Ratio) -> bool | None:
         """The same; None where something stands in it that changes: what is on one side at an instant may be on the

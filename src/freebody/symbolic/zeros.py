@@ -36,6 +36,24 @@ def reals(place: Ratio) -> tuple[Ratio, ...]:
     return tuple(found)
 
 
+def without_root(x: Ratio, index: int) -> Ratio:
+    """An element that has the sign of x everywhere, and no root of a generator: where a and b have opposite signs,
+    a + b r = (a^2 - b^2 r^2)/(a - b r), of which the divisor has the sign of a. x itself where that is not known."""
+    f, top = x.field, x.numerator()
+    roots = [g for g in top.generators() if f.generators[g].kind == "root" and index in f.generators[g].made_of]
+    if len(roots) != 1:
+        return x
+    a, b = (*top.coefficients(roots[0]), f.zero)[:2]
+    if len(top.coefficients(roots[0])) != 2 or index in f.ingredients(a) | f.ingredients(b):
+        return x
+    signs = sign_of(a), sign_of(b)
+    positive, negative = (Sign.POSITIVE, Sign.NONNEGATIVE), (Sign.NEGATIVE, Sign.NONPOSITIVE)
+    if not ((signs[0] in positive and signs[1] in negative) or (signs[0] in negative and signs[1] in positive)):
+        return x
+    square = a * a - b * b * f.radicand(roots[0])
+    return f.lowest_terms((square if signs[0] in positive else -square) / x.denominator())
+
+
 class Indexed(Protocol):
     """A coordinate, or what else is one generator of the field."""
 

@@ -29,6 +29,7 @@ from freebody.questions.loads import Work
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
 from freebody.study.answering.passage import NumericPassage
+from freebody.study.phases.evidence import number_in_blow
 from freebody.study.phases.quantities import only_friction_takes_energy, value_in_mode
 from freebody.study.phases.witness import PhaseSnapshot
 from freebody.symbolic.field import Ratio
@@ -58,6 +59,10 @@ def asked_side(
 
 def _number(way: PhaseSequence, question: Question, world: World) -> Any:
     """What is asked, by the numeric route."""
+    if way.piece.in_blow:
+        assert isinstance(world, CourseWorld)
+        last = None if way.piece.after is None else world.run.seen[-1]
+        return number_in_blow(way.tree, question.quantity, way.piece, world.run.k, last)
     return question.quantity.counted(_passage(way.system, world))
 
 

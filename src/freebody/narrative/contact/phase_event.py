@@ -8,7 +8,7 @@ from freebody.language.sentences import Message
 from freebody.narrative.contact.phase_contacts import slip_symbol
 from freebody.narrative.contact.phase_motion import Told, in_time, shown_in_home
 from freebody.narrative.contact.phase_way import PhaseSegment, PhaseSequence, on_the_way
-from freebody.narrative.lines.glossary import Glossary, Meaning
+from freebody.narrative.lines.glossary import Glossary, Meaning, World
 from freebody.narrative.lines.script import Legend, Script, Sentence
 from freebody.narrative.principles.sides import ZERO, balanced
 from freebody.questions.clock import Clock
@@ -102,18 +102,24 @@ def _reserve(script: Script, leg: PhaseSegment, watch: PhaseWatch) -> Expr:
 
 
 def _gap(script: Script, leg: PhaseSegment, watch: PhaseWatch) -> Expr:
-    row = leg.phase.bounds[watch.name].row
+    """The gap; of a distance that is a root of the coordinates the squares of it and of its limit."""
+    row = leg.phase.base_row(watch.name)
+    by_squares = leg.phase.is_by_squares(row)
     symbol = Symbol(leg.free_name("d"))
-    what = Sentence("symbol.gap", {"connection": label(watch.name)})
+    what = Sentence("symbol.distance" if by_squares else "symbol.gap", {"connection": label(watch.name)})
 
-    def read(world: object) -> float:
-        w = world
-        target = 0.0 if row.target is None else w.snapshot.scalar(row.target)  # type: ignore[attr-defined]
-        return float(row.sign * (w.snapshot.value(row.measure) - target))  # type: ignore[attr-defined]
+    def read(world: World) -> float:
+        value = float(world.snapshot.value(row.measure))  # type: ignore[arg-type]
+        if by_squares:
+            return value
+        return row.sign * (value - (0.0 if row.target is None else world.snapshot.scalar(row.target)))
 
-    leg.glossary.introduce(Meaning(symbol, what, read, "m"))  # type: ignore[arg-type]
+    leg.glossary.introduce(Meaning(symbol, what, read, "m"))
     script.add(Legend(((symbol, what, "m"),)))
-    return symbol
+    if not by_squares:
+        return symbol
+    assert row.target is not None
+    return (symbol**2 - row.target**2) * row.sign
 
 
 def _event_of(way: PhaseSequence, leg: PhaseSegment, watch: PhaseWatch) -> AskedEvent | None:

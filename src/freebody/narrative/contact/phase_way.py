@@ -91,7 +91,7 @@ class PhaseSequence:
         self, number: int, node: PhaseNode, first: FirstEvent | None, time: Ratio | None, place: int
     ) -> PhaseSegment:
         """A phase with its glossaries; both know the same symbols."""
-        glossary, course = Glossary(node.phase.setup), CourseGlossary(node.phase, self.runs, place)
+        glossary, course = Glossary(node.phase.setup), CourseGlossary(node, self.runs, place)
         course.meanings = glossary.meanings
         made = PhaseSegment(
             number, node, first, time, glossary, course, newton_of_phase(node.phase, glossary), self.tree.closed

@@ -22,11 +22,11 @@ from freebody.questions.reading import AskedEvent
 from freebody.study.answering.draws import Draw
 from freebody.study.phases.evidence import run as followed
 from freebody.study.phases.evidence import stage
-from freebody.study.phases.followed import changed, follow
-from freebody.study.phases.phase import Phase
+from freebody.study.phases.followed import begun, changed, follow
+from freebody.study.phases.nodes import PhaseNode
 from freebody.study.phases.pieces import AnswerBranch
 from freebody.study.phases.tree import PhaseTree
-from freebody.study.phases.witness import FollowedPhase, NumericMode, PhaseSnapshot
+from freebody.study.phases.witness import NumericMode, PhaseSnapshot
 
 N_MOTIONS = 3
 TIMES = (0.37, 0.71)  # of the duration of a phase
@@ -112,9 +112,9 @@ class CourseGlossary(Glossary):
     """The symbols of one phase on its way. Lines are looked at within the phase ("always"), where it begins ("start")
     and where it ends ("event"). A phase that begins with the event that is asked for is looked at there only."""
 
-    def __init__(self, phase: Phase, runs: WorldRuns, place: int) -> None:
-        super().__init__(phase.setup)
-        self.phase = phase
+    def __init__(self, node: PhaseNode, runs: WorldRuns, place: int) -> None:
+        super().__init__(node.phase.setup)
+        self.node = node
         self.runs = runs
         self.place = place
 
@@ -160,14 +160,16 @@ class CourseGlossary(Glossary):
         """Where a phase begins."""
         if self.place:
             before, tree = run.seen[self.place - 1], self.runs.tree
-            following = run.seen[self.place].mode.stage if self.place < len(run.seen) else FollowedPhase(self.phase)
+            following = run.seen[self.place].mode.stage if self.place < len(run.seen) else stage(tree, self.node)
             return before.q, changed(tree.system, following, before.mode.values, before.q, before.v, before.time)
-        return run.seen[0].mode.start()
+        first = run.seen[0].mode
+        _mode, q, v = begun(self.runs.tree.system, first.stage, first.values)
+        return q, v
 
     def _mode(self, run: WorldRun) -> NumericMode:
         if self.place < len(run.seen):
             return run.seen[self.place].mode
-        return NumericMode(self.runs.tree.system, FollowedPhase(self.phase), run.seen[0].mode.values)
+        return NumericMode(self.runs.tree.system, stage(self.runs.tree, self.node), run.seen[0].mode.values)
 
     def _begin(self, run: WorldRun) -> Snapshot:
         q, v = self._state(run)

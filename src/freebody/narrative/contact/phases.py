@@ -13,8 +13,9 @@ from freebody.narrative.contact.phase_blow import tell_sudden_blow
 from freebody.narrative.contact.phase_conditions import tell_conditions, tell_sticking
 from freebody.narrative.contact.phase_contacts import tell_contacts
 from freebody.narrative.contact.phase_event import tell_event
+from freebody.narrative.contact.phase_impact import tell_impact
 from freebody.narrative.contact.phase_motion import require_course, tell_motion
-from freebody.narrative.contact.phase_way import PhaseSegment, PhaseSequence
+from freebody.narrative.contact.phase_way import PhaseSegment, PhaseSequence, on_the_way
 from freebody.narrative.context import Context, Method, refuse
 from freebody.narrative.lines.naming import written
 from freebody.narrative.lines.script import DerivationStage, FormulaTable, Script, Sentence, ready
@@ -35,18 +36,13 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
     if answer.expression is None:
         raise CannotAnswer(answer.reason or Message("there is no closed form"))
     way = PhaseSequence(context.system, question)
-    if way.piece.in_blow:
-        raise CannotAnswer(
-            Message("the answer belongs to a blow or an impact on the way, of which no derivation is written yet")
-        )
     edges = [leg.first for leg in way.legs if leg.first is not None and leg.first.watch.kind == "edge ends"]
-    impacts = [node.impact for node in way.piece.nodes if node.impact is not None]
-    if edges or way.piece.after is not None or any(impact.hits or impact.sudden is None for impact in impacts):
-        raise CannotAnswer(
-            Message("the answer lies behind an impact or the end of an edge, of which no derivation is written yet")
-        )
+    if edges:
+        raise CannotAnswer(Message("the answer lies behind the end of an edge, of which no derivation is written yet"))
     script = Script(way.legs[0].glossary, context.next_number)
     if way.piece.first is None:
+        if way.legs[0].node.impact is not None:
+            return _at_first_impact(context, way, script, answer)
         context.glossary = way.legs[0].glossary if question.transition is None else way.legs[0].course
         return _at_instant(context, way, script, answer)
     context.glossary = way.legs[-1].course
@@ -57,17 +53,84 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
     slips: tuple[int, ...] = ()
     for leg in way.legs:
         script.glossary = leg.glossary
-        if leg.node.impact is not None and leg.node.impact.sudden is not None:
+        if leg.node.impact is not None:
             require_course(leg)
-            before = tell_sudden_blow(script, way, leg, leg.node.impact.sudden, before)
+            before = _tell_blow(script, way, leg, before)
         end, forces, signs = _tell_phase(script, way, leg, before)
         slips += signs
         ends.append(end)
         before = tuple(end.values())
     happens = tuple(end.get("time") or end.get("place", 0) for end in ends)
     sticks = _after(script, way)
+    if way.piece.after is not None:
+        lines = {"happens": happens, "before": happens, "slips": slips}
+        return _behind_blow(context, way, script, answer, before, lines)
     tell_conditions(script, way, {"happens": happens, "before": happens, "slips": slips, "sticks": sticks})
     tell_answer(context, script, way, question, answer, ends, forces)
+    return script.stages
+
+
+def _tell_blow(script: Script, way: PhaseSequence, leg: PhaseSegment, before: tuple[int, ...]) -> tuple[int, ...]:
+    """The blow or the collision with which a phase begins; returns the lines of the state after it."""
+    impact = leg.node.impact
+    assert impact is not None
+    if impact.sudden is not None and not impact.hits:
+        return tell_sudden_blow(script, way, leg, impact.sudden, before)
+    return tell_impact(script, way, leg, before).after
+
+
+# -- just after a blow ------------------------------------------------------------------------
+def _at_first_impact(context: Context, way: PhaseSequence, script: Script, answer: Answer) -> list[DerivationStage]:
+    """The motion begins with an impact, and what is asked is of it or comes just after it."""
+    if not way.piece.in_blow and not way.piece.at_start:
+        raise CannotAnswer(Message("the motion begins with an impact, and what follows it is derived at an event only"))
+    leg = way.legs[0]
+    context.glossary = leg.course
+    told = _collision(script, way, leg, ())
+    tell_conditions(script, way, {"sticks": told, "slips": told})
+    return _value_behind(context, way, leg, script, answer, told)
+
+
+def _behind_blow(
+    context: Context,
+    way: PhaseSequence,
+    script: Script,
+    answer: Answer,
+    before: tuple[int, ...],
+    lines: dict[str, tuple[int, ...]],
+) -> list[DerivationStage]:
+    """What is asked is of the blow that ends the last phase, or comes just after it. before: lines of its end."""
+    after = way.piece.after
+    assert after is not None
+    leg = way.leg(way.legs[-1].number + 1, after, None, None, len(way.legs))
+    script.glossary, context.glossary = leg.glossary, leg.course
+    told = _collision(script, way, leg, before)
+    tell_conditions(script, way, {**lines, "sticks": told})
+    return _value_behind(context, way, leg, script, answer, told)
+
+
+def _collision(script: Script, way: PhaseSequence, leg: PhaseSegment, before: tuple[int, ...]) -> tuple[int, ...]:
+    """The lines of the impulses as well, which may be asked for."""
+    assert leg.node.impact is not None
+    if leg.node.impact.sudden is not None:
+        return _tell_blow(script, way, leg, before)
+    return tell_impact(script, way, leg, before).lines
+
+
+def _value_behind(
+    context: Context, way: PhaseSequence, leg: PhaseSegment, script: Script, answer: Answer, told: tuple[int, ...]
+) -> list[DerivationStage]:
+    """What is asked, from the state just after the blow."""
+    q, newton, values = way.question.quantity, leg.newton, Values()
+    if not way.piece.in_blow and q.scope != "course":
+        unknowns = newton.unknowns_in(newton.asked(q))
+        with on_the_way(script, leg.glossary):
+            values = newton.write(script, newton.plan(unknowns), unknowns) if unknowns else {}
+    with script.stage("stage.value", "hint.value"), on_the_way(script, leg.course):
+        left = asked_side(context, way, leg, script, way.question)
+        assert answer.expression is not None
+        uses = (*told, *(line for _v, line in values.values()))
+        script.line(left, answer.expression, why="impact.with", args={"lines": uses}, uses=uses, when="start")
     return script.stages
 
 
@@ -126,7 +189,8 @@ def _needed(way: PhaseSequence, leg: PhaseSegment) -> tuple[set[str], set[str]]:
     model, assert_first = leg.phase.model, leg.first
     assert assert_first is not None
     f = model.field
-    if leg is not way.legs[-1] or not isinstance(leg.phase.course, UniformMotion):
+    is_last = leg is way.legs[-1] and way.piece.after is None
+    if not is_last or not isinstance(leg.phase.course, UniformMotion):
         names = {c.name for c in model.coordinates if _moves(leg, c)}
         return names, names
     element = model.in_independent_speeds(assert_first.watch.element)
@@ -164,7 +228,8 @@ def _wanted(way: PhaseSequence, leg: PhaseSegment, moving: set[str]) -> list[int
         found.append(newton.acting.generator(watch.name))
     if watch.kind == "slips":
         found += [newton.acting.generator(n) for n in leg.phase.dry_friction[watch.name].load]
-    if leg is way.legs[-1] and way.question.quantity.scope != "course":
+    is_last = leg is way.legs[-1] and way.piece.after is None
+    if is_last and way.question.quantity.scope != "course":
         found += newton.unknowns_in(newton.asked(way.question.quantity))
     return list(dict.fromkeys(found))
 

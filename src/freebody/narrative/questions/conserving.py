@@ -46,8 +46,6 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
     """The rate of the quantity and where it vanishes. Raises CannotAnswer where there is no formula of it."""
     refuse(method, (), "conservation")
     asked = question.quantity
-    if asked.jump is not None:
-        raise CannotAnswer(Message("ask for it just before the blow and just after it: these are derived"))
     assert isinstance(asked, Conserved)
     if answer.expression is None:
         raise CannotAnswer(answer.reason or Message("its rate has no closed form"))

@@ -25,16 +25,20 @@ from freebody.questions.clock import Clock
 from freebody.questions.course import Transition, When
 from freebody.questions.energy import Energy
 from freebody.questions.event import AskedEvent, QuestionEvent
-from freebody.questions.happening import FailsFirst, Happening, Lasting, StableEquilibrium
+from freebody.questions.happening import FailsFirst, Happening, Lasting, StableEquilibrium, StableSteadyMotion
 from freebody.questions.motion import OfMeasure
 from freebody.questions.reading import Question
 from freebody.questions.rest import FirstFailure
 from freebody.questions.small_motion import SmallOscillations
+from freebody.questions.steady import SteadyStability
 from freebody.study.answering.answer import Answer
 from freebody.study.answering.solve import solve
 from freebody.study.answering.turned_round import with_others
 from freebody.study.phases.happening import happening_cases
 from freebody.study.phases.tree import tree_of
+from freebody.study.steady.linear import linear_at_start
+from freebody.study.steady.motion import SteadyMotion
+from freebody.study.steady.stability import given_by_start, signs_of
 from freebody.symbolic.relations import readable
 from freebody.system.system import System
 
@@ -99,6 +103,8 @@ def _decided(context: Context, question: Question, of: Happening, name: str, met
         return _failures(context, question, of, name, method)
     if isinstance(of, StableEquilibrium):
         return _frequency(context, question, name, method)
+    if isinstance(of, StableSteadyMotion):
+        return _disturbances(context, question, method)
     if isinstance(of.what, Lasting) and of.what.kind == "rolls" and of.before is None:
         return _sticking(context, question, of)
     return _event(context, question, of, name, method)
@@ -216,6 +222,22 @@ def _frequency(context: Context, question: Question, name: str, method: Method) 
         squares = [scalar(x) ** 2 for x in found]
         return _Told(there, stages, [readable(x.numerator()) for x in squares])
     raise CannotAnswer(Message("of what decides this no derivation is written yet"))
+
+
+def _disturbances(context: Context, question: Question, method: Method) -> _Told:
+    """The linearised equations beside the steady motion; where it stops to be stable one of the signs vanishes that
+    decide, or the motion ends."""
+    asked = replace(
+        question, id="stability", quantity=SteadyStability(), text="stability of steady motion", options={}, key=None
+    )
+    (given,) = solve(replace(context.system, questions=(asked,)), setup=context.setup).answers
+    if given.expression is None:
+        raise CannotAnswer(given.reason or Message("there is no closed form"))
+    stages = derivation_of(context.system, asked)(context, asked, given, method)
+    linear = linear_at_start(context.setup, SteadyMotion(context.setup.model))
+    f, start = context.setup.model.field, given_by_start(context.setup, linear)
+    borders = [f.lowest_terms(f.follow(x, start)) for x in (*signs_of(linear), *linear.exists)]
+    return _Told(context, stages, [readable(x.numerator()) for x in borders])
 
 
 def _failures(context: Context, question: Question, of: FailsFirst, name: str, method: Method) -> _Told:

@@ -25,7 +25,7 @@ from freebody.narrative.principles.motion_equations import motion_equations
 from freebody.narrative.principles.sides import balanced
 from freebody.questions.motion import rates_of
 from freebody.questions.reading import Question
-from freebody.questions.steady import SteadyValue
+from freebody.questions.steady import SteadyValue, is_steady_place
 from freebody.study.answering.answer import Answer
 from freebody.study.setup import Setup
 from freebody.study.steady.evidence import motions
@@ -74,10 +74,12 @@ def tell_steady(context: Context, question: Question, answer: Answer, q: SteadyV
     """The equations of motion, what they become, the roots, and the quantity that is asked for."""
     steady = SteadyMotion.asked(context.setup.model, question.event)
     unknown = unknown_of(steady, q)
-    is_place = q.of.watched is not None and q.of.watched[1] == 0
+    is_place = is_steady_place(q)
     solutions: Solutions | None
     if unknown is None:
-        solutions = steady.eliminated() or steady.any_solution()
+        solutions = steady.eliminated(even_if_open=is_place) or steady.any_solution()
+        if is_place and solutions is not None and len(solutions.roots) > 1:  # of the coordinate that the measure is of
+            unknown = next((c for c in steady.others if c.index == solutions.index), None)
     else:
         solutions = steady.at_position(unknown) if is_place else steady.solved_for(unknown.speed)
     telling = _SteadyTelling(context, question, answer, steady, context.script())

@@ -12,12 +12,13 @@ from typing import NoReturn
 from freebody.assess.verdict import Judgement
 from freebody.errors import CannotAnswer, NeverHappens
 from freebody.language.expression import number
+from freebody.language.notation import to_text
 from freebody.language.sentences import Message, further
 from freebody.questions.base import Quantity, Wanted
 from freebody.questions.clock import Clock
 from freebody.questions.extent import Extent, ExtremeOfMotion
 from freebody.questions.freedom import DegreesOfFreedom
-from freebody.questions.happening import StableEquilibrium
+from freebody.questions.happening import StableEquilibrium, StableSteadyMotion
 from freebody.questions.period import Period
 from freebody.questions.reading import AskedEvent, Question, QuestionEvent
 from freebody.questions.small_motion import Equilibrium, OfSmallMotion, SmallOscillations
@@ -71,6 +72,7 @@ class QuestionSolver:
 
     def _conserved(self) -> Answer:
         """The rate of the quantity, and whether it vanishes; `study/conservation/conserved.py` has more to say."""
+        from freebody.study.conservation.balance import CARRIED
         from freebody.study.conservation.judge import Judge
 
         found = Judge(self.setup).answer(self.question)
@@ -82,16 +84,21 @@ class QuestionSolver:
             blow.append(
                 Message("this is meant of the motion after the blow; of the blow ask: is ... conserved in the blow")
             )
+        is_zero = found.rate == number(0)
+        notes = [*blow, *([Message("this is its rate")] if found.rate is not None else [])]
+        for term in () if found.rate is None else (part for what, part in found.parts if what == CARRIED):
+            words = Message("the point moves, so dH/dt = M - v × P, here with -v × P = {term}", term=to_text(term))
+            notes.append(words)
         return made(
             self.question,
             found.rate,
-            0.0 if found.rate == number(0) else None,
+            0.0 if is_zero else None,
             conditions=() if found.reason else (answer,),
-            notes=(*blow, *([Message("this is its rate")] if found.rate is not None else []), *found.notes),
+            notes=(*notes, *found.notes),
             reason=found.reason or (further(*found.notes) if found.rate is None else ""),
             judgement=Judgement(found.choice, found.options, found.author_notes),
             evidence=None if c is None else Evidence(c.motions, c.largest_drift or 0.0, c.route),
-            why_no_value=Message("the rate depends on the motion"),
+            why_no_value="" if is_zero else Message("the rate depends on the motion"),
         )
 
     def _number_instead(self) -> Value:
@@ -152,6 +159,11 @@ class QuestionSolver:
             from freebody.study.small_motion.stable_for import stability
 
             return solved_for(self.setup, self.question, stability(self.setup, is_so=q.of.is_so))
+
+        if isinstance(q.of, StableSteadyMotion):
+            from freebody.study.steady.stable_for import stability as steady_stability
+
+            return solved_for(self.setup, self.question, steady_stability(self.setup, is_so=q.of.is_so))
 
         def attempt(system: System) -> Finding:
             setup = self.setup if system is self.system else Setup(system)

@@ -62,19 +62,19 @@ def find_extremal(setup: Setup, question: Question, formulas: Sequence[Formula])
     or several places compete."""
     wanted = question.quantity.wanted
     assert wanted is not None
-    if len(formulas) != 1 or not isinstance(formulas[0].element, Ratio):
-        raise CannotAnswer(Message("the quantity has several formulas, and which is largest is not decided over cases"))
-    (formula,) = formulas
-    assert isinstance(formula.element, Ratio)
     field, model = setup.model.field, setup.model
     index = field.index(model.parameters[wanted.parameter])
-    if index not in field.ingredients(formula.element):
+    slopes: list[Ratio] = []
+    for one in formulas:
+        if not isinstance(one.element, Ratio):
+            raise CannotAnswer(Message("one number must have a value here, and that is none in closed form"))
+        depends = index in field.ingredients(one.element)
+        slopes.append(derivative_by(model, one.element, index) if depends else field.zero)
+    if all(slope.is_zero() for slope in slopes):
         raise CannotAnswer(Message("that does not depend on {name}", name=wanted.parameter))
-    slope = derivative_by(model, formula.element, index)
-    if slope.is_zero():
-        raise CannotAnswer(Message("that does not depend on {name}", name=wanted.parameter))
+    cases = [replace(one, element=slope) for one, slope in zip(formulas, slopes, strict=True)]
     monotone = _Monotone(
-        *(_search(setup, question, wanted, formula, slope, relation) for relation in (">", "<")),
+        *(RangeSearch(setup, question, wanted.asking(relation=relation), cases) for relation in (">", "<")),
         sign=1 if wanted.end == "largest" else -1,
     )
     own = setup.draws[0]
@@ -82,6 +82,8 @@ def find_extremal(setup: Setup, question: Question, formulas: Sequence[Formula])
     if place is None:
         raise CannotAnswer(_no_summit(monotone, own, wanted.parameter))
     place = _plain(place)
+    formula = _true_there(setup, monotone, formulas, place)
+    assert isinstance(formula.element, Ratio)
     there = field.lowest_terms(field.follow(formula.element, {index: place}))
     conditions = _conditions(setup, wanted, formula, place, index)
     evidence = _evidence(setup, question, formula, monotone, place, conditions)
@@ -115,11 +117,21 @@ def _plain(place: Ratio) -> Ratio:
     return place
 
 
-def _search(
-    setup: Setup, question: Question, wanted: Wanted, formula: Formula, slope: Ratio, relation: str
-) -> RangeSearch:
-    side: Wanted = wanted.asking(relation=relation)
-    return RangeSearch(setup, question, side, [replace(formula, element=slope)])
+def _true_there(setup: Setup, monotone: _Monotone, formulas: Sequence[Formula], place: Ratio) -> Formula:
+    """The formula of the case in which the summit lies, at the model's own numbers; in no other case the quantity may
+    be more (or less): across a border of cases it may jump."""
+    own = setup.draws[0]
+    (value,) = element_at(setup, place, own, own.start())
+    if len(formulas) == 1:
+        return formulas[0]
+    true = monotone.rises.true_at(own, value)
+    if not true:
+        raise CannotAnswer(Message("it is largest or least on the border of two cases"))
+    values = monotone.rises.values_between(own, formulas)
+    (top,) = monotone.rises.values_at(own, value, [formulas[true[0]]])
+    if any(monotone.sign * (other - top) > 0 for other in values):
+        raise CannotAnswer(Message("it jumps between cases, and which is largest is not decided over them"))
+    return formulas[true[0]]
 
 
 def _no_summit(monotone: _Monotone, own: Draw, name: str) -> Message:
@@ -150,6 +162,8 @@ def _evidence(
     more) on either side."""
     wanted = question.quantity.wanted
     assert wanted is not None
+    if not formula.is_put_back:  # the formula is checked where it is one; where it is largest follows from it alone
+        return formula.evidence()
     route = Message("the value put in for the parameter, and values beside it, each by the numeric route")
     check = CrossCheck(question.text, route, MOTION_TOLERANCE if wanted.of.is_of_state else _LINEARISED)
 
@@ -166,6 +180,8 @@ def _evidence(
         if not all(holds(setup, c, draw, start) for c in conditions):
             return
         found = monotone.summit(draw)
+        if found is None and len(monotone.rises.truths) > 1:
+            return  # other cases come with these numbers
         if found is None or _plain(found) != place:
             raise CannotAnswer(Message("which ends count depends on more than could be told in formulas"))
         (at,) = element_at(setup, place, draw, start)

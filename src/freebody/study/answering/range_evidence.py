@@ -9,7 +9,6 @@ from typing import Any
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
-from freebody.numeric.reference import Reference
 from freebody.questions.turned_round import SO
 from freebody.study.answering.answer import Evidence
 from freebody.study.answering.crosscheck import (
@@ -120,8 +119,7 @@ class RangeEvidence:
             with suppress(CannotAnswer):
                 check.compare(draw, 1.0 if truth.formula.says else 0.0, truth.formula.in_numbers(values))
             return
-        reference = Reference(self.truth.setup.system, values)
-        made = PutBack(number, Draw(values, reference, reference.assemble(guess=draw.q, n_starts=2)), 1.0)
+        made = PutBack(number, draw.with_values(values, self.truth.setup.system), 1.0)
         numeric = quantity_with(self.truth.setup, self.truth.question, self.truth.wanted.of, truth.formula, made)
         if self.truth.wanted.of.is_verdict:
             check.compare(made.draw, 1.0, numeric)

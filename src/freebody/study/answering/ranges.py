@@ -110,6 +110,30 @@ class RangeSearch(TruthInNumbers):
         if not self.parameter.acute:
             yield from (place + n * self.field.pi for n in _MOST_SHIFTS if n)
 
+    # -- what the formulas say between the ends -----------------------------------------------
+    def true_at(self, draw: Draw, value: float) -> list[int]:
+        """The numbers of the formulas that are true, their relation aside, for a value of the parameter."""
+        here = self.with_value(self.numbers_of(draw), value)
+        return [
+            k
+            for k, truth in enumerate(self.truths)
+            if all(self.is_so(c.element, c.relation, here, at_end=True) for c in truth.conditions)
+        ]
+
+    def values_at(self, draw: Draw, value: float, formulas: Sequence[Formula]) -> list[float]:
+        """What formulas are worth for a value of the parameter; those that have a value."""
+        here = self.with_value(self.numbers_of(draw), value)
+        found = [self.value_of(f.element, here)[0] for f in formulas if isinstance(f.element, Ratio)]
+        return [x for x in found if not math.isnan(x)]
+
+    def values_between(self, draw: Draw, formulas: Sequence[Formula]) -> Iterator[float]:
+        """What the formulas are worth that are true, at places between all ends."""
+        numbers, (low, high) = self.numbers_of(draw), self.domain()
+        placed = sorted(x for end in self.ends if low < (x := self.value_of(end, numbers)[0]) < high)
+        for a, b in pairwise([low, *placed, high]):
+            for value in self.places_between(a, b):
+                yield from self.values_at(draw, value, [formulas[k] for k in self.true_at(draw, value)])
+
     # -- the intervals ------------------------------------------------------------------------
     def intervals(self, draw: Draw) -> list[Interval]:
         """At the numbers of a draw."""

@@ -13,7 +13,7 @@ from freebody.language.expression import number
 from freebody.language.sentences import Message, further
 from freebody.questions.course import Transition
 from freebody.questions.happening import Happening
-from freebody.questions.reading import Question
+from freebody.questions.reading import Question, is_of_start
 from freebody.study.answering import evidence as proof
 from freebody.study.answering.answer import Answer, Value, made, refused
 from freebody.study.answering.assumed import assumed_at_start
@@ -85,7 +85,7 @@ def _in_whole(system: System, questions: Sequence[Question], setup: Setup | None
     if system.bounds or system.dry_friction or system.blows:
         return _in_phases(system, questions)
     lets_go = any(row.unilateral for row in system.constraint_rows)  # ideal strings and rolling contacts do, if asked
-    if lets_go and any(map(_is_of_changes, questions)):
+    if lets_go and any(_is_of_changes(system, q) for q in questions):
         return _with_changes(system, questions, setup)
     setup = Setup(system) if setup is None else setup
     try:
@@ -168,8 +168,11 @@ def _with_jumps(system: System, questions: Sequence[Question], setup: Setup | No
     return replace(found, answers=tuple(answers[q.id] for q in questions))
 
 
-def _is_of_changes(q: Question) -> bool:
-    """Whether a question is about what contacts and strings do in the course of the motion."""
+def _is_of_changes(system: System, q: Question) -> bool:
+    """Whether a question is about what contacts and strings do in the course of the motion; so is an impact that is
+    not the blow of the start."""
+    if is_of_start(q.quantity) and not system.is_struck:
+        return True
     return q.transition is not None or (q.quantity.wanted is not None and isinstance(q.quantity.wanted.of, Happening))
 
 
@@ -202,8 +205,8 @@ def _on_one_side(setup: Setup, question: Question) -> Answer | None:
 def _with_changes(system: System, questions: Sequence[Question], setup: Setup | None) -> Solution:
     """Some questions wait until an ideal string goes slack or a wheel lifts off, which only a motion in phases knows.
     The others are answered as if these had not been asked."""
-    rest = _in_whole(system, [q for q in questions if not _is_of_changes(q)], setup)
-    waiting = [q for q in questions if _is_of_changes(q)]
+    rest = _in_whole(system, [q for q in questions if not _is_of_changes(system, q)], setup)
+    waiting = [q for q in questions if _is_of_changes(system, q)]
     try:
         found = _in_phases(system, waiting)
     except ModelError as error:  # of these questions: the others are answered, or refused, by themselves

@@ -22,7 +22,8 @@ from freebody.language.notation import compared, joined, reworded, to_text
 from freebody.language.sentences import Message
 from freebody.model.elements import Parameter
 from freebody.questions.base import Quantity, Wanted
-from freebody.questions.reading import Question
+from freebody.questions.clock import Clock
+from freebody.questions.reading import AskedEvent, Question
 from freebody.study.answering.answer import Evidence, Value
 from freebody.study.answering.conditions import real
 from freebody.study.answering.crosscheck import (
@@ -286,9 +287,17 @@ def quantity_with(setup: Setup, question: Question, of: Quantity, formula: Formu
     if formula.in_numbers is not None:
         return formula.in_numbers(draw.values)
     if question.event is not None:
-        return at_event(setup, of, draw, draw.start(), LONGEST, question.event)
+        return at_event(setup, of, draw, draw.start(), _until(setup, question.event, draw), question.event)
     here = draw.start() if question.at_start else draw.anywhere(SEED + made.number, TIME, 0.1)
     return of.value(setup.system, draw.seen(here))
+
+
+def _until(setup: Setup, event: AskedEvent, draw: Draw) -> float:
+    """[s] How long an event is waited for; where the time grows without end, until all has settled."""
+    if not isinstance(event, Clock) or event.time is not None:
+        return LONGEST
+    settled = setup.motion.at_clock(None).settled
+    return LONGEST if settled is None else element_at(setup, (settled,), draw, draw.start())[0]
 
 
 def _chosen(possible: Sequence[_Candidate]) -> Finding:

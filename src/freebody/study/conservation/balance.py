@@ -38,6 +38,9 @@ from freebody.system.system import System
 Wrench = tuple[Ratio, ...]  # force, then moment about the mass centre: three in the plane, six in space
 
 
+CARRIED = "-v × P"  # the part of the rate of an angular momentum about a point that moves with v
+
+
 class IsVector(CannotAnswer):
     """A vector was asked for where a scalar is meant."""
 
@@ -196,7 +199,7 @@ class RateBalance:
         extra: list[tuple[str, Ratio]] = []
         if not carried.is_zero():
             statement = Message("dH/dt = M - v × P about the moving point")
-            extra.append(("-v × P", carried))
+            extra.append((CARRIED, carried))
         if q.along is not None and self._turns(q.along):
             whole = replace(q, along=None).value(self.system, self.state)
             extra.append((Message("H·de/dt, since the direction turns"), dot(whole, self._rates(e))))

@@ -26,7 +26,7 @@ from freebody.study.phases.words import occurs
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.laws.base import MotionLaw
 from freebody.symbolic.model import SymbolicModel
-from freebody.symbolic.phases.course import ClosedFormMotion, LawMotion, MotionInTime, UniformMotion
+from freebody.symbolic.phases.course import ClosedFormMotion, LawMotion, MotionInTime, UniformMotion, has_roots
 from freebody.symbolic.signs import sign_of
 from freebody.tolerances import LEAST
 
@@ -45,11 +45,11 @@ def in_time(course: UniformMotion, watches: Sequence[PhaseWatch], sets: Sets, in
         return by_laws(course, watches, sets, indices)
     for watch in watches:
         try:
-            coefficients = course.along(watch.element)
+            coefficients = course.sign_along(watch.element)
         except CannotAnswer as error:
             raise no_closed_form(watch, error) from None
         n_now = next((k for k, c in enumerate(coefficients) if not c.is_zero()), 0)  # zeros at the start itself
-        if len(coefficients) - n_now > 3:
+        if not has_roots(coefficients[n_now:]):
             raise CannotAnswer(
                 Message(
                     "when {contact} {event} is a root of degree {n}",

@@ -58,7 +58,18 @@ class EnergyRoad:
         self.goes_round = self._is_periodic(course.square)
         self.turns = self._variants(course.zeros_of(course.square), course.square)
         self.ahead, self.behind = self._turning(1), self._turning(-1)
+        self.wall = self._wall()
         self.behind = np.where(self.u0 == 0.0, 0.0, self.behind)
+
+    def _wall(self) -> Array:
+        """The distance to where the speed grows without bound, beyond which no motion goes on (a string that is wound
+        up); inf where there is none on the way."""
+        below = self.course.square.denominator()
+        if self.c.index not in self.model.field.ingredients(below):
+            return np.full(self.sets.n, np.inf)
+        found = [self._distance(at, 1) for _place, at in self._variants(self.course.zeros_of(below), below)]
+        wall = np.min([np.where(np.isfinite(d), d, np.inf) for d in found], axis=0) if found else np.inf
+        return np.where(wall < self.ahead, wall, np.inf)
 
     def _is_periodic(self, x: Ratio) -> bool:
         """Whether the coordinate is an angle that stands in sines and cosines alone."""
@@ -116,11 +127,13 @@ class EnergyRoad:
             back = np.where((np.abs(at - self.q0) <= _HERE * self._size(at)) & (self.u0 != 0.0), 0.0, back)
         with np.errstate(invalid="ignore"):
             roads = (
-                (1, np.where(out <= self.ahead * (1 + _NOW), out, np.inf)),
+                (1, np.where(out <= np.minimum(self.ahead * (1 + _NOW), self.wall), out, np.inf)),
                 (
                     -1,
                     np.where(
-                        np.isfinite(self.ahead) & (back <= self.behind * (1 + _NOW)), back + 2 * self.ahead, np.inf
+                        np.isfinite(self.ahead) & np.isinf(self.wall) & (back <= self.behind * (1 + _NOW)),
+                        back + 2 * self.ahead,
+                        np.inf,
                     ),
                 ),
             )
@@ -159,10 +172,11 @@ class EnergyRoad:
         first = np.min([c.reached for c in own], axis=0) if own else np.full(self.sets.n, np.inf)
         value = self.course.as_function(watch.element)
         is_odd = self.course.is_odd(watch.element)
-        out = np.minimum(first, self.ahead)
+        out = np.minimum(first, np.minimum(self.ahead, self.wall))
         endless = 2 * np.pi if self.goes_round else _FAR * np.maximum(np.abs(self.q0), 1.0)
         out = np.where(np.isfinite(out), out, endless)
-        back = np.where(np.isfinite(first) | ~np.isfinite(self.ahead), 0.0, np.minimum(self.behind, endless))
+        ends = np.isfinite(first) | ~np.isfinite(self.ahead) | np.isfinite(self.wall)
+        back = np.where(ends, 0.0, np.minimum(self.behind, endless))
         missed = np.zeros(self.sets.n, dtype=bool)
         shares = (np.arange(N_ALONG) + 0.5) / N_ALONG
         for share in shares:

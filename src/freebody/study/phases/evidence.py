@@ -5,7 +5,7 @@ The numbers come from `witness`: the one place where another simulation could be
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import partial
 from typing import Any
 
@@ -13,6 +13,7 @@ import numpy as np
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
+from freebody.model.elements import ConstraintRow
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference, Snapshot
 from freebody.questions.base import Quantity
@@ -179,34 +180,60 @@ def _in_blow(tree: PhaseTree, question: Question, piece: AnswerBranch) -> Eviden
     ends = None if piece.time is None else tree.numbers(piece.time)
 
     def compare(k: int) -> None:
-        values, following = tree.sets.one(k), stage(tree, node)
-        if piece.after is None:
-            just_before, q, v = before_impact(tree.system, following.kept, values)
-            system, time = tree.system, 0.0
-        else:
+        last: PhaseSnapshot | None = None
+        if piece.after is not None:
             if ends is not None and not 0 < ends[k] < _LONGEST:
                 return
             with without_numbers():
                 last = run(tree, question.event, piece, k, None if ends is None else float(ends[k]))[-1]
-            q, v, time = last.q, last.v, last.time
-            just_before, system = last.snapshot(), last.mode.system
-        mode = NumericMode(tree.system, following, values)
-        after = mode.snapshot(q, changed(tree.system, following, values, q, v, time), time)
-
-        def beside(quantity: Quantity, side: str) -> Any:
-            if side == "before":
-                return value_in_mode(quantity, tree.system, system, just_before)
-            first = NumericMode(tree.system, stage(tree, piece.nodes[0]), values)
-            start = first.snapshot(*begun(tree.system, stage(tree, piece.nodes[0]), values)[1:], 0.0)
-            return value_in_mode(quantity, tree.system, first.system, start)
-
-        state: Any = after_in_numbers(tree.system, following, values, after, (q, v, time), beside)
+        state, mode, now = _just_after_blow(tree, node, k, last, piece.nodes[0])
         numeric = value_in_mode(question.quantity, tree.system, mode.system, state)
-        draw = Draw(mode.values, mode.references[0], q)
-        size = partial(magnitude, question.quantity.dimension, after)
+        draw = Draw(mode.values, mode.references[0], now.q)
+        size = partial(magnitude, question.quantity.dimension, now)
         check.compare(draw, _home_numbers(tree, piece, k), numeric, size)
 
     return check.gather(_numbered(piece), compare).evidence()
+
+
+def _just_after_blow(
+    tree: PhaseTree, node: PhaseNode, k: int, last: PhaseSnapshot | None, first: PhaseNode
+) -> tuple[Any, NumericMode, Snapshot]:
+    """The state just after the blow with which a phase begins, with what happened in it, its mode and instant. last:
+    how the phase before ended; None where the motion begins with the blow. first: the phase of the start."""
+    values, following = tree.sets.one(k), stage(tree, node)
+    just_before: Snapshot
+    if last is None:
+        just_before, q, v = before_impact(tree.system, following.kept, values)
+        system, time = tree.system, 0.0
+    else:
+        q, v, time = last.q, last.v, last.time
+        just_before, system = last.snapshot(), last.mode.system
+    mode = NumericMode(tree.system, following, values)
+    after = mode.snapshot(q, changed(tree.system, following, values, q, v, time), time)
+
+    def beside(quantity: Quantity, side: str) -> Any:
+        if side == "before":
+            return value_in_mode(quantity, tree.system, system, just_before)
+        begin = NumericMode(tree.system, stage(tree, first), values)
+        start = begin.snapshot(*begun(tree.system, stage(tree, first), values)[1:], 0.0)
+        return value_in_mode(quantity, tree.system, begin.system, start)
+
+    return after_in_numbers(tree.system, following, values, after, (q, v, time), beside), mode, after
+
+
+def number_in_blow(tree: PhaseTree, quantity: Quantity, piece: AnswerBranch, k: int, last: PhaseSnapshot | None) -> Any:
+    """What is asked of the blow that a piece belongs to, by the numeric route at a parameter set."""
+    node = piece.nodes[-1] if piece.after is None else piece.after
+    state, mode, _now = _just_after_blow(tree, node, k, last, piece.nodes[0])
+    return value_in_mode(quantity, tree.system, mode.system, state)
+
+
+def impulses_in_numbers(
+    tree: PhaseTree, node: PhaseNode, k: int, last: PhaseSnapshot | None
+) -> Callable[[ConstraintRow], float]:
+    """The impulses by row in the blow with which a phase begins, by the numeric route."""
+    state, _mode, _now = _just_after_blow(tree, node, k, last, node)
+    return state.impulse
 
 
 def _home_numbers(tree: PhaseTree, piece: AnswerBranch, k: int) -> tuple[float, ...]:

@@ -6,7 +6,7 @@ import random
 from collections.abc import Iterator, Mapping, Sequence, Set
 from contextlib import suppress
 from dataclasses import replace
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from typing import Any
 
 import numpy as np
@@ -71,6 +71,8 @@ class Home:
                 needed.append(
                     (self._gap(bound), ">=", Message("{contact} is open at the start", contact=bound.row.connection))
                 )
+            elif bound.name in self.moving:
+                needed += self._on_its_edge(bound)
         needed += self._held_in_blow(state)
         for row in [r for r in self.system.constraint_rows if r.unilateral] + [b.row for b in self.system.bounds]:
             if row.name in touching and isinstance(row.measure, Distance) and row.target is not None:
@@ -95,6 +97,16 @@ class Home:
                     raise CannotAnswer(blow_loads_friction(row))
             elif row.unilateral:
                 yield row.sign * state.impulse(row), ">=", held_in_blow(row)
+
+    def _on_its_edge(self, bound: UnilateralConstraint) -> Iterator[Inequality]:
+        """What is struck at the start is so between the ends of its edge."""
+        scalar, purpose = self.home.model.geometry.scalar, Message("{contact} is struck", contact=bound.row.connection)
+        for span in bound.within:
+            measure: Any = span.measure
+            value = self.home.start_instant.value(measure)
+            ends = [] if span.low is None else [value - scalar(span.low)]
+            ends += [] if span.high is None else [scalar(span.high) - value]
+            yield from ((self.home.model.field.lowest_terms(x), ">", purpose) for x in ends if not x.is_zero())
 
     def _gap(self, bound: UnilateralConstraint) -> Ratio:
         measure: Any = bound.row.measure
@@ -210,7 +222,20 @@ class Home:
                 (shown(vx), shown(vy)),
                 shown(w) if body.turns else None,
             )
-        return Placed(starts, self._since(phase, values))
+        return Placed(starts, self._since(phase, values), self.lengths)
+
+    @cached_property
+    def lengths(self) -> dict[str, Expr]:
+        """Of what is held at the length that it has at the start, by row, where the parameters tell it."""
+        found: dict[str, Expr] = {}
+        model = self.home.model
+        moving = {g for c in (*model.coordinates, *model.dependent) for g in (c.index, c.speed)}
+        symbols = {model.field.index(symbol) for symbol in model.samples.start_symbols.values()}
+        for row in ideal_bounds(self.system):
+            length = self.constants.get(_symbol_of(row))
+            if length is not None and not model.field.ingredients(length) & (moving | symbols):
+                found[row.name] = model.field.expression(length)
+        return found
 
     def _since(self, phase: Phase | Setup, values: dict[int, Ratio]) -> Expr | None:
         """The time of the motion at a state of a phase, where it matters."""

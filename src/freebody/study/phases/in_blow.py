@@ -132,4 +132,6 @@ def after_in_numbers(
 def not_struck(quantity: Quantity) -> CannotAnswer:
     """Why there is no impulse."""
     names = ", ".join(sorted(quantity.struck))
+    if not names:
+        return CannotAnswer(Message("there is no blow or impact in the phases that were found"))
     return CannotAnswer(Message("{names} is in no blow or impact of the phases that were found", names=names))

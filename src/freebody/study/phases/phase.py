@@ -4,17 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
 from freebody.errors import CannotAnswer, ExpressionError
-from freebody.language.expression import ZERO, Expr, free_symbols
+from freebody.language.expression import ZERO, Expr, free_symbols, number
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, TIME
 from freebody.measures.angle import Angle
+from freebody.measures.combination import Combination
 from freebody.measures.displacement import Displacement
 from freebody.measures.distance import Distance
+from freebody.measures.lead import Lead
 from freebody.model.elements import ConstraintRow, DryFriction, Parameter, Start, UnilateralConstraint
 from freebody.numeric.reference import Reference
 from freebody.study.answering.draws import SEED, Draw
@@ -27,17 +29,19 @@ from freebody.symbolic.phases.friction import named_rows, resultant, solve_loads
 from freebody.symbolic.start import StartState, start_from_bodies, start_state
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy
-from freebody.system.modes import ContactMode, counted_from, in_mode
+from freebody.system.modes import ContactMode, counted_from, ideal_bounds, in_mode
 from freebody.system.system import System
 
 
 @dataclass(frozen=True)
 class Placed:
     """The state in which a phase begins: that of the file, or poses and velocities of every body as formulas. since:
-    the time of the motion then, where something depends on it; the phase counts its own from there."""
+    the time of the motion then, where something depends on it; the phase counts its own from there. lengths: of what
+    is held at the length that it has at the start of the file, by row, as far as a formula tells it."""
 
     bodies: Mapping[str, Start] | None = None
     since: Expr | None = None
+    lengths: Mapping[str, Expr] = field(default_factory=dict[str, Expr])
 
     def put_into(self, system: System) -> System:
         if self.bodies is None:
@@ -262,6 +266,8 @@ class Phase:
                 found.append(
                     PhaseWatch("touches", name, self._nearness(self.bounds[name].row), within=self.spans(name))
                 )
+            elif (row := self.closing_again.get(name)) is not None:
+                found.append(PhaseWatch("touches", name, self._nearness(row)))
         for name, state in states.items():
             rub = self.dry_friction[name]
             if state:
@@ -272,6 +278,21 @@ class Phase:
             if self.model.field.ingredients(x) & {c.index for c in self.model.coordinates}:
                 found.append(PhaseWatch("changes sign", relation_text(tidy(x), "="), x))  # and with it the formulas
         return tuple(found)
+
+    @cached_property
+    def closing_again(self) -> dict[str, ConstraintRow]:
+        """Ideal strings that are slack and rolling contacts that have lifted off, as far as it is known when they close
+        again: held at a length that has a formula, and no other row of the connection is held with them."""
+        found: dict[str, ConstraintRow] = {}
+        together = {f"{row.connection}.{row.needs}" for row in self.base.constraint_rows if row.needs}
+        for row in ideal_bounds(self.base):
+            if row.name in self.mode.closed or row.name in together:
+                continue
+            straight = distance_of(row)
+            length = self.placed.lengths.get(row.name) if row.target is None else row.target
+            if straight is not None and length is not None:
+                found[row.name] = replace(row, measure=straight, target=length)
+        return found
 
     def spans(self, name: str) -> tuple[Ratio, ...]:
         """How far the place of a bound is from the ends of the edge on which it lies; none for what has no ends."""
@@ -295,17 +316,25 @@ class Phase:
 
     def base_row(self, name: str) -> ConstraintRow:
         """A row of the system, or of its bounds, whether it is held now or not."""
+        if name in self.closing_again:
+            return self.closing_again[name]
         return next(row for row in (*self.base.constraint_rows, *(b.row for b in self.base.bounds)) if row.name == name)
 
     def _nearness(self, row: ConstraintRow) -> Ratio:
         """A gap, or that of the squares of a distance and its limit: a polynomial where the distance is a root."""
-        if not isinstance(row.measure, Distance) or row.target is None:
+        if not self.is_by_squares(row):
             return self.gap(row)
-        f = self.model.field
+        assert isinstance(row.measure, Distance)
+        assert row.target is not None
         value, target = row.measure.value(self.model.geometry), self.model.geometry.scalar(row.target)
-        if not any(f.generators[g].kind == "root" and not f.is_constant_generator(g) for g in value.generators()):
-            return self.gap(row)
         return row.sign * self.model.field.lowest_terms(value * value - target * target)
+
+    def is_by_squares(self, row: ConstraintRow) -> bool:
+        """Whether a gap is that of the squares of a distance, which is a root of the coordinates, and of its limit."""
+        if not isinstance(row.measure, Distance) or row.target is None:
+            return False
+        f, value = self.model.field, row.measure.value(self.model.geometry)
+        return any(f.generators[g].kind == "root" and not f.is_constant_generator(g) for g in value.generators())
 
     def gap(self, row: ConstraintRow) -> Ratio:
         """How far a bound is from being closed."""
@@ -313,6 +342,16 @@ class Phase:
         value: Ratio = measure.value(self.model.geometry)
         target = self.model.field.zero if row.target is None else self.model.geometry.scalar(row.target)
         return row.sign * (value - target)
+
+
+def distance_of(row: ConstraintRow) -> Distance | None:
+    """The distance whose changes a row holds: of a link, or of a string that runs straight from point to point."""
+    measure = row.measure
+    if isinstance(measure, Combination) and len(measure.terms) == 1 and measure.terms[0][0] == number(1):
+        measure = measure.terms[0][1]
+    if isinstance(measure, Lead) and measure.rho == ZERO:
+        return Distance(measure.start, measure.end)
+    return measure if isinstance(measure, Distance) else None
 
 
 def has_lines(system: System) -> bool:

@@ -41,6 +41,7 @@ from freebody.symbolic.conditions import Condition
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.phases.course import EnergyMotion
 from freebody.symbolic.state import SymbolicState
+from freebody.system.modes import ideal_bounds
 from freebody.tolerances import ROUND_OFF
 
 
@@ -228,6 +229,7 @@ def _in_blows(tree: PhaseTree, question: Question, ways: list[WayToPhase]) -> It
     named = question.quantity.struck
     own = {name for blow in tree.system.blows for name in blow.closing}
     own |= {bound.row.connection for bound in tree.system.bounds}
+    own |= {row.connection for row in ideal_bounds(tree.system)}
     for way in ways:
         node = way.last
         if not way.edges and is_struck_in(node, sorted(named & own)):

@@ -42,6 +42,7 @@ from freebody.tolerances import ROUND_OFF, ROUNDED
 MAX_DEPTH = 5
 MAX_NODES = 24
 MAX_IMPACTS = 2  # one after the other, in formulas
+MOST_TERMS = 6  # of a condition behind the jerk of a string
 _EFFORT = 1000  # what an effort is told by
 
 
@@ -248,7 +249,7 @@ class PhaseTree(Home):
         if placed.bodies is None and self._parts_too_early(phase):
             placed = self.placed(self.home, self.home.start.values)
             return Phase.begun(self.system, mode, placed, self.sets.some(left, 3))
-        if placed.bodies is None and mode.closed != self.closed and has_lines(self.system):
+        if placed.bodies is None and has_lines(self.system):
             with suppress(CannotAnswer):
                 _ = phase.course
                 return phase
@@ -278,7 +279,12 @@ class PhaseTree(Home):
         except NO_FORM as error:
             node.reason = why(self.system, error)
             return
-        gone = [row.connection for row in ideal_bounds(self.system) if row.name not in node.phase.mode.closed]
+        found = (c for o, _given in outcomes for c in self.outcome_conditions(node.phase, o))
+        if self._came_taut(node) and any(len(c.element.num) > MOST_TERMS for c in found):
+            node.reason = Message("what follows on the jerk of the string depends on conditions too long to read")
+            return
+        watched = node.phase.mode.closed | node.phase.closing_again.keys()
+        gone = [row.connection for row in ideal_bounds(self.system) if row.name not in watched]
         again = (
             Message("whether {contact} closes again is not looked at; simulate the motion", contact=gone[0])
             if gone
@@ -295,6 +301,11 @@ class PhaseTree(Home):
                 edge.stops = again
             else:
                 self._after(node, edge)
+
+    def _came_taut(self, node: PhaseNode) -> bool:
+        """Whether a phase begins with the jerk of a string that was slack."""
+        ideal = {row.name for row in ideal_bounds(self.system)}
+        return node.impact is not None and not ideal.isdisjoint(node.impact.hits)
 
     def _never(self, node: PhaseNode, conditions: Sequence[Condition], proofs: Proofs) -> bool:
         """Whether it follows from the conditions that something does not end a phase."""

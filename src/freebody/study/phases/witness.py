@@ -20,9 +20,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import evaluate
+from freebody.language.expression import Expr, evaluate
 from freebody.language.sentences import Message
-from freebody.model.elements import DryFriction
+from freebody.model.elements import DryFriction, NonholonomicForm
 from freebody.numeric.brent import least_between, zero_between
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference, Snapshot
@@ -31,7 +31,7 @@ from freebody.questions.reading import AskedEvent
 from freebody.study.phases.phase import Phase, without_rows
 from freebody.study.phases.reached import STRIKES
 from freebody.symbolic.phases.friction import named_rows
-from freebody.system.modes import ContactMode, in_mode
+from freebody.system.modes import ContactMode, ideal_bounds, in_mode
 from freebody.system.system import System
 from freebody.tolerances import ROUND_OFF
 
@@ -180,7 +180,7 @@ class NumericMode:
                 found.append((("opens", name, 0), lambda q, v, t, n=name: self.normal(n, q, v, t)))
                 if name in self.bounds and self.bounds[name].within:
                     found.append((("edge ends", name, 0), lambda q, v, t, n=name: self.on_edge(n, q, v, t)))
-            elif name in self.bounds:
+            elif name in self.bounds or name in self.stage.phase.closing_again:
                 found.append((("touches", name, 0), lambda q, v, t, n=name: self.gap(n, q, v, t)))
         for name, state in self.mode.states.items():
             if state:
@@ -194,13 +194,33 @@ class NumericMode:
         return self.rows[name].sign * self.multiplier(name, q, v, t)
 
     def gap(self, name: str, q: Array, v: Array, t: float) -> float:
-        row, reference = self.bounds[name].row, self.references[0]
-        target = 0.0 if row.target is None else reference.number(row.target, t)
+        reference, again = self.references[0], name not in self.bounds
+        row = self.stage.phase.closing_again[name] if again else self.bounds[name].row
+        if again and self.base_target(name) is None:
+            target = self.lengths[name]
+        else:
+            target = 0.0 if row.target is None else reference.number(row.target, t)
         return row.sign * (reference.snapshot(q, v, t).value(row.measure) - target)  # type: ignore[arg-type]
+
+    def base_target(self, name: str) -> Expr | None:
+        """What an ideal connection is held at; None for the length that it has at the start of the motion."""
+        return next(row.target for row in ideal_bounds(self.base) if row.name == name)
+
+    @cached_property
+    def lengths(self) -> dict[str, float]:
+        """Of what is slack and may come taut again: as it is when the motion begins."""
+        touching = self.mode.closed if self.stage.touching is None else self.stage.touching
+        reference = Reference(in_mode(self.base, ContactMode.of(touching, {}))[0], self.values)
+        q = reference.assemble()
+        begin = reference.snapshot(q, np.zeros_like(q), 0.0)
+        again = self.stage.phase.closing_again.items()
+        return {n: begin.value(row.measure) for n, row in again if not isinstance(row.measure, NonholonomicForm)}
 
     def on_edge(self, name: str, q: Array, v: Array, t: float) -> float:
         """How far the place of a bound is from the nearer end of its edge; spans that are none count as long."""
         now, reference = self.references[0].snapshot(q, v, t), self.references[0]
+        if name not in self.bounds:
+            return np.inf
         found = [np.inf]
         for span in self.bounds[name].within:
             value = now.value(span.measure)

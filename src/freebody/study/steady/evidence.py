@@ -15,7 +15,7 @@ from freebody.numeric.jets import Array
 from freebody.numeric.reference import Snapshot
 from freebody.questions.base import Quantity
 from freebody.study.answering.answer import Evidence
-from freebody.study.answering.crosscheck import CrossCheck, NotReal, element_at
+from freebody.study.answering.crosscheck import CrossCheck, NotReal, as_parts, element_at
 from freebody.study.answering.draws import SEED, Draw
 from freebody.study.answering.magnitude import magnitude
 from freebody.study.setup import Setup
@@ -53,13 +53,27 @@ def during_steady_motion(
     witness = CrossCheck(
         question, Message("floating-point solve of all bodies and constraints in steady motion"), _TOLERANCE
     )
+    measure, order = quantity.watched or (None, 1)
+    is_angle = measure is not None and order == 0 and measure.is_angle
     for draw, found in motions(setup, steady, solutions):
+        pairs: list[tuple[tuple[float, ...], tuple[float, ...], Snapshot]] = []
         for k, snapshot in enumerate(found):
             if _unevenness(steady, draw, snapshot) > _TOLERANCE:
                 raise CannotAnswer(Message("the steady motion by which the answer would be checked is none in numbers"))
-            numeric = quantity.value(setup.system, draw.seen(snapshot))
+            try:
+                numeric = quantity.value(setup.system, draw.seen(snapshot))
+            except CannotAnswer:
+                if len(found) == 1:
+                    raise
+                continue  # a measure may have no slope at one of several places: the others are compared
             exact = element_at(setup, by_root[min(k, len(by_root) - 1)], draw, snapshot)
-            witness.compare(draw, exact, numeric, partial(magnitude, quantity.dimension, draw.seen(snapshot)))
+            pairs.append((exact, as_parts(numeric), draw.seen(snapshot)))
+        if is_angle and pairs:  # side by side: an arc of nearly one has half of the digits only
+            sides = tuple(x for exact, _n, _s in pairs for x in exact), tuple(x for _e, n, _s in pairs for x in n)
+            witness.compare(draw, *sides)
+            continue
+        for exact, numeric, seen in pairs:
+            witness.compare(draw, exact, numeric, partial(magnitude, quantity.dimension, seen))
     return witness.evidence()
 
 

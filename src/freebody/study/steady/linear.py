@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, field
 from functools import cached_property
 
@@ -13,6 +14,7 @@ from freebody.study.steady.motion import SteadyMotion
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.linear import determinant
 from freebody.symbolic.tidy import tidy
+from freebody.symbolic.zeros import reals, zeros_of
 
 _SMALL = 1e-6  # [SI] a rate at the start that is none
 
@@ -20,11 +22,19 @@ _SMALL = 1e-6  # [SI] a rate at the start that is none
 @dataclass
 class Linear:
     """The linearised equations about one steady motion. `place`: what stays constant at a known value, by generator;
-    `rates`: the cyclic rates that follow from the others, or are zero. What is in neither stays a symbol."""
+    `rates`: the cyclic rates that follow from the others, or are zero. What is in neither stays a symbol. `moved`: the
+    coordinates that are not where the start has them, which is no steady motion."""
 
     steady: SteadyMotion
     place: dict[int, Ratio]
     rates: dict[int, Ratio] = field(default_factory=dict[int, Ratio])
+    moved: frozenset[int] = frozenset()
+
+    @property
+    def exists(self) -> list[Ratio]:
+        """What is not negative where there is this motion: what stands under the roots of its place and in its arcs."""
+        values = (*(self.place[index] for index in sorted(self.moved)), *self.rates.values())
+        return [x for value in values for x in reals(value)]
 
     def here(self, x: Ratio) -> Ratio:
         """In the steady motion."""
@@ -76,7 +86,8 @@ class Linear:
 
 def linear_at_start(setup: Setup, steady: SteadyMotion) -> Linear:
     """The steady motion of the start, as general as possible: in any pose with any rates; in the pose of the start;
-    with one rate such that it is steady; as it is. What is zero, or a quarter of a turn, stays so."""
+    with one rate such that it is steady; at the place nearest to it at which it is steady with its rates; as it is.
+    What is zero, or a quarter of a turn, stays so."""
     model, start = setup.model, setup.start
     bound = [d.name for d in model.dependent if d.index in steady.needed]
     if bound:
@@ -102,6 +113,10 @@ def linear_at_start(setup: Setup, steady: SteadyMotion) -> Linear:
             solved = _solved_for(Linear(steady, place, rates), c.speed)
             if solved is not None:
                 return solved
+    for place in places:
+        moved = _moved(Linear(steady, place, rates))
+        if moved is not None:
+            return moved
     exact = Linear(steady, pose, {c.speed: start.of(c.speed) for c in steady.cyclic})
     left = _unbalanced(exact)
     if not left:
@@ -159,3 +174,30 @@ def _solved_for(linear: Linear, speed: int) -> Linear | None:
             found = Linear(linear.steady, linear.place, linear.rates | {speed: value})
             return None if _unbalanced(found) else found
     return None
+
+
+def _moved(linear: Linear) -> Linear | None:
+    """With the one coordinate that the conditions leave open where the motion is steady, nearest to the start; None
+    where they leave more, or the place has no closed form."""
+    left, steady = _unbalanced(linear), linear.steady
+    model, f = steady.model, steady.model.field
+    if len(left) != 1:
+        return None
+    open_ = [c for c in steady.others if c.index in f.ingredients(left[0])]
+    if len(open_) != 1:
+        return None
+    (c,) = open_
+    near = [v for v in model.samples.start_numbers(c.index)[:1] if v == v]
+    with model.samples.apart():
+        places = zeros_of(model, left[0].numerator(), c)
+    # one that is there whatever the parameters are is meant only where the start is at it
+    places = [x for x in places if not _is_quarter(x)]
+    if not places or not near:
+        return None
+
+    def away(place: Ratio) -> float:
+        return min((abs(v - near[0]) for v in model.samples.at_starts(place)[:1] if v == v), default=math.inf)
+
+    place = min(places, key=away)
+    found = Linear(steady, linear.place | {c.index: f.lowest_terms(place)}, linear.rates, frozenset({c.index}))
+    return None if _unbalanced(found) else found

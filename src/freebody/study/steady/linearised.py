@@ -25,7 +25,7 @@ from freebody.tolerances import ROUND_OFF
 _TOLERANCE = 1e-5  # relative, of second differences
 _FACTORS = (0.2, 0.5, 1.0, 2.0, 5.0)  # times the rates of the start: on both sides of a condition
 _STEP = 1e-4  # rad, m
-_CLEARLY_STABLE, _CLEARLY_NOT = 1e-6, 1e-3  # real parts, beside the largest exponent
+CLEARLY_STABLE, _CLEARLY_NOT = 1e-6, 1e-3  # real parts, beside the largest exponent
 
 
 def agrees(setup: Setup, question: str, linear: Linear, signs: Sequence[Ratio]) -> Evidence:
@@ -46,8 +46,8 @@ def agrees(setup: Setup, question: str, linear: Linear, signs: Sequence[Ratio]) 
         numeric = np.poly(about.matrix())[::-1]
         witness.compare(draw, tuple(coefficients / coefficients[-1] / powers), tuple(numeric / powers))
         grows = float(exact.real.max(initial=0.0)) / size
-        if not _CLEARLY_STABLE < grows < _CLEARLY_NOT and _is_clear(values):
-            verdicts.compare(draw, float(all(v > 0 for v in values)), float(grows <= _CLEARLY_STABLE))
+        if not CLEARLY_STABLE < grows < _CLEARLY_NOT and _is_clear(values):
+            verdicts.compare(draw, float(all(v > 0 for v in values)), float(grows <= CLEARLY_STABLE))
 
     witness.gather(product(setup.draws, _FACTORS), compare, 4 * MIN_DRAWS)
     verdicts.evidence()
@@ -66,7 +66,11 @@ class About:
         self.steady, self.draw = linear.steady, draw
         self.others, self.cyclic = (self._measured(c) for c in (self.steady.others, self.steady.cyclic))
         start = draw.start()
-        self.places = np.array([start.value(m) for _c, m in self.others], dtype=np.float64)
+        there = {index: element_at(setup, (linear.place[index],), draw, start)[0] for index in linear.moved}
+        places = [there[c.index] if c.index in there else start.value(m) for c, m in self.others]
+        if not np.isfinite(places).all():
+            raise CannotAnswer(Message("there is no such motion"))
+        self.places = np.array(places, dtype=np.float64)
         q = self._pose(self.places)
         rates = {c.speed: self._rate(c, m, start, factor, linear) for c, m in self.cyclic}
         first = moving(self.steady, draw, q, rates)

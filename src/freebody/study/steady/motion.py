@@ -21,6 +21,7 @@ from freebody.questions.event import AskedEvent, QuestionEvent
 from freebody.questions.steady import SteadyValue
 from freebody.study.eom import primitive_part
 from freebody.symbolic.field import Ratio
+from freebody.symbolic.functions import functions
 from freebody.symbolic.linear import RHS, Row, solve
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.reduced import without_square_roots
@@ -52,6 +53,8 @@ class SteadyMotion:
             raise CannotAnswer(Message("what goes on evenly has no event; leave out 'when'"))
         among = steady.cyclic if event.order else steady.others
         c = next((c for c in among if model.measure_of(c) == event.measure), None)
+        if c is None and (by := steady.kept_by(event)) is not None:
+            return cls(model, by)
         if c is None:
             rates = [f"rate({k.name})" for k in steady.cyclic]
             told = Message(
@@ -61,6 +64,26 @@ class SteadyMotion:
             )
             raise CannotAnswer(told)
         return cls(model, {c.speed if event.order else c.index: model.geometry.scalar(event.value)})
+
+    def kept_by(self, event: QuestionEvent) -> dict[int, Ratio] | None:
+        """The value of the one coordinate on which a measure depends, where that has the value which an event states:
+        the one that is nearest to the start. None where it depends on others, or has no closed form."""
+        m, f = self.model, self.model.field
+        value, target = m.value_of(event.measure), m.geometry.scalar(event.value)
+        inside = [c for c in (*m.coordinates, *m.dependent) if c.index in f.ingredients(value)]
+        if event.order or len(inside) != 1 or inside[0] not in self.others:
+            return None
+        c = inside[0]
+        with m.samples.apart():
+            places = zeros_of(m, without_arc(m, value, target).numerator(), c)
+        near = [v for v in m.samples.start_numbers(c.index)[:1] if v == v]
+        if not places or not near:
+            return None
+
+        def away(place: Ratio) -> float:
+            return min((abs(v - near[0]) for v in m.samples.at_starts(place)[:1] if v == v), default=float("inf"))
+
+        return {c.index: min(places, key=away)}
 
     def put_in(self, x: Ratio) -> Ratio:
         """An element with the given value."""
@@ -297,10 +320,10 @@ class SteadyMotion:
             )
         )
 
-    def eliminated(self) -> Solutions | None:
+    def eliminated(self, *, even_if_open: bool = False) -> Solutions | None:
         """What follows where something is given: the one rate, or the one place, that the conditions leave to be found.
-        None where nothing is given, or where they leave more."""
-        if not self.given or not self.equations:
+        None where nothing is given (unless even_if_open), or where they leave more."""
+        if not (self.given or even_if_open) or not self.equations:
             return None
         free = frozenset[int]().union(*(self.model.field.ingredients(x) for x in self.equations))
         speeds = [c for c in self.cyclic if c.speed in free]
@@ -319,6 +342,17 @@ class SteadyMotion:
     def state(self) -> SymbolicState:
         """A general instant of a steady motion: without accelerations."""
         return SymbolicState(self.model.without_accelerations(), self.still)
+
+
+def without_arc(model: SymbolicModel, value: Ratio, target: Ratio) -> Ratio:
+    """What vanishes where a value is reached; of an arc acos(u) it is u - cos(target)."""
+    f = model.field
+    (only,) = value.generators() if len(value.generators()) == 1 else (None,)
+    name, argument = f.arguments.get(only, ("", f.one)) if only is not None else ("", f.one)
+    inverse = {"acos": "cos", "asin": "sin", "atan": "tan"}.get(name)
+    if inverse is None or only is None or value != f.variable(only):
+        return f.lowest_terms(value - target)
+    return f.lowest_terms(argument - functions(f, model.samples.is_negative)[inverse](target))
 
 
 @dataclass

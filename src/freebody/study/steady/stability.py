@@ -34,21 +34,17 @@ from freebody.symbolic.tidy import tidy
 def steady_stability(setup: Setup, question: Question) -> Finding:
     """The squares of the exponents of small disturbances, or what has to be positive."""
     linear = linear_at_start(setup, SteadyMotion(setup.model))
-    signs: list[Ratio] = []
+    signs = signs_of(linear)
     roots: list[Ratio] | None = []
     for c in linear.factors:
-        is_even = all(x.is_zero() for x in c[1::2])
-        signs += oscillating(c[::2]) if is_even else hurwitz(c)
-        own = roots_of(c[::2]) if is_even else None
+        own = roots_of(c[::2]) if _is_even(c) else None
         roots = None if own is None or roots is None else [*roots, *own]
-    if not signs:
-        raise CannotAnswer(Message("all exponents are zero: disturbances lead to neighbouring motions"))
     evidence = agrees(setup, question.text, linear, signs)
-    given = _given(setup, linear)
+    given = given_by_start(setup, linear)
     f = setup.model.field
     shown = [f.lowest_terms(f.follow(x, given)) for x in (signs if roots is None else roots)]
     says = stable_if([f.lowest_terms(f.follow(x, given)) for x in signs])
-    notes = [*_rates_shown(linear), _what(roots), *_at_own_values(setup, signs)]
+    notes = [*_rates_shown(linear), *_places_shown(linear), _what(roots), *_at_own_values(setup, signs)]
     if linear.n_zero > 0:
         notes.append(
             Message(
@@ -59,6 +55,20 @@ def steady_stability(setup: Setup, question: Question) -> Finding:
     element = shown[0] if len(shown) == 1 else tuple(shown)
     unit = "" if roots is None else None  # coefficients of powers of s have several
     return Finding(element, evidence, notes=notes, says=[says], may_be_complex=True, unit=unit)
+
+
+def signs_of(linear: Linear) -> list[Ratio]:
+    """What is positive where the motion is stable. Raises CannotAnswer where nothing decides."""
+    signs: list[Ratio] = []
+    for c in linear.factors:
+        signs += oscillating(c[::2]) if _is_even(c) else hurwitz(c)
+    if not signs:
+        raise CannotAnswer(Message("all exponents are zero: disturbances lead to neighbouring motions"))
+    return signs
+
+
+def _is_even(c: Sequence[Ratio]) -> bool:
+    return all(x.is_zero() for x in c[1::2])
 
 
 def _what(roots: Sequence[Ratio] | None) -> str:
@@ -90,7 +100,18 @@ def _rates_shown(linear: Linear) -> list[str]:
     return [reworded(Message("with {zero}", zero=rate), rate) for rate in shown]
 
 
-def _given(setup: Setup, linear: Linear) -> dict[int, Ratio]:
+def _places_shown(linear: Linear) -> list[str]:
+    """The place about which it is, where the start is no steady motion."""
+    generators = linear.steady.model.field.generators
+    found: list[str] = []
+    for index in sorted(linear.moved):
+        place = compared(generators[index].display, "=", tidy(linear.place[index]))
+        told = Message("the start is no steady motion; this is about the one nearest to it, {place}", place=place)
+        found.append(reworded(told, place))
+    return found
+
+
+def given_by_start(setup: Setup, linear: Linear) -> dict[int, Ratio]:
     """What the start gives by symbols; what it gives in numbers stays a symbol itself."""
     steady, start = linear.steady, setup.start
     open_ = [c.speed for c in steady.cyclic if c.speed not in linear.rates]

@@ -10,7 +10,7 @@ from freebody.language.expression import ZERO
 from freebody.language.notation import compared, reworded
 from freebody.language.sentences import Message, further
 from freebody.questions.reading import Question
-from freebody.questions.steady import SteadyValue
+from freebody.questions.steady import SteadyValue, is_steady_place
 from freebody.study.answering.finding import Finding
 from freebody.study.setup import Setup
 from freebody.study.steady.evidence import during_steady_motion, in_steady_motion
@@ -30,7 +30,7 @@ def steady_value(setup: Setup, question: Question, q: SteadyValue) -> Finding:
     unknown = unknown_of(steady, q)
     if unknown is None:
         return _during(setup, question, q, steady)
-    solutions = steady.at_position(unknown) if _is_place(q) else steady.solved_for(unknown.speed)
+    solutions = steady.at_position(unknown) if is_steady_place(q) else steady.solved_for(unknown.speed)
     if not solutions.roots:
         raise CannotAnswer(further(*solutions.notes) or Message("there is no such motion"))
     evidence = in_steady_motion(setup, question.text, steady, solutions)
@@ -43,10 +43,6 @@ def steady_value(setup: Setup, question: Question, q: SteadyValue) -> Finding:
     ranges = [c for x, purpose in zip(roots, purposes, strict=True) for c in _ranges(x, purpose)]
     conditions = ranges + setup.holding(steady.state) + setup.clearances(steady.state, ">=")
     return Finding(roots[0] if len(roots) == 1 else roots, evidence, conditions, notes)
-
-
-def _is_place(q: SteadyValue) -> bool:
-    return q.of.watched is not None and q.of.watched[1] == 0
 
 
 def _at_start(setup: Setup, question: Question, x: Ratio, solutions: Solutions | None) -> Ratio:
@@ -70,7 +66,7 @@ def _ranges(x: Ratio, purpose: str) -> list[Condition]:
 
 def _during(setup: Setup, question: Question, q: SteadyValue, steady: SteadyMotion) -> Finding:
     """Another quantity: by what stays open, or, where what is given determines the motion, by the parameters alone."""
-    f, solutions = setup.model.field, steady.eliminated()
+    f, solutions = setup.model.field, steady.eliminated(even_if_open=is_steady_place(q))
     value = q.of.value(setup.system, steady.state)
     parts = cast("tuple[Any, ...]", value if isinstance(value, tuple) else (value,))
     elements = tuple(steady.put_in(without_square_roots(setup.model, f.lowest_terms(f.element(v)))) for v in parts)

@@ -198,20 +198,26 @@ class Coasting(Resisted):
 
 @dataclass(frozen=True)
 class Thrown(Resisted):
-    """Against what drives it, until it turns; and back. k_back: of the way back, where that is resisted as well."""
+    """Against what drives it, until it turns; and back. k_back: of the way back, where that is resisted as well.
+    is_one: whether u' = a + k u^2 is meant of both ways, so that one formula goes on over the turn."""
 
     key = "thrown"
 
     k_back: Ratio | None = None
+    is_one: bool = False
 
     @classmethod
     def of(cls, moving: Freely) -> Self | None:
         found = _resisted(moving)
-        if found is None or found[3] >= 0 or not moving.takes_side:  # which way it is on is a question of its own
+        if found is None or found[3] >= 0:
             return None
         back = _parts(moving, -found[2])
         is_resisted = back is not None and moving.sign(-found[2] * back[1]) is Sign.NEGATIVE
-        return cls(moving.model, moving.q0, moving.u0, *found[:3], back[1] if back and is_resisted else None)
+        is_one = back is not None and back == found[:2]
+        if not moving.takes_side and not is_one:  # which way it is on is a question of its own
+            return None
+        k_back = back[1] if back and is_resisted else None
+        return cls(moving.model, moving.q0, moving.u0, *found[:3], k_back, is_one and not moving.takes_side)
 
     @property
     def turning(self) -> tuple[Ratio, Ratio]:
@@ -234,7 +240,7 @@ class Thrown(Resisted):
     def at_near(self, t: Ratio, near: Ratio) -> tuple[Ratio, Ratio]:
         f, v, r = self.model.field, self.speed, self.slowness
         turn, _place = self.turning
-        if not self.is_negative(f.lowest_terms(near - turn)):
+        if not self.is_one and not self.is_negative(f.lowest_terms(near - turn)):
             return self._returning().at(f.lowest_terms(t - turn))
         share = self.sense * self.u0 / v
         c, s = self.function("cos", r * t), self.function("sin", r * t)

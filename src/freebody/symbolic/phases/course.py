@@ -25,10 +25,9 @@ from freebody.symbolic.laws.uniform import UniformLaw
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.motion import SmoothMotion
 from freebody.symbolic.quadratic import roots
-from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.start import StartState
 from freebody.symbolic.unknowns import Coordinate
-from freebody.symbolic.zeros import reals, solve_linear, zeros_of
+from freebody.symbolic.zeros import reals, solve_linear, without_root, zeros_of
 
 TAU = "@since"  # the time since a phase began, as a generator
 
@@ -121,9 +120,25 @@ class UniformMotion(MotionInTime):
         below = x.denominator()
         return [f.lowest_terms(c / below) for c in x.numerator().coefficients(index)] or [f.zero]
 
+    def sign_along(self, x: Ratio) -> list[Ratio]:
+        """Coefficients of a polynomial in the time that has the sign of a function of the state everywhere: where that
+        has no roots in closed form here, without the factors that stand in it to an even power. Raises CannotAnswer."""
+        c, f = self.along(x), self.model.field
+        first = next((k for k, part in enumerate(c) if not part.is_zero()), 0)
+        if has_roots(c[first:]):
+            return c
+        whole = f.lowest_terms(sum((part * self.tau**k for k, part in enumerate(c)), f.zero))
+        even, index = f.one, f.index(self.tau)
+        for base, exponent in f.factor(whole.num)[1]:
+            if index in base.generators():
+                even = even * base ** (exponent - exponent % 2)
+        rest = f.lowest_terms(whole / even)
+        below = rest.denominator()
+        return [f.lowest_terms(part / below) for part in rest.numerator().coefficients(index)] or [f.zero]
+
     def zeros(self, x: Ratio) -> list[CourseZero]:
         try:
-            times = polynomial_roots(self.model, self.along(x))
+            times = polynomial_roots(self.model, self.sign_along(x))
         except CannotAnswer:
             return self._in_waves(x)
         return [CourseZero(t, self.values(t)) for t in times]
@@ -210,24 +225,6 @@ class LawMotion(MotionInTime):
                 yield CourseZero(time, {**self.values(time), **own}, needs=(*needs, *after))
 
 
-def without_root(x: Ratio, index: int) -> Ratio:
-    """An element that has the sign of x everywhere, and no root of a generator: where a and b have opposite signs,
-    a + b r = (a^2 - b^2 r^2)/(a - b r), of which the divisor has the sign of a. x itself where that is not known."""
-    f, top = x.field, x.numerator()
-    roots = [g for g in top.generators() if f.generators[g].kind == "root" and index in f.generators[g].made_of]
-    if len(roots) != 1:
-        return x
-    a, b = (*top.coefficients(roots[0]), f.zero)[:2]
-    if len(top.coefficients(roots[0])) != 2 or index in f.ingredients(a) | f.ingredients(b):
-        return x
-    signs = sign_of(a), sign_of(b)
-    positive, negative = (Sign.POSITIVE, Sign.NONNEGATIVE), (Sign.NEGATIVE, Sign.NONPOSITIVE)
-    if not ((signs[0] in positive and signs[1] in negative) or (signs[0] in negative and signs[1] in positive)):
-        return x
-    square = a * a - b * b * f.radicand(roots[0])
-    return f.lowest_terms((square if signs[0] in positive else -square) / x.denominator())
-
-
 class EnergyMotion(ClosedFormMotion):
     """One coordinate by the first integral of energy; the speeds of others, on which nothing depends, by momenta."""
 
@@ -288,6 +285,7 @@ class EnergyMotion(ClosedFormMotion):
     def zeros_of(self, x: Ratio) -> list[Ratio]:
         """Values of the coordinate at which a function of it vanishes; of a polynomial up to the second degree."""
         f, index = self.model.field, self.coordinate.index
+        x = without_root(x, index)
         _unit, factors = f.factor(x.num)
         found: list[Ratio] = []
         for base, _exponent in factors:
@@ -338,8 +336,15 @@ class EnergyMotion(ClosedFormMotion):
         return found
 
 
+def has_roots(c: Sequence[Ratio]) -> bool:
+    """Whether a polynomial has roots in closed form here: one of the second degree at most, or one in the square of
+    the unknown."""
+    return len(c) <= 3 or (len(c) == 5 and c[1].is_zero() and c[3].is_zero())
+
+
 def polynomial_roots(model: SymbolicModel, c: list[Ratio]) -> list[Ratio]:
-    """Roots other than zero of a polynomial of degree two at most, of which the coefficients are given."""
+    """Roots other than zero of a polynomial of degree two at most, of which the coefficients are given, or of one in
+    the square of the unknown."""
     c = list(c)
     while c and c[-1].is_zero():
         c.pop()
@@ -347,6 +352,9 @@ def polynomial_roots(model: SymbolicModel, c: list[Ratio]) -> list[Ratio]:
         c.pop(0)
     if len(c) < 2:
         return []
+    if len(c) == 5 and c[1].is_zero() and c[3].is_zero():
+        squares = roots(c[::2], model.samples.is_negative) or []
+        return [sign * model.field.sqrt(x, model.samples.is_negative) for x in squares for sign in (-1, 1)]
     found = roots(c, model.samples.is_negative)
     if found is None:
         raise CannotAnswer(Message("the time is a root of a polynomial of degree {n}", n=len(c) - 1))

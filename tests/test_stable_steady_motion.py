@@ -1,0 +1,124 @@
+"""For which parameters a steady motion is stable, and angles to an axis that is fixed in space.
+
+Problem families: Goldstein, Poole & Safko, Classical Mechanics, ch. 2 and 5 (bead on a hoop, sleeping top); Meriam &
+Kraige, Dynamics, ch. 3 (governor); Morin, Introduction to Classical Mechanics, ch. 6; Landau & Lifshitz, Mechanics,
+sec. 14 (spherical pendulum).
+"""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+from scipy.integrate import quad
+
+from freebody.api import System
+from freebody.narrative.explain import explain
+
+COLLAR = """
+parameters: {m: 0.4 kg, k: 90 N/m, l: 0.3 m, Omega: 6 rad/s}
+bodies: {arm: {rod: {mass: 1 kg, length: 2*l}}, collar: {particle: {mass: m}}}
+connections:
+  O: {pin: [ground.O, arm.start]}
+  drive: {driver: {measure: angle of arm, follows: Omega*t}}
+  guide: {slider: {body: collar, along: arm.x, through: arm.start}}
+loads: {spring: {spring: {first: arm.start, second: collar, stiffness: k, length: l}}}
+measures: {r: distance from arm.start to collar}
+start: {r: l}
+"""
+HOOP = """
+space: {up: z}
+parameters: {m: 0.1 kg, R: 0.5 m, J: 1 kg m^2, Omega: 6 rad/s, g: 9.81 m/s^2}
+bodies:
+  hoop: {body: {inertia: [J, J, J]}}
+  arm: {body: {}, points: {end: [0, 0, -R]}}
+  bead: {particle: {mass: m}}
+connections:
+  axle: {revolute: {first: ground.O, second: hoop, about: z}}
+  motor: {driver: {measure: psi, follows: Omega*t}}
+  A: {revolute: {first: hoop, second: arm, about: y}}
+  B: {spherical: [arm.end, bead]}
+loads: {w: {gravity: g}}
+measures: {psi: angle of hoop about z, theta: angle of line from ground.O to bead from down}
+start: {theta: 40 deg}
+"""
+TOP = """
+space: {up: z}
+parameters: {g: 9.81 m/s^2, m: 0.5 kg, l: 0.06 m, A: 8e-4 kg m^2, C: 5e-4 kg m^2, n: 200 rad/s}
+bodies:
+  top:
+    body: {mass: m, inertia: [A, A, C]}
+    points: {tip: [0, 0, -l]}
+    turned: [alpha about x, beta about y, phi about z]
+connections: {tip: {spherical: [ground.O, top.tip]}}
+loads: {w: {gravity: g}}
+start: {alpha: 0, beta: 0, phi: 0, rate(phi): n}
+"""
+BOB = """
+space: {up: z}
+parameters: {m: 0.4 kg, L: 1.2 m, g: 9.81 m/s^2}
+bodies:
+  yoke: {body: {}, turned: [psi about z]}
+  bob: {body: {mass: m}, points: {O: [0, 0, L]}, turned: [theta about y], frame: yoke}
+connections:
+  A: {revolute: {first: ground.O, second: yoke, about: z}}
+  B: {revolute: {first: yoke, second: bob.O, about: y}}
+loads: {w: {gravity: g}}
+start: {psi: 0, theta: 50 deg, rate(theta): 0, rate(psi): 2 rad/s}
+"""
+
+
+def asked(text: str, question: str, **options: object):
+    (answer,) = System.from_text(text + f"questions: [{{id: q, find: '{question}'}}]\n").solve().answers
+    assert answer.expression is not None, answer.reason
+    assert answer.evidence is not None
+    return answer
+
+
+def test_collar_on_a_turning_arm_is_stable_below_the_critical_rate():
+    answer = asked(COLLAR, "range of Omega for which steady motion is stable")
+    assert answer.value == pytest.approx(math.sqrt(90 / 0.4))
+
+
+def test_bead_leaves_the_lowest_point_of_the_hoop_where_it_turns_fast_enough():
+    """cos(theta) = g/(R Omega^2), which exists and is stable for R Omega^2 > g."""
+    critical = math.sqrt(9.81 / 0.5)
+    assert asked(HOOP, "range of Omega for which the steady motion is stable").value == pytest.approx(critical)
+    places = asked(HOOP, "theta in steady motion").value
+    assert min(abs(x - math.acos(9.81 / (0.5 * 36))) for x in places) < 1e-12
+    turned = asked(HOOP, "value of Omega for which theta = 60 deg in steady motion")
+    assert turned.value == pytest.approx(math.sqrt(2 * 9.81 / 0.5))
+    small = asked(HOOP, "stability of steady motion")
+    assert small.value == pytest.approx(-36 * (1 - (9.81 / 18) ** 2))
+
+
+def test_sleeping_top_needs_spin_enough():
+    """C^2 n^2 > 4 A' m g l with A' about the tip."""
+    least = math.sqrt(4 * (8e-4 + 0.5 * 0.06**2) * 0.5 * 9.81 * 0.06) / 5e-4
+    assert asked(TOP, "least n so that steady motion is stable").value == pytest.approx(least)
+
+
+def test_what_decides_stability_is_derived():
+    question = "questions: [{id: q, find: range of Omega for which the steady motion is stable}]\n"
+    for text in (COLLAR, HOOP):
+        (derivation,) = explain(System.from_text(text + question)).derivations
+        assert not derivation.reason
+
+
+def test_spherical_pendulum_nods_in_a_period_of_an_elliptic_integral():
+    """theta'^2 = (cos - cos_0)(2 g/L - h^2 (cos + cos_0)/(sin sin_0)^2) of the angle theta, with h = psi' sin^2."""
+    g, L, first, rate = 9.81, 1.2, math.radians(50), 2.0
+    h = rate * math.sin(first) ** 2
+
+    def square(theta: float) -> float:
+        both = (math.sin(theta) * math.sin(first)) ** 2
+        return (math.cos(theta) - math.cos(first)) * (2 * g / L - h * h * (math.cos(theta) + math.cos(first)) / both)
+
+    turn = asked(BOB, "theta when rate(theta) = 0").value
+    assert square(turn) == pytest.approx(0, abs=1e-9)
+    mean, half = (first + turn) / 2, (first - turn) / 2
+    # theta = mean + half sin(x) takes the roots at both ends away
+    time, _error = quad(lambda x: half * math.cos(x) / math.sqrt(square(mean + half * math.sin(x))), -1.5707, 1.5707)
+    answer = asked(BOB, "period of theta")
+    assert answer.value == pytest.approx(2 * time, rel=1e-3)
+    assert "elliptic_K" in repr(answer.expression)
