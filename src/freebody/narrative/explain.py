@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
 from pathlib import Path
@@ -16,8 +16,10 @@ from freebody.narrative.contact.settings import has_phases
 from freebody.narrative.context import METHODS, Context, Derive, Method
 from freebody.narrative.derivation import Derivation, WorkedSolutions
 from freebody.narrative.kinds import derivation_of
-from freebody.narrative.lines.script import DerivationStage, NumberedFormula
+from freebody.narrative.lines.script import DerivationStage, Item, Listing, NumberedFormula, Sentence
+from freebody.narrative.numbering import numbered
 from freebody.narrative.opening import opening
+from freebody.narrative.sharing import Told
 from freebody.narrative.telling.catalogue import Catalogue
 from freebody.narrative.telling.composing import plain_derivations, report_of
 from freebody.present.report.results import Result
@@ -91,9 +93,20 @@ def explain(
     shared = None if has_phases(system) else context.setup
     solution = solve(system, setup=shared)
     first = tuple(opening(context))
+    told = Told.of(first)
     answers = {a.question: a for a in solution.answers}
-    found = tuple(_derived(context, q, answers.get(q.text), chosen, second) for q in asked)
-    return Explanation(system, solution, first, found, language)
+    found = [_derived(context, told, q, answers.get(q.text), chosen, second) for q in asked]
+    return Explanation(system, solution, *_numbered(first, found), language)
+
+
+def _numbered(
+    first: tuple[DerivationStage, ...], found: Sequence[Derivation]
+) -> tuple[tuple[DerivationStage, ...], tuple[Derivation, ...]]:
+    """The opening and the derivations with their final numbers."""
+    parts = [first, *(part for d in found for part in (d.stages, d.compared))]
+    first, *rest = numbered(parts, Catalogue())
+    pairs = zip(rest[::2], rest[1::2], strict=True)
+    return first, tuple(replace(d, stages=s, compared=c) for d, (s, c) in zip(found, pairs, strict=True))
 
 
 def _method(name: str) -> Method:
@@ -104,8 +117,9 @@ def _method(name: str) -> Method:
 
 
 def _derived(
-    context: Context, question: Question, answer: Answer | None, method: Method, second: Method | None
+    context: Context, told: Told, question: Question, answer: Answer | None, method: Method, second: Method | None
 ) -> Derivation:
+    """The derivation of one question, without what has been told before."""
     assert answer is not None
     busy_with(f"deriving {question.id}: {question.text}")
     derive = derivation_of(context.system, question)
@@ -113,13 +127,40 @@ def _derived(
     stages, reason = _attempt(here, question, answer, method, derive)
     compared: Sequence[DerivationStage] = ()
     if second is not None and not reason:
-        compared, trouble = _attempt(here, question, answer, second, derive)
-        reason = trouble
+        with here.as_if_alone():
+            compared, trouble = _attempt(here, question, answer, second, derive)
+        compared, reason = Told.of(told.opening).shared(compared)[0], trouble
+    ends: Sequence[DerivationStage] = ()
     if answer.is_answered and not reason:
-        end, reason = _attempt(here, question, answer, method, _closing)
-        stages = [*stages, *end]
+        ends, reason = _attempt(here, question, answer, method, _closing)
     context.next_number = here.next_number
-    return Derivation(question, answer, tuple(stages), method, reason, tuple(compared), second or "auto")
+    new, again = told.shared(stages)
+    new += _with_source(ends, stages, again, told)
+    told.take(new)
+    here.keep_found(again, told.numbers)
+    return Derivation(question, answer, tuple(new), method, reason, tuple(compared), second or "auto")
+
+
+def _with_source(
+    ends: Sequence[DerivationStage], stages: Sequence[DerivationStage], again: Mapping[int, int], told: Told
+) -> list[DerivationStage]:
+    """The result, with the line of an earlier derivation in which it was found, and without notes that were made on
+    the way."""
+    lines = [item.number for stage in stages for item in stage.items if isinstance(item, NumberedFormula)]
+    said = [item for stage in stages for item in stage.items if isinstance(item, Sentence)]
+    noted = [s.args.get("text") for s in (*said, *told.sentences) if s.key == "course.note"]
+    found = [] if not lines or lines[-1] not in again else [Sentence("result.found", {"line": again[lines[-1]]})]
+    made: list[DerivationStage] = []
+    for stage in ends:
+        items: list[Item] = [*(found if not made else ())]
+        for item in stage.items:
+            if isinstance(item, Listing):
+                new = tuple(s for s in item.items if s.key != "result.note" or s.args.get("text") not in noted)
+                items += [Listing(new)] if new else []
+            else:
+                items.append(item)
+        made.append(replace(stage, items=tuple(items)))
+    return made
 
 
 def _closing(context: Context, question: Question, answer: Answer, method: Method) -> list[DerivationStage]:

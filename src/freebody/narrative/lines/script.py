@@ -27,9 +27,15 @@ BY_DIFFERENCES = 1e-4  # where derivatives are taken by differences
 FEWEST = 2  # random motions at which a line must have been looked at
 
 
+REFERENCES = ("line", "lines", "given")  # places of a sentence that hold numbers of lines
+
+
 @dataclass(frozen=True)
 class NumberedFormula:
-    """A numbered formula: sides, the relations between them, why it is true, and from which lines it follows."""
+    """A formula: sides, the relations between them, why it is true, and from which lines it follows.
+
+    number: by which others refer to it; below zero where a reader needs none, as nothing refers to it. symbols: what
+    those of its symbols mean that the derivation introduced."""
 
     number: int
     sides: tuple[Side, ...]
@@ -39,6 +45,7 @@ class NumberedFormula:
     label: Sentence | None = None
     when: TrueWhen = "always"
     unit: str = ""
+    symbols: frozenset[tuple[str, str]] = frozenset()
 
 
 @dataclass(frozen=True)
@@ -152,7 +159,11 @@ class Script:
         self._introduce_constants(sides)
         number, self._number = self._number, self._number + 1
         reason = Sentence(why, args or {}) if why else None
-        self._items.append(NumberedFormula(number, sides, tuple(relations), reason, tuple(uses), label, when, unit))
+        known = self.glossary.meanings
+        names = sorted(set[str]().union(*map(names_in, sides)) & known.keys())
+        symbols = frozenset((name, repr(known[name].what)) for name in names)
+        line = NumberedFormula(number, sides, tuple(relations), reason, tuple(uses), label, when, unit, symbols)
+        self._items.append(line)
         return number
 
     def _introduce_constants(self, sides: Sequence[Side]) -> None:

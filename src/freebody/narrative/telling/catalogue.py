@@ -18,13 +18,12 @@ from freebody.language.expression import Call, Number, PowerOf, ProductOf, Sum, 
 from freebody.language.notation import Stated
 from freebody.language.sentences import Message
 from freebody.model.noting import did_you_mean
-from freebody.narrative.lines.script import Argument, Sentence
+from freebody.narrative.lines.script import REFERENCES, Argument, Sentence
 from freebody.narrative.telling.phrases import GENERAL, MESSAGES, TABLE, phrases_of
 from freebody.narrative.words import languages, tables_of
 from freebody.present.report.blocks import Emphasis, Formula, Piece, Reference, Text
 from freebody.present.report.words import ENGLISH
 
-_REFERENCES = ("line", "lines", "given")
 _KEY = re.compile(r"(reaction|axis|kind)\.[a-z _]+")
 _PLACE = re.compile(r"\{(\w+)\}")
 _OF_MODELS = "en"  # the language of model files and of the layers below
@@ -142,7 +141,7 @@ class Catalogue:
         if isinstance(value, int):
             if name == "figure":
                 return [Reference(value, "figure")]
-            return [Reference(value)] if name in _REFERENCES else [str(value)]
+            return [Reference(value)] if name in REFERENCES else [str(value)]
         if value.startswith("@"):
             return [self._worded(value[1:], name)]
         said = self.said(value, name)
@@ -155,7 +154,7 @@ class Catalogue:
         found = self._words.get(key) or self._english.get(key)
         if found is not None:
             return found
-        return text.partition(".")[2] if is_key else self.said(text, place)
+        return key.partition(".")[2] if is_key else self.said(text, place)
 
     def _listed(self, parts: list[list[Piece]]) -> list[Piece]:
         """a, b and c"""

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator, Sequence
+from itertools import groupby
 
+from freebody.language.expression import Expr
 from freebody.narrative.lines.script import (
     DerivationStage,
     Diagram,
@@ -53,7 +55,21 @@ class Telling:
         return Step(self.catalogue.tell(stage.title), hint, tuple(self.blocks(stage.items)))
 
     def blocks(self, items: Sequence[Item]) -> Iterator[Block]:
-        """Sentences that follow each other are one paragraph, diagrams stand side by side."""
+        """Sentences that follow each other are one paragraph, diagrams stand side by side, and so do formulas under each
+        other that need no words between."""
+        lines: list[Equation] = []
+        for block in self._blocks(items):
+            if isinstance(block, Equations):
+                lines += block.lines
+                continue
+            if lines:
+                yield Equations(tuple(lines))
+                lines = []
+            yield block
+        if lines:
+            yield Equations(tuple(lines))
+
+    def _blocks(self, items: Sequence[Item]) -> Iterator[Block]:
         words: list[Text] = []
         figures: list[Figure] = []
         again: list[int] = []
@@ -97,14 +113,22 @@ class Telling:
             case Listing(items):
                 yield Bullets(tuple(self.catalogue.tell(s) for s in items))
             case Legend(entries):
-                yield Bullets(
-                    tuple((Formula((e,)), " — ", *self.catalogue.tell(s), *(_unit(unit))) for e, s, unit in entries)
-                )
+                yield Bullets(tuple(self._meanings(entries)))
             case FormulaTable(header, rows, marks):
                 cells = tuple(tuple(self._cell(c) for c in row) for row in rows)
                 yield Table(tuple(self.catalogue.tell(h) for h in header), cells, marks)
             case _:
                 pass
+
+    def _meanings(self, entries: Sequence[tuple[Expr, Sentence, str]]) -> Iterator[Text]:
+        """What symbols mean; those of which the same is said stand together, each with its unit."""
+        for what, own in groupby(((self.catalogue.tell(s), e, unit) for e, s, unit in entries), key=lambda x: x[0]):
+            members = list(own)
+            if len(members) == 1:
+                yield (Formula((members[0][1],)), " — ", *what, *_unit(members[0][2]))
+                continue
+            shown = [(Formula((symbol,)), *_unit(unit)) for _what, symbol, unit in members]
+            yield (*(piece for k, text in enumerate(shown) for piece in ((", ", *text) if k else text)), " — ", *what)
 
     def _cell(self, cell: object) -> Text:
         if isinstance(cell, Sentence):
@@ -116,7 +140,7 @@ class Telling:
     def _equation(self, line: NumberedFormula) -> Equation:
         label = "" if line.label is None else self._label(line.label)
         formula = Formula(line.sides, line.relations, line.unit)
-        return Equation(formula, line.number, label)
+        return Equation(formula, line.number if line.number > 0 else None, label)
 
     def _label(self, label: Sentence) -> str:
         """What stands before an equation, with points and directions in their short form."""
