@@ -8,9 +8,10 @@ from collections.abc import Iterator
 
 from freebody.assess.cases import LimitingCase
 from freebody.errors import CannotAnswer, ExpressionError
-from freebody.language.expression import Call, Expr, Symbol, evaluate, n_operations, rate_key
+from freebody.language.expression import Call, Expr, Symbol, evaluate, free_symbols, n_operations, rate_key
 from freebody.language.parser import parse
-from freebody.language.units import DIMENSIONLESS, INERTIA, MASS
+from freebody.language.units import DIMENSIONLESS, INERTIA, MASS, Dimension
+from freebody.measures.geometry import ZERO
 from freebody.narrative.context import Context
 from freebody.narrative.lines.script import Item, Listing, Sentence
 from freebody.questions.reading import Question
@@ -44,6 +45,8 @@ def limiting_cases(context: Context, question: Question, answer: Answer) -> list
         if limit is None or (isinstance(limit, Ratio) and limit == element):
             continue
         if not isinstance(limit, Ratio):
+            if names[0] == "grows" and _dimension(context, names[1]) in (MASS, INERTIA):
+                continue  # more mass, more energy and larger forces: that tells nothing
             told.append((1, Sentence(f"limit.{names[0]}_infinite", {"p": names[1], "q": names[2]})))
             continue
         shown = tidy(limit.field.lowest_terms(limit))
@@ -51,15 +54,34 @@ def limiting_cases(context: Context, question: Question, answer: Answer) -> list
             told.append(
                 (0 if names[0] == "equal" else 1, Sentence(f"limit.{names[0]}", {**_named(names), "value": shown}))
             )
-        elif n_operations(shown) < plain:
+        elif n_operations(shown) < (plain / 2 if names[0] == "right_angle" else plain) and _is_like(context, names):
             told.append((2 + n_operations(shown), Sentence(f"limit.{names[0]}", {**_named(names), "value": shown})))
     ordered = [s for _rank, s in sorted(told, key=lambda pair: pair[0])[:MOST]]
     return [Listing(tuple(ordered))] if ordered else []
 
 
+def _dimension(context: Context, p: Expr) -> Dimension:
+    return context.system.parameters[rate_key(p)].dimension
+
+
+def _is_like(context: Context, names: tuple[str, Expr, Expr]) -> bool:
+    """Whether equal values mean something by themselves: those of masses and angles do, those of lengths seldom."""
+    p = context.system.parameters[rate_key(names[1])]
+    return names[0] != "equal" or p.is_angle or p.dimension in (MASS, INERTIA, DIMENSIONLESS)
+
+
+def _is_possible(context: Context, kind: str, p: Expr) -> bool:
+    """No body is without mass that has a moment of inertia."""
+    bodies = context.system.moving
+    own = [b for b in bodies if b.turns and b.mass == p and b.inertia != ZERO]
+    return kind != "zero" or all(rate_key(p) in free_symbols(b.inertia) for b in own)
+
+
 def _is_admissible(context: Context, answer: Answer, names: tuple[str, Expr, Expr]) -> bool:
     """Whether the conditions of an answer hold near a special case, at all draws of the other parameters."""
     kind, p, q = names
+    if not _is_possible(context, kind, p):
+        return False
     for draw in context.setup.draws:
         values = dict(draw.values)
         own = rate_key(q if kind == "equal" else p)

@@ -154,30 +154,45 @@ class Told:
         self, stages: Sequence[DerivationStage], kept: Sequence[DerivationStage]
     ) -> list[DerivationStage]:
         """Every symbol is explained where it first stands, unless it has been before."""
-        entries = [e for stage in stages for item in stage.items if isinstance(item, Legend) for e in item.entries]
+        legends = [item.entries for stage in stages for item in stage.items if isinstance(item, Legend)]
         known = set(self.symbols)
         lines = [item for stage in stages for item in stage.items if isinstance(item, NumberedFormula)]
         of_lines = set[str]().union(*(names_in(side) for line in lines for side in line.sides))
         made: list[DerivationStage] = []
         for stage in kept:
             items: list[Item] = []
-            for item in stage.items:
+            for k, item in enumerate(stage.items):
                 if isinstance(item, NumberedFormula):
-                    due = [e for e in entries if _stands_in(e, item) and (e[0], repr(e[1])) not in known]
+                    group = _of_one_reason(stage.items[k:])
+                    due = [e for es in legends for e in es if any(_stands_in(e, line) for line in group)]
                 elif isinstance(item, Legend):
                     # in lines it is explained there; a diagram needs it here
                     is_drawn = any(isinstance(other, Diagram) for other in stage.items)
                     due = [e for e in item.entries if is_drawn or not names_in(e[0]) & of_lines]
-                    due = [e for e in due if (e[0], repr(e[1])) not in known]
                 else:
                     items.append(item)
                     continue
-                due = list({(symbol, repr(what)): (symbol, what, unit) for symbol, what, unit in due}.values())
+                due = list({(e[0], repr(e[1])): e for e in due if (e[0], repr(e[1])) not in known}.values())
                 known |= {(symbol, repr(what)) for symbol, what, _unit in due}
                 items += [Legend(tuple(due))] if due else []
                 items += [item] if isinstance(item, NumberedFormula) else []
             made += [replace(stage, items=tuple(items))] if items else []
         return made
+
+
+def _of_one_reason(items: Sequence[Item]) -> list[NumberedFormula]:
+    """The first of some lines, and those after it of which the same is said."""
+    found: list[NumberedFormula] = []
+    for item in items:
+        if isinstance(item, NumberedFormula) and (not found or _alike(item, found[0])):
+            found.append(item)
+        elif not isinstance(item, Legend):
+            break
+    return found
+
+
+def _alike(a: NumberedFormula, b: NumberedFormula) -> bool:
+    return a.why is not None and b.why is not None and a.why.key == b.why.key
 
 
 def _stands_in(entry: tuple[Expr, Sentence, str], line: NumberedFormula) -> bool:

@@ -63,11 +63,21 @@ class Legend:
 
 
 @dataclass(frozen=True)
+class OptionText:
+    """An option of a question, as its author wrote it."""
+
+    text: str
+
+
+Cell = Sentence | Expr | OptionText | str
+
+
+@dataclass(frozen=True)
 class FormulaTable:
-    """A table: header and cells are sentences, expressions or names."""
+    """A table: header and cells are sentences, expressions, options or names."""
 
     header: tuple[Sentence, ...]
-    rows: tuple[tuple[Sentence | Expr | str, ...], ...]
+    rows: tuple[tuple[Cell, ...], ...]
     marks: tuple[Literal["", "right", "wrong"], ...] = ()
 
 

@@ -17,7 +17,7 @@ from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr
 from freebody.language.sentences import Message
 from freebody.narrative.lines.glossary import TrueWhen
-from freebody.narrative.lines.script import Argument, Script, Sentence
+from freebody.narrative.lines.script import Script, Sentence
 from freebody.narrative.principles.sides import positive_first, scaled
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
@@ -27,14 +27,14 @@ from freebody.symbolic.tidy import tidy
 
 @dataclass
 class EliminationRow:
-    """sum of entries * unknowns = rest, as it stands in line `number`, but for what has been put in since: unknowns from
-    lines."""
+    """sum of entries * unknowns = rest, as it stands in line `number` but for what has been put in since: unknowns,
+    from other rows. is_isolated: the line says what an unknown is."""
 
     entries: dict[int, Ratio]
     rest: Ratio
     number: int
-    put_in: tuple[tuple[int, int], ...] = ()
-    is_isolated: bool = False  # the line says what an unknown is
+    put_in: tuple[tuple[int, EliminationRow], ...] = ()
+    is_isolated: bool = False
 
 
 @dataclass
@@ -125,6 +125,10 @@ class Solver:
         )
         return EliminationRow(entries, rest, number, is_isolated=True)
 
+    def _put_in(self, row: EliminationRow, unknown: int, given: EliminationRow) -> EliminationRow:
+        """A row with an unknown replaced, as a line."""
+        return self._written(self._with(row, unknown, given))
+
     def _with(self, row: EliminationRow, unknown: int, given: EliminationRow) -> EliminationRow:
         """A row with an unknown replaced."""
         f = self.field
@@ -134,24 +138,25 @@ class Solver:
             if u != unknown:
                 entries[u] = f.lowest_terms(entries.get(u, f.zero) - factor * x)
         rest = f.lowest_terms(row.rest - factor * given.rest)
-        source = 0 if given.is_isolated else unknown  # a line that says what it is need not be told of what
-        made = EliminationRow(entries, rest, row.number, (*row.put_in, (source, given.number)))
+        made = EliminationRow(entries, rest, row.number, (*row.put_in, (unknown, given)))
         return self.cleared(self._without_zeros(made))
+
+    def taken(self, unknown: int, given: EliminationRow) -> Sentence:
+        """Of what is put in, where it comes from: from a line that says what it is, or from an equation."""
+        if given.is_isolated:
+            return Sentence("solve.said", {"given": given.number})
+        return Sentence("solve.taken", {"unknown": self.unknowns.names[unknown], "given": given.number})
 
     def _written(self, row: EliminationRow) -> EliminationRow:
         """The row as a line, collected, where something has been put into it."""
         if not row.put_in or not row.entries:
             return row
-        parts: list[Argument] = []
-        for unknown, line in row.put_in:
-            args: dict[str, Argument] = {"given": line}
-            named = {"unknown": self.unknowns.names[unknown]} if unknown else {}
-            parts.append(Sentence("solve.taken" if unknown else "solve.said", {**args, **named}))
-        lines = tuple(dict.fromkeys(line for _unknown, line in row.put_in))
+        lines = tuple(dict.fromkeys(given.number for _unknown, given in row.put_in))
+        parts = tuple(self.taken(unknown, given) for unknown, given in row.put_in)
         number = self.script.line(
             *self.sides(row),
             why="solve.put_in",
-            args={"parts": tuple(parts), "line": row.number},
+            args={"parts": parts, "line": row.number},
             uses=(*lines, row.number),
             when=self.when,
         )

@@ -6,17 +6,17 @@ from collections.abc import Iterator
 from fractions import Fraction
 from typing import Any, cast
 
-from freebody.errors import CannotAnswer, ExpressionError, FreebodyError, ModelError
+from freebody.errors import FreebodyError
 from freebody.language.expression import Expr, Number, Symbol, free_symbols
-from freebody.language.parser import parse
 from freebody.language.units import DIMENSIONLESS, TIME
 from freebody.measures.geometry import ZERO
 from freebody.model.elements import RigidBody
 from freebody.model.phrases import phrase_text
 from freebody.narrative.lines.script import Sentence, ready
 from freebody.narrative.sheets.asking import asking
+from freebody.narrative.sheets.options import shown
 from freebody.narrative.telling.catalogue import Catalogue
-from freebody.narrative.telling.telling import raised
+from freebody.narrative.telling.raising import raised
 from freebody.present.report.blocks import Block, Bullets, Emphasis, Figure, Formula, Paragraph, Table, Text
 from freebody.questions.motion import rates_of
 from freebody.questions.reading import Question
@@ -192,20 +192,6 @@ def title_of(system: System, catalogue: Catalogue) -> str:
 def label_of(number: int, k: int, n_questions: int) -> str:
     """2, or 2.1 where an exercise asks several things."""
     return f"{number}.{k}" if n_questions > 1 else f"{number}"
-
-
-def shown(option: str) -> Text:
-    """An option as a formula where it is one, else in its words."""
-    text = option.strip()
-    try:
-        if text.startswith("[") and text.endswith("]"):
-            parts: tuple[Expr, ...] = tuple(parse(part.strip()) for part in text[1:-1].split(","))
-            return (Formula((parts,)),)
-        if " " in text and not any(sign in text for sign in "+-*/^()="):
-            return (text,)
-        return (Formula((parse(text),)),)
-    except (ExpressionError, CannotAnswer, ModelError):
-        return (text,)
 
 
 def _listed(formulas: list[Formula]) -> Text:

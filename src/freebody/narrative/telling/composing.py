@@ -11,7 +11,7 @@ from freebody.narrative.lines.script import DerivationStage, Sentence, ready
 from freebody.narrative.sheets.asking import headline
 from freebody.narrative.telling.catalogue import Catalogue
 from freebody.narrative.telling.telling import Telling
-from freebody.present.report.blocks import Block, Columns, Emphasis, Paragraph, Picture, Remark, Report, Section, Text
+from freebody.present.report.blocks import Block, Columns, Emphasis, Paragraph, Picture, Remark, Report, Section
 
 if TYPE_CHECKING:
     from freebody.system.system import System
@@ -70,10 +70,7 @@ def plain_derivations(explanation: WorkedSolutions) -> dict[str, Any]:
 
 
 def _section(system: System, catalogue: Catalogue, telling: Telling, d: Derivation) -> Section:
-    asked: Text = (Emphasis(d.question.text, "code"),)
-    if not catalogue.quotes:
-        asked = catalogue.tell(headline(system, d.question))
-    title: Text = (d.question.id, ": ", *asked)
+    title = catalogue.titled(headline(system, d.question))
     blocks: list[Block] = []
     if d.compared:
         names = [(Emphasis(catalogue.word(f"method.{m}"), "strong"),) for m in (d.method, d.compared_method)]

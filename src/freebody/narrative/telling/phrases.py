@@ -30,10 +30,12 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache, cached_property
 from itertools import zip_longest
+from string import Formatter
 from typing import Any, cast
 
 from freebody.language.notation import Stated
 from freebody.language.sentences import Message
+from freebody.messages import Shown
 from freebody.narrative.words import tables_of
 
 GENERAL = ""
@@ -99,11 +101,33 @@ class Phrases:
 
     def _told(self, message: Message, kind: str) -> str | None:
         """A message by its template; in its own words around what is said in its places where there is none."""
-        general = self.messages.get(GENERAL, {}).get(message.template, message.template)
-        own = self.messages.get(kind, {}).get(message.template, general)
+        own = self._template(message, kind)
         places = {name: _Place(self, value) for name, value in message.arguments.items()}
         said = own.format_map(places)
         return None if said == message else said
+
+    def parts(self, text: str, kind: str = GENERAL) -> list[str]:
+        """A message in this language, in parts: words, and whole what is shown otherwise than in words (`Shown`,
+        `Stated` with sides)."""
+        if isinstance(text, Stated) and text.sides is None:
+            return self.parts(text.words, kind)
+        if isinstance(text, Stated | Shown):
+            return [text]
+        if not isinstance(text, Message):
+            return [self.said(text, kind) or text]
+        own = self._template(text, kind)
+        found: list[str] = []
+        for literal, name, form, _conversion in Formatter().parse(own):
+            found += [literal] if literal else []
+            if name is not None:
+                value = text.arguments[name]
+                is_text = isinstance(value, str)
+                found += self.parts(value, form or GENERAL) if is_text else [_Place(self, value).__format__(form or "")]
+        return found
+
+    def _template(self, message: Message, kind: str) -> str:
+        general = self.messages.get(GENERAL, {}).get(message.template, message.template)
+        return self.messages.get(kind, {}).get(message.template, general)
 
     def put(self, value: object, form: str) -> str:
         """What stands in a place of a message."""

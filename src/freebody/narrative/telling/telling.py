@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterator, Sequence
 from itertools import groupby
 
 from freebody.language.expression import Expr
 from freebody.narrative.lines.script import (
+    Cell,
     DerivationStage,
     Diagram,
     FormulaTable,
@@ -15,9 +15,12 @@ from freebody.narrative.lines.script import (
     Legend,
     Listing,
     NumberedFormula,
+    OptionText,
     Sentence,
 )
+from freebody.narrative.sheets.options import shown
 from freebody.narrative.telling.catalogue import Catalogue
+from freebody.narrative.telling.raising import raised
 from freebody.present.report.blocks import (
     Block,
     Bullets,
@@ -28,12 +31,14 @@ from freebody.present.report.blocks import (
     Formula,
     Paragraph,
     Picture,
+    Piece,
     Step,
     Table,
     Text,
 )
+from freebody.present.report.formulas.rows import formula_width
 
-_RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+_IN_A_LINE = 36  # characters of a formula that stands within a text
 Draw = Callable[[tuple[str, ...]], Picture | None]
 
 
@@ -55,8 +60,8 @@ class Telling:
         return Step(self.catalogue.tell(stage.title), hint, tuple(self.blocks(stage.items)))
 
     def blocks(self, items: Sequence[Item]) -> Iterator[Block]:
-        """Sentences that follow each other are one paragraph, diagrams stand side by side, and so do formulas under each
-        other that need no words between."""
+        """Sentences that follow each other are one paragraph, diagrams stand side by side, and formulas that need no
+        words between stand under each other."""
         lines: list[Equation] = []
         for block in self._blocks(items):
             if isinstance(block, Equations):
@@ -89,20 +94,20 @@ class Telling:
                     again.append(found)
                 elif found is not None:
                     if words and not figures:
-                        yield Paragraph(_joined(words))
+                        yield from _paragraphs(_joined(words))
                         words = []
                     figures.append(found)
                 continue
             if isinstance(item, NumberedFormula) and item.why is not None:
                 words.append(self.catalogue.tell(item.why))
             if words:
-                yield Paragraph(_joined(words))
+                yield from _paragraphs(_joined(words))
                 words = []
             yield from self._block(item)
         if again:
             words.append(self.catalogue.tell(Sentence("figure.again", {"figure": tuple(again)})))
         if words:
-            yield Paragraph(_joined(words))
+            yield from _paragraphs(_joined(words))
         if figures:
             yield _side_by_side(figures)
 
@@ -130,12 +135,14 @@ class Telling:
             shown = [(Formula((symbol,)), *_unit(unit)) for _what, symbol, unit in members]
             yield (*(piece for k, text in enumerate(shown) for piece in ((", ", *text) if k else text)), " — ", *what)
 
-    def _cell(self, cell: object) -> Text:
+    def _cell(self, cell: Cell) -> Text:
         if isinstance(cell, Sentence):
             return self.catalogue.tell(cell)
         if isinstance(cell, str):
-            return (self.catalogue.said(cell),) if cell else ()
-        return (Formula((cell,)),)  # type: ignore[arg-type]
+            return tuple(self.catalogue.pieces(cell)) if cell else ()
+        if isinstance(cell, OptionText):
+            return shown(self.catalogue.option(cell.text))
+        return (Formula((cell,)),)
 
     def _equation(self, line: NumberedFormula) -> Equation:
         label = "" if line.label is None else self._label(line.label)
@@ -163,6 +170,21 @@ def _side_by_side(figures: list[Figure]) -> Block:
     return figures[0] if len(figures) == 1 else Figures(tuple(figures))
 
 
+def _paragraphs(text: Text) -> Iterator[Block]:
+    """A text as a paragraph; a fraction too wide for a line of text is displayed between its words."""
+    waiting: list[Piece] = []
+    for piece in text:
+        if isinstance(piece, Formula) and formula_width(piece) > _IN_A_LINE:
+            if waiting:
+                yield Paragraph(tuple(waiting))
+            yield Equations((Equation(piece),))
+            waiting = []
+        else:
+            waiting.append(piece.lstrip() if isinstance(piece, str) and not waiting else piece)
+    if waiting:
+        yield Paragraph(tuple(waiting))
+
+
 def _joined(words: Sequence[Text]) -> Text:
     pieces: list[object] = []
     for k, text in enumerate(words):
@@ -172,8 +194,3 @@ def _joined(words: Sequence[Text]) -> Text:
 
 def _unit(unit: str) -> Text:
     return (f" [{raised(unit)}]",) if unit else ()
-
-
-def raised(unit: str) -> str:
-    """kg m^2/s^2 with its exponents raised."""
-    return re.sub(r"\^(-?\d+)", lambda found: found[1].translate(_RAISED), unit)

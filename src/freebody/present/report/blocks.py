@@ -48,10 +48,11 @@ class Formula:
 # -- text -------------------------------------------------------------------------------------
 @dataclass(frozen=True)
 class Emphasis:
-    """Words that stand out: a name of the model ("code"), a term ("strong"), a remark ("soft")."""
+    """Words that stand out: as a file has them ("code"), the name of a thing ("name"), a term ("strong"), a remark
+    ("soft")."""
 
     words: str
-    look: Literal["code", "strong", "soft"] = "strong"
+    look: Literal["code", "name", "strong", "soft"] = "strong"
 
 
 @dataclass(frozen=True)

@@ -36,7 +36,12 @@ _PAPER_WIDTH = 80  # that fit on a page
 _INLINE_WIDTH = 24  # a wider formula in a text scrolls on a narrow screen
 _FORMULAS = MathMLFormulas()
 _SIGNS = {"right": "✓", "wrong": "✗"}
-_LOOKS = {"code": "<code>{}</code>", "strong": "<strong>{}</strong>", "soft": '<span class="soft">{}</span>'}
+_LOOKS = {
+    "code": "<code>{}</code>",
+    "strong": "<strong>{}</strong>",
+    "soft": '<span class="soft">{}</span>',
+    "name": "<i>{}</i>",
+}
 _POLICY = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:"
 
 
@@ -53,6 +58,7 @@ def html_page(report: Report) -> str:
 <title>{_words(report.title)}</title>
 <style>
 {asset("report", "report.css")}body {{ margin: 0; }}
+@page {{ size: A4; margin: 15mm 18mm; }}
 </style>
 </head>
 <body>

@@ -99,9 +99,7 @@ class _Writer(BlockWriter[str]):
         return f"#beside({''.join(f'[{self.figure(figure)}], ' for figure in figures)})"
 
     def step(self, step: Step) -> str:
-        given = f"[{self.text(step.hint)}]" if step.hint else "none"
-        label = _words(capital(self.word("hint")))
-        return f"#step([{self.text(step.title)}], {label}, {given})[\n{self.blocks(step.blocks)}\n]"
+        return f"#step([{self.text(step.title)}])[\n{self.blocks(step.blocks)}\n]"
 
     def section(self, section: Section) -> str:
         level = max(1, section.level - 1)
