@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from functools import cached_property
 from pathlib import Path
@@ -19,7 +19,7 @@ from freebody.narrative.kinds import derivation_of
 from freebody.narrative.lines.script import DerivationStage, Item, Listing, NumberedFormula, Sentence
 from freebody.narrative.numbering import numbered
 from freebody.narrative.opening import opening
-from freebody.narrative.sharing import Told
+from freebody.narrative.sharing import Told, lines_of, sentences_of
 from freebody.narrative.telling.catalogue import Catalogue
 from freebody.narrative.telling.composing import plain_derivations, report_of
 from freebody.present.report.results import Result
@@ -135,32 +135,50 @@ def _derived(
         ends, reason = _attempt(here, question, answer, method, _closing)
     context.next_number = here.next_number
     new, again = told.shared(stages)
-    new += _with_source(ends, stages, again, told)
+    lines = lines_of(stages)
+    if lines and lines[-1].number in again:
+        found = Sentence("result.found", {"line": again[lines[-1].number]})
+        new.append(DerivationStage(Sentence("stage.value"), None, (found,)))
+    new = _with_result(new, ends, told)
     told.take(new)
     here.keep_found(again, told.numbers)
     return Derivation(question, answer, tuple(new), method, reason, tuple(compared), second or "auto")
 
 
-def _with_source(
-    ends: Sequence[DerivationStage], stages: Sequence[DerivationStage], again: Mapping[int, int], told: Told
-) -> list[DerivationStage]:
-    """The result, with the line of an earlier derivation in which it was found, and without notes that were made on
-    the way."""
-    lines = [item.number for stage in stages for item in stage.items if isinstance(item, NumberedFormula)]
-    said = [item for stage in stages for item in stage.items if isinstance(item, Sentence)]
-    noted = [s.args.get("text") for s in (*said, *told.sentences) if s.key == "course.note"]
-    found = [] if not lines or lines[-1] not in again else [Sentence("result.found", {"line": again[lines[-1]]})]
-    made: list[DerivationStage] = []
-    for stage in ends:
-        items: list[Item] = [*(found if not made else ())]
-        for item in stage.items:
-            if isinstance(item, Listing):
-                new = tuple(s for s in item.items if s.key != "result.note" or s.args.get("text") not in noted)
-                items += [Listing(new)] if new else []
-            else:
-                items.append(item)
-        made.append(replace(stage, items=tuple(items)))
-    return made
+def _with_result(new: list[DerivationStage], ends: Sequence[DerivationStage], told: Told) -> list[DerivationStage]:
+    """A derivation with its end. A result that stands in the last line is not written again, and what an earlier
+    derivation has found is named beside it; notes that were made on the way are not repeated."""
+    if not ends:
+        return new
+    noted = [s.args.get("text") for s in (*told.sentences, *sentences_of(new)) if s.key == "course.note"]
+    first, *others = [_without_notes(stage, noted) for stage in ends]
+    found = [s for s in sentences_of(new) if s.key == "result.found"]
+    if found and len(new) == 1:
+        return [replace(first, items=(found[0], *first.items)), *others]
+    lines = lines_of(new)
+    result = next(iter(lines_of([first])), None)
+    if not lines or result is None or not _says(lines[-1], result):
+        return [*new, first, *others]
+    last = replace(lines[-1], is_result=True)
+    marked = [replace(s, items=tuple(last if item is lines[-1] else item for item in s.items)) for s in new]
+    checks = tuple(item for item in first.items if item is not result)
+    title = Sentence("stage.checks")
+    return [*marked, *([replace(first, title=title, items=checks)] if checks else []), *others]
+
+
+def _says(line: NumberedFormula, result: NumberedFormula) -> bool:
+    return (line.sides[0], line.sides[-1]) == (result.sides[0], result.sides[-1])
+
+
+def _without_notes(stage: DerivationStage, noted: Sequence[object]) -> DerivationStage:
+    items: list[Item] = []
+    for item in stage.items:
+        if isinstance(item, Listing):
+            new = tuple(s for s in item.items if s.key != "result.note" or s.args.get("text") not in noted)
+            items += [Listing(new)] if new else []
+        else:
+            items.append(item)
+    return replace(stage, items=tuple(items))
 
 
 def _closing(context: Context, question: Question, answer: Answer, method: Method) -> list[DerivationStage]:

@@ -21,6 +21,7 @@ from freebody.symbolic.tidy import tidy
 from freebody.tolerances import ROUND_OFF
 
 MOST = 4  # cases that are told
+SHORT = 9  # operations of a value that stands within a line
 SMALL = 1e-6  # of its own value: a parameter in place of zero, and one over it in place of infinity
 _PURPOSE = re.compile(r" \([a-z][a-z ]*\)$")  # what an inequality is needed for
 _INEQUALITY = re.compile(r"(?P<left>[^<>≤≥≠]+) (?P<relation>[<>≤≥]) (?P<right>[^<>≤≥≠]+)")
@@ -38,26 +39,35 @@ def limiting_cases(context: Context, question: Question, answer: Answer) -> list
     if element.is_zero():
         return []
     element = element.field.lowest_terms(element)
-    told: list[tuple[int, Sentence]] = []
-    plain = n_operations(answer.expression)
+    told: list[tuple[int, int, Sentence]] = []
     for case, names in _cases(context, element):
         limit = case.limit(element) if _is_admissible(context, answer, names) else None
-        if limit is None or (isinstance(limit, Ratio) and limit == element):
-            continue
-        if not isinstance(limit, Ratio):
-            if names[0] == "grows" and _dimension(context, names[1]) in (MASS, INERTIA):
-                continue  # more mass, more energy and larger forces: that tells nothing
-            told.append((1, Sentence(f"limit.{names[0]}_infinite", {"p": names[1], "q": names[2]})))
-            continue
-        shown = tidy(limit.field.lowest_terms(limit))
-        if limit.is_zero():
-            told.append(
-                (0 if names[0] == "equal" else 1, Sentence(f"limit.{names[0]}", {**_named(names), "value": shown}))
-            )
-        elif n_operations(shown) < (plain / 2 if names[0] == "right_angle" else plain) and _is_like(context, names):
-            told.append((2 + n_operations(shown), Sentence(f"limit.{names[0]}", {**_named(names), "value": shown})))
-    ordered = [s for _rank, s in sorted(told, key=lambda pair: pair[0])[:MOST]]
-    return [Listing(tuple(ordered))] if ordered else []
+        if limit is not None and not (isinstance(limit, Ratio) and limit == element):
+            told += _told(context, names, limit, n_operations(answer.expression))
+    chosen = sorted(told, key=lambda entry: entry[0])[:MOST]
+    if not chosen:
+        return []
+    ordered = tuple(sentence for _rank, _size, sentence in chosen)
+    is_short = all(size <= SHORT for _rank, size, _sentence in chosen)
+    return [Sentence("limit.cases", {"cases": ordered})] if is_short else [Listing(ordered)]
+
+
+def _told(
+    context: Context, names: tuple[str, Expr, Expr], limit: object, size: int
+) -> Iterator[tuple[int, int, Sentence]]:
+    """A case worth telling: its rank, the operations of its formula, its words. size: operations of the answer."""
+    kind, p, q = names
+    if not isinstance(limit, Ratio):
+        # more mass, more energy and larger forces: that tells nothing
+        if not (kind == "grows" and _dimension(context, p) in (MASS, INERTIA)):
+            yield 1, 0, Sentence(f"limit.{kind}_infinite", {"p": p, "q": q})
+        return
+    shown = tidy(limit.field.lowest_terms(limit))
+    n, said = n_operations(shown), Sentence(f"limit.{kind}", {"p": p, "q": q, "value": shown})
+    if limit.is_zero():
+        yield (0 if kind == "equal" else 1), 0, said
+    elif n < (size / 2 if kind == "right_angle" else size) and _is_like(context, names):
+        yield 2 + n, n, said
 
 
 def _dimension(context: Context, p: Expr) -> Dimension:
@@ -106,10 +116,6 @@ def _holds(condition: str, values: dict[str, float]) -> bool:
     return {">": left > right, "≥": left >= right - room, "<": left < right, "≤": left <= right + room}[
         found["relation"]
     ]
-
-
-def _named(names: tuple[str, Expr, Expr]) -> dict[str, Expr]:
-    return {"p": names[1], "q": names[2]}
 
 
 def _coordinates(context: Context) -> dict[str, Ratio]:

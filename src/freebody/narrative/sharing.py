@@ -72,6 +72,16 @@ def renumbered(line: NumberedFormula, numbers: Mapping[int, int]) -> NumberedFor
     return replace(line, number=numbers.get(line.number, line.number), why=why, uses=uses)
 
 
+def lines_of(stages: Sequence[DerivationStage]) -> list[NumberedFormula]:
+    """All lines, in their order."""
+    return [item for stage in stages for item in stage.items if isinstance(item, NumberedFormula)]
+
+
+def sentences_of(stages: Sequence[DerivationStage]) -> list[Sentence]:
+    """All that is said between the lines."""
+    return [item for stage in stages for item in stage.items if isinstance(item, Sentence)]
+
+
 # -- what has been told -----------------------------------------------------------------------
 def _key(line: NumberedFormula, when: TrueWhen) -> object:
     return line.sides, line.relations, line.unit, line.symbols, when
@@ -140,12 +150,14 @@ class Told:
 
     def _without_diagrams(self, stages: Sequence[DerivationStage]) -> Iterator[DerivationStage]:
         """Of the diagrams those are drawn that are new and of which something is written."""
-        told = [s.args.get("bodies") for stage in stages for s in stage.items if isinstance(s, Sentence)]
+        told = [s.args.get("bodies") for s in sentences_of(stages)]
+        before = [d.bodies for d in self.others if isinstance(d, Diagram)]
         for stage in stages:
             if stage.title.key != DIAGRAMS or not any(isinstance(item, Diagram) for item in stage.items):
                 yield stage
                 continue
-            drawn = [d for d in stage.items if isinstance(d, Diagram) and d not in self.others and d.bodies in told]
+            drawn = [d for d in stage.items if isinstance(d, Diagram) and d.bodies in told and d.bodies not in before]
+            before += [d.bodies for d in drawn]
             items = [item for item in stage.items if not isinstance(item, Diagram) or item in drawn]
             if drawn:
                 yield replace(stage, items=tuple(items))
@@ -156,8 +168,7 @@ class Told:
         """Every symbol is explained where it first stands, unless it has been before."""
         legends = [item.entries for stage in stages for item in stage.items if isinstance(item, Legend)]
         known = set(self.symbols)
-        lines = [item for stage in stages for item in stage.items if isinstance(item, NumberedFormula)]
-        of_lines = set[str]().union(*(names_in(side) for line in lines for side in line.sides))
+        of_lines = set[str]().union(*(names_in(side) for line in lines_of(stages) for side in line.sides))
         made: list[DerivationStage] = []
         for stage in kept:
             items: list[Item] = []

@@ -35,7 +35,7 @@ class NumberedFormula:
     """A formula: sides, the relations between them, why it is true, and from which lines it follows.
 
     number: by which others refer to it; below zero where a reader needs none, as nothing refers to it. symbols: what
-    those of its symbols mean that the derivation introduced."""
+    those of its symbols mean that the derivation introduced; is_result: it is what was asked for."""
 
     number: int
     sides: tuple[Side, ...]
@@ -46,6 +46,7 @@ class NumberedFormula:
     when: TrueWhen = "always"
     unit: str = ""
     symbols: frozenset[tuple[str, str]] = frozenset()
+    is_result: bool = False
 
 
 @dataclass(frozen=True)

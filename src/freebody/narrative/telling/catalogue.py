@@ -157,7 +157,7 @@ class Catalogue:
 
     def _filled(self, name: str, value: Argument) -> list[Piece]:
         if isinstance(value, tuple):
-            return self._listed([self._filled(name, v) for v in value])
+            return self._listed([self._filled(name, v) for v in value], "; " if name == "cases" else "")
         if isinstance(value, Sentence):
             return list(self.tell(value))
         if isinstance(value, _EXPRESSIONS):
@@ -190,12 +190,12 @@ class Catalogue:
             return found
         return key.partition(".")[2] if is_key else self.said(text, place)
 
-    def _listed(self, parts: list[list[Piece]]) -> list[Piece]:
-        """a, b and c"""
+    def _listed(self, parts: list[list[Piece]], between: str = "") -> list[Piece]:
+        """a, b and c; a; b; c"""
         pieces: list[Piece] = []
         for k, part in enumerate(parts):
             if k:
-                pieces.append(self.word("list.and") if k == len(parts) - 1 else ", ")
+                pieces.append(between or (self.word("list.and") if k == len(parts) - 1 else ", "))
             pieces += part
         return pieces
 

@@ -74,7 +74,7 @@ def _section(system: System, catalogue: Catalogue, telling: Telling, d: Derivati
     blocks: list[Block] = []
     if d.compared:
         names = [(Emphasis(catalogue.word(f"method.{m}"), "strong"),) for m in (d.method, d.compared_method)]
-        ends = [s for s in d.stages if s.title.key.startswith("stage.result") or s.title.key == "stage.options"]
+        ends = [s for s in d.stages if s.title.key in ("stage.result", "stage.checks", "stage.options")]
         left = telling.stages([s for s in d.stages if s not in ends])
         blocks.append(Columns((Paragraph(names[0]), *left), (Paragraph(names[1]), *telling.stages(d.compared))))
         blocks.append(Remark(catalogue.tell(Sentence("compare.same"))))

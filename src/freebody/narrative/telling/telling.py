@@ -7,6 +7,7 @@ from itertools import groupby
 
 from freebody.language.expression import Expr
 from freebody.narrative.lines.script import (
+    Argument,
     Cell,
     DerivationStage,
     Diagram,
@@ -39,6 +40,7 @@ from freebody.present.report.blocks import (
 from freebody.present.report.formulas.rows import formula_width
 
 _IN_A_LINE = 36  # characters of a formula that stands within a text
+Entry = tuple[Expr, Sentence, str]  # a symbol, what it means, its unit
 Draw = Callable[[tuple[str, ...]], Picture | None]
 
 
@@ -125,15 +127,26 @@ class Telling:
             case _:
                 pass
 
-    def _meanings(self, entries: Sequence[tuple[Expr, Sentence, str]]) -> Iterator[Text]:
+    def _meanings(self, entries: Sequence[Entry]) -> Iterator[Text]:
         """What symbols mean; those of which the same is said stand together, each with its unit."""
-        for what, own in groupby(((self.catalogue.tell(s), e, unit) for e, s, unit in entries), key=lambda x: x[0]):
+        said = [(self.catalogue.tell(s), symbol, unit) for symbol, s, unit in self._components(entries)]
+        for what, own in groupby(said, key=lambda entry: entry[0]):
             members = list(own)
             if len(members) == 1:
                 yield (Formula((members[0][1],)), " — ", *what, *_unit(members[0][2]))
                 continue
             shown = [(Formula((symbol,)), *_unit(unit)) for _what, symbol, unit in members]
             yield (*(piece for k, text in enumerate(shown) for piece in ((", ", *text) if k else text)), " — ", *what)
+
+    def _components(self, entries: Sequence[Entry]) -> Iterator[Entry]:
+        """Components of one vector along all axes, of which the same is said."""
+        for _same, own in groupby(entries, key=lambda entry: (entry[1].key, repr(_without_axis(entry[1])))):
+            members = list(own)
+            every = f"{members[0][1].key}_all"
+            if len(members) < 2 or "axis" not in members[0][1].args or not self.catalogue.has(every):
+                yield from members
+            else:
+                yield from ((symbol, Sentence(every, _without_axis(s)), unit) for symbol, s, unit in members)
 
     def _cell(self, cell: Cell) -> Text:
         if isinstance(cell, Sentence):
@@ -147,7 +160,7 @@ class Telling:
     def _equation(self, line: NumberedFormula) -> Equation:
         label = "" if line.label is None else self._label(line.label)
         formula = Formula(line.sides, line.relations, line.unit)
-        return Equation(formula, line.number if line.number > 0 else None, label)
+        return Equation(formula, line.number if line.number > 0 else None, label, is_result=line.is_result)
 
     def _label(self, label: Sentence) -> str:
         """What stands before an equation, with points and directions in their short form."""
@@ -164,6 +177,10 @@ class Telling:
         self.n_figures += 1
         self.shown[diagram.bodies] = self.n_figures
         return Figure(picture, self.catalogue.tell(diagram.caption), self.n_figures)
+
+
+def _without_axis(sentence: Sentence) -> dict[str, Argument]:
+    return {name: value for name, value in sentence.args.items() if name != "axis"}
 
 
 def _side_by_side(figures: list[Figure]) -> Block:

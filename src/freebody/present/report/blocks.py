@@ -76,12 +76,13 @@ class Paragraph:
 @dataclass(frozen=True)
 class Equation:
     """One displayed formula. number: by which it is referred to; label: what stands before it, as "left, ↓:";
-    note: what stands beside it."""
+    note: what stands beside it; is_result: it stands out."""
 
     formula: Formula
     number: int | None = None
     label: str = ""
     note: Text = ()
+    is_result: bool = False
 
 
 @dataclass(frozen=True)

@@ -198,7 +198,8 @@ class _Writer(BlockWriter[str]):
         if note:
             cells += f'<span class="note">{note}</span>'
         anchor = f' id="{self.prefix}eq-{number}"' if number is not None else ""
-        return f'<div class="equation"{anchor}>{cells}</div>'
+        kind = "equation result" if equation.is_result else "equation"
+        return f'<div class="{kind}"{anchor}>{cells}</div>'
 
     def table(self, table: Table) -> str:
         marked = any(table.marks)
