@@ -120,7 +120,7 @@ def test_every_example_is_derived_and_its_derivation_reads_well(name: str) -> No
 
 def test_a_rolling_disk_takes_moments_about_its_contact_point() -> None:
     _found, derivation = the("disk_rolling_down_incline", "acceleration")
-    assert principles(derivation) == [("angular", ("disk",), "point.contact")]
+    assert principles(derivation) == [("angular", ("disk",), "point.only_contact")]
 
 
 def test_an_atwood_machine_takes_two_momenta_and_one_moment() -> None:

@@ -34,7 +34,7 @@ class Message(str):
     arguments: Mapping[str, object]
 
     def __new__(cls, template: str, /, **arguments: object) -> Message:
-        filled = {k: v if isinstance(v, (str, Figure)) else Shown(str(v), v) for k, v in arguments.items()}
+        filled = {k: v if isinstance(v, (str, Figure)) else _as_text(v) for k, v in arguments.items()}
         message = super().__new__(cls, template.format_map(filled))
         message.template = template
         message.arguments = filled
@@ -45,6 +45,12 @@ class Message(str):
 
     def __getnewargs_ex__(self) -> tuple[tuple[str], dict[str, object]]:
         return (self.template,), dict(self.arguments)
+
+
+def _as_text(of: object) -> str:
+    """A thing as it stands in a text; an error as the message that it was raised with."""
+    text = str(of)
+    return text if isinstance(text, Message) else Shown(text, of)
 
 
 def listed(parts: Sequence[str], joined: str = "{first} and {second}") -> str:

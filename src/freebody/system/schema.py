@@ -127,6 +127,8 @@ def json_schema() -> dict[str, Any]:
                     "when": {"type": "string"},
                     "options": options,
                     "key": {"type": ["string", "number"]},
+                    "text": {"type": "string"},
+                    "points": {"type": "number", "minimum": 0},
                 },
             },
         ]

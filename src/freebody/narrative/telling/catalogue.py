@@ -17,12 +17,13 @@ from typing import Any, cast
 from freebody.errors import InputError
 from freebody.language.expression import Call, Number, PowerOf, ProductOf, Sum, Symbol
 from freebody.language.notation import Stated
-from freebody.language.parser import GREEK, parse
+from freebody.language.parser import GREEK
 from freebody.language.sentences import Message
 from freebody.language.units import Dimension
 from freebody.messages import Shown
 from freebody.model.noting import did_you_mean
 from freebody.narrative.lines.script import REFERENCES, Argument, Sentence
+from freebody.narrative.telling.dollars import formula_of
 from freebody.narrative.telling.phrases import GENERAL, MESSAGES, TABLE, phrases_of
 from freebody.narrative.telling.raising import raised
 from freebody.narrative.words import languages, tables_of
@@ -30,7 +31,6 @@ from freebody.present.report.blocks import Emphasis, Formula, Piece, Reference, 
 from freebody.present.report.words import ENGLISH
 
 _KEY = re.compile(r"(reaction|axis|kind)\.[a-z _]+")
-_RELATION = re.compile(r" ([=<>≤≥≠→]) ")
 _PLACE = re.compile(r"\{(\w+)\}")
 _OF_MODELS = "en"  # the language of model files and of the layers below
 _FIRST = {"text": "happening", "event": "happening"}  # the phrases that a place asks for before all others
@@ -205,8 +205,7 @@ def _with_formulas(words: str) -> list[Piece]:
     found: list[Piece] = []
     for k, part in enumerate(words.split("$")):
         if k % 2:
-            sides = _RELATION.split(part)
-            found.append(Formula(tuple(map(parse, sides[::2])), cast("tuple[Relation, ...]", tuple(sides[1::2]))))
+            found.append(formula_of(part))
         elif part:
             found.append(part)
     return found

@@ -9,6 +9,7 @@ from freebody.errors import FreebodyError
 from freebody.narrative.derivation import Derivation, WorkedSolutions
 from freebody.narrative.lines.script import DerivationStage, Sentence, ready
 from freebody.narrative.sheets.asking import headline
+from freebody.narrative.sheets.authored import authored
 from freebody.narrative.telling.catalogue import Catalogue
 from freebody.narrative.telling.telling import Telling
 from freebody.present.report.blocks import Block, Columns, Emphasis, Paragraph, Picture, Remark, Report, Section
@@ -36,7 +37,7 @@ def report_of(explanation: WorkedSolutions) -> Report:
     telling = Telling(catalogue, draw)
     blocks: list[Block] = []
     if system.about:
-        blocks.append(Paragraph((system.about,)))
+        blocks.append(Paragraph(authored(system.about, system)))
     for stage in explanation.opening:
         blocks.append(Section(catalogue.tell(stage.title), tuple(telling.blocks(stage.items))))
     blocks += [_section(system, catalogue, telling, d) for d in explanation.derivations]

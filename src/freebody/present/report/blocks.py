@@ -99,6 +99,27 @@ class Bullets:
 
 
 @dataclass(frozen=True)
+class Choices:
+    """Options of a question, each with its letter."""
+
+    items: tuple[tuple[str, Text], ...]
+
+
+@dataclass(frozen=True)
+class Unbroken:
+    """Blocks that stay together on a page."""
+
+    blocks: tuple[Block, ...]
+
+
+@dataclass(frozen=True)
+class Room:
+    """Empty space on paper, to be written in. height: [cm]"""
+
+    height: float
+
+
+@dataclass(frozen=True)
 class Table:
     """rows: each as long as the header, which may be left out. marks: by row, "right" or "wrong" or nothing."""
 
@@ -193,7 +214,22 @@ class Remark:
     kind: Literal["result", "evidence", "warning"] = "result"
 
 
-Block = Paragraph | Equations | Bullets | Table | Entries | Figure | Figures | Step | Section | Columns | Remark
+Block = (
+    Paragraph
+    | Equations
+    | Bullets
+    | Choices
+    | Table
+    | Entries
+    | Figure
+    | Figures
+    | Step
+    | Section
+    | Columns
+    | Unbroken
+    | Room
+    | Remark
+)
 
 
 @dataclass(frozen=True)
@@ -222,7 +258,7 @@ def equation_numbers(blocks: Sequence[Block]) -> list[int]:
         match block:
             case Equations(lines):
                 found += [line.number for line in lines if line.number is not None]
-            case Section() | Step():
+            case Section() | Step() | Unbroken():
                 found += equation_numbers(block.blocks)
             case Columns(left, right):
                 found += equation_numbers(left) + equation_numbers(right)

@@ -150,6 +150,18 @@ class _Writer(BlockWriter[str]):
         element = "ol" if is_numbered else "ul"
         return f"<{element}>{''.join(f'<li>{item}</li>' for item in items)}</{element}>"
 
+    def choices(self, items: Sequence[tuple[str, str]]) -> str:
+        inner = "".join(
+            f'<li><span class="letter">{_words(letter)}</span> <span>{said}</span></li>' for letter, said in items
+        )
+        return f'<ul class="choices">{inner}</ul>'
+
+    def unbroken(self, blocks: Sequence[Block]) -> str:
+        return f'<div class="unbroken">\n{self.blocks(blocks)}\n</div>'
+
+    def room(self, height: float) -> str:
+        return f'<div class="room" style="height: {height:g}cm"></div>'
+
     def figures(self, figures: Sequence[Figure]) -> str:
         return f'<div class="figures">{"".join(self.figure(figure) for figure in figures)}</div>'
 

@@ -108,6 +108,21 @@ class _Writer(BlockWriter[str]):
         inner = "\n".join(rf"\item\relax {item}" for item in items)
         return f"\\begin{{{name}}}\n{inner}\n\\end{{{name}}}"
 
+    def choices(self, items: Sequence[tuple[str, str]]) -> str:
+        inner = "\n".join(
+            rf"\item[{latex_words(letter)}] {{\everymath{{\displaystyle}}{said}}}" for letter, said in items
+        )
+        return f"\\begin{{itemize}}\n{inner}\n\\end{{itemize}}"
+
+    def unbroken(self, blocks: Sequence[Block]) -> str:
+        return (
+            "\\noindent\\begin{minipage}{\\linewidth}\\setlength{\\parskip}{6pt plus 2pt}\n"
+            f"{self.blocks(blocks)}\n\\end{{minipage}}\\par"
+        )
+
+    def room(self, height: float) -> str:
+        return rf"\vspace*{{{height:g}cm}}"
+
     def figure(self, figure: Figure) -> str:
         return "\\begin{center}\n" + self.drawing(figure) + "\n\\end{center}"
 
