@@ -30,5 +30,5 @@ def options_in_numbers(system: System, question: Question, answer: Answer) -> Ma
     for digits in _DIGITS:
         shown = {text: f"{x:.{digits}g}" for text, x in found.items() if math.isfinite(x)}
         if len(set(shown.values())) == len(question.options):
-            return {text: (f"{number}{unit}",) for text, number in shown.items()}
+            return {text: (f"{number}{unit}".replace("-", "−"),) for text, number in shown.items()}
     return {}

@@ -13,9 +13,9 @@ from freebody.language.units import DIMENSIONLESS, TIME
 from freebody.measures.geometry import ZERO
 from freebody.model.elements import RigidBody
 from freebody.model.phrases import phrase_text
-from freebody.narrative.lines.script import Sentence, ready
+from freebody.narrative.lines.script import Argument, Sentence, ready
 from freebody.narrative.sheets.asking import asking
-from freebody.narrative.sheets.authored import authored
+from freebody.narrative.sheets.authored import authored, with_symbols
 from freebody.narrative.sheets.options import shown
 from freebody.narrative.telling.catalogue import Catalogue
 from freebody.narrative.telling.raising import raised
@@ -191,7 +191,7 @@ class ExerciseStatement:
             yield Choices(tuple((f"({letter})", self._option(text)) for letter, text in question.options.items()))
 
     def _asking(self, question: Question) -> Text:
-        return self.catalogue.tell(asking(self.system, question))
+        return with_symbols(self.catalogue.tell(asking(self.system, question)), question, self.system)
 
     def _worth(self, points: float) -> str:
         args: dict[str, Argument] = {"n": 1} if points == 1 else {"points": f"@{points:g}"}

@@ -9,7 +9,7 @@ from freebody.errors import FreebodyError
 from freebody.narrative.derivation import Derivation, WorkedSolutions
 from freebody.narrative.lines.script import DerivationStage, Sentence, ready
 from freebody.narrative.sheets.asking import headline
-from freebody.narrative.sheets.authored import authored
+from freebody.narrative.sheets.authored import authored, with_symbols
 from freebody.narrative.telling.catalogue import Catalogue
 from freebody.narrative.telling.telling import Telling
 from freebody.present.report.blocks import Block, Columns, Emphasis, Paragraph, Picture, Remark, Report, Section
@@ -71,7 +71,7 @@ def plain_derivations(explanation: WorkedSolutions) -> dict[str, Any]:
 
 
 def _section(system: System, catalogue: Catalogue, telling: Telling, d: Derivation) -> Section:
-    title = catalogue.titled(headline(system, d.question))
+    title = with_symbols(catalogue.titled(headline(system, d.question)), d.question, system)
     blocks: list[Block] = []
     if d.compared:
         names = [(Emphasis(catalogue.word(f"method.{m}"), "strong"),) for m in (d.method, d.compared_method)]

@@ -1,4 +1,5 @@
-"""A report as a web page that needs nothing else: MathML, drawings as SVG, one style sheet and a short script in it.
+"""A report as a web page that needs nothing else: MathML, drawings as SVG, one style sheet, a font for mathematics and
+a short script in it.
 
 Steps are closed when the page opens and open by themselves (`details`); the script only adds the buttons that open
 the next one or all.
@@ -11,7 +12,7 @@ from collections.abc import Sequence
 from html import escape
 
 from freebody.language.plain_text import plain
-from freebody.present.assets import asset
+from freebody.present.assets import asset, embedded
 from freebody.present.report.blocks import (
     Block,
     Columns,
@@ -42,7 +43,7 @@ _LOOKS = {
     "soft": '<span class="soft">{}</span>',
     "name": "<i>{}</i>",
 }
-_POLICY = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:"
+_POLICY = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:; font-src data:"
 
 
 def html_page(report: Report) -> str:
@@ -57,7 +58,7 @@ def html_page(report: Report) -> str:
 <meta name="color-scheme" content="light dark">
 <title>{_words(report.title)}</title>
 <style>
-{asset("report", "report.css")}body {{ margin: 0; }}
+{_font()}{asset("report", "report.css")}body {{ margin: 0; }}
 @page {{ size: A4; margin: 15mm 18mm; }}
 </style>
 </head>
@@ -69,6 +70,12 @@ def html_page(report: Report) -> str:
 </body>
 </html>
 """
+
+
+def _font() -> str:
+    """The font for mathematics that a page carries, so that formulas look alike on every machine."""
+    address = embedded("font/woff2", "report", "font", "math.woff2")
+    return f'@font-face {{ font-family: "Freebody Math"; src: url({address}) format("woff2"); }}\n'
 
 
 def html_fragment(report: Report) -> str:

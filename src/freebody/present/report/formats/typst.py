@@ -96,7 +96,7 @@ class _Writer(BlockWriter[str]):
         return f"#{'enum' if is_numbered else 'list'}({', '.join(f'[{item}]' for item in items)})"
 
     def choices(self, items: Sequence[tuple[str, str]]) -> str:
-        inner = "".join(f"([{_words(letter)}], [{said}]), " for letter, said in items)
+        inner = "".join(f"([{self.words(letter)}], [{said}]), " for letter, said in items)
         return f"#choices(({inner}))"
 
     def unbroken(self, blocks: Sequence[Block]) -> str:
