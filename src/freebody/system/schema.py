@@ -144,6 +144,16 @@ def json_schema() -> dict[str, Any]:
             "hide": texts,
         },
     }
+    style = {
+        "type": "object",
+        "additionalProperties": False,
+        "properties": {
+            "names": _named({"type": "string"}),
+            "axes": texts,
+            "order": texts,
+            "decimal": {"enum": ["point", "comma"]},
+        },
+    }
     return {
         "$schema": "https://json-schema.org/draft/2020-12/schema",
         "title": "freebody model",
@@ -172,5 +182,6 @@ def json_schema() -> dict[str, Any]:
             "start": _named(_FORMULA),
             "questions": {"anyOf": [{"type": "array", "items": question}, _named(question)]},
             "drawing": drawing,
+            "style": style,
         },
     }

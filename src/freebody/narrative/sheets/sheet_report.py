@@ -12,6 +12,7 @@ from freebody.narrative.sheets.in_numbers import options_in_numbers
 from freebody.narrative.sheets.statement import ExerciseStatement, title_of
 from freebody.narrative.sheets.variants import Variant
 from freebody.narrative.telling.catalogue import Catalogue
+from freebody.narrative.telling.house import in_style
 from freebody.present.report.blocks import (
     Block,
     Equation,
@@ -72,7 +73,8 @@ class SheetWriter:
             for question, answer in zip(system.questions, exercise.solution.answers, strict=True):
                 numbers |= options_in_numbers(system, question, answer)
         figure, room = self.n_figures + 1, self.sheet.room
-        return ExerciseStatement(system, self.catalogue, number, figure, room=room, numbers=numbers).blocks()
+        statement = ExerciseStatement(system, self.catalogue, number, figure, room=room, numbers=numbers)
+        return in_style(statement.blocks(), system.style)
 
     def _name_line(self) -> Paragraph:
         points = self.sheet.points

@@ -11,6 +11,7 @@ from freebody.narrative.lines.script import DerivationStage, Sentence, ready
 from freebody.narrative.sheets.asking import headline
 from freebody.narrative.sheets.authored import authored, with_symbols
 from freebody.narrative.telling.catalogue import Catalogue
+from freebody.narrative.telling.house import in_style
 from freebody.narrative.telling.telling import Telling
 from freebody.present.report.blocks import Block, Columns, Emphasis, Paragraph, Picture, Remark, Report, Section
 
@@ -42,9 +43,9 @@ def report_of(explanation: WorkedSolutions) -> Report:
         blocks.append(Section(catalogue.tell(stage.title), tuple(telling.blocks(stage.items))))
     blocks += [_section(system, catalogue, telling, d) for d in explanation.derivations]
     title = system.title or "freebody"
-    return Report(
-        title, catalogue.language, catalogue.word("report.worked_solution"), tuple(blocks), catalogue.report_words
-    )
+    solution = catalogue.word("report.worked_solution")
+    report = Report(title, catalogue.language, solution, tuple(blocks), catalogue.report_words)
+    return in_style(report, system.style)
 
 
 def plain_derivations(explanation: WorkedSolutions) -> dict[str, Any]:

@@ -135,8 +135,11 @@ class Telling:
             if len(members) == 1:
                 yield (Formula((members[0][1],)), " — ", *what, *_unit(members[0][2]))
                 continue
-            shown = [(Formula((symbol,)), *_unit(unit)) for _what, symbol, unit in members]
-            yield (*(piece for k, text in enumerate(shown) for piece in ((", ", *text) if k else text)), " — ", *what)
+            units = {unit for _what, _symbol, unit in members}
+            behind = _unit(units.pop()) if len(units) == 1 else ()
+            shown = [(Formula((symbol,)), *(() if behind else _unit(unit))) for _what, symbol, unit in members]
+            names = (piece for k, text in enumerate(shown) for piece in ((", ", *text) if k else text))
+            yield (*names, " — ", *what, *behind)
 
     def _components(self, entries: Sequence[Entry]) -> Iterator[Entry]:
         """Components of one vector along all axes, of which the same is said."""
