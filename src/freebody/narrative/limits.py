@@ -32,6 +32,8 @@ def limiting_cases(context: Context, question: Question, answer: Answer) -> list
     simplest."""
     if answer.expression is None or isinstance(answer.expression, tuple) or answer.cases:
         return []
+    if question.quantity.is_verdict:
+        return []
     try:
         element = context.setup.model.geometry.apply(answer.expression, _coordinates(context))
     except (CannotAnswer, ExpressionError, ZeroDivisionError, KeyError):
@@ -66,7 +68,7 @@ def _told(
     n, said = n_operations(shown), Sentence(f"limit.{kind}", {"p": p, "q": q, "value": shown})
     if limit.is_zero():
         yield (0 if kind == "equal" else 1), 0, said
-    elif n < (size / 2 if kind == "right_angle" else size) and _is_like(context, names):
+    elif n < size and (n < size / 2 or (n <= SHORT and kind != "right_angle")) and _is_like(context, names):
         yield 2 + n, n, said
 
 

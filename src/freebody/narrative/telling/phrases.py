@@ -44,6 +44,7 @@ MESSAGES = "message"
 PLACE = re.compile(r"\{(\w+)(?::(\w+))?\}")
 _ANYTHING = r".+?"
 _OWN = {"name": r"[^\s,;:()=]+", "most": r".+"}  # what places of these kinds take
+_POINT = re.compile(r"[A-Za-z_]\w*\.\w+")
 _BETWEEN = re.compile(r"(, then |, | and | or )")
 
 
@@ -114,7 +115,7 @@ class Phrases:
         if isinstance(text, Stated | Shown):
             return [text]
         if not isinstance(text, Message):
-            return [self.said(text, kind) or text]
+            return [self.said(text, kind) or (self.said(text, "place") if _POINT.fullmatch(text) else None) or text]
         own = self._template(text, kind)
         found: list[str] = []
         for literal, name, form, _conversion in Formatter().parse(own):
