@@ -69,7 +69,7 @@ def _own_symbol(context: Context, question: Question) -> Expr | None:
         return None
     if q.is_of_event:
         return Symbol("t") if question.event is not None and q.dimension == TIME else None
-    if q.scope != "instant" or question.at_start:
+    if q.scope != "instant":
         return None
     try:
         (part, *more), _unknowns = parts_of(context, q)

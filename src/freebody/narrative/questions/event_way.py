@@ -106,8 +106,10 @@ def _tell_asked(q: Quantity, way: AtEvent, lines: Sequence[int]) -> None:
             symbol = asked_symbol(context, question)
             script.add(asked_entry(symbol, question))
             before = tidy(f.lowest_terms(general[0]))
-            if before != shown:
-                last = script.line(symbol, before, why="course.general", args={"lines": uses}, uses=uses, when="event")
+            is_found = any((parts[0] - f.variable(u)).is_zero() for u in found)
+            if before != shown and not is_found:
+                own = tuple(dict.fromkeys(line for _v, line in found.values())) or uses
+                last = script.line(symbol, before, why="course.general", args={"lines": own}, uses=own, when="event")
                 uses = (*uses, last)
         script.line(symbol, shown, why="course.there", args={"lines": uses}, uses=uses, when="event")
     _ends_in_answer(way, there[0])
