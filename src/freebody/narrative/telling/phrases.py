@@ -33,7 +33,9 @@ from itertools import zip_longest
 from string import Formatter
 from typing import Any, cast
 
+from freebody.language.expression import Symbol
 from freebody.language.notation import Stated
+from freebody.language.parser import GREEK
 from freebody.language.sentences import Message
 from freebody.messages import Shown
 from freebody.narrative.words import tables_of
@@ -44,6 +46,8 @@ MESSAGES = "message"
 PLACE = re.compile(r"\{(\w+)(?::(\w+))?\}")
 _ANYTHING = r".+?"
 _OWN = {"name": r"[^\s,;:()=]+", "most": r".+"}  # what places of these kinds take
+_GREEK = "|".join(sorted(GREEK.values(), key=len, reverse=True))
+_SYMBOL = re.compile(rf"(?:{_GREEK})(?:_?\d+|_\w+)?|[A-Za-z](?:\d+|_\w+)")
 _POINT = re.compile(r"[A-Za-z_]\w*\.\w+")
 _BETWEEN = re.compile(r"(, then |, | and | or )")
 
@@ -114,6 +118,8 @@ class Phrases:
             return self.parts(text.words, kind)
         if isinstance(text, Stated | Shown):
             return [text]
+        if not isinstance(text, Message) and _SYMBOL.fullmatch(text):
+            return [Shown(text, Symbol(text))]
         if not isinstance(text, Message):
             return [self.said(text, kind) or (self.said(text, "place") if _POINT.fullmatch(text) else None) or text]
         own = self._template(text, kind)
