@@ -36,8 +36,9 @@ _BETWEEN = (DIAGRAMS, "stage.principles", "stage.friction")  # stages before whi
 # -- references -------------------------------------------------------------------------------
 def referred(sentence: Sentence | None) -> Iterator[int]:
     """The numbers of lines that a sentence names."""
-    for name, value in (sentence.args if sentence is not None else {}).items():
-        yield from _numbers(name, value)
+    if sentence is not None:
+        for name, value in sentence.args.items():
+            yield from _numbers(name, value)
 
 
 def _numbers(name: str, value: Argument) -> Iterator[int]:

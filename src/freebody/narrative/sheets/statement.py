@@ -119,7 +119,7 @@ class ExerciseStatement:
         told = [self._acting(c.connection, c.kind, c.between) for c in gruebler(self.system).connections if c.n]
         if told:
             yield Paragraph((*self._say("sheet.connections"), " ", *_in_turn(told, "; "), "."))
-        told = []
+        told = list[Text]()
         for name, load in self.system.loads.items():
             pushed = (*self.system.applied_loads, *self.system.impulses)
             on = dict.fromkeys(b for p in pushed if p.load == name for b in p.measure.bodies())

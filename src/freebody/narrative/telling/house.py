@@ -91,8 +91,16 @@ class _House:
 
     def _factor(self, e: Expr) -> tuple[int, int]:
         """Numbers first, then the symbols in their order, functions and sums, and rates last."""
-        rank = {Number: -1, Sum: 2, Call: 1}.get(type(e), 0)
-        return (3 if isinstance(e, Call) and e.function == "rate" else rank), self._first(e)
+        match e:
+            case Number():
+                rank = -1
+            case Sum():
+                rank = 2
+            case Call(function):
+                rank = 3 if function == "rate" else 1
+            case _:
+                rank = 0
+        return rank, self._first(e)
 
 
 __all__: Sequence[str] = ["in_style"]

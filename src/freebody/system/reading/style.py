@@ -28,7 +28,7 @@ def read_style(source: Source) -> HouseStyle:
     decimal = entry.get("decimal", "point")
     if decimal not in _DECIMALS:
         names.problem(Message("decimal is point or comma"), "style", "decimal")
-    renamed = entry.get("names") or {}
+    renamed: object = entry.get("names") or {}
     if not isinstance(renamed, dict):
         names.problem(Message("names is a mapping, e.g. names: {{T_left: S_1}}"), "style", "names")
         renamed = {}
@@ -47,7 +47,7 @@ def read_style(source: Source) -> HouseStyle:
 
 
 def _listed(source: Source, entry: dict[str, Any], key: str) -> Iterator[str]:
-    value = entry.get(key) or []
+    value: object = entry.get(key) or []
     if not isinstance(value, list):
         source.names.problem(Message("{key} is a list of names", key=key), "style", key)
         return
