@@ -2,8 +2,8 @@
 
     python tools/make_math_font.py STIXMath-Regular.otf
 
-The source is STIX Math 1.1.1 (package fonts-stix of Debian, or stixfonts.org). Needs fonttools and brotli; the result is kept
-in the tree, so that nobody needs them to build the package.
+The source is STIX Math 1.1.1 (package fonts-stix of Debian, or stixfonts.org). Needs fonttools and brotli; the result
+is kept in the tree, so that nobody needs them to build the package.
 """
 
 from __future__ import annotations
