@@ -6,6 +6,7 @@ from freebody.language.expression import Expr, Number, Symbol
 from freebody.language.parser import parse
 from freebody.present.report.blocks import (
     Bullets,
+    Choices,
     Columns,
     Derivative,
     Difference,
@@ -19,10 +20,12 @@ from freebody.present.report.blocks import (
     Reference,
     Remark,
     Report,
+    Room,
     Section,
     Side,
     Step,
     Table,
+    Unbroken,
     text,
 )
 
@@ -184,6 +187,7 @@ def sample(language: str = "en") -> Report:
                 table,
                 Bullets((text("first, ", formula("r_OS", "=", vector("x", "-r*cos(phi)", "0"))), text("second"))),
                 Bullets((text("one"), text("two")), is_numbered=True),
+                Unbroken((Choices((("(a)", text(formula("g/2"))), ("(b)", text("none, ", formula("g"))))), Room(2.5))),
                 Section(text("Inner section"), (Paragraph(text("Deeper.")),), level=3),
                 Figures(
                     (
@@ -219,6 +223,7 @@ def hostile() -> Report:
         Paragraph((*words, Emphasis(HOSTILE, "code"), Emphasis(HOSTILE), Emphasis(HOSTILE, "soft"))),
         Equations((equation, equation)),
         Bullets((words, words)),
+        Unbroken((Choices(((HOSTILE, words),)), Room(1.0))),
         Table((words, words), ((words, words),), ("right",)),
         Figure(picture, words, 1),
         Figures((Figure(picture, words, 2),)),

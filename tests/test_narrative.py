@@ -39,22 +39,24 @@ def legend_of(stages: tuple[DerivationStage, ...]) -> set[str]:
     return set().union(*(names_in(symbol) for symbol, _what, _unit in entries)) if entries else set()
 
 
-def reread(explanation: Explanation, derivation: Derivation) -> None:
+def reread(explanation: Explanation) -> None:
     """Raises AssertionError at the first line that names what was not introduced or follows from a later one."""
     known = legend_of(explanation.opening) | {"t"}
     earlier = {line.number for line in lines_of(explanation.opening)}
-    for stages in (derivation.stages, derivation.compared):
-        here = set(known)
-        for stage in stages:
-            for item in stage.items:
-                if isinstance(item, Legend):
-                    here |= set().union(*(names_in(symbol) for symbol, _what, _unit in item.entries))
-                if isinstance(item, NumberedFormula):
-                    used = set().union(*(names_in(side) for side in item.sides))
-                    defined = names_in(item.sides[0]) if stage.title.key == "stage.result" else set()
-                    assert used - defined <= here, f"({item.number}) uses {used - here} before they are introduced"
-                    assert set(item.uses) <= earlier, f"({item.number}) follows from {set(item.uses) - earlier}"
-                    earlier.add(item.number)
+    for derivation in explanation.derivations:
+        for stages in (derivation.stages, derivation.compared):
+            for stage in stages:
+                for item in stage.items:
+                    if isinstance(item, Legend):
+                        known |= set().union(*(names_in(symbol) for symbol, _what, _unit in item.entries))
+                    if isinstance(item, NumberedFormula):
+                        used = set().union(*(names_in(side) for side in item.sides))
+                        defined = names_in(item.sides[0]) if stage.title.key == "stage.result" else set()
+                        assert used - defined <= known, (
+                            f"({item.number}) uses {used - known} before they are introduced"
+                        )
+                        assert set(item.uses) <= earlier, f"({item.number}) follows from {set(item.uses) - earlier}"
+                        earlier.add(item.number)
 
 
 def before_the_result(derivation: Derivation) -> tuple[DerivationStage, ...]:
@@ -98,12 +100,16 @@ def test_every_example_is_derived_and_its_derivation_reads_well(name: str) -> No
     is the answer."""
     found = explained(name)
     assert [d.question.id for d in found.derivations] == [q.id for q in found.system.questions]
+    reread(found)
     for derivation in found.derivations:
         assert not derivation.reason, f"{derivation.question.text}: {derivation.reason}"
-        reread(found, derivation)
         expected = derivation.answer.expression
         if expected is not None:
-            last = lines_of(before_the_result(derivation))[-1]
+            lines = lines_of(before_the_result(derivation))
+            if not lines:  # an earlier derivation has found it
+                assert any(s.key == "result.found" for s in sentences_of(derivation.stages))
+                continue
+            last = lines[-1]
             sides = [s for side in last.sides for s in (side if isinstance(side, tuple) else (side,))]
             ends = expected if isinstance(expected, tuple) else (expected,)
             assert set(ends) <= set(sides), derivation.question.text
@@ -114,7 +120,7 @@ def test_every_example_is_derived_and_its_derivation_reads_well(name: str) -> No
 
 def test_a_rolling_disk_takes_moments_about_its_contact_point() -> None:
     _found, derivation = the("disk_rolling_down_incline", "acceleration")
-    assert principles(derivation) == [("angular", ("disk",), "point.contact")]
+    assert principles(derivation) == [("angular", ("disk",), "point.only_contact")]
 
 
 def test_an_atwood_machine_takes_two_momenta_and_one_moment() -> None:
@@ -155,7 +161,7 @@ def test_a_cart_and_its_pendulum_are_taken_together_where_the_pin_need_not_be_kn
 )
 def test_two_methods_end_in_the_same_result(name: str, question: str, first: str, second: str) -> None:
     found, derivation = the(name, question, method=first, compare=second)
-    reread(found, derivation)
+    reread(found)
     assert derivation.compared
     assert lines_of(derivation.compared)[-1].sides[-1] == derivation.answer.expression
 

@@ -177,7 +177,7 @@ def test_planets_counted_once_are_named() -> None:
     system = System.load(EXAMPLES / "planetary_gear.yaml")
     question = system.questions[0]
     found = found_mistakes(Context(system), question, solve(system)[question.id])
-    assert "only one of P1, P2 and P3 is counted" in Catalogue().plain(found["a"])
+    assert "only one of P₁, P₂ and P₃ is counted" in Catalogue().plain(found["a"])
 
 
 def test_a_spring_counted_as_a_constraint_is_named() -> None:

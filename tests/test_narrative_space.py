@@ -237,7 +237,7 @@ def test_a_coin_leans_by_moments_about_its_contact_point() -> None:
     derivation = the("rolling_coin", "leaning")
     (said,) = [i for s in derivation.stages for i in s.items if isinstance(i, Sentence) and i.key == "space.angular"]
     assert isinstance(said.args["point"], Sentence)
-    assert said.args["point"].key == "point.contact"
+    assert said.args["point"].key == "point.only_contact"
     assert "space.any_point" in keys(derivation)
 
 

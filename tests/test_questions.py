@@ -52,7 +52,7 @@ def test_the_question_of_contributing_works_everywhere_as_written(closing_speed:
     assert json.loads(json.dumps(answer.to_plain()))["value"] == pytest.approx(-0.6)
     german = system.explain(language="de")
     assert german.is_complete
-    assert "closing speed of ground.origin and ball" in german.to_text()
+    assert "closing speed of ground.origin and ball" in german.to_text().lower()
     (page,) = german.write(tmp_path / "page.html")
     assert page.is_file()
     # a ratio, and an event: what is made of quantities takes it as any other

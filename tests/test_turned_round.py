@@ -292,7 +292,7 @@ def test_german() -> None:
     find = "value of theta for which x = s when y = 0"
     words = fb.explain(System.from_text(THROW), find, language="de").to_text()
     assert "Nach theta aufgelöst" in words
-    assert "die Zahl, die in der Datei für theta steht, bleibt außer Betracht" in words
+    assert "die Zahl, die in der Datei für θ steht, bleibt außer Betracht" in words
     assert "left out" not in words
 
 

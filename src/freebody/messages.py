@@ -12,6 +12,20 @@ from collections.abc import Mapping, Sequence
 from numbers import Number as Figure
 
 
+class Shown(str):
+    """How something stands in a text: a formula, a unit. of: the thing itself, for those who show it otherwise."""
+
+    of: object
+
+    def __new__(cls, text: str, of: object) -> Shown:
+        shown = super().__new__(cls, text)
+        shown.of = of
+        return shown
+
+    def __getnewargs_ex__(self) -> tuple[tuple[str, object], dict[str, object]]:
+        return (str.__str__(self), self.of), {}
+
+
 class Message(str):
     """A sentence in English that can be told in other languages too. Arguments are messages, names, formulas as they
     are shown, and numbers with a format in the template."""
@@ -20,7 +34,7 @@ class Message(str):
     arguments: Mapping[str, object]
 
     def __new__(cls, template: str, /, **arguments: object) -> Message:
-        filled = {k: v if isinstance(v, (str, Figure)) else str(v) for k, v in arguments.items()}
+        filled = {k: v if isinstance(v, (str, Figure)) else _as_text(v) for k, v in arguments.items()}
         message = super().__new__(cls, template.format_map(filled))
         message.template = template
         message.arguments = filled
@@ -31,6 +45,12 @@ class Message(str):
 
     def __getnewargs_ex__(self) -> tuple[tuple[str], dict[str, object]]:
         return (self.template,), dict(self.arguments)
+
+
+def _as_text(of: object) -> str:
+    """A thing as it stands in a text; an error as the message that it was raised with."""
+    text = str(of)
+    return text if isinstance(text, Message) else Shown(text, of)
 
 
 def listed(parts: Sequence[str], joined: str = "{first} and {second}") -> str:

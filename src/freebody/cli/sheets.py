@@ -20,6 +20,13 @@ def sheet(
     solutions: Annotated[str, typer.Option("--solutions", help="none, end or inline.")] = "none",
     variants: Annotated[int, typer.Option("--variants", help="How many sheets, each with numbers of its own.")] = 1,
     seed: Annotated[int, typer.Option("--seed", help="The same seed gives the same sheets.")] = 0,
+    room: Annotated[
+        float | None,
+        typer.Option("--room", help="Centimetres to write in under a question on paper; 3 without solutions."),
+    ] = None,
+    numeric: Annotated[
+        bool, typer.Option("--numeric", help="Show options as the numbers that their formulas give.")
+    ] = False,
     language: Language = "en",
     effort: Effort = 1.0,
     set_: Set = None,
@@ -33,7 +40,9 @@ def sheet(
         from freebody.narrative.sheets.sheet import sheet as make
 
         systems = with_assignments(load_systems(files), set_)
-        made = make(systems, solutions=solutions, variants=variants, seed=seed, language=language)
+        made = make(
+            systems, solutions=solutions, variants=variants, seed=seed, language=language, room=room, numeric=numeric
+        )
         written = made.write(out)
     print_written(written)
 

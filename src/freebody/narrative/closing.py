@@ -7,18 +7,21 @@ from contextlib import suppress
 from typing import Literal
 
 from freebody.errors import CannotAnswer, ExpressionError, UnitError
-from freebody.language.expression import Expr
+from freebody.language.expression import Expr, Symbol
 from freebody.language.units import TIME, dimension_of
+from freebody.narrative.contact.settings import has_phases
 from freebody.narrative.context import Context
 from freebody.narrative.limits import limiting_cases
 from freebody.narrative.lines.glossary import TrueWhen
 from freebody.narrative.lines.naming import asked_symbol, side_of
-from freebody.narrative.lines.script import DerivationStage, FormulaTable, Listing, Script, Sentence, ready
+from freebody.narrative.lines.script import DerivationStage, FormulaTable, Listing, OptionText, Script, Sentence, ready
 from freebody.narrative.mistakes.mistakes import found_mistakes
-from freebody.narrative.telling.telling import raised
+from freebody.narrative.principles.momentum import parts_of
+from freebody.narrative.telling.raising import raised
 from freebody.questions.reading import Question
 from freebody.questions.steady import is_steady_place
 from freebody.study.answering.answer import Answer
+from freebody.symbolic.tidy import tidy
 
 
 def closing(context: Context, question: Question, answer: Answer) -> list[DerivationStage]:
@@ -40,8 +43,9 @@ def _result(context: Context, script: Script, question: Question, answer: Answer
     is_told |= is_steady_place(question.quantity)  # which the start need not have
     if answer.expression is not None and not is_told:
         n = len(answer.expression) if isinstance(answer.expression, tuple) else 1
-        name = asked_symbol(context, question, n)
-        sides: tuple[Expr | tuple[Expr, ...], ...] = (side_of(name, n), answer.expression)
+        own = _own_symbol(context, question) if n == 1 else None
+        left = side_of(asked_symbol(context, question, n), n) if own is None else own
+        sides: tuple[Expr | tuple[Expr, ...], ...] = (left, answer.expression)
         with suppress(CannotAnswer, ExpressionError):
             script.line(*sides, when=_when(question))
     if answer.conditions and question.quantity.scope != "every motion":  # that is what was derived
@@ -58,6 +62,24 @@ def _result(context: Context, script: Script, question: Question, answer: Answer
         script.say("result.value", value=f"@{shown}{unit}")
     if answer.notes:
         script.add(Listing(tuple(Sentence("result.note", {"text": ready(note)}) for note in answer.notes)))
+
+
+def _own_symbol(context: Context, question: Question) -> Expr | None:
+    """The symbol that formulas have for what is asked, where there is one: x'', a tension, the time of an event."""
+    q = question.quantity
+    if question.transition is not None or has_phases(context.system):
+        return None
+    if q.is_of_event:
+        return Symbol("t") if question.event is not None and q.dimension == TIME else None
+    if q.scope != "instant":
+        return None
+    try:
+        (part, *more), _unknowns = parts_of(context, q)
+    except CannotAnswer:
+        return None
+    f = part.field
+    is_symbol = not more and any((part - f.variable(g)).is_zero() for g in part.generators())
+    return tidy(part) if is_symbol else None
 
 
 def _dimensions_fit(context: Context, question: Question, answer: Answer) -> bool:
@@ -79,7 +101,7 @@ def _when(question: Question) -> TrueWhen:
 
 
 def _options(context: Context, script: Script, question: Question, answer: Answer) -> None:
-    header = (Sentence("options.letter"), Sentence("options.verdict"), Sentence("options.reason"))
+    header = (Sentence("options.letter"), Sentence("options.formula"), Sentence("options.reason"))
     mistakes = found_mistakes(context, question, answer)
 
     def reason(letter: str, told: str) -> Sentence | str:
@@ -87,7 +109,7 @@ def _options(context: Context, script: Script, question: Question, answer: Answe
             return told
         return Sentence("options.reason_and_mistake", {"reason": ready(told), "mistake": mistakes[letter]})
 
-    rows = tuple((f"({k})", Sentence(f"options.{v.verdict}"), reason(k, v.reason)) for k, v in answer.options.items())
+    rows = tuple((f"({k})", OptionText(question.options[k]), reason(k, v.reason)) for k, v in answer.options.items())
     marks: tuple[Literal["", "right", "wrong"], ...] = tuple(
         "right" if v.verdict == "right" else "wrong" for v in answer.options.values()
     )

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Container, Generator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Literal
@@ -14,12 +15,13 @@ from freebody.narrative.contact.settings import first_mode, has_phases, setup_of
 from freebody.narrative.lines.glossary import Glossary
 from freebody.narrative.lines.script import DerivationStage, Script
 from freebody.narrative.principles.acting import Acting
-from freebody.narrative.principles.newton import Newton
+from freebody.narrative.principles.newton import Newton, Solved
 from freebody.narrative.principles.planar_rates import PlanarRates
 from freebody.narrative.principles.symmetry import Symmetry
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
 from freebody.study.setup import Setup
+from freebody.symbolic.field import Ratio
 from freebody.system.symbols import reaction_symbols
 from freebody.system.system import System
 
@@ -29,12 +31,14 @@ METHODS: tuple[Method, ...] = ("auto", "newton", "lagrange", "energy")
 
 @dataclass
 class Context:
-    """One system on both routes. Symbols that one derivation explains are known to the next only if it says so itself:
-    each derivation stands alone. `next_number` runs through all."""
+    """One system on both routes. Each derivation is written as if it stood alone, but for the accelerations and forces
+    that those before it have found; `sharing` leaves out what has been told. `next_number` runs through all."""
 
     system: System
     next_number: int = 1
     introduced: set[str] = field(default_factory=set[str])  # by the opening: parameters, measures
+    found: Solved = field(default_factory=dict[int, tuple[Ratio, int]])  # by derivations so far
+    new: Solved = field(default_factory=dict[int, tuple[Ratio, int]])  # by the one that is being written
 
     @cached_property
     def setup(self) -> Setup:
@@ -63,6 +67,24 @@ class Context:
         if "rates" in self.__dict__:  # not made for a system in space
             self.newton.begin()
         return Script(self.glossary, self.next_number)
+
+    def keep_found(self, again: Mapping[int, int], shown: Container[int]) -> None:
+        """What the derivation has found is known to the next ones. again: lines that stand elsewhere already; shown:
+        all that a reader sees."""
+        for unknown, (value, line) in self.new.items():
+            if (number := again.get(line, line)) in shown:
+                self.found.setdefault(unknown, (value, number))
+        self.new.clear()
+
+    @contextmanager
+    def as_if_alone(self) -> Generator[None]:
+        """Nothing has been found before."""
+        found, new = self.found, self.new
+        self.found, self.new = {}, {}
+        try:
+            yield
+        finally:
+            self.found, self.new = found, new
 
     def of_question(self, question: Question) -> Context:
         """What is meant of one law of motion is told, with contacts or dry friction, of the mode with which the motion

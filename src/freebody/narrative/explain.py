@@ -16,8 +16,10 @@ from freebody.narrative.contact.settings import has_phases
 from freebody.narrative.context import METHODS, Context, Derive, Method
 from freebody.narrative.derivation import Derivation, WorkedSolutions
 from freebody.narrative.kinds import derivation_of
-from freebody.narrative.lines.script import DerivationStage, NumberedFormula
+from freebody.narrative.lines.script import DerivationStage, Item, Listing, NumberedFormula, Sentence
+from freebody.narrative.numbering import numbered
 from freebody.narrative.opening import opening
+from freebody.narrative.sharing import Told, lines_of, sentences_of
 from freebody.narrative.telling.catalogue import Catalogue
 from freebody.narrative.telling.composing import plain_derivations, report_of
 from freebody.present.report.results import Result
@@ -91,9 +93,20 @@ def explain(
     shared = None if has_phases(system) else context.setup
     solution = solve(system, setup=shared)
     first = tuple(opening(context))
+    told = Told.of(first)
     answers = {a.question: a for a in solution.answers}
-    found = tuple(_derived(context, q, answers.get(q.text), chosen, second) for q in asked)
-    return Explanation(system, solution, first, found, language)
+    found = [_derived(context, told, q, answers.get(q.text), chosen, second) for q in asked]
+    return Explanation(system, solution, *_numbered(first, found), language)
+
+
+def _numbered(
+    first: tuple[DerivationStage, ...], found: Sequence[Derivation]
+) -> tuple[tuple[DerivationStage, ...], tuple[Derivation, ...]]:
+    """The opening and the derivations with their final numbers."""
+    parts = [first, *(part for d in found for part in (d.stages, d.compared))]
+    first, *rest = numbered(parts, Catalogue())
+    pairs = zip(rest[::2], rest[1::2], strict=True)
+    return first, tuple(replace(d, stages=s, compared=c) for d, (s, c) in zip(found, pairs, strict=True))
 
 
 def _method(name: str) -> Method:
@@ -104,8 +117,9 @@ def _method(name: str) -> Method:
 
 
 def _derived(
-    context: Context, question: Question, answer: Answer | None, method: Method, second: Method | None
+    context: Context, told: Told, question: Question, answer: Answer | None, method: Method, second: Method | None
 ) -> Derivation:
+    """The derivation of one question, without what has been told before."""
     assert answer is not None
     busy_with(f"deriving {question.id}: {question.text}")
     derive = derivation_of(context.system, question)
@@ -113,13 +127,58 @@ def _derived(
     stages, reason = _attempt(here, question, answer, method, derive)
     compared: Sequence[DerivationStage] = ()
     if second is not None and not reason:
-        compared, trouble = _attempt(here, question, answer, second, derive)
-        reason = trouble
+        with here.as_if_alone():
+            compared, trouble = _attempt(here, question, answer, second, derive)
+        compared, reason = Told.of(told.opening).shared(compared)[0], trouble
+    ends: Sequence[DerivationStage] = ()
     if answer.is_answered and not reason:
-        end, reason = _attempt(here, question, answer, method, _closing)
-        stages = [*stages, *end]
+        ends, reason = _attempt(here, question, answer, method, _closing)
     context.next_number = here.next_number
-    return Derivation(question, answer, tuple(stages), method, reason, tuple(compared), second or "auto")
+    new, again = told.shared(stages)
+    lines = lines_of(stages)
+    if lines and lines[-1].number in again:
+        found = Sentence("result.found", {"line": again[lines[-1].number]})
+        new.append(DerivationStage(Sentence("stage.value"), None, (found,)))
+    new = _with_result(new, ends, told)
+    told.take(new)
+    here.keep_found(again, told.numbers)
+    return Derivation(question, answer, tuple(new), method, reason, tuple(compared), second or "auto")
+
+
+def _with_result(new: list[DerivationStage], ends: Sequence[DerivationStage], told: Told) -> list[DerivationStage]:
+    """A derivation with its end. A result that stands in the last line is not written again, and what an earlier
+    derivation has found is named beside it; notes that were made on the way are not repeated."""
+    if not ends:
+        return new
+    noted = [s.args.get("text") for s in (*told.sentences, *sentences_of(new)) if s.key == "course.note"]
+    first, *others = [_without_notes(stage, noted) for stage in ends]
+    found = [s for s in sentences_of(new) if s.key == "result.found"]
+    if found and len(new) == 1:
+        return [replace(first, items=(found[0], *first.items)), *others]
+    lines = lines_of(new)
+    result = next(iter(lines_of([first])), None)
+    if not lines or result is None or not _says(lines[-1], result):
+        return [*new, first, *others]
+    last = replace(lines[-1], is_result=True)
+    marked = [replace(s, items=tuple(last if item is lines[-1] else item for item in s.items)) for s in new]
+    checks = tuple(item for item in first.items if item is not result)
+    title = Sentence("stage.checks")
+    return [*marked, *([replace(first, title=title, items=checks)] if checks else []), *others]
+
+
+def _says(line: NumberedFormula, result: NumberedFormula) -> bool:
+    return (line.sides[0], line.sides[-1]) == (result.sides[0], result.sides[-1])
+
+
+def _without_notes(stage: DerivationStage, noted: Sequence[object]) -> DerivationStage:
+    items: list[Item] = []
+    for item in stage.items:
+        if isinstance(item, Listing):
+            new = tuple(s for s in item.items if s.key != "result.note" or s.args.get("text") not in noted)
+            items += [Listing(new)] if new else []
+        else:
+            items.append(item)
+    return replace(stage, items=tuple(items))
 
 
 def _closing(context: Context, question: Question, answer: Answer, method: Method) -> list[DerivationStage]:

@@ -8,9 +8,10 @@ from collections.abc import Iterator
 
 from freebody.assess.cases import LimitingCase
 from freebody.errors import CannotAnswer, ExpressionError
-from freebody.language.expression import Call, Expr, Symbol, evaluate, n_operations, rate_key
+from freebody.language.expression import Call, Expr, Symbol, evaluate, free_symbols, n_operations, rate_key
 from freebody.language.parser import parse
-from freebody.language.units import DIMENSIONLESS, INERTIA, MASS
+from freebody.language.units import DIMENSIONLESS, INERTIA, MASS, Dimension
+from freebody.measures.geometry import ZERO
 from freebody.narrative.context import Context
 from freebody.narrative.lines.script import Item, Listing, Sentence
 from freebody.questions.reading import Question
@@ -20,6 +21,7 @@ from freebody.symbolic.tidy import tidy
 from freebody.tolerances import ROUND_OFF
 
 MOST = 4  # cases that are told
+SHORT = 9  # operations of a value that stands within a line
 SMALL = 1e-6  # of its own value: a parameter in place of zero, and one over it in place of infinity
 _PURPOSE = re.compile(r" \([a-z][a-z ]*\)$")  # what an inequality is needed for
 _INEQUALITY = re.compile(r"(?P<left>[^<>≤≥≠]+) (?P<relation>[<>≤≥]) (?P<right>[^<>≤≥≠]+)")
@@ -30,6 +32,8 @@ def limiting_cases(context: Context, question: Question, answer: Answer) -> list
     simplest."""
     if answer.expression is None or isinstance(answer.expression, tuple) or answer.cases:
         return []
+    if question.quantity.is_verdict:
+        return []
     try:
         element = context.setup.model.geometry.apply(answer.expression, _coordinates(context))
     except (CannotAnswer, ExpressionError, ZeroDivisionError, KeyError):
@@ -37,29 +41,59 @@ def limiting_cases(context: Context, question: Question, answer: Answer) -> list
     if element.is_zero():
         return []
     element = element.field.lowest_terms(element)
-    told: list[tuple[int, Sentence]] = []
-    plain = n_operations(answer.expression)
+    told: list[tuple[int, int, Sentence]] = []
     for case, names in _cases(context, element):
         limit = case.limit(element) if _is_admissible(context, answer, names) else None
-        if limit is None or (isinstance(limit, Ratio) and limit == element):
-            continue
-        if not isinstance(limit, Ratio):
-            told.append((1, Sentence(f"limit.{names[0]}_infinite", {"p": names[1], "q": names[2]})))
-            continue
-        shown = tidy(limit.field.lowest_terms(limit))
-        if limit.is_zero():
-            told.append(
-                (0 if names[0] == "equal" else 1, Sentence(f"limit.{names[0]}", {**_named(names), "value": shown}))
-            )
-        elif n_operations(shown) < plain:
-            told.append((2 + n_operations(shown), Sentence(f"limit.{names[0]}", {**_named(names), "value": shown})))
-    ordered = [s for _rank, s in sorted(told, key=lambda pair: pair[0])[:MOST]]
-    return [Listing(tuple(ordered))] if ordered else []
+        if limit is not None and not (isinstance(limit, Ratio) and limit == element):
+            told += _told(context, names, limit, n_operations(answer.expression))
+    chosen = sorted(told, key=lambda entry: entry[0])[:MOST]
+    if not chosen:
+        return []
+    ordered = tuple(sentence for _rank, _size, sentence in chosen)
+    is_short = all(size <= SHORT for _rank, size, _sentence in chosen)
+    return [Sentence("limit.cases", {"cases": ordered})] if is_short else [Listing(ordered)]
+
+
+def _told(
+    context: Context, names: tuple[str, Expr, Expr], limit: object, size: int
+) -> Iterator[tuple[int, int, Sentence]]:
+    """A case worth telling: its rank, the operations of its formula, its words. size: operations of the answer."""
+    kind, p, q = names
+    if not isinstance(limit, Ratio):
+        # more mass, more energy and larger forces: that tells nothing
+        if not (kind == "grows" and _dimension(context, p) in (MASS, INERTIA)):
+            yield 1, 0, Sentence(f"limit.{kind}_infinite", {"p": p, "q": q})
+        return
+    shown = tidy(limit.field.lowest_terms(limit))
+    n, said = n_operations(shown), Sentence(f"limit.{kind}", {"p": p, "q": q, "value": shown})
+    if limit.is_zero():
+        yield (0 if kind == "equal" else 1), 0, said
+    elif n < size and (n < size / 2 or (n <= SHORT and kind != "right_angle")) and _is_like(context, names):
+        yield 2 + n, n, said
+
+
+def _dimension(context: Context, p: Expr) -> Dimension:
+    return context.system.parameters[rate_key(p)].dimension
+
+
+def _is_like(context: Context, names: tuple[str, Expr, Expr]) -> bool:
+    """Whether equal values mean something by themselves: those of masses and angles do, those of lengths seldom."""
+    p = context.system.parameters[rate_key(names[1])]
+    return names[0] != "equal" or p.is_angle or p.dimension in (MASS, INERTIA, DIMENSIONLESS)
+
+
+def _is_possible(context: Context, kind: str, p: Expr) -> bool:
+    """No body is without mass that has a moment of inertia."""
+    bodies = context.system.moving
+    own = [b for b in bodies if b.turns and b.mass == p and b.inertia != ZERO]
+    return kind != "zero" or all(rate_key(p) in free_symbols(b.inertia) for b in own)
 
 
 def _is_admissible(context: Context, answer: Answer, names: tuple[str, Expr, Expr]) -> bool:
     """Whether the conditions of an answer hold near a special case, at all draws of the other parameters."""
     kind, p, q = names
+    if not _is_possible(context, kind, p):
+        return False
     for draw in context.setup.draws:
         values = dict(draw.values)
         own = rate_key(q if kind == "equal" else p)
@@ -84,10 +118,6 @@ def _holds(condition: str, values: dict[str, float]) -> bool:
     return {">": left > right, "≥": left >= right - room, "<": left < right, "≤": left <= right + room}[
         found["relation"]
     ]
-
-
-def _named(names: tuple[str, Expr, Expr]) -> dict[str, Expr]:
-    return {"p": names[1], "q": names[2]}
 
 
 def _coordinates(context: Context) -> dict[str, Ratio]:

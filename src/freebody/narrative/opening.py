@@ -8,7 +8,7 @@ from typing import Any, cast
 import numpy as np
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import Expr, Sum, Symbol, evaluate, free_symbols, number
+from freebody.language.expression import Expr, ProductOf, Sum, Symbol, evaluate, free_symbols, number
 from freebody.language.sentences import Message
 from freebody.language.units import Dimension
 from freebody.measures.geometry import ZERO
@@ -125,12 +125,14 @@ def count_freedoms(context: Context, script: Script) -> int:
 
 def count_line(script: Script, found: Gruebler) -> int:
     """Freedoms of the bodies, minus what the rows take away, as a line."""
-    script.say("freedom.formula", formula=f"@{found.formula.replace('*', '·')}")
-    terms = [number(found.n * len(found.bodies))] if found.bodies or not found.particles else []
-    terms += [number(found.n_point * len(found.particles))] if found.particles else []
+    terms: list[Expr] = []
+    if found.bodies or not found.particles:
+        terms.append(ProductOf((number(found.n), number(len(found.bodies)))))
+    if found.particles:
+        terms.append(ProductOf((number(found.n_point), number(len(found.particles)))))
     terms += [number(-found.n_constraints)] if found.n_constraints else []
     counted: Expr = terms[0] if len(terms) == 1 else Sum(tuple(terms))
-    return script.line(counted, number(found.count), when="never")
+    return script.line(counted, number(found.count), label=Sentence("label.freedoms"), when="never")
 
 
 def _binds_more_beside(context: Context) -> bool:

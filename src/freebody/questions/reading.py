@@ -48,6 +48,8 @@ class Question:
     key: str | None = None
     transition: Transition | None = None  # instead of an event: a contact changes its state
     understood: str = ""  # the question in the words of the grammar
+    words: str = ""  # in which a sheet asks it, where its author has written them
+    points: float | None = None
 
 
 def read_quantity(names: Names, text: str, path: Path) -> Quantity | None:
@@ -98,7 +100,8 @@ def read_calculation(names: Names, text: str, path: Path) -> Quantity | None:
 
 
 def read_questions(names: Names, given: Any) -> tuple[Question, ...]:
-    """The questions of a model; a question is a text, or a mapping with find, id, when, options, key."""
+    """The questions of a model; a question is a text, or a mapping with find, id, when, options, key, and
+    for exercise sheets text and points."""
     if given is None:
         return ()
     if isinstance(given, dict):
@@ -121,7 +124,7 @@ def read_questions(names: Names, given: Any) -> tuple[Question, ...]:
 
 
 def _question(names: Names, name: str, value: Any) -> Question | None:
-    known = ("find", "id", "when", "options", "key")
+    known = ("find", "id", "when", "options", "key", "text", "points")
     phrased = phrase_text(value)
     entry: dict[str, Any] = {}
     if phrased is not None:
@@ -167,7 +170,19 @@ def _question(names: Names, name: str, value: Any) -> Question | None:
         None if key is None else str(key),
         transition,
         plain(canonical),
+        plain(" ".join(str(entry.get("text", "")).split())),
+        _points(names, entry.get("points")),
     )
+
+
+def _points(names: Names, given: object) -> float | None:
+    """What an answer is worth."""
+    if given is None:
+        return None
+    if isinstance(given, bool) or not isinstance(given, (int, float)) or given < 0:
+        names.problem(Message("points is a number, e.g. points: 2, not {given}", given=str(given)), "points")
+        return None
+    return float(given)
 
 
 def _understood(names: Names, text: str, when: object) -> tuple[Meant, str] | None:

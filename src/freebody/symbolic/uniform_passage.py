@@ -9,7 +9,8 @@ import math
 from dataclasses import dataclass
 
 from freebody.errors import CannotAnswer, NeverHappens, NotReached
-from freebody.language.notation import Stated, to_python, to_text
+from freebody.language.expression import Symbol
+from freebody.language.notation import Stated, compared, to_python, to_text
 from freebody.language.sentences import Message
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import functions
@@ -81,13 +82,13 @@ def _one_of_two(name: str, law: UniformLaw, distance: Ratio, at: Ratio) -> Unifo
             )
         )
     chosen, other = (plus, minus) if pick == 0 else (minus, plus)
-    shown = to_text(tidy(other))
+    root_at = compared(Symbol("t"), "=", tidy(other))
     needs = [(square, ">=")]
     if all(v < 0 for v in law.model.samples.at_starts(other)):
-        words = Message("rejected root: t = {t} is negative, a time before the start", t=shown)
+        words = Message("rejected root: {root} is negative, a time before the start", root=root_at)
         needs.append((distance / a, ">"))
     else:
-        words = Message("other root: t = {t} is later, when {x} passes again on the way back", t=shown, x=name)
+        words = Message("other root: {root} is later, when {x} passes again on the way back", root=root_at, x=name)
         needs.append((chosen, ">"))
     if not sign_of(a).is_strict:  # it decides which root is the larger one
         rises = all(v > 0 for v in law.model.samples.at_starts(a))

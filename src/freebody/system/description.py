@@ -28,6 +28,7 @@ from freebody.model.glyphs import Shown
 from freebody.model.looks import Looks
 from freebody.model.names import Names
 from freebody.model.rotations import Columns
+from freebody.model.style import HouseStyle
 from freebody.questions.clock import Clock
 from freebody.questions.reading import Question
 from freebody.system.blows import BlowEvent
@@ -67,6 +68,7 @@ class SystemDescription:
     impulses: tuple[AppliedLoad, ...] = ()  # of the blows at the start: measures pushed by an impulse, their law
     blows: tuple[BlowEvent, ...] = ()  # what closes and strikes in mid-motion
     looks: Looks = field(default_factory=Looks)  # what its author wants otherwise in pictures
+    style: HouseStyle = field(default_factory=HouseStyle)  # and in worked solutions
 
     @property
     def moving(self) -> tuple[RigidBody, ...]:

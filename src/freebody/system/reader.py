@@ -31,6 +31,7 @@ from freebody.system.reading.measures import read_measures
 from freebody.system.reading.parameters import read_parameters
 from freebody.system.reading.source import Source
 from freebody.system.reading.start import read_mode, read_start
+from freebody.system.reading.style import read_style
 
 
 def read_system(document: Document, file: str | None) -> SystemDescription:
@@ -66,6 +67,7 @@ def read_system(document: Document, file: str | None) -> SystemDescription:
     names.loads = {p.load: ENERGY / p.measure.dimension for p in applied_loads}
     questions = read_questions(names, source.data.get("questions"))
     looks = read_drawing(source, {*measures, *connections, *loads})
+    style = read_style(source)
     place_ground_points(names)
     source.refuse_problems()
     return SystemDescription(
@@ -98,4 +100,5 @@ def read_system(document: Document, file: str | None) -> SystemDescription:
         blows=blows,
         attitudes=read_attitudes(names, connections),
         looks=looks,
+        style=style,
     )

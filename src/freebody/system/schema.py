@@ -127,6 +127,8 @@ def json_schema() -> dict[str, Any]:
                     "when": {"type": "string"},
                     "options": options,
                     "key": {"type": ["string", "number"]},
+                    "text": {"type": "string"},
+                    "points": {"type": "number", "minimum": 0},
                 },
             },
         ]
@@ -140,6 +142,16 @@ def json_schema() -> dict[str, Any]:
             "labels": _named({"type": "string"}),
             "scale": _named({"type": "number", "exclusiveMinimum": 0}),
             "hide": texts,
+        },
+    }
+    style = {
+        "type": "object",
+        "additionalProperties": False,
+        "properties": {
+            "names": _named({"type": "string"}),
+            "axes": texts,
+            "order": texts,
+            "decimal": {"enum": ["point", "comma"]},
         },
     }
     return {
@@ -170,5 +182,6 @@ def json_schema() -> dict[str, Any]:
             "start": _named(_FORMULA),
             "questions": {"anyOf": [{"type": "array", "items": question}, _named(question)]},
             "drawing": drawing,
+            "style": style,
         },
     }

@@ -53,6 +53,8 @@ def reaction_symbols(system: System) -> Mapping[str, ReactionSymbol]:
         while name is None:
             candidate = f"{wishes[row.name][-1]}_{number}"
             name, number = (candidate if candidate not in taken else None), number + 1
+        wanted = system.style.names.get(name, name)  # as the author calls it
+        name = name if wanted in taken else wanted
         taken.add(name)
         found[row.name] = ReactionSymbol(row.name, name, row.sign)
     return found

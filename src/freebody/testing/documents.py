@@ -15,7 +15,7 @@ from freebody.model.phrases import PHRASES, phrase_text
 from freebody.questions.base import FORMS
 
 NAMED = ("parameters", "bodies", "connections", "loads", "measures")
-_TOLD = ("title", "about", "source", "id", "options", "key", "freebody")
+_TOLD = ("title", "about", "source", "id", "options", "key", "text", "points", "freebody", "style")
 _WORD = re.compile(r"(?<![\w.])[A-Za-z_]\w*")
 
 Data = dict[str, Any]

@@ -18,6 +18,7 @@ from __future__ import annotations
 from freebody.language.expression import Expr
 from freebody.language.notation.one_line import PYTHON, TEXT
 from freebody.language.notation.stated import Stated, compared, joined, reworded, stated_plain
+from freebody.messages import Shown
 
 __all__ = [
     "Stated",
@@ -42,7 +43,7 @@ def to_python(expr: Expr) -> str:
 
 def to_text(expr: Expr) -> str:
     """One line for reading, which `parse` reads too: 2·m₁·g/(m₁ + m₂)."""
-    return TEXT.write(expr)[0]
+    return Shown(TEXT.write(expr)[0], expr)
 
 
 def to_latex(expr: Expr) -> str:

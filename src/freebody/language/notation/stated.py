@@ -22,22 +22,25 @@ class Stated(str):
 
     words: str  # as they were handed over: a message, perhaps
     expression: str
+    sides: tuple[Expr, str, Expr] | None  # left, relation and right of a comparison
 
-    def __new__(cls, text: str, expression: str) -> Stated:
+    def __new__(cls, text: str, expression: str, sides: tuple[Expr, str, Expr] | None = None) -> Stated:
         stated = super().__new__(cls, text)
         stated.words = text.words if isinstance(text, Stated) else text
         stated.expression = expression
+        stated.sides = sides
         return stated
 
-    def __reduce__(self) -> tuple[type[Stated], tuple[str, str]]:
-        return Stated, (self.words, self.expression)
+    def __reduce__(self) -> tuple[type[Stated], tuple[str, str, tuple[Expr, str, Expr] | None]]:
+        return Stated, (self.words, self.expression, self.sides)
 
 
 def compared(left: Expr, relation: str, right: Expr) -> Stated:
     """`left relation right`; relation: >, >=, <, <=, != or =."""
     operator = "==" if relation == "=" else relation
     machine = f"{PYTHON.write(left)[0]} {operator} {PYTHON.write(right)[0]}"
-    return Stated(f"{TEXT.write(left)[0]} {_SHOWN[relation]} {TEXT.write(right)[0]}", machine)
+    shown = _SHOWN[relation]
+    return Stated(f"{TEXT.write(left)[0]} {shown} {TEXT.write(right)[0]}", machine, (left, shown, right))
 
 
 def reworded(text: str, of: str) -> str:

@@ -44,7 +44,7 @@ def asked_side(
     """The symbol of what is asked (those of its components), introduced with its meaning on the way."""
     own = question.id if re.fullmatch(r"[A-Za-z]\w*", question.id) else "result"
     name = context.symbol(own, f"{own}_asked")
-    what = Sentence("symbol.asked", {"question": question.text})
+    what = Sentence("symbol.asked")
     n = len(way.piece.value) if isinstance(way.piece.value, tuple) else 1
     leg.glossary.introduce(Meaning(name, what, lambda w: float(_number(way, question, w)), ""))
 

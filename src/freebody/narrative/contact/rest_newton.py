@@ -9,7 +9,7 @@ from freebody.language.expression import Expr, Sum, add, negate
 from freebody.language.sentences import Message
 from freebody.narrative.contact.phase_event import vanishing
 from freebody.narrative.contact.rest_worlds import RestGlossary
-from freebody.narrative.lines.script import Script
+from freebody.narrative.lines.script import Argument, Script, Sentence
 from freebody.narrative.principles.acting import Acting
 from freebody.narrative.principles.elimination import EliminationRow, Solver, Unknowns
 from freebody.narrative.principles.newton import AT_REST_WORDS, Newton
@@ -117,21 +117,23 @@ class Eliminator(Solver):
         """One equation less a multiple of the other."""
         factor = row.entries[unknown] / other.entries[unknown]
         rest = self.field.lowest_terms(row.rest - factor * other.rest)
-        return EliminationRow({}, rest, self._condition(rest, (other.number, row.number), "solve.same_forces"))
+        args: dict[str, Argument] = {"given": other.number, "line": row.number}
+        return EliminationRow(
+            {}, rest, self._condition(rest, (other.number, row.number), Sentence("solve.same_forces", args))
+        )
 
     def _put_in(self, row: EliminationRow, unknown: int, given: EliminationRow) -> EliminationRow:
         made = super()._put_in(row, unknown, given)
         if made.entries or made.rest.is_zero():
             return made
-        return EliminationRow({}, made.rest, self._condition(made.rest, (given.number, row.number), "solve.put_in"))
+        why = Sentence("solve.put_in", {"parts": (self.taken(unknown, given),), "line": row.number})
+        return EliminationRow({}, made.rest, self._condition(made.rest, (given.number, row.number), why))
 
-    def _condition(self, rest: Ratio, uses: tuple[int, int], why: str) -> int:
+    def _condition(self, rest: Ratio, uses: tuple[int, int], why: Sentence) -> int:
         """0 = rest, with its terms on the sides on which they are positive."""
         left, right = balanced(vanishing(self.glossary, tidy(self.field.lowest_terms(rest).numerator())))
         whole = right if left == ZERO else left
         if ZERO in (left, right) and isinstance(whole, Sum):
             left, right = whole.terms[-1], negate(add(*whole.terms[:-1]))
         self.condition, self.rest = (left, right), rest
-        return self.script.line(
-            left, right, why=why, args={"given": uses[0], "line": uses[1]}, uses=uses, when=self.when
-        )
+        return self.script.line(left, right, why=why.key, args=why.args, uses=uses, when=self.when)

@@ -225,7 +225,9 @@ class Glossary:
             found[shown_name(value)] = Sentence("symbol.start_of_row", {"row": row})
         for c in (*model.coordinates, *model.dependent):
             if c.index in model.samples.start_symbols:
-                found[shown_name(model.samples.start_symbols[c.index])] = Sentence("symbol.start_of", {"name": c.name})
+                found[shown_name(model.samples.start_symbols[c.index])] = Sentence(
+                    "symbol.start_of", {"name": Symbol(c.name)}
+                )
         return found
 
     # -- numbers ------------------------------------------------------------------------------

@@ -43,7 +43,7 @@ def asked_as(context: Context, question: Question, read: Callable[[World], float
 def asked_entry(symbol: Symbol, question: Question, unit: str = "", n: int = 1) -> Legend:
     """The legend of what is asked, or of its n components."""
     names = (symbol,) if n == 1 else names_of(symbol, n)
-    what = Sentence("symbol.asked", {"question": question.text})
+    what = Sentence("symbol.asked")
     return Legend(tuple((name, what, unit) for name in names))
 
 
@@ -60,7 +60,7 @@ def asked_symbol(context: Context, question: Question, n: int = 1) -> Symbol:
     if n > 1 and any(name.name in reactions for name in names_of(Symbol(own), n)):
         own = f"{own}_asked"
     symbol = context.symbol(own, f"{own}_asked")
-    what = Sentence("symbol.asked", {"question": question.text})
+    what = Sentence("symbol.asked")
     quantity, system = question.quantity, context.system
 
     def part(k: int) -> Callable[[World], float]:

@@ -27,9 +27,15 @@ BY_DIFFERENCES = 1e-4  # where derivatives are taken by differences
 FEWEST = 2  # random motions at which a line must have been looked at
 
 
+REFERENCES = ("line", "lines", "given")  # places of a sentence that hold numbers of lines
+
+
 @dataclass(frozen=True)
 class NumberedFormula:
-    """A numbered formula: sides, the relations between them, why it is true, and from which lines it follows."""
+    """A formula: sides, the relations between them, why it is true, and from which lines it follows.
+
+    number: by which others refer to it; below zero where a reader needs none, as nothing refers to it. symbols: what
+    those of its symbols mean that the derivation introduced; is_result: it is what was asked for."""
 
     number: int
     sides: tuple[Side, ...]
@@ -39,6 +45,8 @@ class NumberedFormula:
     label: Sentence | None = None
     when: TrueWhen = "always"
     unit: str = ""
+    symbols: frozenset[tuple[str, str]] = frozenset()
+    is_result: bool = False
 
 
 @dataclass(frozen=True)
@@ -56,11 +64,21 @@ class Legend:
 
 
 @dataclass(frozen=True)
+class OptionText:
+    """An option of a question, as its author wrote it."""
+
+    text: str
+
+
+Cell = Sentence | Expr | OptionText | str
+
+
+@dataclass(frozen=True)
 class FormulaTable:
-    """A table: header and cells are sentences, expressions or names."""
+    """A table: header and cells are sentences, expressions, options or names."""
 
     header: tuple[Sentence, ...]
-    rows: tuple[tuple[Sentence | Expr | str, ...], ...]
+    rows: tuple[tuple[Cell, ...], ...]
     marks: tuple[Literal["", "right", "wrong"], ...] = ()
 
 
@@ -152,7 +170,11 @@ class Script:
         self._introduce_constants(sides)
         number, self._number = self._number, self._number + 1
         reason = Sentence(why, args or {}) if why else None
-        self._items.append(NumberedFormula(number, sides, tuple(relations), reason, tuple(uses), label, when, unit))
+        known = self.glossary.meanings
+        names = sorted(set[str]().union(*map(names_in, sides)) & known.keys())
+        symbols = frozenset((name, repr(known[name].what)) for name in names)
+        line = NumberedFormula(number, sides, tuple(relations), reason, tuple(uses), label, when, unit, symbols)
+        self._items.append(line)
         return number
 
     def _introduce_constants(self, sides: Sequence[Side]) -> None:

@@ -165,7 +165,7 @@ def _equation(context: Context, script: Script, c: Coordinate, T: Ratio, t_line:
     momentum = f.lowest_terms(f.partial(T, c.speed))
     energy = kinetic_symbol(context)
     of_speed, of_place = Derivative(energy, u, True), Derivative(energy, q, True)
-    script.say("lagrange.coordinate", name=c.name)
+    script.say("lagrange.coordinate", name=q)
     p_line = script.line(of_speed, tidy(momentum), why="", uses=(t_line,))
     rate = f.lowest_terms(model.rate(momentum))
     r_line = script.line(Derivative(of_speed, Symbol("t")), tidy(rate), uses=(p_line,))
@@ -173,9 +173,9 @@ def _equation(context: Context, script: Script, c: Coordinate, T: Ratio, t_line:
     s_line = script.line(of_place, tidy(slope), uses=(t_line,))
     force = model.dynamics.generalized_force(c)
     symbol = context.symbol(f"Q_{c.name}", f"Q_gen_{c.name}")
-    what = Sentence("symbol.generalized_force", {"name": c.name})
+    what = Sentence("symbol.generalized_force", {"name": q})
     script.introduce(Meaning(symbol, what, _force_reader(context, c)))
-    q_line = script.line(symbol, tidy(force), why="lagrange.force", args={"name": c.name})
+    q_line = script.line(symbol, tidy(force), why="lagrange.force", args={"name": q})
     number = script.line(
         Difference(Derivative(of_speed, Symbol("t")), of_place),
         symbol,

@@ -1,33 +1,40 @@
-"""Linear equations solved one unknown at a time, with every step a line of the derivation.
+"""Linear equations solved one unknown at a time, with the steps as lines of the derivation.
 
 Reactions are eliminated first, from the equation in which their coefficient is simplest; then accelerations; what is
-asked for comes last, or is put back in from what was found.
+asked for comes last, or is put back in from what was found. Nobody writes how T = m g - m a follows from m a = m g - T:
+an unknown that stands alone but for a number is taken from its equation as it is, and all that is put into one equation
+is put in at once.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass, field
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from math import gcd
+from types import MappingProxyType
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr
 from freebody.language.sentences import Message
 from freebody.narrative.lines.glossary import TrueWhen
-from freebody.narrative.lines.script import Script
+from freebody.narrative.lines.script import Script, Sentence
 from freebody.narrative.principles.sides import positive_first, scaled
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
-from freebody.symbolic.signs import sign_is_negative
+from freebody.symbolic.signs import sign_is_negative, sign_is_positive
 from freebody.symbolic.tidy import tidy
 
 
 @dataclass
 class EliminationRow:
-    """sum of entries * unknowns = rest, as it stands in line `number`."""
+    """sum of entries * unknowns = rest, as it stands in line `number` but for what has been put in since: unknowns,
+    from other rows. is_isolated: the line says what an unknown is."""
 
     entries: dict[int, Ratio]
     rest: Ratio
     number: int
+    put_in: tuple[tuple[int, EliminationRow], ...] = ()
+    is_isolated: bool = False
 
 
 @dataclass
@@ -47,26 +54,34 @@ class Solver:
         self.script = script
         self.unknowns = unknowns
         self.when: TrueWhen = when
+        self.values: dict[int, tuple[Ratio, int]] = {}  # of all unknowns that were needed
 
     # -- forward and back ---------------------------------------------------------------------
-    def solve(self, rows: Sequence[EliminationRow], asked: Sequence[int]) -> dict[int, tuple[Ratio, int]]:
-        """The values of unknowns and the lines in which they stand. Raises CannotAnswer where the rows do not tell."""
+    def solve(
+        self,
+        rows: Sequence[EliminationRow],
+        asked: Sequence[int],
+        known: Mapping[int, tuple[Ratio, int]] = MappingProxyType({}),
+    ) -> dict[int, tuple[Ratio, int]]:
+        """The values of unknowns and the lines in which they stand. known: those that need not be solved for. Raises
+        CannotAnswer where the rows do not tell."""
         work = [self._without_zeros(row) for row in rows]
         solved: list[tuple[int, EliminationRow]] = []  # unknown, and the row that gives it by later ones
-        order = self._order(work, asked)
+        order = [unknown for unknown in self._order(work, asked) if unknown not in known]
         for unknown in order:
             having = [row for row in work if unknown in row.entries]
             if not having:
                 continue
             pivot = min(having, key=lambda row: self._trouble(row, unknown))
-            work.remove(pivot)
+            work = [row for row in work if row is not pivot]
+            pivot = self._written(pivot)
             if len(having) == 1:  # its only equation decides it
                 solved.append((unknown, pivot))
                 continue
             given = self._isolated(pivot, unknown)
             solved.append((unknown, given))
-            work = [self._put_in(row, unknown, given) if row in having else row for row in work]
-        return self._back(solved, asked)
+            work = [self._with(row, unknown, given) if unknown in row.entries else row for row in work]
+        return self._back(solved, asked, known)
 
     def _order(self, work: Sequence[EliminationRow], asked: Sequence[int]) -> list[int]:
         """Reactions first; among these and among accelerations those in the fewest equations; last the asked
@@ -87,31 +102,35 @@ class Solver:
 
     def _without_zeros(self, row: EliminationRow) -> EliminationRow:
         kept = {u: x for u, x in row.entries.items() if not self.model.samples.vanishes(x)}
-        return EliminationRow(kept, row.rest, row.number)
+        return replace(row, entries=kept)
 
     # -- steps --------------------------------------------------------------------------------
     def _isolated(self, row: EliminationRow, unknown: int) -> EliminationRow:
-        """unknown = (rest - others)/entry, as a line unless it stands there already."""
+        """unknown = (rest - others)/entry, as a line unless it can be read off."""
         entry = row.entries[unknown]
         f = self.field
         others = {u: f.lowest_terms(-x / entry) for u, x in row.entries.items() if u != unknown}
         rest = f.lowest_terms(row.rest / entry)
-        right = self._side(others, rest)
-        if (entry - 1).is_zero() and not others:
-            return EliminationRow(row.entries, row.rest, row.number)
+        entries = {unknown: f.one, **{u: -x for u, x in others.items()}}
+        if entry.fraction() in (1, -1):
+            return EliminationRow(entries, rest, row.number)
         name = self.unknowns.names[unknown]
         number = self.script.line(
             name,
-            right,
+            self._side(others, rest),
             why="solve.from",
             args={"line": row.number, "unknown": name},
             uses=(row.number,),
             when=self.when,
         )
-        return EliminationRow({unknown: f.one, **{u: -x for u, x in others.items()}}, rest, number)
+        return EliminationRow(entries, rest, number, is_isolated=True)
 
     def _put_in(self, row: EliminationRow, unknown: int, given: EliminationRow) -> EliminationRow:
-        """A row with an unknown replaced, collected."""
+        """A row with an unknown replaced, as a line."""
+        return self._written(self._with(row, unknown, given))
+
+    def _with(self, row: EliminationRow, unknown: int, given: EliminationRow) -> EliminationRow:
+        """A row with an unknown replaced."""
         f = self.field
         factor = row.entries[unknown]
         entries = {u: x for u, x in row.entries.items() if u != unknown}
@@ -119,22 +138,33 @@ class Solver:
             if u != unknown:
                 entries[u] = f.lowest_terms(entries.get(u, f.zero) - factor * x)
         rest = f.lowest_terms(row.rest - factor * given.rest)
-        made = self.cleared(self._without_zeros(EliminationRow(entries, rest, 0)))
-        if not made.entries:
-            return made
-        left, right = self.sides(made)
+        made = EliminationRow(entries, rest, row.number, (*row.put_in, (unknown, given)))
+        return self.cleared(self._without_zeros(made))
+
+    def taken(self, unknown: int, given: EliminationRow) -> Sentence:
+        """Of what is put in, where it comes from: from a line that says what it is, or from an equation."""
+        if given.is_isolated:
+            return Sentence("solve.said", {"given": given.number})
+        return Sentence("solve.taken", {"unknown": self.unknowns.names[unknown], "given": given.number})
+
+    def _written(self, row: EliminationRow) -> EliminationRow:
+        """The row as a line, collected, where something has been put into it."""
+        if not row.put_in or not row.entries:
+            return row
+        lines = tuple(dict.fromkeys(given.number for _unknown, given in row.put_in))
+        parts = tuple(self.taken(unknown, given) for unknown, given in row.put_in)
         number = self.script.line(
-            left,
-            right,
+            *self.sides(row),
             why="solve.put_in",
-            args={"given": given.number, "line": row.number},
-            uses=(given.number, row.number),
+            args={"parts": parts, "line": row.number},
+            uses=(*lines, row.number),
             when=self.when,
         )
-        return EliminationRow(made.entries, made.rest, number)
+        return EliminationRow(row.entries, row.rest, number)
 
     def cleared(self, row: EliminationRow) -> EliminationRow:
-        """The row without common denominators that are products, and with a positive first coefficient."""
+        """The row without common denominators that are products, without common factors that are positive, and with a
+        positive first coefficient."""
         f = self.field
         factor = f.one
         for x in (*row.entries.values(), row.rest):
@@ -144,18 +174,38 @@ class Solver:
         leading = [u for u in row.entries if u not in self.unknowns.reactions] or list(row.entries)
         if leading and sign_is_negative(f.lowest_terms(row.entries[min(leading)] * factor)):
             factor = -factor
+        factor = factor / self._common([f.lowest_terms(x * factor) for x in (*row.entries.values(), row.rest)])
         entries = {u: f.lowest_terms(x * factor) for u, x in row.entries.items()}
-        return EliminationRow(entries, f.lowest_terms(row.rest * factor), row.number)
+        return replace(row, entries=entries, rest=f.lowest_terms(row.rest * factor))
 
-    def _back(self, solved: list[tuple[int, EliminationRow]], asked: Sequence[int]) -> dict[int, tuple[Ratio, int]]:
+    def _common(self, parts: Sequence[Ratio]) -> Ratio:
+        """The factors, positive for all parameters, that all parts share."""
+        f, found = self.field, self.field.one
+        present = [x for x in parts if not x.is_zero()]
+        if not present or any(not x.denominator().is_one() for x in present):
+            return found
+        split = [f.factor(x.num, is_quick=True) for x in present]
+        for base, exponent in split[0][1]:
+            shared = min(next((e for b, e in factors if b == base), 0) for _unit, factors in split)
+            if shared and base.is_constant() and sign_is_positive(base):
+                found = found * base ** min(shared, exponent)
+        return found * gcd(*(abs(unit) for unit, _factors in split))
+
+    def _back(
+        self,
+        solved: list[tuple[int, EliminationRow]],
+        asked: Sequence[int],
+        known: Mapping[int, tuple[Ratio, int]],
+    ) -> dict[int, tuple[Ratio, int]]:
         """Values from the last unknown to those that are asked for."""
-        values: dict[int, tuple[Ratio, int]] = {}
+        values = dict(known)
         needed = self._needed(solved, asked)
         for unknown, row in reversed(solved):
             if unknown in needed:
                 values[unknown] = self._value(row, unknown, values)
         if not set(asked) <= set(values):
             raise CannotAnswer(Message("the chosen equations do not contain what is asked for"))
+        self.values = {unknown: value for unknown, value in values.items() if unknown not in known}
         return {unknown: values[unknown] for unknown in asked}
 
     def _value(self, row: EliminationRow, unknown: int, values: dict[int, tuple[Ratio, int]]) -> tuple[Ratio, int]:

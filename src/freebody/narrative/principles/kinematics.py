@@ -161,8 +161,9 @@ class Kinematics:
         return self._slanted_term(body, len(mine) - 1, size, explicit / size, order)
 
     def _slanted_term(self, body: str, k: int, coefficient: Ratio, explicit: Ratio, order: Order) -> Term:
-        name = f"{_LETTERS[order][0]}_{body}_{'tnuw'[k % 4]}{k // 4 or ''}"
-        unit = self._slanted[body][k]
+        unit, first = self._slanted[body][k], self._slanted[body][0]
+        letters = "ntuw" if self._beside_path(body, first) == "normal" else "tnuw"
+        name = f"{_LETTERS[order][0]}_{body}_{letters[k % 4]}{k // 4 or ''}"
         model, center = self.model, self.system.bodies[body].mass_center
 
         def read(world: World) -> float:
@@ -171,9 +172,19 @@ class Kinematics:
             x, y = place(self.system, world.snapshot, center, order)
             return float(along[0] * x + along[1] * y)
 
-        what = Sentence(f"symbol.slanted_{order}", {"body": body, "x": tidy(unit[0]), "y": tidy(unit[1])})
+        kind = self._beside_path(body, unit)
+        what = Sentence(f"symbol.{kind}_{order}", {"body": body, "x": tidy(unit[0]), "y": tidy(unit[1])})
         self.glossary.introduce(Meaning(Symbol(name), what, read, _UNITS[order][0]))
         return self._term(coefficient, Symbol(name), explicit, body, order)
+
+    def _beside_path(self, body: str, unit: Pair) -> str:
+        """Whether a direction is that in which a mass centre moves, or normal to it: v x e = 0, v . e = 0."""
+        x, y, _w = self.model.kinematics.velocities[body]
+        if self.model.samples.vanishes(self.model.field.lowest_terms(x * unit[1] - y * unit[0])):
+            return "tangential"
+        if self.model.samples.vanishes(self.model.field.lowest_terms(x * unit[0] + y * unit[1])):
+            return "normal"
+        return "slanted"
 
     def _straight(self, body: str, order: Order) -> tuple[_Own, Pair] | None:
         """The named measure along which a mass centre moves on a straight line."""

@@ -25,12 +25,18 @@ def parts_of(context: Context, quantity: Quantity) -> tuple[tuple[Ratio, ...], l
 def by_momentum(
     context: Context, script: Script, unknowns: Sequence[int], kinematics: SpatialKinematics | None = None
 ) -> Solved:
-    """Their values and the lines in which these stand. kinematics: with what the script tells of the motion already, in
-    space."""
-    newton = (
-        newton_in_space(context, kinematics or spatial(context, script)) if context.system.space else context.newton
-    )
-    return newton.write(script, newton.plan(unknowns), unknowns)
+    """Their values and the lines in which these stand; those that an earlier derivation has found are taken from there.
+    kinematics: with what the script tells of the motion already, in space."""
+    known = context.found
+    missing = [u for u in unknowns if u not in known]
+    found: Solved = {}
+    if missing:
+        newton = (
+            newton_in_space(context, kinematics or spatial(context, script)) if context.system.space else context.newton
+        )
+        found = newton.write(script, newton.plan(missing, known), missing, known)
+        context.new.update(newton.solved)
+    return {u: found[u] if u in found else known[u] for u in unknowns}
 
 
 def by_method(

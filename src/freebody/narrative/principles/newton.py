@@ -6,7 +6,7 @@ and the rates of momentum are handed in.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Container, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
@@ -87,6 +87,7 @@ class Newton:
         self.words = words or (IN_SPACE_WORDS if in_space else IN_PLANE_WORDS)
         self._value_of, self._numbers = value_of, numbers
         self._named: set[str] = set()
+        self.solved: Solved = {}  # all unknowns of the last solution
         self.is_drawn = True  # diagrams show the start: not what touches only later
 
     def begin(self) -> None:
@@ -115,12 +116,18 @@ class Newton:
         numbers = self._numbers or list(self.glossary.worlds("always"))[-1].numbers
         return Planner(self.table, numbers, self.preferences, self.symmetry.merged, counts_loads=counts_loads)
 
-    def plan(self, unknowns: Sequence[int]) -> Plan:
-        """Principles that determine some unknowns; a friction that slides is known with its normal force."""
+    def plan(self, unknowns: Sequence[int], known: Container[int] = ()) -> Plan:
+        """Principles that determine some unknowns; a friction that slides is known with its normal force. known:
+        unknowns that have been found before."""
+        planner = self.planner
+        found = [k for k, a in enumerate(self.model.accelerations) if a in known]
+        found += [planner.column(row) for row in self.acting.rows if self.acting.generator(row) in known]
         targets = [self._target(unknown) for unknown in unknowns]
+        for target in targets:
+            target[found] = 0.0
         targets = [target for target in targets if target.any()]
         sets = [[target] for target in targets] if self.preferences.one_by_one else [targets] if targets else []
-        return Plan.united([self.planner.plan(np.array(own), self.symmetry.speaking) for own in sets])
+        return Plan.united([planner.plan(np.array(own), self.symmetry.speaking, found) for own in sets])
 
     def condition(self) -> Plan:
         """Principles from which every force that is not known drops out: what is left binds the parameters."""
@@ -137,13 +144,22 @@ class Newton:
         return target
 
     # -- writing ------------------------------------------------------------------------------
-    def write(self, script: Script, plan: Plan, asked: Sequence[int]) -> Solved:
+    def write(
+        self,
+        script: Script,
+        plan: Plan,
+        asked: Sequence[int],
+        known_values: Mapping[int, tuple[Ratio, int]] | None = None,
+    ) -> Solved:
         """Free-body diagrams, principles, what is known of the forces, and the solution; the values of the unknowns and
-        their lines."""
+        their lines. known_values: of unknowns that have been found before."""
         written, known = self.equations(script, plan, asked)
         with script.stage("stage.solution", "hint.solution", n=len(written) + len(known)):
             rows = [self.in_coordinates(script, w) for w in written]
-            return self.solver(script).solve([*rows, *known], list(asked))
+            solver = self.solver(script)
+            found = solver.solve([*rows, *known], list(asked), known_values or {})
+            self.solved = solver.values
+            return found
 
     def equations(
         self, script: Script, plan: Plan, asked: Sequence[int]

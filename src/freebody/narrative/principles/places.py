@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from itertools import combinations
 from typing import Protocol
 
+from freebody.language.expression import Symbol
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, Pose
 from freebody.narrative.lines.script import Sentence
@@ -83,6 +84,17 @@ class Places(Protocol):
         ...
 
 
+_OF_CONTACTS = ("normal force", "friction force", "tooth force", "radial force", "belt force")
+
+
+def contact_point(acting: Acting, connection: str) -> Sentence:
+    """The contact point of a connection, which needs no name where it is the only one."""
+    in_contact = {row.connection for row in acting.rows.values() if row.reaction in _OF_CONTACTS}
+    if in_contact <= {connection}:
+        return Sentence("point.only_contact")
+    return Sentence("point.contact", {"connection": connection})
+
+
 class PlanarPlaces:
     """Directions and points of the plane; moments are about the one axis that points at the reader."""
 
@@ -132,7 +144,7 @@ class PlanarPlaces:
             vector = slopes.get((body, "x"), self.field.zero), slopes.get((body, "y"), self.field.zero)
             others = [b for b, _slot in slopes if b not in (body, GROUND)]
             if not others and (body, "angle") not in slopes and _is_unit(vector):
-                found.append(Aim(vector, Sentence("direction.measure", {"name": name})))
+                found.append(Aim(vector, Sentence("direction.measure", {"name": Symbol(name)})))
         return found
 
     def _along_forces(self, body: str) -> list[Aim]:
@@ -142,7 +154,7 @@ class PlanarPlaces:
             slopes = self.acting.directions[row]
             vector = slopes.get((body, "x"), self.field.zero), slopes.get((body, "y"), self.field.zero)
             if _is_unit(vector):
-                args = {"force": self.acting.symbols[row].name}
+                args = {"force": self.acting.symbol(row)}
                 along.append(Aim(vector, Sentence("direction.along_force", args)))
                 across.append(Aim((vector[1], -vector[0]), Sentence("direction.across_force", args)))
         return [*along, *across]
@@ -181,8 +193,8 @@ class PlanarPlaces:
             point = self._named_point(connection)
             if point:
                 return Sentence("point.named", {"point": point})
-            return Sentence("point.contact", {"connection": connection})
-        return Sentence("point.meeting", {"first": acting.symbols[row_a].name, "second": acting.symbols[row_b].name})
+            return contact_point(acting, connection)
+        return Sentence("point.meeting", {"first": acting.symbol(row_a), "second": acting.symbol(row_b)})
 
     def _named_point(self, connection: str) -> str:
         """The name of the point that a pin holds."""

@@ -201,10 +201,10 @@ class Planner:
         return cost
 
     # -- search -------------------------------------------------------------------------------
-    def plan(self, target: Array, among: Sequence[str] | None = None) -> Plan:
+    def plan(self, target: Array, among: Sequence[str] | None = None, known: Sequence[int] = ()) -> Plan:
         """Principles from whose rows all targets (n_targets, n_unknowns) can be put together. among: bodies that may be
-        cut free. Raises CannotAnswer if there are none."""
-        entries = self._entries(frozenset(among) if among is not None else None)
+        cut free; known: columns of unknowns that have been found before. Raises CannotAnswer if there are none."""
+        entries = _without(self._entries(frozenset(among) if among is not None else None), known)
         chosen = self._search(entries, target)
         if chosen is None:
             raise CannotAnswer(Message("no closed set of principles was found"))
@@ -322,6 +322,14 @@ class Planner:
         small = ROUND_OFF * max(1.0, max(map(abs, together.values()), default=0.0))
         outside = set(self.acting.from_outside(e.principle.bodies)) - self.acting.known.absent.keys()
         return tuple(row for row in self._slopes if row in outside and abs(together[self.column(row)]) < small)
+
+
+def _without(entries: list[Entry], known: Sequence[int]) -> list[Entry]:
+    """The rows in what is still unknown."""
+    if not known:
+        return entries
+    left = [(e, np.where(np.isin(np.arange(len(e.row)), known), 0.0, e.row)) for e in entries]
+    return [replace(e, row=row) for e, row in left if row.any()]
 
 
 def _thinned(entries: list[Entry], most_alike: int | None) -> list[Entry]:

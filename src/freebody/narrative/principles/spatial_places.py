@@ -16,7 +16,7 @@ from freebody.model.elements import NonholonomicForm
 from freebody.model.spins import body_axes
 from freebody.narrative.lines.script import Sentence
 from freebody.narrative.principles.acting import Acting
-from freebody.narrative.principles.places import Aim, MomentAxis, MomentCentre, Vector
+from freebody.narrative.principles.places import Aim, MomentAxis, MomentCentre, Vector, contact_point
 from freebody.narrative.principles.rolling import contact_arm, rolling_body
 from freebody.questions.vectors import AXES, ORIGIN, components_of, cross, dot
 from freebody.symbolic.spatial.bodies import SpatialBodies
@@ -118,7 +118,7 @@ class SpatialPlaces:
                 arm = self._elements(contact_arm(*rolling, self.state))
                 center = self._coordinates(rolling[0].center)
                 place = tuple(self.field.lowest_terms(c + r) for c, r in zip(center, arm, strict=True))
-                yield MomentCentre(place, Sentence("point.contact", {"connection": connection}), is_fixed=False)
+                yield MomentCentre(place, contact_point(self.acting, connection), is_fixed=False)
 
     def _centre(self, place: Vector, words: Sentence, center_of: str = "") -> MomentCentre:
         is_fixed = self.acting.is_at_rest or all(self.model.samples.vanishes(self.model.rate(x)) for x in place)

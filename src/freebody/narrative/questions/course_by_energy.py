@@ -43,7 +43,7 @@ def lines_by_energy(way: EventWay) -> list[int]:
         left = add(multiply(tidy(end[0]), power(u, number(2))), tidy(end[1]))
         right = tidy(f.lowest_terms(m_start * u0 * u0 + v_start))
         uses = (*lines, given)
-        args: dict[str, Argument] = {"lines": tuple(lines), "line": given}
+        args: dict[str, Argument] = {"lines": uses}
         key = "course.jacobi_kept" if is_driven(model) else "course.energy"
         kept = script.line(left, right, why=key, args=args, uses=uses, when="event")
         if event.order == 1:

@@ -82,8 +82,21 @@ def _uniform(way: EventWay) -> list[int]:
         more = [line for other in way.beside for line in law_lines(other)]
     with script.stage("stage.event", "hint.event"):
         at = place_line(way)
-        _time_lines(way, x_line, u_line, square, at, t)
+        if square is not None and _is_of_place(way):
+            way.by_place = (square, at)
+        else:
+            _time_lines(way, x_line, u_line, square, at, t)
     return [u_line, x_line, *([square] if square else []), *more]
+
+
+def _is_of_place(way: EventWay) -> bool:
+    """Whether a place is reached, and the speed of the coordinate there is all that is asked."""
+    event, q = way.question.event, way.question.quantity
+    if not isinstance(event, QuestionEvent) or event.order != 0 or q.is_of_event or q.scope == "course" or way.beside:
+        return False
+    f = way.acceleration.field
+    value = q.value(way.context.system, way.context.setup.state)
+    return not isinstance(value, tuple) and (f.element(value) - f.variable(way.coordinate.speed)).is_zero()
 
 
 def sum_of(first: Ratio, *terms: tuple[Ratio, Expr]) -> Expr:

@@ -48,6 +48,7 @@ class EventWay(AtEvent):
     acceleration: Ratio
     line: int  # of the acceleration
     beside: list[EventWay] = field(default_factory=list["EventWay"])  # of other coordinates that are asked for
+    by_place: tuple[int, ...] = ()  # lines that give the speed without the time
 
     @property
     def law(self) -> MotionLaw | None:
@@ -110,8 +111,10 @@ def _tell_asked(q: Quantity, way: AtEvent, lines: Sequence[int]) -> None:
     if len(there) != 1:
         raise CannotAnswer(Message("a vector at an event is told by its components"))
     shown, last = tidy(there[0]), script.next_number - 1
+    if isinstance(way, EventWay) and way.by_place and (general[0] - f.variable(way.coordinate.speed)).is_zero():
+        lines = way.by_place
     uses = tuple(dict.fromkeys((*lines, *(line for _v, line in found.values()))))
-    with script.stage("stage.value", "hint.value"):
+    with script.stage("stage.there", "hint.there"):
         own = {f.variable(k.index): Symbol(k.name) for k in model.coordinates}
         own_rates = {f.variable(k.speed): rates_of(k.name, 1) for k in model.coordinates}
         if (known := (own | own_rates).get(general[0])) is not None:
@@ -120,8 +123,10 @@ def _tell_asked(q: Quantity, way: AtEvent, lines: Sequence[int]) -> None:
             symbol = asked_symbol(context, question)
             script.add(asked_entry(symbol, question))
             before = tidy(f.lowest_terms(general[0]))
-            if before != shown:
-                last = script.line(symbol, before, why="course.general", args={"lines": uses}, uses=uses, when="event")
+            is_found = any((parts[0] - f.variable(u)).is_zero() for u in found)
+            if before != shown and not is_found:
+                own = tuple(dict.fromkeys(line for _v, line in found.values())) or uses
+                last = script.line(symbol, before, why="course.general", args={"lines": own}, uses=own, when="event")
                 uses = (*uses, last)
         script.line(symbol, shown, why="course.there", args={"lines": uses}, uses=uses, when="event")
     _ends_in_answer(way, there[0])
@@ -135,7 +140,7 @@ def _work(quantity: Work, way: AtEvent, lines: Sequence[int]) -> None:
     states = setup.start_instant, SymbolicState(setup.model, setup.motion.known_at(way.reached))
     applied_loads = [p for p in context.system.applied_loads if p.load == quantity.of]
     before, after = (f.lowest_terms(sum((s.potential(p) for p in applied_loads), f.zero)) for s in states)
-    with script.stage("stage.value", "hint.value"):
+    with script.stage("stage.there", "hint.there"):
         symbol = asked_symbol(context, way.question)
         script.add(asked_entry(symbol, way.question))
         right = add(tidy(before), multiply(number(-1), tidy(after)))

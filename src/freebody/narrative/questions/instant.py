@@ -64,7 +64,7 @@ def _finish_at_start(
     values = tuple(f.lowest_terms(here.here(part)) for part in parts)
     total = before.total
     assert total is not None
-    with script.stage("stage.value", "hint.value"):
+    with script.stage("stage.sum", "hint.sum"):
         script.add(asked_entry(name, question, n=len(parts)))
         left = side_of(name, len(parts))
         args: dict[str, Argument] = {"lines": before.lines}
@@ -88,8 +88,12 @@ def finish(
     lines = (*(before.lines if before else ()), *(line for _value, line in found.values()))
     is_there = len(parts) == 1 and any((parts[0] - f.variable(u)).is_zero() for u in found)
     last = lines[-1] if lines else 0
+    if is_there and not script.stages and not question.at_start:  # an earlier derivation has found it
+        with script.stage("stage.value"):
+            script.say("result.found", line=last)
     if not is_there:
-        with script.stage("stage.value", "hint.value"):
+        kind = "sum" if before is not None and before.total is not None else "value"
+        with script.stage(f"stage.{kind}", f"hint.{kind}"):
             script.add(asked_entry(name, question, n=len(parts)))
             shown = written(general)
             sides: list[Expr | tuple[Expr, ...]] = [side_of(name, len(general))]

@@ -399,7 +399,7 @@ def _transmission(q: TransmissionAngle, told: _Told) -> None:
             return extreme_in_numbers(links, world.draw, is_least=q.end == "least")
         return transmission_in_numbers(links, event, world.draw, world.snapshot.q)
 
-    _introduce(script, Meaning(name, Sentence("symbol.asked", {"question": question.text}), asked, "rad"))
+    _introduce(script, Meaning(name, Sentence("symbol.asked"), asked, "rad"))
     given: dict[str, Argument] = {"lines": (line, second)}
     why = f"linkage.{q.end}" if q.end else "linkage.solved"
     when = "start" if question.at_start else "never" if q.end or event is not None else "always"

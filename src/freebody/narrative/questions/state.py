@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import singledispatch
 from typing import Protocol
 
-from freebody.language.expression import Expr, Symbol, add, multiply, number, power
+from freebody.language.expression import Expr, Symbol, add, multiply, n_operations, number, power
 from freebody.measures.geometry import Point
 from freebody.model.elements import AppliedLoad, RigidBody
 from freebody.narrative.context import Context, Method
@@ -129,18 +129,20 @@ def _energy(q: Energy, context: Context, script: Script) -> tuple[list[int], lis
     symbols: list[Expr] = []
     with script.stage("stage.parts", "hint.parts"):
         if q.what in ("kinetic", "total"):
-            for body in system.moving:
-                if q.body is None or q.body == body.name:
-                    more = kinetic_of(context, script, body.name)
-                    lines += more
-                    symbols += [name_of(context, "T", body.name)] if more else []
+            meant = [body for body in system.moving if q.body is None or q.body == body.name]
+            for body in meant:
+                context.rates.explain_velocities(script, kinetic_terms(context, body.name)[1])
+            for body in meant:
+                more = kinetic_of(context, script, body.name)
+                lines += more
+                symbols += [name_of(context, "T", body.name)] if more else []
         if q.what in ("potential", "total"):
             lines += stored(context, script, q.body, symbols)
     return lines, symbols
 
 
-def kinetic_of(context: Context, script: Script, body: str) -> list[int]:
-    """T = m v^2/2 + I w^2/2 of one body, and the constraints that its velocity obeys."""
+def kinetic_terms(context: Context, body: str) -> tuple[list[Expr], list[Term]]:
+    """m v^2/2 and I w^2/2 of one body, and the velocities in them."""
     square, terms = _square(context, body)
     turning = context.rates.kinematics.turning(body, 1) if context.system.bodies[body].turns else None
     mass, _m, inertia = context.setup.model.dynamics.inertias[body]
@@ -150,14 +152,24 @@ def kinetic_of(context: Context, script: Script, body: str) -> list[int]:
     if turning is not None and not inertia.is_zero():
         parts.append(multiply(tidy(inertia / 2), power(turning.symbol, number(2))))
         terms = [*terms, turning]
+    return parts, terms if parts else []
+
+
+def kinetic_of(context: Context, script: Script, body: str) -> list[int]:
+    """T = m v^2/2 + I w^2/2 of one body, after the constraints that its velocity obeys."""
+    parts, terms = kinetic_terms(context, body)
     if not parts:
         return []
+    velocities = context.rates.explain_velocities(script, terms)
     symbol = name_of(context, "T", body)
     what = Sentence("symbol.kinetic_of", {"body": body})
     script.introduce(Meaning(symbol, what, Energy("kinetic", body), "J"))
     context.rates.announce(script, terms)
-    own = script.line(symbol, add(*parts), why="energy.of_body", args={"body": body})
-    return [own, *context.rates.explain_velocities(script, terms)]
+    written, f = add(*parts), context.setup.model.field
+    value = f.element(Energy("kinetic", body).value(context.system, context.setup.state))
+    inserted = tidy(f.lowest_terms(value))
+    sides = (written, inserted) if velocities and n_operations(inserted) <= n_operations(written) else (written,)
+    return [script.line(symbol, *sides, why="energy.of_body", args={"body": body}, uses=velocities), *velocities]
 
 
 def stored(context: Context, script: Script, body: str | None, terms: list[Expr]) -> list[int]:

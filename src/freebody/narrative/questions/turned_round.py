@@ -88,7 +88,7 @@ def _stationary(
     model = context.setup.model
     slope = derivative_by(model, model.geometry.scalar(formula), model.field.index(model.parameters[name]))
     unit = "rad" if context.system.parameters[name].is_angle else str(context.system.parameters[name].dimension)
-    symbol, what = context.symbol(f"{name}_req", f"{name}_asked"), Sentence("symbol.asked", {"question": question.text})
+    symbol, what = context.symbol(f"{name}_req", f"{name}_asked"), Sentence("symbol.asked")
     script.glossary.redefine(Meaning(symbol, what, lambda world: float(world.of(place)[0]), unit))
     script.add(Legend(((symbol, what, unit),)))
     left, right = parted(substitute(readable(slope.numerator()), {name: symbol}))
@@ -116,7 +116,7 @@ def _tends(context: Context, script: Script, question: Question, formula: Expr, 
             found.append(float(world.of(substitute(formula, {parameter: number(Fraction(x))}))[0]))
         return 2.0 * found[1] - found[0]
 
-    what = Sentence("symbol.asked", {"question": question.text})
+    what = Sentence("symbol.asked")
     script.glossary.redefine(Meaning(name, what, near, question.quantity.unit))
     script.add(Legend(((name, what, question.quantity.unit),)))
     when = "event" if question.event is not None else "start" if question.at_start else "always"

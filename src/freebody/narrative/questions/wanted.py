@@ -33,7 +33,7 @@ def introduced(
     assert quantity is not None
     ends = [""] if len(values) == 1 else [str(k + 1) for k in range(len(values))]
     names = [context.symbol(f"{quantity.parameter}_req{end}", f"{quantity.parameter}_asked{end}") for end in ends]
-    what = Sentence("symbol.asked", {"question": question.text})
+    what = Sentence("symbol.asked")
     for name, value in zip(names, values, strict=True):
         script.glossary.redefine(Meaning(name, what, reader(value), question.quantity.unit))
         script.add(Legend(((name, what, question.quantity.unit),)))

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from freebody.language.expression import Expr
 from freebody.narrative.lines.script import Sentence, ready
 from freebody.narrative.telling.catalogue import Catalogue
-from freebody.narrative.telling.telling import raised
+from freebody.narrative.telling.raising import raised
 from freebody.present.report.blocks import Emphasis, Formula, Table, Text
 from freebody.study.answering.answer import Answer
 

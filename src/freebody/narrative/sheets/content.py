@@ -26,6 +26,13 @@ class SheetContent:
     seed: int
     language: str
     _made: tuple[tuple[Variant, ...], ...]
+    room: float = 0.0  # [cm] to write in under a question
+    in_numbers: bool = False  # options are shown with the numbers of the variant
+
+    @property
+    def points(self) -> float:
+        """Of all questions."""
+        return sum(q.points or 0.0 for system in self.systems for q in system.questions)
 
     def variant(self, n: int) -> tuple[Variant, ...]:
         """The exercises of a variant. Raises InputError for one that there is not."""

@@ -19,6 +19,7 @@ from freebody.progress import busy_with
 from freebody.system.system import System
 
 MOST_VARIANTS = 1000
+ROOM = 3.0  # [cm]
 
 
 class Sheet(SheetContent):
@@ -64,9 +65,14 @@ def sheet(
     variants: int = 1,
     seed: int = 0,
     language: str = "en",
+    room: float | None = None,
+    numeric: bool = False,
 ) -> Sheet:
     """An exercise sheet of several systems. With one variant and no seed it is as the models have it; else every
     variant has its own numbers and its own order of options, the same for the same seed.
+
+    room: [cm] to write in under a question on paper, by default 3 without solutions; numeric: options that are formulas
+    are shown as the numbers that they give in the variant.
 
     Raises InputError for systems without questions and for unknown words, ModelError where a system cannot be
     assembled, all of them in one message."""
@@ -85,14 +91,17 @@ def sheet(
                 most=MOST_VARIANTS,
             )
         )
+    space = (ROOM if chosen == "none" else 0.0) if room is None else room
+    if space < 0:
+        raise InputError(Message("the room under a question cannot be {room} cm", room=f"{space:g}"))
     given = _solved(systems)
     if variants == 1 and not seed:
-        return Sheet(systems, chosen, 1, seed, language, (given,))
+        return Sheet(systems, chosen, 1, seed, language, (given,), space, numeric)
     made: list[tuple[Variant, ...]] = []
     for n in range(1, variants + 1):
         busy_with(f"finding numbers for sheet {n} of {variants}")
         made.append(tuple(variant_of(v.system, v.solution, f"{seed}/{n}/{k}") for k, v in enumerate(given)))
-    return Sheet(systems, chosen, variants, seed, language, tuple(made))
+    return Sheet(systems, chosen, variants, seed, language, tuple(made), space, numeric)
 
 
 def load_systems(paths: Iterable[str | Path]) -> list[System]:

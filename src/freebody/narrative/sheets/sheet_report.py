@@ -8,9 +8,11 @@ from typing import Any, cast
 from freebody.narrative.lines.script import Sentence
 from freebody.narrative.sheets.answer_key import key_table
 from freebody.narrative.sheets.content import SheetContent
+from freebody.narrative.sheets.in_numbers import options_in_numbers
 from freebody.narrative.sheets.statement import ExerciseStatement, title_of
 from freebody.narrative.sheets.variants import Variant
 from freebody.narrative.telling.catalogue import Catalogue
+from freebody.narrative.telling.house import in_style
 from freebody.present.report.blocks import (
     Block,
     Equation,
@@ -23,6 +25,7 @@ from freebody.present.report.blocks import (
     Section,
     Step,
     Table,
+    Text,
     equation_numbers,
 )
 
@@ -40,12 +43,12 @@ class SheetWriter:
 
     def report(self) -> Report:
         catalogue, sheet = self.catalogue, self.sheet
-        blocks: list[Block] = []
+        blocks: list[Block] = [self._name_line()] if sheet.solutions == "none" else []
         solutions: list[Block] = []
         for number, exercise in enumerate(self.exercises, 1):
             title = {"n": number, "title": f"@{title_of(exercise.system, catalogue)}"}
-            set_ = ExerciseStatement(exercise.system, catalogue, number, self.n_figures + 1).blocks()
-            self.n_figures += sum(isinstance(block, Figure) for block in set_)
+            set_ = self._set(exercise, number)
+            self.n_figures = max([self.n_figures, *_figure_numbers(set_)])
             solved: tuple[Block, ...] = ()
             if sheet.solutions == "inline":
                 solved = self._solution(exercise, number)
@@ -62,6 +65,21 @@ class SheetWriter:
         return Report(
             catalogue.word("sheet.title"), catalogue.language, self._subtitle(), tuple(blocks), catalogue.report_words
         )
+
+    def _set(self, exercise: Variant, number: int) -> tuple[Block, ...]:
+        """The exercise as it is set."""
+        system, numbers = exercise.system, dict[str, Text]()
+        if self.sheet.in_numbers:
+            for question, answer in zip(system.questions, exercise.solution.answers, strict=True):
+                numbers |= options_in_numbers(system, question, answer)
+        figure, room = self.n_figures + 1, self.sheet.room
+        statement = ExerciseStatement(system, self.catalogue, number, figure, room=room, numbers=numbers)
+        return in_style(statement.blocks(), system.style)
+
+    def _name_line(self) -> Paragraph:
+        points = self.sheet.points
+        key = "sheet.name_line_of" if points else "sheet.name_line"
+        return Paragraph((self.catalogue.plain(Sentence(key, {"points": f"@{points:g}"})),))
 
     def _subtitle(self) -> str:
         if self.sheet.variants == 1:

@@ -2,22 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from typing import Any, cast
 
-from freebody.errors import CannotAnswer, ExpressionError, FreebodyError, ModelError
+from freebody.errors import ExpressionError, FreebodyError
 from freebody.language.expression import Expr, Number, Symbol, free_symbols
 from freebody.language.parser import parse
 from freebody.language.units import DIMENSIONLESS, TIME
 from freebody.measures.geometry import ZERO
 from freebody.model.elements import RigidBody
 from freebody.model.phrases import phrase_text
-from freebody.narrative.lines.script import Sentence, ready
+from freebody.narrative.lines.script import Argument, Sentence, ready
 from freebody.narrative.sheets.asking import asking
+from freebody.narrative.sheets.authored import authored, with_symbols
+from freebody.narrative.sheets.options import shown
 from freebody.narrative.telling.catalogue import Catalogue
-from freebody.narrative.telling.telling import raised
-from freebody.present.report.blocks import Block, Bullets, Emphasis, Figure, Formula, Paragraph, Table, Text
+from freebody.narrative.telling.raising import raised
+from freebody.present.report.blocks import Block, Choices, Emphasis, Figure, Formula, Paragraph, Room, Text, Unbroken
 from freebody.questions.motion import rates_of
 from freebody.questions.reading import Question
 from freebody.study.mobility.gruebler import gruebler
@@ -27,8 +29,19 @@ from freebody.system.system import System
 class ExerciseStatement:
     """The statement of one exercise in one language. number: of the exercise; figure: of its picture."""
 
-    def __init__(self, system: System, catalogue: Catalogue, number: int, figure: int) -> None:
+    def __init__(
+        self,
+        system: System,
+        catalogue: Catalogue,
+        number: int,
+        figure: int,
+        *,
+        room: float = 0.0,
+        numbers: Mapping[str, Text] | None = None,
+    ) -> None:
+        """room: [cm] to write in under a question; numbers: options that are shown in numbers."""
         self.system = system
+        self.room, self.numbers = room, numbers or {}
         self.catalogue = catalogue
         self.number = number
         self.figure = figure
@@ -38,19 +51,23 @@ class ExerciseStatement:
         return tuple(self._blocks())
 
     def _blocks(self) -> Iterator[Block]:
+        """What is said of the model stays together with its picture, and each question with its options."""
         system = self.system
+        told: list[Block] = []
         if system.about:
-            yield Paragraph((" ".join(system.about.split()),))
-        yield from self._picture()
-        yield from self._bodies()
-        yield from self._connections()
-        for text in system.assumptions:
-            yield Paragraph(self._say("system.assumed", text=ready(text)))
-        yield from self._symbols()
-        yield from self._start()
-        yield from self._given()
+            told.append(Paragraph(authored(system.about, system)))
+        told += self._picture()
+        told += self._bodies()
+        if not system.about:
+            told += self._connections()
+        told += [Paragraph(self._say("system.assumed", text=ready(text))) for text in system.assumptions]
+        told += [*self._symbols(), *self._start(), *self._given()]
+        yield Unbroken(tuple(told))
         for k, question in enumerate(system.questions, 1):
-            yield from self._question(question, k)
+            asked: list[Block] = [*self._question(question, k)]
+            if self.room:
+                asked.append(Room(self.room / 2 if question.options else self.room))
+            yield Unbroken(tuple(asked))
 
     def _say(self, key: str, **args: Any) -> Text:
         return self.catalogue.tell(Sentence(key, args))
@@ -66,51 +83,67 @@ class ExerciseStatement:
 
     # -- the model ----------------------------------------------------------------------------
     def _bodies(self) -> Iterator[Block]:
+        """The bodies with shape, mass, size and moment of inertia, in one sentence."""
         given = cast("dict[str, Any]", self.system.document.data.get("bodies") or {})
-        rows: list[tuple[Text, ...]] = []
+        told: list[Text] = []
         for body in self.system.moving:
             entry = given.get(body.name)
             shape = next(iter(cast("dict[str, Any]", entry)), "") if isinstance(entry, dict) else ""
-            inertia = _inertia(body) if body.turns else ()
-            mass: Text = () if body.mass == ZERO else _with_unit(body.mass, "kg")
-            if not (mass or inertia):
-                mass = self._say("sheet.massless")
-            name: Text = (Emphasis(body.name, "code"),)
-            rows.append((name, self._say("sheet.shape_of", shape=f"@shape.{shape}"), mass, inertia))
-        if rows:
-            header = tuple(self._say(f"sheet.{name}") for name in ("body", "shape", "mass", "inertia"))
-            yield Table(header, tuple(rows))
+            parts: list[Text] = [self._say("sheet.shape_of", shape=f"@shape.{shape}")]
+            if body.mass != ZERO:
+                parts.append((self.catalogue.word("sheet.mass"), " ", *_with_unit(body.mass, "kg")))
+            sizes = self._sizes(cast("dict[str, Any]", entry).get(shape) if isinstance(entry, dict) else None)
+            parts += sizes
+            inertia = _inertia(body) if body.turns and not sizes else ()
+            if inertia:
+                parts.append((self.catalogue.word("sheet.inertia"), " ", *inertia))
+            elif body.mass == ZERO:
+                parts.append(self._say("sheet.massless"))
+            told.append((self.catalogue.name(body.name), " (", *_in_turn(parts), ")"))
+        if told:
+            yield Paragraph((*self._say("sheet.bodies"), " ", *_in_turn(told, "; "), "."))
+
+    def _sizes(self, entry: object) -> list[Text]:
+        """Radius, length and so on, as the file has them."""
+        found: list[Text] = []
+        for key, value in (cast("dict[str, Any]", entry) if isinstance(entry, dict) else {}).items():
+            if self.catalogue.has(f"size.{key}") and isinstance(value, str):
+                try:
+                    found.append((self.catalogue.word(f"size.{key}"), " ", Formula((parse(value),))))
+                except ExpressionError:  # a number with a unit
+                    found.append((self.catalogue.word(f"size.{key}"), " ", value))
+        return found
 
     def _connections(self) -> Iterator[Block]:
-        rows: list[tuple[Text, ...]] = []
-        for c in gruebler(self.system).connections:
-            if c.n:
-                rows.append(self._acting(c.connection, c.kind, c.between))
+        """Connections and loads, in a sentence each."""
+        told = [self._acting(c.connection, c.kind, c.between) for c in gruebler(self.system).connections if c.n]
+        if told:
+            yield Paragraph((*self._say("sheet.connections"), " ", *_in_turn(told, "; "), "."))
+        told = list[Text]()
         for name, load in self.system.loads.items():
             pushed = (*self.system.applied_loads, *self.system.impulses)
             on = dict.fromkeys(b for p in pushed if p.load == name for b in p.measure.bodies())
             bodies = tuple(b for b in on if not self.system.bodies[b].fixed)
             everywhere = len(bodies) == len(self.system.moving) > 1
-            rows.append(self._acting(name, load.kind, () if everywhere else bodies))
-        if rows:
-            header = tuple(self._say(f"sheet.{name}") for name in ("connection", "kind", "between"))
-            yield Table(header, tuple(rows))
+            told.append(self._acting(name, load.kind, () if everywhere else bodies))
+        if told:
+            yield Paragraph((*self._say("sheet.loads"), " ", *_in_turn(told, "; "), "."))
 
-    def _acting(self, name: str, kind: str, bodies: tuple[str, ...]) -> tuple[Text, ...]:
+    def _acting(self, name: str, kind: str, bodies: tuple[str, ...]) -> Text:
         where = self._say("sheet.names", names=bodies) if bodies else self._say("sheet.all_bodies")
-        return (Emphasis(name, "code"),), self._say("sheet.kind_of", kind=f"@kind.{kind.replace('_', ' ')}"), where
+        what = self._say("sheet.kind_of", kind=f"@kind.{kind.replace('_', ' ')}")
+        return (self.catalogue.name(name), " (", *what, ", ", *where, ")")
 
     # -- symbols and numbers ------------------------------------------------------------------
     def _symbols(self) -> Iterator[Block]:
         given = cast("dict[str, Any]", self.system.document.data.get("measures") or {})
-        items: list[Text] = []
+        told: list[Text] = []
         for name in self.system.measures:
             phrase = phrase_text(given.get(name))
             if phrase is not None:
-                items.append((Formula((Symbol(name),)), " — ", *self._say("sheet.phrase", phrase=f"@{phrase}")))
-        if items:
-            yield Paragraph(self._say("sheet.symbols"))
-            yield Bullets(tuple(items))
+                told.append((Formula((Symbol(name),)), " (", *self._say("sheet.phrase", phrase=f"@{phrase}"), ")"))
+        if told:
+            yield Paragraph((*self._say("sheet.symbols"), " ", *_in_turn(told), "."))
 
     def _start(self) -> Iterator[Block]:
         formulas: list[Formula] = []
@@ -151,10 +184,25 @@ class ExerciseStatement:
     # -- questions ----------------------------------------------------------------------------
     def _question(self, question: Question, k: int) -> Iterator[Block]:
         label = Emphasis(label_of(self.number, k, len(self.system.questions)))
-        yield Paragraph((label, " ", *self.catalogue.tell(asking(self.system, question))))
+        said = authored(question.words, self.system) if question.words else self._asking(question)
+        worth = () if question.points is None else (" ", Emphasis(self._worth(question.points), "soft"))
+        yield Paragraph((label, " ", *said, *worth))
         if question.options:
-            said = ((letter, self.catalogue.option(text)) for letter, text in question.options.items())
-            yield Bullets(tuple((f"({letter}) ", *shown(text)) for letter, text in said))
+            yield Choices(tuple((f"({letter})", self._option(text)) for letter, text in question.options.items()))
+
+    def _asking(self, question: Question) -> Text:
+        return with_symbols(self.catalogue.tell(asking(self.system, question)), question, self.system)
+
+    def _worth(self, points: float) -> str:
+        args: dict[str, Argument] = {"n": 1} if points == 1 else {"points": f"@{points:g}"}
+        return self.catalogue.plain(Sentence("sheet.points", args))
+
+    def _option(self, text: str) -> Text:
+        return self.numbers.get(text) or shown(self.catalogue.option(text))
+
+
+def _in_turn(texts: Sequence[Text], between: str = ", ") -> Text:
+    return tuple(piece for k, text in enumerate(texts) for piece in ((between, *text) if k else text))
 
 
 def _value(name: str, text: str) -> Text:
@@ -192,20 +240,6 @@ def title_of(system: System, catalogue: Catalogue) -> str:
 def label_of(number: int, k: int, n_questions: int) -> str:
     """2, or 2.1 where an exercise asks several things."""
     return f"{number}.{k}" if n_questions > 1 else f"{number}"
-
-
-def shown(option: str) -> Text:
-    """An option as a formula where it is one, else in its words."""
-    text = option.strip()
-    try:
-        if text.startswith("[") and text.endswith("]"):
-            parts: tuple[Expr, ...] = tuple(parse(part.strip()) for part in text[1:-1].split(","))
-            return (Formula((parts,)),)
-        if " " in text and not any(sign in text for sign in "+-*/^()="):
-            return (text,)
-        return (Formula((parse(text),)),)
-    except (ExpressionError, CannotAnswer, ModelError):
-        return (text,)
 
 
 def _listed(formulas: list[Formula]) -> Text:

@@ -39,10 +39,10 @@ class Angles:
             measure = self.bodies.tree.angles[name]
             for order in (0, 1, 2):
                 symbol = rates_of(name, order)
-                what = Sentence("space.joint_angle", {"name": name})
+                what = Sentence("space.joint_angle", {"name": Symbol(name)})
                 self.glossary.introduce(Meaning(symbol, what, OfMeasure(measure, order, name)))
             if name not in self._introduced:
-                entries.append((Symbol(name), Sentence("space.joint_angle", {"name": name}), "rad"))
+                entries.append((Symbol(name), Sentence("space.joint_angle", {"name": Symbol(name)}), "rad"))
                 self._introduced.add(name)
         if entries:
             self.frames.script.add(Legend(tuple(entries)))

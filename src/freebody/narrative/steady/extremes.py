@@ -120,7 +120,7 @@ def _between(context: Context, script: Script, question: Question, sweep: _Sweep
         return (math.tau - angle) / angle
 
     name = context.symbol("S" if q.what == "stroke" else "Q", f"asked_{question.id}")
-    meaning = Sentence("symbol.asked", {"question": question.text})
+    meaning = Sentence("symbol.asked")
     named(context, script, Meaning(name, meaning, read, q.unit))
     why = f"steady.{q.what.replace(' ', '_')}"
     script.line(name, tidy(found), why=why, args={"line": last}, uses=(last,), when="never")

@@ -11,24 +11,30 @@ from __future__ import annotations
 
 import re
 from functools import cache
+from itertools import takewhile
 from typing import Any, cast
 
 from freebody.errors import InputError
 from freebody.language.expression import Call, Number, PowerOf, ProductOf, Sum, Symbol
 from freebody.language.notation import Stated
+from freebody.language.parser import GREEK
 from freebody.language.sentences import Message
+from freebody.language.units import Dimension
+from freebody.messages import Shown
 from freebody.model.noting import did_you_mean
-from freebody.narrative.lines.script import Argument, Sentence
+from freebody.narrative.lines.script import REFERENCES, Argument, Sentence
+from freebody.narrative.telling.dollars import formula_of
 from freebody.narrative.telling.phrases import GENERAL, MESSAGES, TABLE, phrases_of
+from freebody.narrative.telling.raising import raised
 from freebody.narrative.words import languages, tables_of
-from freebody.present.report.blocks import Emphasis, Formula, Piece, Reference, Text
+from freebody.present.report.blocks import Emphasis, Formula, Piece, Reference, Relation, Text
 from freebody.present.report.words import ENGLISH
 
-_REFERENCES = ("line", "lines", "given")
 _KEY = re.compile(r"(reaction|axis|kind)\.[a-z _]+")
 _PLACE = re.compile(r"\{(\w+)\}")
 _OF_MODELS = "en"  # the language of model files and of the layers below
 _FIRST = {"text": "happening", "event": "happening"}  # the phrases that a place asks for before all others
+_LETTER = re.compile(rf"(?:[A-Za-z]|{'|'.join(sorted(GREEK, key=len, reverse=True))})(?:_?\d+|_[A-Za-z0-9])?")
 _EXPRESSIONS = (Number, Symbol, Sum, ProductOf, PowerOf, Call)
 
 
@@ -49,11 +55,6 @@ class Catalogue:
         self._english = _read(_OF_MODELS)
         self._phrases = phrases_of(language)
 
-    @property
-    def quotes(self) -> bool:
-        """Whether models are written in this language, so that their words are shown as they stand."""
-        return self.language == _OF_MODELS
-
     def has(self, key: str) -> bool:
         return key in self._words or key in self._english
 
@@ -63,7 +64,7 @@ class Catalogue:
         other = f"{key.rpartition('.')[0]}.any"
         for words in (self._words, self._english):
             if key in words or other in words:
-                return words.get(key) or words[other]
+                return words[key] if key in words else words[other]
         return self._english[key]
 
     def tell(self, sentence: Sentence) -> Text:
@@ -74,14 +75,21 @@ class Catalogue:
         pieces: list[Piece] = []
         template, end = self.template(key), 0
         for found in _PLACE.finditer(template):
-            pieces.append(template[end : found.start()])
+            pieces += _with_formulas(template[end : found.start()])
             pieces += self._filled(found[1], sentence.args.get(found[1], ""))
             end = found.end()
-        pieces.append(template[end:])
+        pieces += _with_formulas(template[end:])
         kept = [p for p in pieces if p != ""]
         if template.startswith("{") and template.endswith(".") and kept and isinstance(kept[0], str):
             kept[0] = kept[0][:1].upper() + kept[0][1:]
         return tuple(kept)
+
+    def titled(self, sentence: Sentence) -> Text:
+        """A sentence as a title has it: without its article, and with a capital."""
+        pieces = self.tell(sentence)
+        words = list(takewhile(lambda piece: isinstance(piece, str), pieces))
+        first = re.sub(rf"^(?:{self.word('list.articles')}) ", "", "".join(map(str, words)))
+        return (first[:1].upper() + first[1:], *pieces[len(words) :])
 
     def plain(self, sentence: Sentence) -> str:
         """A sentence as plain words, for titles and labels."""
@@ -126,27 +134,52 @@ class Catalogue:
         kinds = (_FIRST[place], GENERAL) if place in _FIRST else (GENERAL,)
         return next((said for kind in kinds if (said := self._phrases.said(text, kind)) is not None), text)
 
+    def pieces(self, text: str, place: str = "") -> list[Piece]:
+        """The same with its formulas and units as such."""
+        if not isinstance(text, Message | Stated):
+            return [self.said(text, place)]
+        found: list[Piece] = []
+        for part in self._phrases.parts(text, _FIRST.get(place, GENERAL)):
+            if isinstance(part, Stated) and part.sides is not None:
+                left, relation, right = part.sides
+                found.append(Formula((left, right), (cast("Relation", relation),)))
+            elif isinstance(part, Shown) and isinstance(part.of, _EXPRESSIONS):
+                found.append(Formula((part.of,)))
+            elif isinstance(part, Shown) and isinstance(part.of, Dimension):
+                found.append(raised(part))
+            else:
+                found.append(str(part))
+        return found
+
     def option(self, text: str) -> str:
         """The words of an option, which may be a single one."""
         return self._phrases.said(text, "answer") or self.said(text)
 
     def _filled(self, name: str, value: Argument) -> list[Piece]:
         if isinstance(value, tuple):
-            return self._listed([self._filled(name, v) for v in value])
+            return self._listed([self._filled(name, v) for v in value], "; " if name == "cases" else "")
         if isinstance(value, Sentence):
             return list(self.tell(value))
         if isinstance(value, _EXPRESSIONS):
             return [Formula((value,))]
         if isinstance(value, (Message, Stated)):
-            return [self.said(value, name)]
+            return self.pieces(value, name)
         if isinstance(value, int):
             if name == "figure":
                 return [Reference(value, "figure")]
-            return [Reference(value)] if name in _REFERENCES else [str(value)]
+            return [Reference(value)] if name in REFERENCES else [str(value)]
         if value.startswith("@"):
             return [self._worded(value[1:], name)]
         said = self.said(value, name)
-        return [said if said != value else Emphasis(value, "code")] if value else []
+        return [said if said != value else self.name(value)] if value else []
+
+    def name(self, name: str) -> Piece:
+        """A name of the model: a letter with an index is a symbol, a point is said of what it belongs to."""
+        if " " in name:  # words of a user's own
+            return name
+        if "." in name and (said := self._phrases.said(name, "place")) is not None:
+            return said
+        return Formula((Symbol(name),)) if _LETTER.fullmatch(name) else Emphasis(name.replace("_", " "), "name")
 
     def _worded(self, text: str, place: str) -> str:
         """A word of the catalogue; a key that it lacks says its last part; anything else is a ready-made sentence."""
@@ -155,16 +188,27 @@ class Catalogue:
         found = self._words.get(key) or self._english.get(key)
         if found is not None:
             return found
-        return text.partition(".")[2] if is_key else self.said(text, place)
+        return key.partition(".")[2] if is_key else self.said(text, place)
 
-    def _listed(self, parts: list[list[Piece]]) -> list[Piece]:
-        """a, b and c"""
+    def _listed(self, parts: list[list[Piece]], between: str = "") -> list[Piece]:
+        """a, b and c; a; b; c"""
         pieces: list[Piece] = []
         for k, part in enumerate(parts):
             if k:
-                pieces.append(self.word("list.and") if k == len(parts) - 1 else ", ")
+                pieces.append(between or (self.word("list.and") if k == len(parts) - 1 else ", "))
             pieces += part
         return pieces
+
+
+def _with_formulas(words: str) -> list[Piece]:
+    """Words of the catalogue, in which $t > 0$ is a formula."""
+    found: list[Piece] = []
+    for k, part in enumerate(words.split("$")):
+        if k % 2:
+            found.append(formula_of(part))
+        elif part:
+            found.append(part)
+    return found
 
 
 def _is_single(sentence: Sentence) -> bool:

@@ -9,9 +9,11 @@ from freebody.errors import FreebodyError
 from freebody.narrative.derivation import Derivation, WorkedSolutions
 from freebody.narrative.lines.script import DerivationStage, Sentence, ready
 from freebody.narrative.sheets.asking import headline
+from freebody.narrative.sheets.authored import authored, with_symbols
 from freebody.narrative.telling.catalogue import Catalogue
+from freebody.narrative.telling.house import in_style
 from freebody.narrative.telling.telling import Telling
-from freebody.present.report.blocks import Block, Columns, Emphasis, Paragraph, Picture, Remark, Report, Section, Text
+from freebody.present.report.blocks import Block, Columns, Emphasis, Paragraph, Picture, Remark, Report, Section
 
 if TYPE_CHECKING:
     from freebody.system.system import System
@@ -36,14 +38,14 @@ def report_of(explanation: WorkedSolutions) -> Report:
     telling = Telling(catalogue, draw)
     blocks: list[Block] = []
     if system.about:
-        blocks.append(Paragraph((system.about,)))
+        blocks.append(Paragraph(authored(system.about, system)))
     for stage in explanation.opening:
         blocks.append(Section(catalogue.tell(stage.title), tuple(telling.blocks(stage.items))))
     blocks += [_section(system, catalogue, telling, d) for d in explanation.derivations]
     title = system.title or "freebody"
-    return Report(
-        title, catalogue.language, catalogue.word("report.worked_solution"), tuple(blocks), catalogue.report_words
-    )
+    solution = catalogue.word("report.worked_solution")
+    report = Report(title, catalogue.language, solution, tuple(blocks), catalogue.report_words)
+    return in_style(report, system.style)
 
 
 def plain_derivations(explanation: WorkedSolutions) -> dict[str, Any]:
@@ -70,14 +72,11 @@ def plain_derivations(explanation: WorkedSolutions) -> dict[str, Any]:
 
 
 def _section(system: System, catalogue: Catalogue, telling: Telling, d: Derivation) -> Section:
-    asked: Text = (Emphasis(d.question.text, "code"),)
-    if not catalogue.quotes:
-        asked = catalogue.tell(headline(system, d.question))
-    title: Text = (d.question.id, ": ", *asked)
+    title = with_symbols(catalogue.titled(headline(system, d.question)), d.question, system)
     blocks: list[Block] = []
     if d.compared:
         names = [(Emphasis(catalogue.word(f"method.{m}"), "strong"),) for m in (d.method, d.compared_method)]
-        ends = [s for s in d.stages if s.title.key.startswith("stage.result") or s.title.key == "stage.options"]
+        ends = [s for s in d.stages if s.title.key in ("stage.result", "stage.checks", "stage.options")]
         left = telling.stages([s for s in d.stages if s not in ends])
         blocks.append(Columns((Paragraph(names[0]), *left), (Paragraph(names[1]), *telling.stages(d.compared))))
         blocks.append(Remark(catalogue.tell(Sentence("compare.same"))))

@@ -30,10 +30,14 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache, cached_property
 from itertools import zip_longest
+from string import Formatter
 from typing import Any, cast
 
+from freebody.language.expression import Symbol
 from freebody.language.notation import Stated
+from freebody.language.parser import GREEK
 from freebody.language.sentences import Message
+from freebody.messages import Shown
 from freebody.narrative.words import tables_of
 
 GENERAL = ""
@@ -42,6 +46,9 @@ MESSAGES = "message"
 PLACE = re.compile(r"\{(\w+)(?::(\w+))?\}")
 _ANYTHING = r".+?"
 _OWN = {"name": r"[^\s,;:()=]+", "most": r".+"}  # what places of these kinds take
+_GREEK = "|".join(sorted(GREEK.values(), key=len, reverse=True))
+_SYMBOL = re.compile(rf"(?:{_GREEK})(?:_?\d+|_\w+)?|[A-Za-z](?:\d+|_\w+)")
+_POINT = re.compile(r"[A-Za-z_]\w*\.\w+")
 _BETWEEN = re.compile(r"(, then |, | and | or )")
 
 
@@ -99,11 +106,35 @@ class Phrases:
 
     def _told(self, message: Message, kind: str) -> str | None:
         """A message by its template; in its own words around what is said in its places where there is none."""
-        general = self.messages.get(GENERAL, {}).get(message.template, message.template)
-        own = self.messages.get(kind, {}).get(message.template, general)
+        own = self._template(message, kind)
         places = {name: _Place(self, value) for name, value in message.arguments.items()}
         said = own.format_map(places)
         return None if said == message else said
+
+    def parts(self, text: str, kind: str = GENERAL) -> list[str]:
+        """A message in this language, in parts: words, and whole what is shown otherwise than in words (`Shown`,
+        `Stated` with sides)."""
+        if isinstance(text, Stated) and text.sides is None:
+            return self.parts(text.words, kind)
+        if isinstance(text, Stated | Shown):
+            return [text]
+        if not isinstance(text, Message) and _SYMBOL.fullmatch(text):
+            return [Shown(text, Symbol(text))]
+        if not isinstance(text, Message):
+            return [self.said(text, kind) or (self.said(text, "place") if _POINT.fullmatch(text) else None) or text]
+        own = self._template(text, kind)
+        found: list[str] = []
+        for literal, name, form, _conversion in Formatter().parse(own):
+            found += [literal] if literal else []
+            if name is not None:
+                value = text.arguments[name]
+                is_text = isinstance(value, str)
+                found += self.parts(value, form or GENERAL) if is_text else [_Place(self, value).__format__(form or "")]
+        return found
+
+    def _template(self, message: Message, kind: str) -> str:
+        general = self.messages.get(GENERAL, {}).get(message.template, message.template)
+        return self.messages.get(kind, {}).get(message.template, general)
 
     def put(self, value: object, form: str) -> str:
         """What stands in a place of a message."""

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterator, Sequence
+from itertools import groupby
 
+from freebody.language.expression import Expr
 from freebody.narrative.lines.script import (
+    Argument,
+    Cell,
     DerivationStage,
     Diagram,
     FormulaTable,
@@ -13,9 +16,12 @@ from freebody.narrative.lines.script import (
     Legend,
     Listing,
     NumberedFormula,
+    OptionText,
     Sentence,
 )
+from freebody.narrative.sheets.options import shown
 from freebody.narrative.telling.catalogue import Catalogue
+from freebody.narrative.telling.raising import raised
 from freebody.present.report.blocks import (
     Block,
     Bullets,
@@ -26,12 +32,15 @@ from freebody.present.report.blocks import (
     Formula,
     Paragraph,
     Picture,
+    Piece,
     Step,
     Table,
     Text,
 )
+from freebody.present.report.formulas.rows import formula_width
 
-_RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+_IN_A_LINE = 36  # characters of a formula that stands within a text
+Entry = tuple[Expr, Sentence, str]  # a symbol, what it means, its unit
 Draw = Callable[[tuple[str, ...]], Picture | None]
 
 
@@ -53,7 +62,21 @@ class Telling:
         return Step(self.catalogue.tell(stage.title), hint, tuple(self.blocks(stage.items)))
 
     def blocks(self, items: Sequence[Item]) -> Iterator[Block]:
-        """Sentences that follow each other are one paragraph, diagrams stand side by side."""
+        """Sentences that follow each other are one paragraph, diagrams stand side by side, and formulas that need no
+        words between stand under each other."""
+        lines: list[Equation] = []
+        for block in self._blocks(items):
+            if isinstance(block, Equations):
+                lines += block.lines
+                continue
+            if lines:
+                yield Equations(tuple(lines))
+                lines = []
+            yield block
+        if lines:
+            yield Equations(tuple(lines))
+
+    def _blocks(self, items: Sequence[Item]) -> Iterator[Block]:
         words: list[Text] = []
         figures: list[Figure] = []
         again: list[int] = []
@@ -73,20 +96,20 @@ class Telling:
                     again.append(found)
                 elif found is not None:
                     if words and not figures:
-                        yield Paragraph(_joined(words))
+                        yield from _paragraphs(_joined(words))
                         words = []
                     figures.append(found)
                 continue
             if isinstance(item, NumberedFormula) and item.why is not None:
                 words.append(self.catalogue.tell(item.why))
             if words:
-                yield Paragraph(_joined(words))
+                yield from _paragraphs(_joined(words))
                 words = []
             yield from self._block(item)
         if again:
             words.append(self.catalogue.tell(Sentence("figure.again", {"figure": tuple(again)})))
         if words:
-            yield Paragraph(_joined(words))
+            yield from _paragraphs(_joined(words))
         if figures:
             yield _side_by_side(figures)
 
@@ -97,26 +120,50 @@ class Telling:
             case Listing(items):
                 yield Bullets(tuple(self.catalogue.tell(s) for s in items))
             case Legend(entries):
-                yield Bullets(
-                    tuple((Formula((e,)), " — ", *self.catalogue.tell(s), *(_unit(unit))) for e, s, unit in entries)
-                )
+                yield Bullets(tuple(self._meanings(entries)))
             case FormulaTable(header, rows, marks):
                 cells = tuple(tuple(self._cell(c) for c in row) for row in rows)
                 yield Table(tuple(self.catalogue.tell(h) for h in header), cells, marks)
             case _:
                 pass
 
-    def _cell(self, cell: object) -> Text:
+    def _meanings(self, entries: Sequence[Entry]) -> Iterator[Text]:
+        """What symbols mean; those of which the same is said stand together, each with its unit."""
+        said = [(self.catalogue.tell(s), symbol, unit) for symbol, s, unit in self._components(entries)]
+        for what, own in groupby(said, key=lambda entry: entry[0]):
+            members = list(own)
+            if len(members) == 1:
+                yield (Formula((members[0][1],)), " — ", *what, *_unit(members[0][2]))
+                continue
+            units = {unit for _what, _symbol, unit in members}
+            behind = _unit(units.pop()) if len(units) == 1 else ()
+            shown = [(Formula((symbol,)), *(() if behind else _unit(unit))) for _what, symbol, unit in members]
+            names = (piece for k, text in enumerate(shown) for piece in ((", ", *text) if k else text))
+            yield (*names, " — ", *what, *behind)
+
+    def _components(self, entries: Sequence[Entry]) -> Iterator[Entry]:
+        """Components of one vector along all axes, of which the same is said."""
+        for _same, own in groupby(entries, key=lambda entry: (entry[1].key, repr(_without_axis(entry[1])))):
+            members = list(own)
+            every = f"{members[0][1].key}_all"
+            if len(members) < 2 or "axis" not in members[0][1].args or not self.catalogue.has(every):
+                yield from members
+            else:
+                yield from ((symbol, Sentence(every, _without_axis(s)), unit) for symbol, s, unit in members)
+
+    def _cell(self, cell: Cell) -> Text:
         if isinstance(cell, Sentence):
             return self.catalogue.tell(cell)
         if isinstance(cell, str):
-            return (self.catalogue.said(cell),) if cell else ()
-        return (Formula((cell,)),)  # type: ignore[arg-type]
+            return tuple(self.catalogue.pieces(cell)) if cell else ()
+        if isinstance(cell, OptionText):
+            return shown(self.catalogue.option(cell.text))
+        return (Formula((cell,)),)
 
     def _equation(self, line: NumberedFormula) -> Equation:
         label = "" if line.label is None else self._label(line.label)
         formula = Formula(line.sides, line.relations, line.unit)
-        return Equation(formula, line.number, label)
+        return Equation(formula, line.number if line.number > 0 else None, label, is_result=line.is_result)
 
     def _label(self, label: Sentence) -> str:
         """What stands before an equation, with points and directions in their short form."""
@@ -135,8 +182,27 @@ class Telling:
         return Figure(picture, self.catalogue.tell(diagram.caption), self.n_figures)
 
 
+def _without_axis(sentence: Sentence) -> dict[str, Argument]:
+    return {name: value for name, value in sentence.args.items() if name != "axis"}
+
+
 def _side_by_side(figures: list[Figure]) -> Block:
     return figures[0] if len(figures) == 1 else Figures(tuple(figures))
+
+
+def _paragraphs(text: Text) -> Iterator[Block]:
+    """A text as a paragraph; a fraction too wide for a line of text is displayed between its words."""
+    waiting: list[Piece] = []
+    for piece in text:
+        if isinstance(piece, Formula) and formula_width(piece) > _IN_A_LINE:
+            if waiting:
+                yield Paragraph(tuple(waiting))
+            yield Equations((Equation(piece),))
+            waiting = []
+        else:
+            waiting.append(piece.lstrip() if isinstance(piece, str) and not waiting else piece)
+    if waiting:
+        yield Paragraph(tuple(waiting))
 
 
 def _joined(words: Sequence[Text]) -> Text:
@@ -148,8 +214,3 @@ def _joined(words: Sequence[Text]) -> Text:
 
 def _unit(unit: str) -> Text:
     return (f" [{raised(unit)}]",) if unit else ()
-
-
-def raised(unit: str) -> str:
-    """kg m^2/s^2 with its exponents raised."""
-    return re.sub(r"\^(-?\d+)", lambda found: found[1].translate(_RAISED), unit)

@@ -48,10 +48,11 @@ class Formula:
 # -- text -------------------------------------------------------------------------------------
 @dataclass(frozen=True)
 class Emphasis:
-    """Words that stand out: a name of the model ("code"), a term ("strong"), a remark ("soft")."""
+    """Words that stand out: as a file has them ("code"), the name of a thing ("name"), a term ("strong"), a remark
+    ("soft")."""
 
     words: str
-    look: Literal["code", "strong", "soft"] = "strong"
+    look: Literal["code", "name", "strong", "soft"] = "strong"
 
 
 @dataclass(frozen=True)
@@ -75,12 +76,13 @@ class Paragraph:
 @dataclass(frozen=True)
 class Equation:
     """One displayed formula. number: by which it is referred to; label: what stands before it, as "left, ↓:";
-    note: what stands beside it."""
+    note: what stands beside it; is_result: it stands out."""
 
     formula: Formula
     number: int | None = None
     label: str = ""
     note: Text = ()
+    is_result: bool = False
 
 
 @dataclass(frozen=True)
@@ -94,6 +96,27 @@ class Equations:
 class Bullets:
     items: tuple[Text, ...]
     is_numbered: bool = False
+
+
+@dataclass(frozen=True)
+class Choices:
+    """Options of a question, each with its letter."""
+
+    items: tuple[tuple[str, Text], ...]
+
+
+@dataclass(frozen=True)
+class Unbroken:
+    """Blocks that stay together on a page."""
+
+    blocks: tuple[Block, ...]
+
+
+@dataclass(frozen=True)
+class Room:
+    """Empty space on paper, to be written in. height: [cm]"""
+
+    height: float
 
 
 @dataclass(frozen=True)
@@ -191,7 +214,22 @@ class Remark:
     kind: Literal["result", "evidence", "warning"] = "result"
 
 
-Block = Paragraph | Equations | Bullets | Table | Entries | Figure | Figures | Step | Section | Columns | Remark
+Block = (
+    Paragraph
+    | Equations
+    | Bullets
+    | Choices
+    | Table
+    | Entries
+    | Figure
+    | Figures
+    | Step
+    | Section
+    | Columns
+    | Unbroken
+    | Room
+    | Remark
+)
 
 
 @dataclass(frozen=True)
@@ -220,7 +258,7 @@ def equation_numbers(blocks: Sequence[Block]) -> list[int]:
         match block:
             case Equations(lines):
                 found += [line.number for line in lines if line.number is not None]
-            case Section() | Step():
+            case Section() | Step() | Unbroken():
                 found += equation_numbers(block.blocks)
             case Columns(left, right):
                 found += equation_numbers(left) + equation_numbers(right)

@@ -15,6 +15,7 @@ from typing import ClassVar, Generic, Literal, TypeVar
 from freebody.present.report.blocks import (
     Block,
     Bullets,
+    Choices,
     Columns,
     Emphasis,
     Entries,
@@ -28,10 +29,12 @@ from freebody.present.report.blocks import (
     Reference,
     Remark,
     Report,
+    Room,
     Section,
     Step,
     Table,
     Text,
+    Unbroken,
 )
 from freebody.present.report.words import word
 
@@ -75,6 +78,12 @@ class BlockWriter(ABC, Generic[Written]):
                 return self.equations(lines)
             case Bullets(items, is_numbered):
                 return self.bullets([self.text(item) for item in items], is_numbered=is_numbered)
+            case Choices(items):
+                return self.choices([(letter, self.text(said)) for letter, said in items])
+            case Unbroken(blocks):
+                return self.unbroken(blocks)
+            case Room(height):
+                return self.room(height)
             case Table():
                 return self.table(block)
             case Entries():
@@ -104,6 +113,18 @@ class BlockWriter(ABC, Generic[Written]):
 
     @abstractmethod
     def bullets(self, items: Sequence[str], *, is_numbered: bool) -> Written: ...
+
+    def choices(self, items: Sequence[tuple[str, str]]) -> Written:
+        """Options, a line each; formulas in them are displayed where that can be."""
+        return self.bullets([f"{self.words(letter)} {said}" for letter, said in items], is_numbered=False)
+
+    def unbroken(self, blocks: Sequence[Block]) -> Written:
+        """Blocks that stay together, where there are pages."""
+        return self.blocks(blocks)
+
+    def room(self, height: float) -> Written:
+        """Empty space, where there is paper. height: [cm]"""
+        return self.blocks(())
 
     @abstractmethod
     def table(self, table: Table) -> Written: ...

@@ -27,6 +27,7 @@ SECTIONS = (
     "start",
     "questions",
     "drawing",
+    "style",
 )
 
 

@@ -1,4 +1,5 @@
-"""A report as a web page that needs nothing else: MathML, drawings as SVG, one style sheet and a short script in it.
+"""A report as a web page that needs nothing else: MathML, drawings as SVG, one style sheet, a font for mathematics and
+a short script in it.
 
 Steps are closed when the page opens and open by themselves (`details`); the script only adds the buttons that open
 the next one or all.
@@ -11,7 +12,7 @@ from collections.abc import Sequence
 from html import escape
 
 from freebody.language.plain_text import plain
-from freebody.present.assets import asset
+from freebody.present.assets import asset, embedded
 from freebody.present.report.blocks import (
     Block,
     Columns,
@@ -36,8 +37,13 @@ _PAPER_WIDTH = 80  # that fit on a page
 _INLINE_WIDTH = 24  # a wider formula in a text scrolls on a narrow screen
 _FORMULAS = MathMLFormulas()
 _SIGNS = {"right": "✓", "wrong": "✗"}
-_LOOKS = {"code": "<code>{}</code>", "strong": "<strong>{}</strong>", "soft": '<span class="soft">{}</span>'}
-_POLICY = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:"
+_LOOKS = {
+    "code": "<code>{}</code>",
+    "strong": "<strong>{}</strong>",
+    "soft": '<span class="soft">{}</span>',
+    "name": "<i>{}</i>",
+}
+_POLICY = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:; font-src data:"
 
 
 def html_page(report: Report) -> str:
@@ -52,7 +58,8 @@ def html_page(report: Report) -> str:
 <meta name="color-scheme" content="light dark">
 <title>{_words(report.title)}</title>
 <style>
-{asset("report", "report.css")}body {{ margin: 0; }}
+{_font()}{asset("report", "report.css")}body {{ margin: 0; }}
+@page {{ size: A4; margin: 15mm 18mm; }}
 </style>
 </head>
 <body>
@@ -63,6 +70,12 @@ def html_page(report: Report) -> str:
 </body>
 </html>
 """
+
+
+def _font() -> str:
+    """The font for mathematics that a page carries, so that formulas look alike on every machine."""
+    address = embedded("font/woff2", "report", "font", "math.woff2")
+    return f'@font-face {{ font-family: "Freebody Math"; src: url({address}) format("woff2"); }}\n'
 
 
 def html_fragment(report: Report) -> str:
@@ -144,6 +157,18 @@ class _Writer(BlockWriter[str]):
         element = "ol" if is_numbered else "ul"
         return f"<{element}>{''.join(f'<li>{item}</li>' for item in items)}</{element}>"
 
+    def choices(self, items: Sequence[tuple[str, str]]) -> str:
+        inner = "".join(
+            f'<li><span class="letter">{_words(letter)}</span> <span>{said}</span></li>' for letter, said in items
+        )
+        return f'<ul class="choices">{inner}</ul>'
+
+    def unbroken(self, blocks: Sequence[Block]) -> str:
+        return f'<div class="unbroken">\n{self.blocks(blocks)}\n</div>'
+
+    def room(self, height: float) -> str:
+        return f'<div class="room" style="height: {height:g}cm"></div>'
+
     def figures(self, figures: Sequence[Figure]) -> str:
         return f'<div class="figures">{"".join(self.figure(figure) for figure in figures)}</div>'
 
@@ -192,7 +217,8 @@ class _Writer(BlockWriter[str]):
         if note:
             cells += f'<span class="note">{note}</span>'
         anchor = f' id="{self.prefix}eq-{number}"' if number is not None else ""
-        return f'<div class="equation"{anchor}>{cells}</div>'
+        kind = "equation result" if equation.is_result else "equation"
+        return f'<div class="{kind}"{anchor}>{cells}</div>'
 
     def table(self, table: Table) -> str:
         marked = any(table.marks)

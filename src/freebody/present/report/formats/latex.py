@@ -30,7 +30,12 @@ from freebody.present.theme import PAGES, THEMES
 
 _ROW_WIDTH, _COLUMN_WIDTH = 72, 28  # characters of a displayed formula
 _HEADINGS = {1: "section", 2: "section", 3: "subsection", 4: "subsubsection"}
-_LOOKS = {"code": r"\texttt{{{}}}", "strong": r"\textbf{{{}}}", "soft": r"{{\color{{frmuted}}{}}}"}
+_LOOKS = {
+    "code": r"\texttt{{{}}}",
+    "strong": r"\textbf{{{}}}",
+    "soft": r"{{\color{{frmuted}}{}}}",
+    "name": r"\textit{{{}}}",
+}
 _MARKS = {"": "", "right": r"\textcolor{frright}{$\checkmark$}", "wrong": r"\textcolor{frwrong}{$\times$}"}
 
 _COLORS = {f"fr{name}": PAGES["light"][name] for name in ("muted", "accent", "right", "wrong")}
@@ -103,6 +108,21 @@ class _Writer(BlockWriter[str]):
         inner = "\n".join(rf"\item\relax {item}" for item in items)
         return f"\\begin{{{name}}}\n{inner}\n\\end{{{name}}}"
 
+    def choices(self, items: Sequence[tuple[str, str]]) -> str:
+        inner = "\n".join(
+            rf"\item[{latex_words(letter)}] {{\everymath{{\displaystyle}}{said}}}" for letter, said in items
+        )
+        return f"\\begin{{itemize}}\n{inner}\n\\end{{itemize}}"
+
+    def unbroken(self, blocks: Sequence[Block]) -> str:
+        return (
+            "\\noindent\\begin{minipage}{\\linewidth}\\setlength{\\parskip}{6pt plus 2pt}\n"
+            f"{self.blocks(blocks)}\n\\end{{minipage}}\\par"
+        )
+
+    def room(self, height: float) -> str:
+        return rf"\vspace*{{{height:g}cm}}"
+
     def figure(self, figure: Figure) -> str:
         return "\\begin{center}\n" + self.drawing(figure) + "\n\\end{center}"
 
@@ -122,12 +142,9 @@ class _Writer(BlockWriter[str]):
         return "\\noindent" + "\\hfill\n".join(parts)
 
     def step(self, step: Step) -> str:
-        """A line before the title, and the hint in italics, as nothing can be hidden on paper."""
+        """A line before the title; no hint, as nothing can be hidden on paper."""
         rule = r"\medskip{\color{fraccent}\rule{1.2em}{1.5pt}}\enspace"
         title = rf"{rule}\textbf{{{self.text(step.title)}}}\nopagebreak"
-        if step.hint:
-            lead = rf"\textit{{{capital(self.word('hint'))}:}}"
-            title += f"\n\n{lead} {{\\color{{frmuted}}{self.text(step.hint)}}}\\par\\nopagebreak"
         return f"{title}\n\n{self.blocks(step.blocks)}"
 
     def remark(self, text: str, kind: str) -> str:

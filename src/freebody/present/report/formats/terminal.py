@@ -96,8 +96,6 @@ class _Writer(BlockWriter[list[str]]):
 
     def step(self, step: Step) -> list[str]:
         lines = self.wrapped(self.text(step.title), "▸ ")
-        if step.hint:
-            lines += self.wrapped(f"{capital(self.word('hint'))}: {self.text(step.hint)}", "  ")
         inner = _Writer(self.report, self.width - 2)
         content = inner.blocks(step.blocks)[:-1]
         return [*lines, "", *(f"  {line}" for line in content)] if content else lines

@@ -95,13 +95,21 @@ class _Writer(BlockWriter[str]):
     def bullets(self, items: Sequence[str], *, is_numbered: bool) -> str:
         return f"#{'enum' if is_numbered else 'list'}({', '.join(f'[{item}]' for item in items)})"
 
+    def choices(self, items: Sequence[tuple[str, str]]) -> str:
+        inner = "".join(f"([{self.words(letter)}], [{said}]), " for letter, said in items)
+        return f"#choices(({inner}))"
+
+    def unbroken(self, blocks: Sequence[Block]) -> str:
+        return f"#block(breakable: false, width: 100%)[\n{self.blocks(blocks)}\n]"
+
+    def room(self, height: float) -> str:
+        return f"#v({height:g}cm)"
+
     def figures(self, figures: Sequence[Figure]) -> str:
         return f"#beside({''.join(f'[{self.figure(figure)}], ' for figure in figures)})"
 
     def step(self, step: Step) -> str:
-        given = f"[{self.text(step.hint)}]" if step.hint else "none"
-        label = _words(capital(self.word("hint")))
-        return f"#step([{self.text(step.title)}], {label}, {given})[\n{self.blocks(step.blocks)}\n]"
+        return f"#step([{self.text(step.title)}])[\n{self.blocks(step.blocks)}\n]"
 
     def section(self, section: Section) -> str:
         level = max(1, section.level - 1)

@@ -1,0 +1,22 @@
+"""An option of a question as it is shown."""
+
+from __future__ import annotations
+
+from freebody.errors import CannotAnswer, ExpressionError, ModelError
+from freebody.language.expression import Expr
+from freebody.language.parser import parse
+from freebody.present.report.blocks import Formula, Text
+
+
+def shown(option: str) -> Text:
+    """An option as a formula where it is one, else in its words."""
+    text = option.strip()
+    try:
+        if text.startswith("[") and text.endswith("]"):
+            parts: tuple[Expr, ...] = tuple(parse(part.strip()) for part in text[1:-1].split(","))
+            return (Formula((parts,)),)
+        if " " in text and not any(sign in text for sign in "+-*/^()="):
+            return (text,)
+        return (Formula((parse(text),)),)
+    except (ExpressionError, CannotAnswer, ModelError):
+        return (text,)
