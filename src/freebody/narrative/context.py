@@ -19,6 +19,7 @@ from freebody.narrative.principles.planar_rates import PlanarRates
 from freebody.narrative.principles.symmetry import Symmetry
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
+from freebody.study.senses import drawn_symbols
 from freebody.study.setup import Setup
 from freebody.system.symbols import reaction_symbols
 from freebody.system.system import System
@@ -35,6 +36,7 @@ class Context:
     system: System
     next_number: int = 1
     introduced: set[str] = field(default_factory=set[str])  # by the opening: parameters, measures
+    drawn: System | None = None  # the system of the pictures, where `system` is one mode of it
 
     @cached_property
     def setup(self) -> Setup:
@@ -46,7 +48,7 @@ class Context:
 
     @cached_property
     def acting(self) -> Acting:
-        return Acting(self.setup.model)
+        return Acting(self.setup.model, symbols=drawn_symbols(self.setup.model.system, base=self.drawn))
 
     @cached_property
     def rates(self) -> PlanarRates:
@@ -77,7 +79,7 @@ class Context:
     def _first_mode(self) -> Context:
         """A system of its own. Raises CannotAnswer where the motion begins with none."""
         setup = first_mode(self.system)
-        made = Context(setup.system, self.next_number, self.introduced)
+        made = Context(setup.system, self.next_number, self.introduced, self.system)
         made.setup = setup
         return made
 

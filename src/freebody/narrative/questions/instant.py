@@ -88,8 +88,9 @@ def finish(
     lines = (*(before.lines if before else ()), *(line for _value, line in found.values()))
     is_there = len(parts) == 1 and any((parts[0] - f.variable(u)).is_zero() for u in found)
     last = lines[-1] if lines else 0
+    drawn_back = next((u for u in found if len(parts) == 1 and (parts[0] + f.variable(u)).is_zero()), None)
     if not is_there:
-        with script.stage("stage.value", "hint.value"):
+        with script.stage(*(("stage.value", "hint.value") if drawn_back is None else ("stage.counted", ""))):
             script.add(asked_entry(name, question, n=len(parts)))
             shown = written(general)
             sides: list[Expr | tuple[Expr, ...]] = [side_of(name, len(general))]
@@ -98,9 +99,10 @@ def finish(
                 sides.append(before.total)
             elif found and unsolved != shown:
                 sides.append(unsolved)
-            last = script.line(
-                *sides, shown, why="value.follows" if lines else "value.is", args={"lines": lines}, uses=lines
-            )
+            why, args = ("value.follows" if lines else "value.is"), dict[str, Argument](lines=lines)
+            if drawn_back is not None:
+                why, args = "value.counted", {"lines": lines, "force": tidy(f.variable(drawn_back))}
+            last = script.line(*sides, shown, why=why, args=args, uses=lines)
     wanted = tuple(general)
     if question.at_start:
         with script.stage("stage.start", "hint.start"):
