@@ -19,7 +19,7 @@ from freebody.language.expression import Expr, Symbol, evaluate, free_symbols
 from freebody.language.units import DIMENSIONLESS
 from freebody.measures.geometry import Components, Direction, Point
 from freebody.model.elements import RigidBody
-from freebody.model.glyphs import Pin, Rail
+from freebody.model.glyphs import Glyph, Pin, Rail
 from freebody.present.figures import Array, Figure, Place
 from freebody.present.picture.dimensioned import INK, SIZE, Dimensioned
 from freebody.present.picture.label import formula
@@ -210,10 +210,8 @@ class SpaceDimensions(Dimensioned):
         return found / float(np.linalg.norm(found))
 
 
-def _axis_of(sign: object) -> tuple[Point, Direction] | None:
+def _axis_of(sign: Glyph) -> tuple[Point, Direction] | None:
     """Where a joint is, and what it turns about or runs along."""
-    if isinstance(sign, Pin) and isinstance(sign.second, Point) and isinstance(sign.axis, Direction):
+    if isinstance(sign, Pin) and sign.axis is not None:
         return sign.second, sign.axis
-    if isinstance(sign, Rail) and isinstance(sign.point, Point) and isinstance(sign.along, Direction):
-        return sign.point, sign.along
-    return None
+    return (sign.point, sign.along) if isinstance(sign, Rail) else None

@@ -65,6 +65,7 @@ def kind_meant(
     called = begun or [kind for kind, spec in fits.items() if key in spec.called]
     able = [kind for kind in called if set(fields) <= set(fits[kind].model_fields)]
     called = able or called
+    called = [kind for kind in difflib.get_close_matches(key, called, n=1, cutoff=0.7) if not begun] or called
     if not called:
         return did_you_mean(key, known)
     if len(called) == 1:
