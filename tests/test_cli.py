@@ -287,7 +287,9 @@ def test_what_is_wrong_is_told_in_the_language_of_the_command(tmp_path: Path) ->
 
 
 def test_of_several_kinds_that_a_name_begins_none_is_preferred() -> None:
-    """gear in the plane is gear_mesh, in space gear_pair: naming one of them only would mislead."""
+    """gear in space is gear_mesh or gear_pair: naming one of them only would mislead. In the plane there is one."""
     text = "bodies: {a: {disk: {mass: 1, radius: 1}}}\nconnections: {g: {gear: [a, ground]}}"
     with pytest.raises(fb.ModelError, match="Did you mean one of gear_mesh, gear_pair"):
+        fb.System.from_text(f"space: true\n{text}")
+    with pytest.raises(fb.ModelError, match=r"Did you mean gear_mesh\?"):
         fb.System.from_text(text)

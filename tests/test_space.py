@@ -727,7 +727,7 @@ MISTAKES = {
     "a joint of space in the plane": (
         DISK + "connections:\n  j: {revolute: {first: ground.A, second: b, about: z}}\n",
         5,
-        "is a joint of space: write space: true",
+        "revolute is for models in space: write space: true; in the plane take pin",
     ),
     "rolling on a plane that is not there": (
         "space: true\nground: {planes: {floor: {normal: up}}}\n"

@@ -201,8 +201,7 @@ class Studies:
             Option(
                 "view",
                 ("--view",),
-                "In space: azimuth and elevation from which one looks, in degrees.",
-                default="30,20",
+                "In space: azimuth and elevation from which one looks, in degrees, as 30,20.",
                 read="freebody.study.given.azimuth_and_elevation",
             ),
             Option("perspective", ("--perspective",), "In space: far things are smaller.", bool, default=False),
@@ -216,13 +215,14 @@ class Studies:
         at: float | None = None,
         show: Sequence[str] = (),
         free: Sequence[str] = (),
-        view: tuple[float, float] = (30.0, 20.0),
+        view: tuple[float, float] | None = None,
         perspective: bool = False,
         dark: bool = False,
     ) -> Path:
         """Draw a model at its start or in motion, or bodies of it cut free.
 
-        at: [s]; show: velocity, acceleration, force, instant-centres; view: in space, azimuth and elevation [deg]."""
+        at: [s]; show: velocity, acceleration, force, instant-centres; view: in space, azimuth and elevation [deg],
+        else from where most is seen."""
         ...
 
     @study("freebody.study.pictures.picture")

@@ -80,7 +80,7 @@ def simulate(
         result = run(system, seconds, options=options, events=event or (), progress=progress)
     with busy("evaluating the motion"):
         result.summary()  # what it takes is computed here, not while it is printed
-    print_result(result, as_json=as_json)
+    print_result(result, system, as_json=as_json)
     with busy("writing"):
         written = _written(result, out, plot, show or [], animate)
     if not as_json:

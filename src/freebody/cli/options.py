@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from freebody.messages import Message
 from freebody.narrative.words import languages
 from freebody.studies import SECONDS, Option
 
@@ -51,12 +52,24 @@ Set = Annotated[
 Watch = Annotated[bool, typer.Option("--watch", help="Run again whenever the file is saved, until Ctrl-C.")]
 
 
-def model_of(file: Path, assignments: list[str] | None) -> System:
-    """The system of a file, with other values of parameters."""
+def model_of(file: Path, assignments: list[str] | None, language: object = None) -> System:
+    """The system of a file, with other values of parameters; what is unlikely in it is told on stderr."""
     from freebody.system.system import System
 
     system = System.load(file)
-    return system.with_parameters(**dict(assignment(text) for text in assignments)) if assignments else system
+    if assignments:
+        system = system.with_parameters(**dict(assignment(text) for text in assignments))
+    tell_warnings(system, language)
+    return system
+
+
+def tell_warnings(system: System, language: object = None) -> None:
+    from freebody.cli.running import in_language, say
+    from freebody.study.model_warnings import warnings_of
+
+    for warning in warnings_of(system):
+        told = Message("warning: {text}", text=warning.text(system.file))
+        say(in_language(told, language))
 
 
 def seconds_of(text: str, option: str) -> float:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from freebody.present.report.results import Result
+    from freebody.system.system import System
 
 
 def print_written(paths: Sequence[Path]) -> None:
@@ -28,7 +29,13 @@ def check_out(out: Path | None) -> None:
 
 
 def print_result(
-    found: Result, *, as_json: bool, as_latex: bool = False, out: Path | None = None, is_short: bool = False
+    found: Result,
+    system: System,
+    *,
+    as_json: bool,
+    as_latex: bool = False,
+    out: Path | None = None,
+    is_short: bool = False,
 ) -> None:
     """A result as a report in a file, and as one JSON document, as LaTeX, or, where no file is written, as text; if it
     `is_short`, formulas that nobody would read by their size."""
@@ -38,11 +45,19 @@ def print_result(
         written = [] if out is None else found.write(out)
         text = found.to_latex() if as_latex else found.to_text(is_short=is_short) if not (written or as_json) else ""
     if as_json:
-        print_json(found.to_plain())
+        print_json(_with_warnings(found.to_plain(), system))
     elif text:
         print(text.rstrip("\n"), flush=True)
     else:
         print_written(written)
+
+
+def _with_warnings(document: dict[str, Any], system: System) -> dict[str, Any]:
+    """A document with the warnings about its model, if there are any."""
+    from freebody.study.model_warnings import warnings_of
+
+    told = [warning.to_plain() for warning in warnings_of(system)]
+    return {**document, "warnings": told} if told else document
 
 
 def print_json(document: Any) -> None:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from freebody.cli.options import Effort, Language, Set, assignment
+from freebody.cli.options import Effort, Language, Set, assignment, tell_warnings
 from freebody.cli.output import check_out, print_written
 
 if TYPE_CHECKING:
@@ -40,6 +40,8 @@ def sheet(
         from freebody.narrative.sheets.sheet import sheet as make
 
         systems = with_assignments(load_systems(files), set_)
+        for system in systems:
+            tell_warnings(system, language)
         made = make(
             systems, solutions=solutions, variants=variants, seed=seed, language=language, room=room, numeric=numeric
         )

@@ -5,13 +5,16 @@ from __future__ import annotations
 from collections.abc import Callable
 from enum import StrEnum
 from inspect import Parameter, Signature
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
 from freebody.cli.options import Effort, Json, ModelFile, ReportFile, Set, Watch, model_of
 from freebody.cli.output import check_out, print_result, print_written
 from freebody.studies import Option, Study
+
+if TYPE_CHECKING:
+    from freebody.system.system import System
 
 
 class FormulaLength(StrEnum):
@@ -40,7 +43,8 @@ def command_of(study: Study) -> Callable[..., None]:
 
     def run(file: Any, **words: Any) -> None:
         if is_file:
-            print_written([_found(study, file, words)])
+            written, _system = _found(study, file, words)
+            print_written([written])
         else:
             _report(study, file, words)
 
@@ -63,20 +67,22 @@ def _parameter(option: Option) -> Parameter:
     return _of(option.parameter, Annotated[kind, given], option.default)
 
 
-def _found(study: Study, file: Any, words: dict[str, Any]) -> Any:
-    """What a study finds in the model of a file, of the words on the command line that are its own."""
+def _found(study: Study, file: Any, words: dict[str, Any]) -> tuple[Any, System]:
+    """What a study finds in the model of a file, of the words on the command line that are its own; and the model."""
     from freebody.present.busy import busy
 
     with busy(study.busy):
         given = {option.parameter: option.given(words[option.parameter]) for option in study.options}
-        return study.function(model_of(file, words["set_"]), **{name: x for name, x in given.items() if x is not None})
+        system = model_of(file, words["set_"], words.get("language"))
+        return study.function(system, **{name: x for name, x in given.items() if x is not None}), system
 
 
 def _report(study: Study, file: Any, words: dict[str, Any]) -> None:
     check_out(words["out"])
-    found = _found(study, file, words)
+    found, system = _found(study, file, words)
     print_result(
         found,
+        system,
         as_json=words["as_json"],
         as_latex=words["latex"],
         out=words["out"],

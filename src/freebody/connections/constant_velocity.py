@@ -31,6 +31,9 @@ class ConstantVelocity(Connection, kind="constant_velocity"):
     """`constant_velocity: {first: drive.end, second: wheel.hub, about: z}`: the shafts meet in a point and turn equally
     fast (4 rows)."""
 
+    space_only = True
+    in_plane_take = "pin"
+
     first: str
     second: str
     about: Heading

@@ -20,6 +20,9 @@ class Cylindrical(AxialJoint, kind="cylindrical"):
     """`cylindrical: {first: ground.A, second: collar, about: x}`: the second point stays on the axis through the first,
     and the axes stay parallel (4 rows)."""
 
+    space_only = True
+    in_plane_take = "slot"
+
     first: str
     second: str
     about: Heading

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from freebody.connections.base import Connection
-from freebody.connections.joints import is_spatial, own_direction
+from freebody.connections.joints import own_direction
 from freebody.language.expression import Expr, divide
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS
@@ -29,6 +29,9 @@ class GearPair(Connection, kind="gear_pair"):
     the ground), right-handed about their axes, given by components on that body. `teeth: [z1, z2]` for bevel gears
     whose axes point away from where they meet: ratio -z1/z2. The teeth react on the carrier too (1 row)."""
 
+    space_only = True
+    in_plane_take = "gear_mesh"
+
     first: str
     second: str
     first_axis: Heading
@@ -50,8 +53,6 @@ connections:
 """
 
     def rows(self, names: Names) -> list[ConstraintRow]:
-        if not is_spatial(names, self):
-            return []
         wheels = [names.body(self.first, "first"), names.body(self.second, "second")]
         carrier = names.body(self.on, "on").name
         ratio = self._ratio(names)

@@ -103,8 +103,6 @@ def read_joint(
     names: Names, spec: Spec, first: str, second: str, about: Heading, second_axis: Heading | None, key: str = "about"
 ) -> Joint | None:
     """The points and axes of a joint; None after noting a problem."""
-    if not is_spatial(names, spec):
-        return None
     one, other = names.point(first, "first"), names.point(second, "second")
     if one.body == other.body:
         names.problem(Message("joins {body} to itself; name points of two bodies", body=one.body))
@@ -149,17 +147,6 @@ def own_direction(names: Names, value: Heading, body: str, *path: str | int) -> 
     """A direction by components along the axes of a body, where it names no other."""
     found = names.direction(value, *path, body=body)
     return Direction(found.body, (*found.components, *(ZERO,) * (3 - len(found.components))), found.name)
-
-
-def is_spatial(names: Names, spec: Spec) -> bool:
-    """Notes a problem in the plane."""
-    if not names.space:
-        names.problem(
-            Message(
-                "{kind} is a joint of space: write space: true, or use pin, slider or slot in the plane", kind=spec.kind
-            )
-        )
-    return names.space
 
 
 class AxialJoint(Connection):

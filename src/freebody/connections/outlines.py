@@ -145,6 +145,15 @@ def _of_body(names: Names, body: RigidBody, *path: str | int) -> Outline | None:
     lines = [f"{b.name}.{name}" for b in names.bodies.values() for name in b.lines]
     is_lined = body.name == GROUND and lines
     what = Message("; name one of its lines: {names}", names=", ".join(lines)) if is_lined else ""
+    if body.name == GROUND and not lines:
+        names.problem(
+            Message(
+                "the ground has no outline: give it a line, ground: {{lines: {{floor: {{along: right}}}}}}, and write "
+                "floor here"
+            ),
+            *path,
+        )
+        return None
     names.problem(
         Message(
             "{body} has no outline that could touch{what}. What can: {kinds}. Give {body} a radius, or "

@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from freebody.connections.base import Connection
-from freebody.connections.joints import AXES, Joint, is_spatial, own_direction, read_joint
+from freebody.connections.joints import AXES, Joint, own_direction, read_joint
 from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
@@ -25,6 +25,8 @@ class Planar(Connection, kind="planar"):
     """`planar: {body: plate}`: its reference point stays in the plane through `through` (the ground's origin) across
     the `normal` (z), about which it may turn (3 rows; 1 for a particle). Connections of the plane, such as pin, slider,
     string or contact, may join bodies that stay in the plane of x and y."""
+
+    space_only = True
 
     body: str
     through: str = "ground.origin"
@@ -45,8 +47,6 @@ connections: {it: {planar: {body: plate}}}
         return self.normal == "z" and self.through.partition(".")[0] == GROUND and self.second_axis in (None, "z")
 
     def rows(self, names: Names) -> list[ConstraintRow]:
-        if not is_spatial(names, self):
-            return []
         point = names.point(self.body, "body")
         if not names.known(point.body).turns:
             origin, normal = names.point(self.through, "through"), names.direction(self.normal, "normal")

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING, ClassVar
 
 from freebody.connections.base import Connection
-from freebody.connections.joints import across_names, is_spatial
+from freebody.connections.joints import across_names
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
@@ -26,6 +26,9 @@ class PointOnLine(Connection, kind="point_on_line"):
     """`point_on_line: {point: shaft.B, through: ground.A, along: x}`: a point stays on the line through a point of
     another body, along a direction of that body; a bearing that holds across its axis alone (2 rows)."""
 
+    space_only = True
+    in_plane_take = "slot"
+
     called: ClassVar[tuple[str, ...]] = ("guide", "wire", "rail")
 
     point: str
@@ -39,8 +42,6 @@ connections: {it: {point_on_line: {point: rod.left, through: ground.A, along: x}
 """
 
     def _line(self, names: Names) -> tuple[Point, Point, Direction] | None:
-        if not is_spatial(names, self):
-            return None
         point, through = names.point(self.point, "point"), names.point(self.through, "through")
         along = names.direction(self.along, "along", body=through.body)
         if point.body == through.body or along.body == point.body:
@@ -77,6 +78,9 @@ class PointOnPlane(Connection, kind="point_on_plane"):
     """`point_on_plane: {point: leg.foot, on: ground.floor}`: a point stays in a plane of another body, without friction
     (1 row)."""
 
+    space_only = True
+    in_plane_take = "slot"
+
     point: str
     on: str
 
@@ -88,8 +92,6 @@ connections: {it: {point_on_plane: {point: rod.left, on: floor}}}
 """
 
     def rows(self, names: Names) -> list[ConstraintRow]:
-        if not is_spatial(names, self):
-            return []
         point, plane = names.point(self.point, "point"), names.plane(self.on, "on")
         if plane is None:
             known = [f"{b.name}.{name}" for b in names.bodies.values() for name in b.planes]

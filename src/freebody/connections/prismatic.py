@@ -20,6 +20,9 @@ class Prismatic(AxialJoint, kind="prismatic"):
     """`prismatic: {first: ground.A, second: block, along: x}`: the second point stays on the line through the first,
     and the bodies keep their attitude to each other (5 rows)."""
 
+    space_only = True
+    in_plane_take = "slider"
+
     first: str
     second: str
     along: Heading

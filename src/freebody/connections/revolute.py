@@ -20,6 +20,9 @@ class Revolute(AxialJoint, kind="revolute"):
     """`revolute: {first: ground.A, second: rod.start, about: z}`: the axis on the first body, on the second one
     `second_axis` (the same components). Holds the points and the direction of the axis (5 rows)."""
 
+    space_only = True
+    in_plane_take = "pin"
+
     called: ClassVar[tuple[str, ...]] = ("hinge", "pivot", "axle", "bearing", "pin")
 
     first: str

@@ -24,6 +24,8 @@ class Screw(AxialJoint, kind="screw"):
     """`screw: {first: ground.A, second: nut, about: x, pitch: 2 mm}`: a cylindrical joint in which a turn of the second
     body moves it by the pitch along the axis (5 rows). A negative pitch is a left-hand thread."""
 
+    space_only = True
+
     first: str
     second: str
     about: Heading

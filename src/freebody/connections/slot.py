@@ -25,7 +25,7 @@ class Slot(Connection, kind="slot"):
     the slot's centre line. Holds the displacement across the slot (1 row). `friction`: the force that resists is mu
     times the normal force."""
 
-    called: ClassVar[tuple[str, ...]] = ("guide", "groove")
+    called: ClassVar[tuple[str, ...]] = ("guide", "groove", "roller")
 
     pin: str
     along: Heading

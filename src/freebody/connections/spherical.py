@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING, ClassVar
 
 from freebody.connections.base import Connection
-from freebody.connections.joints import is_spatial, meeting
+from freebody.connections.joints import meeting
 from freebody.language.sentences import Message
 from freebody.model import glyphs
 from freebody.model.elements import ConstraintRow
@@ -18,6 +18,9 @@ if TYPE_CHECKING:
 
 class Spherical(Connection, kind="spherical"):
     """`spherical: [ground.A, rod.start]`. Holds r_second - r_first = 0 (3 rows)."""
+
+    space_only = True
+    in_plane_take = "pin"
 
     called: ClassVar[tuple[str, ...]] = ("ball joint", "socket")
 
@@ -31,8 +34,6 @@ connections: {it: {spherical: [ground.A, rod.left]}}
 """
 
     def rows(self, names: Names) -> list[ConstraintRow]:
-        if not is_spatial(names, self):
-            return []
         first, second = names.point(self.first, "first"), names.point(self.second, "second")
         if first.body == second.body:
             names.problem(Message("joins {body} to itself; name points of two bodies", body=first.body))

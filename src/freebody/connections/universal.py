@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from freebody.connections.base import Connection
-from freebody.connections.joints import is_spatial, meeting, own_direction
+from freebody.connections.joints import meeting, own_direction
 from freebody.language.expression import Symbol
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure
@@ -28,6 +28,9 @@ class Universal(Connection, kind="universal"):
     one in each yoke: `arm` by components on the first body, `second_arm` on the second. Holds the points and the right
     angle between the arms (4 rows)."""
 
+    space_only = True
+    in_plane_take = "pin"
+
     first: str
     second: str
     arm: Heading
@@ -40,8 +43,6 @@ connections: {it: {universal: {first: ground.A, second: shaft.start, arm: x, sec
 """
 
     def rows(self, names: Names) -> list[ConstraintRow]:
-        if not is_spatial(names, self):
-            return []
         first, second = names.point(self.first, "first"), names.point(self.second, "second")
         if first.body == second.body:
             names.problem(Message("joins {body} to itself; name points of two bodies", body=first.body))

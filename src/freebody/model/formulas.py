@@ -123,7 +123,20 @@ class Formulas(Noting):
         except UnitError as error:
             return self._quantity(value, dimension, path, Message("in '{text}': {error}", text=value, error=error))
         if found != dimension and expr != ZERO:
-            return self._quantity(value, dimension, path, _unit_differs(value, found, dimension))
+            told = _unit_differs(value, found, dimension)
+            own = self.parameters.get(value)
+            if (
+                own is not None and own.value is not None and found == DIMENSIONLESS
+            ):  # told once, with where it is given
+                told = Message(
+                    "{told}: write {name}: {value:g} {unit} under parameters",
+                    told=told,
+                    name=value,
+                    value=own.value,
+                    unit=dimension,
+                )
+                self.broken.add(value)
+            return self._quantity(value, dimension, path, told)
         return expr
 
     def _with_quantities(self, text: str, dimension: Dimension, known: Mapping[str, Dimension]) -> Expr | None:

@@ -38,6 +38,10 @@ class Joining(Protocol):
     lets_turn: ClassVar[bool]
     lets_hang: ClassVar[bool]
 
+    def to_plain(self) -> dict[str, Any]:
+        """Its fields, as they were given."""
+        ...
+
     @property
     def is_one_force(self) -> bool:
         """Whether what it transmits at several places is one force to people."""
@@ -115,6 +119,8 @@ class Names(Formulas):
         found = self.bodies.get(name)
         if found is None:
             hint = did_you_mean(name, self.bodies)
+            if GROUND in self.bodies and name in self.bodies[GROUND].points:
+                hint = Message(" Did you mean {x}?", x=f"{GROUND}.{name}")
             self.unknown(name, Message("there is no body {name}.{hint}", name=name, hint=hint), *path)
             return placeholder(name)
         return found
@@ -124,7 +130,8 @@ class Names(Formulas):
         return self.bodies.get(name) or placeholder(name)
 
     def point(self, text: Any, *path: str | int) -> Point:
-        """`body.point`, or `body` for its reference point. A ground point that is not declared is the origin."""
+        """`body.point`, or `body` for its reference point, that of the ground its origin. A ground point that is not
+        declared is the origin."""
         if not isinstance(text, str):
             self.problem(Message("expected a point such as rod.end, found {text}", text=repr(text)), *path)
             return self.bodies[GROUND].point("origin")
@@ -133,9 +140,7 @@ class Names(Formulas):
         if body_name not in self.bodies or body.is_placeholder:
             return body.point()
         if not point_name:
-            if body_name == GROUND:
-                self.problem(Message("a place on the ground needs a name, e.g. ground.A, or ground.origin"), *path)
-            return body.point()
+            return self.ground_origin if body_name == GROUND else body.point()
         if point_name in body.points:
             return body.point(point_name)
         if body_name == GROUND:

@@ -6,7 +6,8 @@ A description can be given by position or by name, in Python (`Pin("ground.axle"
 
 from __future__ import annotations
 
-from typing import Any, ClassVar, cast
+from collections.abc import Mapping
+from typing import Any, ClassVar, cast, get_origin
 
 from pydantic import BaseModel, ConfigDict
 
@@ -14,6 +15,29 @@ from pydantic import BaseModel, ConfigDict
 Formula = str | int | float
 # What stands for a direction: right, left, up, down, an angle, components, or a line or axis of a body.
 Heading = str | int | float | list[Formula] | tuple[Formula, Formula]
+
+
+# What people write for a field, whatever has it.
+MEANT: Mapping[str, tuple[str, ...]] = {
+    "from": ("first", "start"),
+    "to": ("second",),
+    "between": ("first", "second"),
+    "direction": ("along",),
+    "axis": ("along", "about"),
+    "rest_length": ("length",),
+    "natural_length": ("length",),
+    "k": ("stiffness",),
+    "c": ("damping",),
+    "value": ("magnitude", "strength"),
+    "force": ("magnitude",),
+    "torque": ("magnitude",),
+    "body": ("on", "at", "pinion"),
+    "mu": ("friction",),
+    "e": ("restitution",),
+    "r": ("radius",),
+    "m": ("mass",),
+    "l": ("length",),
+}
 
 
 class Spec(BaseModel):
@@ -37,7 +61,7 @@ class Spec(BaseModel):
         as the first field."""
         fields = list(cls.model_fields)
         if isinstance(value, dict):
-            return dict(cast("dict[str, Any]", value))
+            return {key: cls._as_list(key, each) for key, each in cast("dict[str, Any]", value).items()}
         if value is None:
             return {}
         if isinstance(value, list):
@@ -45,15 +69,36 @@ class Spec(BaseModel):
             spread = next((f for f in fields if f in cls.spread), None)
             if spread is not None:
                 return {spread: items}
-            return dict(zip(fields, items, strict=False)) | (
+            named = zip(fields, items, strict=False)
+            return {field: cls._as_list(field, each) for field, each in named} | (
                 {f"item {len(fields) + 1}": items[len(fields)]} if len(items) > len(fields) else {}
             )
         return {fields[0]: value}
 
     @classmethod
+    def _as_list(cls, key: str, value: Any) -> Any:
+        """One name where a list of them is wanted is a list of one."""
+        wanted = cls.model_fields.get(key)
+        is_one = isinstance(value, str) and wanted is not None and get_origin(wanted.annotation) is list
+        return [value] if is_one else value
+
+    @classmethod
+    def meant(cls, key: str) -> tuple[str, ...]:
+        """The fields that people mean by a word: all of `between`, else the first that there is."""
+        known = [field.alias or name for name, field in cls.model_fields.items()]
+        found = tuple(field for field in MEANT.get(key, ()) if field in known)
+        return found if key == "between" else found[:1]
+
+    @classmethod
     def words(cls) -> tuple[str, ...]:
         """What such a thing is called."""
         return (cls.kind.replace("_", " "), *cls.called)
+
+    # what there is in space alone, and the kind of the plane that does the same
+    space_only: ClassVar[bool] = False
+    in_plane_take: ClassVar[str] = ""
+    # a short example in YAML, in which it is called `it`
+    example: ClassVar[str] = ""
 
     # names of a field that takes a whole list when the value is a list
     spread: ClassVar[tuple[str, ...]] = ()

@@ -20,6 +20,7 @@ from freebody.narrative.principles.planar_rates import PlanarRates
 from freebody.narrative.principles.symmetry import Symmetry
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
+from freebody.study.senses import drawn_symbols
 from freebody.study.setup import Setup
 from freebody.symbolic.field import Ratio
 from freebody.system.symbols import reaction_symbols
@@ -39,6 +40,7 @@ class Context:
     introduced: set[str] = field(default_factory=set[str])  # by the opening: parameters, measures
     found: Solved = field(default_factory=dict[int, tuple[Ratio, int]])  # by derivations so far
     new: Solved = field(default_factory=dict[int, tuple[Ratio, int]])  # by the one that is being written
+    drawn: System | None = None  # the system of the pictures, where `system` is one mode of it
 
     @cached_property
     def setup(self) -> Setup:
@@ -50,7 +52,7 @@ class Context:
 
     @cached_property
     def acting(self) -> Acting:
-        return Acting(self.setup.model)
+        return Acting(self.setup.model, symbols=drawn_symbols(self.setup.model.system, base=self.drawn))
 
     @cached_property
     def rates(self) -> PlanarRates:
@@ -100,7 +102,7 @@ class Context:
     def _first_mode(self) -> Context:
         """A system of its own. Raises CannotAnswer where the motion begins with none."""
         setup = first_mode(self.system)
-        made = Context(setup.system, self.next_number, self.introduced)
+        made = Context(setup.system, self.next_number, self.introduced, self.system)
         made.setup = setup
         return made
 

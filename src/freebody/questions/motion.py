@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, Literal
 
 from freebody.language.expression import Call, Expr, Symbol
-from freebody.language.sentences import NOTHING, Argument, Message, Sentence
+from freebody.language.sentences import NOTHING, Argument, Message, Sentence, listed
 from freebody.language.units import DIMENSIONLESS, LENGTH, TIME, Dimension
 from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
@@ -279,7 +279,11 @@ def _motion(names: Names, found: Found, path: Path) -> Quantity | None:
     if re.fullmatch(POINT, of) and (body_name in names.bodies or not _is_phrase(of)):
         if body_name not in names.bodies:
             known = [*names.measures, *names.bodies]
-            told = Message("{of} is no measure, body or point.{hint}", of=of, hint=did_you_mean(body_name, known))
+            hint = did_you_mean(body_name, known)
+            if body_name in names.connections:
+                joined = [f"{end}" for end in names.connections[body_name].to_plain().values() if _is_end(names, end)]
+                hint = Message(" It joins {points}: ask for one of these.", points=listed(joined)) if joined else hint
+            told = Message("{of} is no measure, body or point.{hint}", of=of, hint=hint)
             names.unknown(body_name, told, *path)
             return None
         point = names.point(of, *path)
@@ -288,6 +292,11 @@ def _motion(names: Names, found: Found, path: Path) -> Quantity | None:
     text = of if found["along"] is None else f"{of} along {found['along']}"
     measure = read_measure(names, text, *path)
     return None if measure is None else OfMeasure(measure, order, text)
+
+
+def _is_end(names: Names, value: object) -> bool:
+    """Whether a field of a connection names a point of a body."""
+    return isinstance(value, str) and value.partition(".")[0] in names.bodies
 
 
 def _is_phrase(text: str) -> bool:

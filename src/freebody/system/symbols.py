@@ -70,7 +70,8 @@ def _wishes(row: ConstraintRow, system: System) -> Iterator[str]:
     """Names from the shortest to the most particular one."""
     letter = LETTERS.get(row.reaction, "M" if "moment" in row.reaction or "torque" in row.reaction else "F")
     connection = row.connection
-    component = re.sub(r"\W", "_", row.component.removeprefix("slip of ").split(" on ")[0].split(".")[-1])
+    short = row.component.removeprefix("slip of ").removeprefix("no slip ")
+    component = re.sub(r"\W", "_", short.split(" on ")[0].split(".")[-1])
     axis = row.component.split()[-1]
     if len(axis) <= 1:  # a component: A_x, M_A_x
         if letter == "F" and len(connection) == 1:
@@ -81,7 +82,10 @@ def _wishes(row: ConstraintRow, system: System) -> Iterator[str]:
     alike = [other for other in system.rows if (other.connection, other.reaction) == (connection, row.reaction)]
     if len(alike) > 1 and row.reaction in ("tension", "sideways force"):
         yield from (f"{letter}_{end}" for end in _telling_ends(row, system))
-    yield f"{letter}_{connection}"
+    if row.component.startswith("no slip "):  # one of two directions
+        yield f"{letter}_{component}"
+    else:
+        yield f"{letter}_{connection}"
     yield f"{letter}_{connection}_{component}"
 
 

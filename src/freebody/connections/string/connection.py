@@ -5,7 +5,7 @@ from __future__ import annotations
 import itertools
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar, cast
 
 from pydantic import ConfigDict, Field
 
@@ -70,6 +70,14 @@ class String(Connection, kind="string"):
 bodies: {pulley: {disk: {mass: 1 kg, radius: 1 m}}, a: {particle: {mass: 1 kg}}, b: {particle: {mass: 2 kg}}}
 connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley], to: b}}}
 """
+
+    @classmethod
+    def from_plain(cls, value: object) -> dict[str, Any]:
+        """A list of places is the way of the string: [a, pulley, b] goes from a over the pulley to b."""
+        items: list[Any] = cast("list[Any]", value) if isinstance(value, list) else []
+        if len(items) > 2 and all(isinstance(item, str) for item in items):
+            return {"from": items[0], "over": items[1:-1], "to": items[-1]}
+        return super().from_plain(cast("object", value))
 
     def _places(self) -> list[tuple[str, tuple[str | int, ...]]]:
         """The places on its way, and where in the model each is written."""

@@ -48,8 +48,9 @@ class _Latex(Typesetter):
             letter = r"\lambda" if letters == "lam" else rf"\{letters}"
         else:
             letter = letters if len(letters) == 1 else rf"\mathrm{{{letters}}}"
-        is_plain = written.isdigit() or len(written) == 1
-        index = "" if not written else f"_{{{written}}}" if is_plain else rf"_{{\mathrm{{{written}}}}}"
+        index = f"_{{{written}}}" if written else ""
+        if len(written) > 1 and not written.isdigit():
+            index = rf"_{{\mathrm{{{written.replace(' ', '~')}}}}}"
         if n_dots >= len(_DOTS):
             return f"{letter}^{{({n_dots})}}{index}", POWER
         return (f"{_DOTS[n_dots]}{{{letter}}}" if n_dots else letter) + index, ATOM

@@ -23,6 +23,9 @@ from freebody.language.expression import (
 )
 from freebody.language.parser import GREEK, MAX_DIGITS
 
+# An underscore between two words of small letters, as in bottom_left.
+_BETWEEN_WORDS = re.compile(r"(?<=[a-z]{2})_(?=[a-z]{2})")
+
 MOST_HALVED = 1024  # the largest denominator of what comes of halving again and again
 
 # Binding strength of what stands at the top of a written expression.
@@ -121,6 +124,12 @@ def _decimal_places(denominator: int) -> int | None:
 
 def is_whole(expr: Expr) -> bool:
     return isinstance(expr, Number) and expr.value.denominator == 1
+
+
+def spaced_index(index: str) -> str:
+    """An index as it is set: words follow each other with a space, all else with a comma: bottom_left_x -> bottom
+    left,x; sun_P1 -> sun,P1."""
+    return _BETWEEN_WORDS.sub(" ", index).replace("_", ",")
 
 
 def split_name(name: str) -> tuple[str, str]:

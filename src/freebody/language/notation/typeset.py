@@ -22,6 +22,7 @@ from freebody.language.notation.parts import (
     is_whole,
     quotient,
     signed_terms,
+    spaced_index,
     split_name,
 )
 
@@ -165,4 +166,4 @@ def dotted(expr: Expr) -> tuple[str, int]:
 def letters_and_index(name: str) -> tuple[str, str]:
     """The letters of a name and its index: theta_1_x -> theta, "1,x"."""
     letters, rest = split_name(name)
-    return letters, rest.removeprefix("_").replace("_", ",")
+    return letters, spaced_index(rest.removeprefix("_"))

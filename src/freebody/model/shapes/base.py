@@ -10,7 +10,6 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from freebody.language.expression import Expr, divide, number, power
-from freebody.language.sentences import Message
 from freebody.measures.geometry import ZERO, Components
 from freebody.model.kinds import Kinds
 from freebody.model.spec import Spec
@@ -68,10 +67,3 @@ def half(e: Expr) -> Expr:
 def square(e: Expr) -> Expr:
     """e^2."""
     return power(e, number(2))
-
-
-def is_spatial(names: Names, spec: Shape) -> bool:
-    """Whether the model is one of space; notes a problem where it is not."""
-    if not names.space:
-        names.problem(Message("a {kind} is for models in space: write space: true", kind=spec.kind))
-    return names.space

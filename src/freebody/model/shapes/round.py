@@ -18,7 +18,7 @@ from freebody.language.expression import (
 from freebody.language.sentences import Message
 from freebody.language.units import INERTIA, LENGTH, MASS
 from freebody.measures.geometry import ZERO, Components
-from freebody.model.shapes.base import Build, Shape, half, is_spatial, square
+from freebody.model.shapes.base import Build, Shape, half, square
 from freebody.model.spec import Formula, Heading
 
 if TYPE_CHECKING:
@@ -121,6 +121,9 @@ class Cylinder(Shape, kind="cylinder"):
     """A homogeneous cylinder about its `axis` (z): I = m R^2/2 about it, m (3 R^2 + L^2)/12 across. Points `start`,
     `end`: the middles of its ends. For models in space."""
 
+    space_only = True
+    in_plane_take = "disk"
+
     called: ClassVar[tuple[str, ...]] = ("roller", "drum", "disk", "disc", "wheel", "shaft")
 
     mass: Formula = 0
@@ -133,8 +136,6 @@ class Cylinder(Shape, kind="cylinder"):
     def build(self, names: Names) -> Build:
         m, r, length = (names.positive(self, f, d) for f, d in (("mass", MASS), ("radius", LENGTH), ("length", LENGTH)))
         along = half(m * square(r))
-        if not is_spatial(names, self):
-            return Build(m, along, radius=r)
         axis = _axis(names, self)
         end = half(length)
         return Build(
@@ -155,6 +156,8 @@ class Cone(Shape, kind="cone"):
     quarters of the height: I = 3/10 m R^2 about the axis, 3/80 m (4 R^2 + h^2) across, about the mass centre. The
     reference point is the apex. For models in space."""
 
+    space_only = True
+
     mass: Formula = 0
     radius: Formula
     height: Formula
@@ -165,8 +168,6 @@ class Cone(Shape, kind="cone"):
     def build(self, names: Names) -> Build:
         m, r, h = (names.positive(self, f, d) for f, d in (("mass", MASS), ("radius", LENGTH), ("height", LENGTH)))
         along = divide(3 * m * square(r), number(10))
-        if not is_spatial(names, self):
-            return Build(m, along, radius=r)
         axis = _axis(names, self)
         zero = (ZERO, ZERO, ZERO)
         return Build(

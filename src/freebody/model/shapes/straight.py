@@ -24,7 +24,7 @@ from freebody.language.expression import (
 from freebody.language.sentences import Message
 from freebody.language.units import LENGTH, MASS
 from freebody.measures.geometry import ZERO, Components
-from freebody.model.shapes.base import Build, Shape, half, is_spatial, square
+from freebody.model.shapes.base import Build, Shape, half, square
 from freebody.model.spec import Formula
 from freebody.tolerances import ROUNDED
 
@@ -123,6 +123,9 @@ class Box(Shape, kind="box"):
     """A homogeneous block with the sides `size: [a, b, c]` along its x, y and z; I_x = m (b^2 + c^2)/12. Points: the
     middles of its faces, `left`, `right` (x), `bottom`, `top` (y), `back`, `front` (z). For models in space."""
 
+    space_only = True
+    in_plane_take = "rectangle"
+
     called: ClassVar[tuple[str, ...]] = ("block", "crate", "brick")
 
     mass: Formula = 0
@@ -132,8 +135,6 @@ class Box(Shape, kind="box"):
 
     def build(self, names: Names) -> Build:
         m = names.positive(self, "mass", MASS)
-        if not is_spatial(names, self):
-            return Build(m, ZERO)
         if len(self.size) != 3:
             names.problem(
                 Message("size is three sides, [a, b, c] along x, y and z, found {size}", size=repr(self.size)),

@@ -92,7 +92,7 @@ def _reserve(script: Script, leg: PhaseSegment, watch: PhaseWatch) -> Expr:
     """What is left of the friction that can be transmitted."""
     rub = leg.phase.dry_friction[watch.name]
     names = leg.newton.acting.symbols
-    held = Symbol(names[watch.name].name) * (rub.row.sign * watch.direction)
+    held = Symbol(names[watch.name].name) * (names[watch.name].sign * watch.direction)
     f = leg.phase.model.field
     limit: Expr = ZERO
     for one in [rub, *(leg.phase.dry_friction[n] for n in leg.phase.shared.get(rub.name, ()))]:

@@ -7,12 +7,12 @@ unknown like N, and the law is one more equation.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Symbol
 from freebody.language.sentences import Message
-from freebody.model.elements import ConstraintRow, DryFriction
+from freebody.model.elements import DryFriction
 from freebody.narrative.lines.glossary import Glossary, Meaning, World
 from freebody.narrative.lines.script import Script, Sentence
 from freebody.narrative.principles.acting import Acting, FrictionLaw, Known
@@ -24,17 +24,20 @@ from freebody.narrative.space.spatial_kinematics import SpatialKinematics
 from freebody.narrative.space.spatial_rates import SpatialRates
 from freebody.study.phases.phase import Phase
 from freebody.study.phases.quantities import value_in_mode
+from freebody.study.senses import drawn_symbols
+from freebody.system.symbols import ReactionSymbol
 
 
 def newton_of_phase(phase: Phase, glossary: Glossary) -> Newton:
     """Derives accelerations, normal forces and frictions of one phase; no place of contact stands for another one."""
-    laws = {law.rub.name: law for law in _laws(phase)}
+    symbols = drawn_symbols(phase.base)
+    laws = {law.rub.name: law for law in _laws(phase, symbols)}
     sliding = {name: law.rub.row for name, law in laws.items()}
     rows = {**{row.name: row for row in phase.system.constraint_rows}, **sliding}
-    acting = Acting(phase.model, names=phase.base, rows=rows, known=Known(laws, {}))
+    acting = Acting(phase.model, symbols=symbols, rows=rows, known=Known(laws, {}))
     for name, row in sliding.items():
         what = Sentence("symbol.reaction", {"reaction": "@reaction.friction", "connection": row.connection})
-        glossary.introduce(Meaning(Symbol(acting.symbols[name].name), what, _reads_friction(row, name)))
+        glossary.introduce(Meaning(Symbol(acting.symbols[name].name), what, _reads_friction(name, symbols[name].sign)))
     symmetry = Symmetry(acting, glossary, is_sought=False)
     rates = (
         SpatialRates(SpatialKinematics(phase.setup, glossary, Script(glossary)))
@@ -51,30 +54,31 @@ def newton_of_phase(phase: Phase, glossary: Glossary) -> Newton:
     )
 
 
-def _reads_friction(row: ConstraintRow, name: str) -> Callable[[World], float]:
+def _reads_friction(name: str, sign: int) -> Callable[[World], float]:
     """A sliding friction is read from the load that the numeric route has for it."""
 
     def read(world: World) -> float:
         applied_loads = world.snapshot.reference.system.applied_loads
-        return row.sign * float(world.snapshot.law(next(p for p in applied_loads if p.load == name)))
+        return sign * float(world.snapshot.law(next(p for p in applied_loads if p.load == name)))
 
     return read
 
 
-def _laws(phase: Phase) -> list[FrictionLaw]:
+def _laws(phase: Phase, symbols: Mapping[str, ReactionSymbol]) -> list[FrictionLaw]:
     found: list[FrictionLaw] = []
     for name, sense in phase.mode.states.items():
         if sense:
             rub = phase.dry_friction[name]
-            factor = -sense * rub.row.sign * phase.coefficient(rub, sense, at_rest=False)
-            load, is_back = _load(phase, rub)
-            way = "forward" if sense * rub.row.sign > 0 else "backward"
+            sign = symbols[name].sign
+            factor = -sense * sign * phase.coefficient(rub, sense, at_rest=False)
+            load, is_back = _load(phase, rub, symbols)
+            way = "forward" if sense * sign > 0 else "backward"
             key = f"friction.slides_{way}"
             found.append(FrictionLaw(rub, -factor if is_back else factor, load, key, rub.row.connection))
     return found
 
 
-def _load(phase: Phase, rub: DryFriction) -> tuple[str, bool]:
+def _load(phase: Phase, rub: DryFriction, symbols: Mapping[str, ReactionSymbol]) -> tuple[str, bool]:
     """The row that presses, and whether its reaction is negative."""
     if not rub.load:
         return "", False
@@ -88,4 +92,4 @@ def _load(phase: Phase, rub: DryFriction) -> tuple[str, bool]:
         )
     name = (pressing or list(rub.load))[0]
     row = phase.rows[name]
-    return name, not row.unilateral and model.samples.is_negative(row.sign * model.reactions.multiplier(row))
+    return name, not row.unilateral and model.samples.is_negative(symbols[name].sign * model.reactions.multiplier(row))

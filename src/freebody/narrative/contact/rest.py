@@ -32,11 +32,11 @@ from freebody.study.friction.cases import Ends, FailureCase, HoldingLimit
 from freebody.study.friction.ends import ParameterEnds
 from freebody.study.friction.touching import TouchingAtRest
 from freebody.study.phases.numbers import coefficients_of_friction
+from freebody.study.senses import drawn_symbols
 from freebody.symbolic.active_set import Failure, RestEquations
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.linear import RHS
 from freebody.symbolic.tidy import tidy
-from freebody.system.symbols import reaction_symbols
 
 _AT: dict[int, Relation] = {1: "≤", -1: "≥"}
 
@@ -60,6 +60,7 @@ class _RestTelling:
         self.answer = answer
         self.rest = prepared(context.system)
         self.touching = self.rest.touching
+        self.symbols = drawn_symbols(self.touching.system)
         self.script = Script(context.glossary, context.next_number)
 
     def tell(self) -> None:
@@ -77,10 +78,11 @@ class _RestTelling:
 
     @_tell.register(ReactionRange)
     def _reaction(self, q: ReactionRange) -> None:
-        row = next(r.name for r in self.touching.rows if r.name in q.rows)
-        ends = self.rest.reaction(row)
+        row = next(r for r in self.touching.rows if r.name in q.rows)
+        ends = self.rest.reaction(row.name)
         self._contacts(ends)
-        self._ends(ends, Symbol(reaction_symbols(self.touching.system)[row].name), "", (-1, 1), row)
+        drawn = self.symbols[row.name]
+        self._ends(ends, drawn.sign * row.sign * Symbol(drawn.name), "", (-1, 1), row.name)
 
     @_tell.register(FirstFailure)
     def _failure(self, q: FirstFailure) -> None:
@@ -92,7 +94,7 @@ class _RestTelling:
     def _contacts(self, ends: Ends) -> None:
         """What touches, with the laws that its forces obey, and whether equilibrium alone determines them."""
         found: list[Sentence] = []
-        symbols = reaction_symbols(self.touching.system)
+        symbols = self.symbols
         for row in self.touching.held.constraint_rows:
             if row.unilateral:
                 symbol = Symbol(symbols[row.name].name)
@@ -114,7 +116,7 @@ class _RestTelling:
                 self.script.say("rest.not_unique", n=len(free))
 
     # -- ends ---------------------------------------------------------------------------------
-    def _ends(self, ends: Ends, symbol: Symbol, name: str, signs: tuple[int, ...], row: str = "") -> None:
+    def _ends(self, ends: Ends, symbol: Expr, name: str, signs: tuple[int, ...], row: str = "") -> None:
         """Every end that there is, then all together."""
         told: list[tuple[int, FailureCase, int, RestGlossary]] = []
         for sign in signs:
@@ -130,7 +132,7 @@ class _RestTelling:
         with self.script.stage("stage.value", "hint.rest_value"):
             self._together(symbol, told)
 
-    def _together(self, symbol: Symbol, told: list[tuple[int, FailureCase, int, RestGlossary]]) -> None:
+    def _together(self, symbol: Expr, told: list[tuple[int, FailureCase, int, RestGlossary]]) -> None:
         """low <= p <= high"""
         lines = tuple(line for _s, _c, line, _g in told)
         self.script.glossary = told[-1][3]
@@ -149,7 +151,7 @@ class _RestTelling:
         self.context.glossary = told[-1][3]
 
     def _case(
-        self, ends: Ends, limit: HoldingLimit, case: FailureCase, symbol: Symbol, name: str, row: str = ""
+        self, ends: Ends, limit: HoldingLimit, case: FailureCase, symbol: Expr, name: str, row: str = ""
     ) -> tuple[int, RestGlossary]:
         """One way to fail: equilibrium with the states of its contacts, down to the limit."""
         script = self.script
@@ -166,7 +168,8 @@ class _RestTelling:
             if row:
                 unknown = newton.acting.generator(row)
                 value, line = solver.solve(solver.with_said(rows, said), [unknown])[unknown]
-                if not (value - case.element).is_zero():
+                is_drawn_back = newton.acting.sign(row) != newton.acting.rows[row].sign
+                if not ((-value if is_drawn_back else value) - case.element).is_zero():
                     raise RoutesDisagree(Message("the derivation ends in another formula than the solver's"))
             else:
                 line = solver.residual(rows, said)
@@ -175,7 +178,7 @@ class _RestTelling:
         self._conditions(case, newton, equations, line)
         return line, glossary
 
-    def _solved(self, case: FailureCase, symbol: Symbol, line: int, *, is_root: bool) -> int:
+    def _solved(self, case: FailureCase, symbol: Expr, line: int, *, is_root: bool) -> int:
         """The condition solved for the parameter."""
         argument = solved_argument(case.element)
         if argument is not None:

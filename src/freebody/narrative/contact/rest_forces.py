@@ -7,22 +7,26 @@ that a set of them from which all forces that are left drop out is a condition o
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.model.elements import DryFriction
 from freebody.narrative.principles.acting import Acting, FrictionLaw, Known
 from freebody.narrative.principles.reactions import place_of
 from freebody.study.friction.touching import TouchingAtRest
+from freebody.study.senses import drawn_symbols
 from freebody.symbolic.active_set import Failure, RestEquations
+from freebody.system.symbols import ReactionSymbol
 
 
 def acting_at_rest(touching: TouchingAtRest, equations: RestEquations, failure: Failure) -> Acting:
     """Reactions, frictions and loads in the start pose, in one way to fail."""
     rows = {row.name: row for row in touching.rows}
-    known = Known(
-        {name: _law(equations, failure, name, sense) for name, sense in failure.slips}, _gone(equations, failure)
-    )
-    return Acting(equations.state.model, names=touching.system, rows=rows, known=known, here=equations.here)
+    symbols = drawn_symbols(touching.system)
+    laws = {name: _law(equations, failure, name, sense, symbols) for name, sense in failure.slips}
+    known = Known(laws, _gone(equations, failure))
+    return Acting(equations.state.model, symbols=symbols, rows=rows, known=known, here=equations.here)
 
 
 def _gone(equations: RestEquations, failure: Failure) -> dict[str, str]:
@@ -32,7 +36,9 @@ def _gone(equations: RestEquations, failure: Failure) -> dict[str, str]:
     return {**dict.fromkeys(sorted(opened), "verge.opens"), **dict.fromkeys(free, "verge.free")}
 
 
-def _law(equations: RestEquations, failure: Failure, name: str, sense: int) -> FrictionLaw:
+def _law(
+    equations: RestEquations, failure: Failure, name: str, sense: int, symbols: Mapping[str, ReactionSymbol]
+) -> FrictionLaw:
     """A friction at its limit. Raises CannotAnswer for one with a resultant of two components."""
     rub = equations.dry_friction[name]
     if len(rub.load) > 1:
@@ -43,11 +49,11 @@ def _law(equations: RestEquations, failure: Failure, name: str, sense: int) -> F
                 contact=rub.row.connection,
             )
         )
-    factor = -sense * rub.row.sign * equations.coefficient(rub, sense)
+    factor = -sense * symbols[name].sign * equations.coefficient(rub, sense)
     load = next(iter(rub.load), "")
     if load:
         row = equations.rows[load]
-        factor = (1 if row.unilateral else dict(failure.signs).get(load, 1) * row.sign) * factor
+        factor = (1 if row.unilateral else dict(failure.signs).get(load, 1) * symbols[load].sign) * factor
     return FrictionLaw(rub, equations.field.lowest_terms(factor), load, *_words(rub, load))
 
 

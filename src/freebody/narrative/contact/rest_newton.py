@@ -43,7 +43,7 @@ class RestNewton(Newton):
         )
         self.limit_glossary = glossary
         for name in acting.rows:
-            glossary.introduce_reaction(name, acting.symbol(name), words_of(acting, name))
+            glossary.introduce_reaction(name, acting.symbol(name), words_of(acting, name), acting.sign(name))
 
     def tell(self, script: Script, asked: Sequence[str] = ()) -> tuple[list[EliminationRow], list[EliminationRow]]:
         """The equations as lines, and what the contacts say; the rows of both. asked: rows whose reactions are wanted;

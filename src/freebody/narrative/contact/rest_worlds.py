@@ -75,12 +75,9 @@ class RestGlossary(Glossary):
         forces = dict(zip(problem.names, map(float, optimum.forces), strict=True))
         return RestWorld(self, draw, reference.snapshot(q, np.zeros_like(q)), forces)
 
-    def introduce_reaction(self, row: str, symbol: Expr, what: Sentence) -> None:
-        """The symbol of a reaction, read from the linear programs."""
-        self.introduce(Meaning(symbol, what, _reads(self._sign(row), row), ""))
-
-    def _sign(self, row: str) -> int:
-        return next(r.sign for r in self.touching.rows if r.name == row)
+    def introduce_reaction(self, row: str, symbol: Expr, what: Sentence, sign: int) -> None:
+        """The symbol of a reaction, sign times its multiplier, read from the linear programs."""
+        self.introduce(Meaning(symbol, what, _reads(sign, row), ""))
 
 
 def _reads(sign: int, row: str) -> Callable[[World], float]:

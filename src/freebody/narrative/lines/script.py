@@ -88,6 +88,7 @@ class Diagram:
 
     bodies: tuple[str, ...]  # nothing: the whole system
     caption: Sentence
+    told: tuple[str, ...] = ()  # rows that never act, and of which the equations say so
 
 
 def ready(text: str) -> Argument:

@@ -14,9 +14,10 @@ from functools import cached_property
 from freebody.language.expression import Symbol
 from freebody.measures.base import Measure
 from freebody.model.elements import AppliedLoad, ConstraintRow, DryFriction, NonholonomicForm
+from freebody.study.senses import drawn_symbols
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
-from freebody.system.symbols import reaction_symbols
+from freebody.system.symbols import ReactionSymbol
 from freebody.system.system import System
 
 Slot = tuple[str, str]  # body and slot
@@ -54,16 +55,16 @@ class Acting:
         self,
         model: SymbolicModel,
         *,
-        names: System | None = None,
+        symbols: Mapping[str, ReactionSymbol] | None = None,
         rows: Mapping[str, ConstraintRow] | None = None,
         known: Known = NOTHING_KNOWN,
         here: Callable[[Ratio], Ratio] | None = None,
     ) -> None:
-        """names: the system whose reactions give the symbols, where `model` is one mode of it; rows: what transmits
+        """symbols: of the reactions, where `model` is one mode of a system that gives them; rows: what transmits
         forces, where that is more than what is held."""
         self.model = model
         self.system: System = model.system
-        self.symbols = reaction_symbols(names or self.system)
+        self.symbols = drawn_symbols(self.system) if symbols is None else symbols
         held = {row.name: row for row in self.system.constraint_rows}
         self.rows: dict[str, ConstraintRow] = held if rows is None else dict(rows)
         self.known = known
@@ -83,6 +84,10 @@ class Acting:
         """How a reaction is written."""
         return Symbol(self.symbols[row].name)
 
+    def sign(self, row: str) -> int:
+        """A reaction, as it is written, is this times the multiplier of its row."""
+        return self.symbols[row].sign
+
     def generator(self, row: str) -> int:
         """The generator of a reaction or friction."""
         return self.model.field.index(self.reactions[row])
@@ -93,9 +98,8 @@ class Acting:
         found: dict[str, dict[Slot, Ratio]] = {}
         for name, row in self.rows.items():
             slopes = self.gradient(row.measure)
-            found[name] = {
-                slot: row.sign * slope for slot, slope in slopes.items() if not self.model.samples.vanishes(slope)
-            }
+            acting = {slot: x for slot, x in slopes.items() if not self.model.samples.vanishes(x)}
+            found[name] = {slot: self.sign(name) * slope for slot, slope in acting.items()}
         return found
 
     def acting_on(self, body: str) -> list[str]:

@@ -37,11 +37,11 @@ class FormalState(SymbolicState):
         return m.field.lowest_terms(m.in_independent_speeds(m.rate(self.raw_rate(measure))))
 
     def multiplier(self, row: ConstraintRow) -> Ratio:
-        return row.sign * self.acting.reactions[row.name]
+        return self.acting.sign(row.name) * self.acting.reactions[row.name]
 
     def law(self, push: AppliedLoad) -> Ratio:
         law = self.acting.known.laws.get(push.load)
-        return super().law(push) if law is None else law.rub.row.sign * self.acting.reactions[push.load]
+        return super().law(push) if law is None else self.acting.sign(law.rub.name) * self.acting.reactions[push.load]
 
     def sqrt(self, x: Any) -> Ratio:
         """The root of a square has the sign that it has with the reactions and accelerations of the solution."""
@@ -55,7 +55,7 @@ class FormalState(SymbolicState):
             reaction = self.acting.reactions.get(row.name)
             if reaction is not None and m.field.index(reaction) in used:
                 with suppress(CannotAnswer):
-                    values[m.field.index(reaction)] = row.sign * m.reactions.multiplier(row)
+                    values[m.field.index(reaction)] = self.acting.sign(row.name) * m.reactions.multiplier(row)
         if used & set(m.accelerations):
             values |= m.dynamics.solved_accelerations
         return m.field.lowest_terms(m.field.follow(x, values)) if values else x

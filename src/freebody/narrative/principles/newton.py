@@ -185,9 +185,10 @@ class Newton:
         for group in self.symmetry.copies:
             if group.bodies[0] in plan.bodies:
                 script.say("symmetry.said", bodies=group.bodies, first=group.bodies[0])
+        told = tuple(sorted(row for row in self.idle if self._is_told(row, plan)))
         for bodies in dict.fromkeys(p.bodies for p in plan.principles) if self.is_drawn else ():
             key = "figure.free_body" if len(bodies) == 1 else "figure.free_bodies"
-            script.add(Diagram(bodies, Sentence(key, {"bodies": bodies})))
+            script.add(Diagram(bodies, Sentence(key, {"bodies": bodies}), told))
         acting = [
             row for p in plan.principles for row in self.acting.from_outside(p.bodies) if self._is_told(row, plan)
         ]

@@ -19,7 +19,7 @@ def name_reactions(script: Script, glossary: Glossary, acting: Acting, rows: Ite
         symbol = acting.symbol(name)
         if symbol.name not in known:
             known.add(symbol.name)
-            meaning = Meaning(symbol, words_of(acting, name), reader(name), _unit(acting.rows[name]))
+            meaning = Meaning(symbol, words_of(acting, name), reader(name, acting.sign(name)), _unit(acting.rows[name]))
             glossary.introduce(meaning)
             entries.append((symbol, meaning.what, meaning.unit))
     if entries:
@@ -57,11 +57,11 @@ def _unit(row: ConstraintRow) -> str:
     return str(ENERGY / row.measure.dimension)
 
 
-def reader(name: str) -> Callable[[World], float]:
-    """Reads the reaction of a row: its sign times its multiplier."""
+def reader(name: str, sign: int) -> Callable[[World], float]:
+    """Reads the reaction of a row: its sign, as it is written, times its multiplier."""
 
     def read(world: World) -> float:
         held = next(r for r in world.snapshot.reference.system.constraint_rows if r.name == name)
-        return held.sign * world.snapshot.multiplier(held)
+        return sign * world.snapshot.multiplier(held)
 
     return read

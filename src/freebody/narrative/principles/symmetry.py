@@ -105,6 +105,8 @@ def _are_alike(acting: Acting, first: str, other: str, rows: Mapping[str, str], 
         return False
     for world in worlds:
         for row, same in rows.items():
+            if acting.sign(row) != acting.sign(same):
+                return False
             with suppress(CannotAnswer):
                 a, b = (world.snapshot.multiplier(acting.rows[name]) for name in (row, same))
                 if not math.isclose(a, b, rel_tol=_ALIKE, abs_tol=_ALIKE):

@@ -91,9 +91,11 @@ def finish(
     if is_there and not script.stages and not question.at_start:  # an earlier derivation has found it
         with script.stage("stage.value"):
             script.say("result.found", line=last)
+    drawn_back = next((u for u in found if len(parts) == 1 and (parts[0] + f.variable(u)).is_zero()), None)
     if not is_there:
         kind = "sum" if before is not None and before.total is not None else "value"
-        with script.stage(f"stage.{kind}", f"hint.{kind}"):
+        stage = (f"stage.{kind}", f"hint.{kind}") if drawn_back is None else ("stage.counted", "")
+        with script.stage(*stage):
             script.add(asked_entry(name, question, n=len(parts)))
             shown = written(general)
             sides: list[Expr | tuple[Expr, ...]] = [side_of(name, len(general))]
@@ -102,9 +104,10 @@ def finish(
                 sides.append(before.total)
             elif found and unsolved != shown:
                 sides.append(unsolved)
-            last = script.line(
-                *sides, shown, why="value.follows" if lines else "value.is", args={"lines": lines}, uses=lines
-            )
+            why, args = ("value.follows" if lines else "value.is"), dict[str, Argument](lines=lines)
+            if drawn_back is not None:
+                why, args = "value.counted", {"lines": lines, "force": tidy(f.variable(drawn_back))}
+            last = script.line(*sides, shown, why=why, args=args, uses=lines)
     wanted = tuple(general)
     if question.at_start:
         with script.stage("stage.start", "hint.start"):

@@ -27,11 +27,11 @@ def report_of(explanation: WorkedSolutions) -> Report:
     system = explanation.system
 
     @cache
-    def draw(bodies: tuple[str, ...]) -> Picture | None:
+    def draw(bodies: tuple[str, ...], told: tuple[str, ...]) -> Picture | None:
         from freebody.study.pictures.picture import free_body, picture
 
         try:
-            return free_body(system, *bodies) if bodies else picture(system)
+            return free_body(system, *bodies, told=told) if bodies else picture(system)
         except FreebodyError:  # a derivation without its picture is better than none
             return None
 
@@ -53,7 +53,7 @@ def plain_derivations(explanation: WorkedSolutions) -> dict[str, Any]:
     from freebody.present.report.formats.terminal import terminal_text
 
     catalogue = Catalogue(explanation.language)
-    telling = Telling(catalogue, lambda _bodies: None)
+    telling = Telling(catalogue, lambda _bodies, _told: None)
 
     def told(stage: DerivationStage) -> dict[str, Any]:
         report = Report("", catalogue.language, "", tuple(telling.blocks(stage.items)), catalogue.report_words)

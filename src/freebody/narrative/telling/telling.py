@@ -41,7 +41,7 @@ from freebody.present.report.formulas.rows import formula_width
 
 _IN_A_LINE = 36  # characters of a formula that stands within a text
 Entry = tuple[Expr, Sentence, str]  # a symbol, what it means, its unit
-Draw = Callable[[tuple[str, ...]], Picture | None]
+Draw = Callable[[tuple[str, ...], tuple[str, ...]], Picture | None]
 
 
 class Telling:
@@ -51,7 +51,7 @@ class Telling:
         self.catalogue = catalogue
         self.draw = draw
         self.n_figures = 0
-        self.shown: dict[tuple[str, ...], int] = {}  # figures by the bodies that they show
+        self.shown: dict[tuple[tuple[str, ...], tuple[str, ...]], int] = {}  # figures by the bodies that they show
 
     def stages(self, stages: Sequence[DerivationStage]) -> tuple[Block, ...]:
         """Every stage as a step that can be revealed."""
@@ -172,13 +172,14 @@ class Telling:
 
     def _figure(self, diagram: Diagram) -> Figure | int | None:
         """The figure of a diagram; the number of the one that shows the same already."""
-        picture = self.draw(diagram.bodies)
+        shown = (diagram.bodies, diagram.told)
+        picture = self.draw(*shown)
         if picture is None:
             return None
-        if diagram.bodies in self.shown:
-            return self.shown[diagram.bodies]
+        if shown in self.shown:
+            return self.shown[shown]
         self.n_figures += 1
-        self.shown[diagram.bodies] = self.n_figures
+        self.shown[shown] = self.n_figures
         return Figure(picture, self.catalogue.tell(diagram.caption), self.n_figures)
 
 

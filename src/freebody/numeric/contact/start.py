@@ -46,9 +46,24 @@ def assembled_touching(reference: Reference) -> Array:
         if added is None:
             break
         closed[added.name] = added
-        q = _placed(reference, closed, turning)
+        try:
+            q = _placed(reference, closed, turning)
+        except CannotAnswer as error:
+            raise CannotAnswer(_apart(added)) from error
     _refuse_penetration(reference, q, bounds)
     return q
+
+
+def _apart(bound: UnilateralConstraint) -> str:
+    """That two bodies cannot touch at the start, as they do where nobody says where they are."""
+    a, b = bound.row.ends[2:4] if len(bound.row.ends) > 3 else (*bound.row.ends, bound.row.connection)[:2]
+    return Message(
+        "{a} and {b} cannot touch at the start ({contact}). If they start apart, write touching: false in the contact, "
+        "or say where they are (at)",
+        a=a,
+        b=b,
+        contact=bound.row.connection,
+    )
 
 
 def _placed(reference: Reference, closed: Mapping[str, UnilateralConstraint], turning: dict[str, str]) -> Array:

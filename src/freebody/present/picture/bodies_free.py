@@ -9,7 +9,7 @@ import numpy as np
 
 from freebody.language.expression import Symbol
 from freebody.present.drawing import Drawing
-from freebody.present.figures import Array, Figure, positions
+from freebody.present.figures import GROUND, Array, Figure, positions
 from freebody.present.picture.arrows import Arrows, axes_cross
 from freebody.present.picture.forces import ShownForce
 from freebody.present.picture.label import Label, formula, name, words
@@ -24,6 +24,7 @@ from freebody.system.system import System
 
 _ROOM = {1: (130.0, 105.0), 2: (190.0, 140.0)}  # [points] for the bodies, without their arrows
 _MOST = 250.0, 180.0
+_BESIDE = {False: (0.0,), True: (9.0, 0.0)}  # [points] from a rim to a name; that of the ground is hatched
 
 
 def free_body_picture(
@@ -90,7 +91,7 @@ def name_beside(sketch: Sketch, figure: Figure, poses: Array, label: Label) -> N
     if figure.radius is not None:
         rim = figure.radius * sketch.scale
         ways = [way for _at, way in around(middle)]
-        outside = [(middle + rim * way, way) for way in ways]
+        outside = [(middle + (rim + aside) * way, way) for aside in _BESIDE[figure.index == GROUND] for way in ways]
         places = [*outside, *places] if figure.is_hollow or rim < 34.0 else [*places, *outside]
     elif len(figure.outline) > 2:
         places = [(middle + 4.0 * way, way) for _at, way in around(middle)] + places

@@ -9,39 +9,36 @@ from itertools import combinations, pairwise
 import numpy as np
 
 from freebody.errors import FreebodyError
-from freebody.language.expression import Expr, Symbol, divide, evaluate, free_symbols, number
-from freebody.language.units import DIMENSIONLESS, LENGTH
+from freebody.language.expression import Expr, Symbol, evaluate, free_symbols
+from freebody.language.units import DIMENSIONLESS
 from freebody.measures.geometry import GROUND as GROUND_NAME
 from freebody.measures.geometry import Components
 from freebody.model.elements import RigidBody
 from freebody.model.glyphs import Rail, Rod, Surface, Track
 from freebody.present.drawing import Drawing
 from freebody.present.figures import GROUND, Array, Figure, Place, positions
+from freebody.present.picture.dimensioned import INK, LEAST, SIZE, Dimensioned
 from freebody.present.picture.label import Label, formula
 from freebody.present.picture.placer import Wish
-from freebody.present.picture.shapes import Ink, Shape
-from freebody.present.picture.signs import across, arc, dimension, head, unit
+from freebody.present.picture.shapes import Shape
+from freebody.present.picture.signs import across, arc, head, unit
 from freebody.present.picture.sketch import Sketch
 from freebody.present.places import Places
 from freebody.present.strokes import Path
 from freebody.system.system import System
 
-INK = Ink("muted")
-_SIZE = 9.5
-_LEAST = 16.0  # [points] a length that a dimension line can show
-_ASIDE = (15.0, -15.0, 25.0, -25.0, 36.0, -36.0)  # [points]
+_CROSSED = 14  # how much may be near the dimension of a whole length, which may cross another body
 _ANGLES = (-0.6, -1.0, -2.2, 0.6, 2.5, -0.2, 1.2, 3.6)  # [rad] of a radius
 _ARC = 34.0  # [points]
-# values at which a length is compared with each parameter that it depends on
-_SAMPLES = (0.83, 1.37, 0.59, 1.91, 1.13), (1.51, 0.71, 1.87, 0.97, 1.23)
+_NAME_OF_ANGLE = 17.0  # [points] between two lines that have a name between them
 
 
-class Dimensions:
-    """Draws dimensions into a sketch, each symbol once."""
+class Dimensions(Dimensioned):
+    """Draws dimensions into a sketch of the plane, each symbol once."""
 
     def __init__(self, system: System, sketch: Sketch, drawing: Drawing, places: Places) -> None:
-        self.system, self.sketch, self.drawing, self.places = system, sketch, drawing, places
-        self.shown: set[str] = set()
+        super().__init__(system, sketch)
+        self.drawing, self.places = drawing, places
 
     def draw(self) -> None:
         """Radii and lengths."""
@@ -57,17 +54,11 @@ class Dimensions:
     def _at(self, place: Place) -> Array:
         return self.sketch.seen(positions(self.drawing.poses, place)[0])
 
-    def _is_new(self, label: Label) -> bool:
-        return label.text.split("/")[0] not in self.shown
-
-    def _show(self, label: Label) -> None:
-        self.shown.add(label.text.split("/")[0])
-
     # -- radii --------------------------------------------------------------------------------
     def _radius(self, figure: Figure, radius: Expr) -> None:
-        label = self._plain(radius)
+        label = self.plain(radius)
         rim = (figure.radius or 0.0) * self.sketch.scale
-        if label is None or rim < _LEAST or not self._is_new(label):
+        if label is None or rim < LEAST or not self.is_new(label):
             return
         middle = self._at(figure.center)
         turn = 0.0 if figure.index == GROUND else float(self.drawing.poses[0, figure.index, 2])
@@ -78,22 +69,22 @@ class Dimensions:
             options.append([shaft, head(middle + rim * way, way, INK, 5.0)])
         k = self.sketch.least_crowded([option[:1] for option in options], 14)
         if k is not None:
-            self._show(label)
+            self.show(label)
             self.sketch.add(options[k])
             way = unit(turn + _ANGLES[k])
             spots = [middle + share * rim * way for share in (0.55, 0.7, 0.4)]
             places = tuple((s, sign * across(way)) for s in spots for sign in (1.0, -1.0))
-            self.sketch.wish(Wish(label, places, _SIZE, INK, weight=3.0))
+            self.sketch.wish(Wish(label, places, SIZE, INK, weight=3.0))
 
     # -- lengths ------------------------------------------------------------------------------
     def _links(self) -> None:
         """Lengths of links without mass."""
         for shown in self.system.glyphs:
             if isinstance(shown.sign, Rod) and shown.sign.length is not None:
-                label = self._plain(shown.sign.length)
+                label = self.plain(shown.sign.length)
                 ends = self.places.place(shown.sign.first), self.places.place(shown.sign.second)
-                if label is not None and self._is_new(label) and ends in self.drawing.scene.rods:
-                    self._dimension(label, self._at(ends[0]), self._at(ends[1]), 1.0)
+                if label is not None and self.is_new(label) and ends in self.drawing.scene.rods:
+                    self.dimension(label, self._at(ends[0]), self._at(ends[1]), 1.0)
 
     def _ground(self) -> None:
         """Between points of the ground at which something is joined."""
@@ -102,9 +93,9 @@ class Dimensions:
         joined = [called for called in ground.points if self.places.place(ground.point(called)) in used]
         for first, second in combinations(joined, 2):
             label = self._apart(ground.points[first], ground.points[second])
-            if label is not None and self._is_new(label):
+            if label is not None and self.is_new(label):
                 a, b = (self._at(self.places.place(ground.point(called))) for called in (first, second))
-                self._dimension(label, a, b, -1.0)
+                self.dimension(label, a, b, -1.0)
 
     def _held(self) -> Iterator[tuple[Place, Place]]:
         """The ends of springs and strings."""
@@ -114,28 +105,11 @@ class Dimensions:
 
     def _lengths(self, figure: Figure, body: RigidBody) -> None:
         """Between neighbours along a rod, along two edges of a polygon."""
-        for first, second in self._stretches(figure, body):
+        for k, (first, second) in enumerate(self._stretches(figure, body)):
             label = self._apart(body.points[first], body.points[second])
-            if label is not None and self._is_new(label):
+            if label is not None and self.is_new(label):
                 a, b = (self._at(figure.points[name]) for name in (first, second))
-                self._dimension(label, a, b, 1.0 if len(figure.outline) < 3 else -1.0)
-
-    def _dimension(self, label: Label, a: Array, b: Array, sense: float) -> None:
-        """A dimension line beside two points, on the left first (sense +1) or on the right, where there is room."""
-        apart = float(np.hypot(*(b - a)))
-        if apart < _LEAST:
-            return
-        lines = [list(dimension(a, b, sense * aside, INK)) for aside in _ASIDE]
-        k = self.sketch.least_crowded([line[2:] for line in lines], 5)
-        if k is None:
-            return
-        self._show(label)
-        self.sketch.add(lines[k])
-        side = sense * across((b - a) / apart)
-        outwards = side * math.copysign(1.0, _ASIDE[k])
-        spots = [a + share * (b - a) + _ASIDE[k] * side for share in (0.5, 0.35, 0.65)]
-        places = tuple((s, sign * outwards) for s in spots for sign in (1.0, -1.0))
-        self.sketch.wish(Wish(label, places, _SIZE, INK, weight=3.0))
+                self.dimension(label, a, b, 1.0 if len(figure.outline) < 3 else -1.0, _CROSSED if not k else 5)
 
     def _stretches(self, figure: Figure, body: RigidBody) -> Iterator[tuple[str, str]]:
         if len(figure.corners) > 2:
@@ -158,35 +132,14 @@ class Dimensions:
     def _apart(self, first: Components, second: Components) -> Label | None:
         """The distance of two points of a body, if it is a multiple of one length."""
         differences = [b - a for a, b in zip(first, second, strict=True)]
-        return self._plain(*differences)
-
-    def _plain(self, *parts: Expr) -> Label | None:
-        """The size of a vector as a parameter, its half or its double."""
-        names = sorted({name for part in parts for name in free_symbols(part)})
-        samples = [{name: share[k % len(share)] for k, name in enumerate(names)} for share in _SAMPLES]
-        try:
-            sizes = [math.hypot(*(float(evaluate(part, values)) for part in parts)) for values in samples]
-        except (ArithmeticError, ValueError, FreebodyError):  # a formula with a gap there is no multiple
-            return None
-        for name in names:
-            parameter = self.system.parameters.get(name)
-            if parameter is None or parameter.dimension != LENGTH:
-                continue
-            for factor, expr in (
-                (1.0, Symbol(name)),
-                (0.5, divide(Symbol(name), number(2))),
-                (2.0, number(2) * Symbol(name)),
-            ):
-                if all(abs(size - factor * values[name]) < 1e-9 for size, values in zip(sizes, samples, strict=True)):
-                    return formula(expr)
-        return None
+        return self.plain(*differences)
 
     # -- inclines -----------------------------------------------------------------------------
     def draw_inclines(self) -> None:
         """The angle between a surface of the ground and the horizontal or the vertical."""
         for name, angle, base in self._angles():
             line = self._surface(angle)
-            if line is None or name in self.shown:
+            if line is None or not self.is_new(formula(Symbol(name))):
                 continue
             low, high = line if line[0][1] <= line[1][1] else line[::-1]
             length = float(np.hypot(*(high - low)))
@@ -201,12 +154,14 @@ class Dimensions:
         """The arc of an angle between a dashed line and a line of the picture, both from one point."""
         begin, end = (math.atan2(v[1], v[0]) for v in (level, way))
         turn = math.remainder(end - begin, math.tau)
-        dashed = Shape(np.array((at, at + (radius + 14.0) * level)), INK, 0.8, dashes=(3.0, 2.5))
+        reach = max(radius + 14.0, _NAME_OF_ANGLE / max(abs(turn), 0.1) + 8.0)
+        dashed = Shape(np.array((at, at + reach * level)), INK, 0.8, dashes=(3.0, 2.5))
         self.sketch.add(dashed, Shape(arc(at, radius, begin, turn), INK, 0.9))
         middle = unit(begin + 0.5 * turn)
-        places = ((at + radius * middle, middle), (at + (radius - 5.0) * middle, -middle))
+        far = max(radius, _NAME_OF_ANGLE / abs(turn))  # where the name has room between the two lines
+        places = ((at + far * middle, middle), (at + (radius - 5.0) * middle, -middle))
         self.sketch.wish(Wish(formula(Symbol(name)), places, 10.5, INK, weight=4.5))
-        self.shown.add(name)
+        self.show(formula(Symbol(name)))
 
     def draw_tilts(self) -> None:
         """The angle at which a rod is put, at its lower end."""
@@ -218,7 +173,7 @@ class Dimensions:
             low, high = min(ends, key=lambda end: end[1]), max(ends, key=lambda end: end[1])
             length = float(np.hypot(*(high - low)))
             for name, base in self._counted(angle):
-                if name not in self.shown and length > _ARC:
+                if self.is_new(formula(Symbol(name))) and length > _ARC:
                     way = (high - low) / length
                     level = np.array((math.copysign(1.0, way[0]), 0.0)) if base == 0 else np.array((0.0, 1.0))
                     self._mark(name, low, level, way, min(_ARC, 0.5 * length))

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from freebody.errors import ExpressionError
 from freebody.language.expression import Expr, Symbol
 from freebody.language.notation import to_latex, to_text
+from freebody.language.notation.parts import spaced_index
 from freebody.language.parser import parse
 
 _PART = re.compile(
@@ -104,7 +105,7 @@ def _runs(text: str) -> list[Run]:
             found.append(Run(letters, is_italic=letters not in _FUNCTIONS))
             found.extend([Run("\u2032" * len(dots))] if dots else [])
             if index:
-                inner = index.removeprefix("_").translate(_DIGITS).replace("_", ",")
+                inner = spaced_index(index.removeprefix("_").translate(_DIGITS))
                 found.append(Run(inner, is_italic=len(inner) == 1 and inner.isalpha(), level=-1))
         elif part["power"]:
             found.append(Run(part["power"].translate(_DIGITS).replace("-", "\u2212"), level=1))

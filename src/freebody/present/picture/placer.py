@@ -74,6 +74,11 @@ def beside(way: Array, half: Array, gap: float) -> Array:
     return way * gap + half * way / float(np.abs(way).max())
 
 
+def is_over(word: Word, shapes: Sequence[Shape]) -> bool:
+    """Whether a word stands over lines."""
+    return _below(word, dense(shapes)) > 0
+
+
 def _below(word: Word, points: Array) -> int:
     near = np.abs(points - word.at) < word.half + 0.6
     return int((near[:, 0] & near[:, 1]).sum())

@@ -19,25 +19,29 @@ from freebody.present.picture.bodies_free import description as described_forces
 from freebody.present.picture.forces import ShownForce
 from freebody.present.picture.label import Label, formula, name, words
 from freebody.present.picture.picture import Picture
-from freebody.present.picture.placer import Wish, around
+from freebody.present.picture.placer import Wish, around, is_over
 from freebody.present.picture.shapes import Ink, Shape, Word
 from freebody.present.picture.signs import across
 from freebody.present.picture.signs import arrow as flat_arrow
 from freebody.present.picture.sketch import Sketch
+from freebody.present.picture.space_dimensions import SpaceDimensions
 from freebody.present.picture.whole import Whole
 from freebody.present.places import Places
 from freebody.present.scene import Scene
 from freebody.present.space.drawing import SpatialDrawing, shells_of
 from freebody.present.space.figures import Joint, Poses, joints_of
 from freebody.present.space.looks import OF_BODIES
-from freebody.present.space.painter import paint, painted_shot, shots
+from freebody.present.space.painter import Shot, paint, painted_shot, shots
 from freebody.present.space.shells import Shells
 from freebody.present.space.symbols import arrow, curved_arrow
+from freebody.present.symbols import hatched
 from freebody.system.system import System
 
 _LETTER, _SIZE = 0.56, 9.0  # width of a letter by its height; points
 _ROOM = 350.0, 260.0  # [points]
 _ROOM_FREE = 200.0, 160.0
+_EDGE_ON = 1e-3  # sine of the angle between a plane and the line of sight
+_HATCH = 7.0  # [points]
 _SHORTEST = 10.0  # [points] of a vector that is seen from its end
 
 
@@ -63,8 +67,23 @@ class SpaceSketch(Sketch):
         dark = [list(paint(shot, is_dark=True)) for shot in self.taken]
         for mine, other in zip(light, dark, strict=True):
             self.shapes.extend(self._both(mine, other))
+        for shot in self.taken:
+            self._hatch(shot)
         if with_names:
             self._name(light)
+
+    def _hatch(self, shot: Shot) -> None:
+        """A plane that is seen from its edge is a line, hatched on the side where nothing is."""
+        normal = shot.normals[0] if len(shot.normals) else np.zeros(3)
+        if shot.piece.look != "plane" or abs(float(normal[2])) > _EDGE_ON * float(np.linalg.norm(normal)):
+            return
+        way = across(-normal[:2] / float(np.linalg.norm(normal[:2])))
+        along = self.at(shot.points[:, :2]) @ way
+        foot = self.at(shot.points[0, :2]) - float(along[0]) * way
+        strokes = hatched(float(along.min()), float(along.max()), -_HATCH, _HATCH)
+        points = foot + np.outer(strokes[:, 0], way) + np.outer(strokes[:, 1], across(way))
+        self.shapes.append(Shape(points, Ink("muted"), 0.8))
+        self.shapes.append(Shape(foot + np.outer((along.min(), along.max()), way), Ink("muted"), 1.6))
 
     def _both(self, light: Sequence[Shape], dark: Sequence[Shape]) -> Iterator[Shape]:
         """Shapes that are the same on both papers but for their colours, and those that are not."""
@@ -94,13 +113,20 @@ class SpaceSketch(Sketch):
         for found in names(inks, called, (_LETTER * letter, letter), frame):
             self.words.append(Word(words(found.text), self.at(found.at), _SIZE))
 
+    def make_room(self, n_before: int) -> None:
+        """Names that stand over what was drawn after `n_before` shapes look for another place."""
+        added = self.shapes[n_before:]
+        for word in [word for word in self.words if is_over(word, added)]:
+            self.words.remove(word)
+            self.wish(Wish(word.label, around(word.at), word.size, word.ink, weight=6.0))
+
     def add_corner(self) -> None:
         """The axes of the ground and gravity, at the lower left."""
         low, _high = self.corners()
         corner = low - np.array((4.0, 90.0))
         letter = _SIZE / self.scale
         at, gravity = corner / self.scale + self.origin, self.drawing.scene.gravity
-        marks, texts = corner_marks(gravity, self.view, at, letter, has_lengths=self.drawing.has_lengths)
+        marks, texts = corner_marks(gravity, self.view, at, letter, has_lengths=False)
         self.shapes.extend(self._on_paper(mark) for mark in marks)
         for at, text, color in texts:
             label = words(text) if len(text) > 1 else name(text)
@@ -167,12 +193,17 @@ class WholeInSpace(Whole):
         return self.sketch.seen(self.poses.place(place, 0))
 
     def draw_signs(self) -> None:
-        """Angular velocities of named angles, along the axes about which they are counted."""
+        """Angular velocities of named angles, along the axes about which they are counted, and dimensions."""
         for called, measure in self.system.measures.items():
             if called in self.system.looks.hide:
                 continue
             if isinstance(measure, Turn) and measure.of.body in self.places.index:
                 self._spin(called, measure)
+        dimensions = SpaceDimensions(self.system, self.sketch, self.places, self.scene, self.poses, self.shells)
+        dimensions.shown |= {formula(Symbol(hidden)).text for hidden in self.system.looks.hide}
+        n_before = len(self.sketch.shapes)
+        dimensions.draw()
+        self.in_space.make_room(n_before)
 
     def _spin(self, called: str, measure: Turn) -> None:
         """A vector along start x side, beside the joint of the body whose axis is parallel to it."""

@@ -11,7 +11,7 @@ from freebody.language.expression import Symbol, differentiate, free_symbols
 from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
 from freebody.model.elements import RATE, VALUE, AppliedLoad, NonholonomicForm
-from freebody.model.glyphs import Equation, Spring
+from freebody.model.glyphs import Equation, Pin, Rail, Spring
 from freebody.present.figures import Array, Place, positions
 from freebody.present.picture.arrows import Arrows, acting_at, axes_cross
 from freebody.present.picture.bodies_free import body_label, name_beside
@@ -100,6 +100,7 @@ class Whole(ABC):
         scene = self.scene
         used = {place for pair in (*scene.pins, *scene.welds, *scene.rods) for place in pair}
         used |= {place for spring in scene.springs for place in (spring.first, spring.second)}
+        used |= {place for figure in scene.figures for place in figure.path}
         used |= {node.place for rope in scene.ropes for node in rope.nodes if not node.arm}
         named: dict[Place, str] = {}
         for body in self.system.bodies.values():
@@ -107,6 +108,12 @@ class Whole(ABC):
                 place = self.places.place(body.point(called))
                 if place in used and len(called) <= 2:
                     named.setdefault(place, called)
+        for shown in scene.shown:  # a joint with a letter of its own names its place, unless that has a name
+            at = shown.sign.second if isinstance(shown.sign, Pin) else getattr(shown.sign, "point", None)
+            if isinstance(shown.sign, (Pin, Rail)) and len(shown.owner) <= 2 and at is not None:
+                others = [self.at(place) for place in named]
+                if all(float(np.abs(self.at(at) - other).max()) > 1.0 for other in others):
+                    named[at] = shown.owner
         seen: set[tuple[str, int, int]] = set()
         for place, called in named.items():
             at = self.at(place)

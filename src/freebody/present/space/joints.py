@@ -66,7 +66,7 @@ class Joints:
             along = self.poses.heading(arm, 0)
             low, high = self.cuts.inside((joint.first, joint.second), along)
             far = self.shells.radius if place.body in self.shells.forms else 0.0
-            ends = [0.0 if far else low - 0.8 * self.u, 0.0, max(high, far) + 0.8 * self.u]
+            ends = [min(low, -far) - 0.8 * self.u, 0.0, max(high, far) + 0.8 * self.u]
             axis = np.array(self.poses.turned_back(place.body, along, 0))
             for part in axle(axis, ends, 0.36 * self.u):
                 yield Piece(part, place, place.body, "joint")
@@ -79,6 +79,8 @@ class Joints:
         along = self.poses.heading(axis, 0)
         tip = self.shells.tip(joint)
         parts = [self._shell_part(joint, along, tip)] if tip else self._rim_parts(joint, along)
+        if self.shells.is_in_fork(joint):  # in both arms of the fork
+            parts += [[-end for end in reversed(ends)] for ends in parts]
         if not parts:
             low, high = self.cuts.inside((joint.first, joint.second), along)
             parts = [[low - 0.9 * self.u, 0.5 * (low + high), high + 0.9 * self.u]]

@@ -58,7 +58,7 @@ class Shells:
             n_other = sum(float(other @ along) < -_CLOSE for other in taken)
             sign = -1.0 if is_held and n_same > n_other else 1.0
             level = min(n_same, n_other) if is_held else 0  # how many are on this side already
-            far = _YOKE if self._is_in_fork(joint) else 1.0 + _FARTHER * level
+            far = _YOKE if self.is_in_fork(joint) else 1.0 + _FARTHER * level
             self._tips[joint] = sign * self.radius * far
             if is_held:
                 taken.append(sign * along)
@@ -99,7 +99,8 @@ class Shells:
         axes = [self.poses.heading(joint.axis, 0) for joint in joints if joint.axis is not None]
         return len(axes) == 2 and abs(float(axes[0] @ axes[1])) < 1e-6
 
-    def _is_in_fork(self, joint: Joint) -> bool:
+    def is_in_fork(self, joint: Joint) -> bool:
+        """Whether a joint is that of a cross in a fork."""
         return joint.first.body in self.crosses or joint.second.body in self.crosses
 
     def tip(self, joint: Joint) -> float:

@@ -180,10 +180,22 @@ def band(radius: float, half_width: float, half_depth: float, n: int = 64) -> li
 
 
 def tube(way: Array, radius: float, n: int = 8) -> list[Solid]:
-    """A line (m, 3) with a thickness, in straight parts."""
+    """A line (m, 3) with a thickness, in straight parts that are mitred where they meet."""
+    ends = [(a, b) for a, b in pairwise(way) if float(np.linalg.norm(b - a)) > 1e-12]
+    along = [(b - a) / float(np.linalg.norm(b - a)) for a, b in ends]
+    is_ring = len(ends) > 2 and float(np.linalg.norm(ends[0][0] - ends[-1][1])) < 1e-9
     parts: list[Solid] = []
-    for a, b in pairwise(way):
-        length = float(np.linalg.norm(b - a))
-        if length > 1e-12:
-            parts.append(prism(radius, 0.0, length, n, is_open=True).moved(basis(b - a), a))
+    for k, (a, b) in enumerate(ends):
+        before = along[k - 1] if k or is_ring else along[k]
+        after = along[(k + 1) % len(ends)] if k + 1 < len(ends) or is_ring else along[k]
+        bar = prism(radius, 0.0, float(np.linalg.norm(b - a)), n, is_open=True).moved(basis(b - a), a)
+        caps = [_slid(bar.points[:n], a, along[k], before), _slid(bar.points[n:], b, along[k], after)]
+        parts.append(replace(bar, points=np.concatenate(caps)))
     return parts
+
+
+def _slid(rim: Array, at: Array, along: Array, other: Array) -> Array:
+    """(n, 3) points of a rim moved along a bar into the plane that halves the angle to the next bar."""
+    normal = along + other
+    slope = float(along @ normal)
+    return rim if slope < 0.2 else rim - np.outer((rim - at) @ normal / slope, along)

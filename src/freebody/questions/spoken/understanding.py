@@ -53,7 +53,10 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
     found = read(text)
     if found is not None and len(names.problems) == n_before:
         return found, text
-    if names.is_broken_in(text) or len(text) > LONGEST:
+    if names.is_broken_in(text):  # told where that stands, and nowhere else
+        del names.problems[n_before:]
+        return None
+    if len(text) > LONGEST:
         return None
     told = names.problems[n_before:]
     del names.problems[n_before:]

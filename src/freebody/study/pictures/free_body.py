@@ -9,7 +9,7 @@ see `Action`.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
 from itertools import groupby
@@ -37,7 +37,8 @@ from freebody.study.pictures.idle import idle_rows
 from freebody.study.pictures.load_symbols import LoadSymbols, without_sign
 from freebody.study.pictures.points import own_measures
 from freebody.study.pictures.strings import Pull, pulls, rope_of
-from freebody.system.symbols import ReactionSymbol, reaction_symbols
+from freebody.study.senses import drawn_symbols
+from freebody.system.symbols import ReactionSymbol
 from freebody.system.system import System
 from freebody.tolerances import ON_LINE, ROUND_OFF
 
@@ -57,7 +58,8 @@ def checked_bodies(system: System, bodies: Sequence[str]) -> tuple[str, ...]:
 
 class FreeBody:
     """Bodies cut free at one instant. closed: the bounds that are closed then, by name; slips: the sense in which
-    dry friction slides, by the name of its row; values: of multipliers, by the name of the row."""
+    dry friction slides, by the name of its row; values: of multipliers, by the name of the row; told: rows that are
+    drawn even if they never act."""
 
     def __init__(
         self,
@@ -66,18 +68,20 @@ class FreeBody:
         *,
         closed: frozenset[str] = frozenset(),
         labels: Mapping[str, str] | None = None,
+        told: Collection[str] = (),
     ) -> None:
         self.snapshot = snapshot
         self.system = snapshot.reference.system
         self.bodies = checked_bodies(self.system, bodies)
         self.closed = closed
         self.labels = dict(labels or {})
+        self.told = frozenset(told)
         self.size = snapshot.reference.sizes.length
         self.reference = snapshot.reference
 
     @cached_property
     def symbols(self) -> Mapping[str, ReactionSymbol]:
-        return reaction_symbols(self.system)
+        return drawn_symbols(self.system)
 
     @cached_property
     def action(self) -> Action:
@@ -102,6 +106,11 @@ class FreeBody:
     def impulses(self) -> tuple[ShownForce, ...]:
         """Those of the blow at the start."""
         return tuple(force for push in self.system.impulses for force in self._load(push))
+
+    def reaction_values(self, reactions: Mapping[str, float]) -> dict[str, float]:
+        """[N] or [N m] of the symbols of rows. reactions: by row, counted as the rows are."""
+        own = {row.name: row.sign for row in self.system.rows}
+        return {n: x * own[n] * self.symbols[n].sign for n, x in reactions.items() if n in self.symbols}
 
     def load_value(self, called: str) -> float | None:
         """[N] or [N m] of the symbol of a load, by its name."""
@@ -129,7 +138,7 @@ class FreeBody:
     @cached_property
     def idle(self) -> frozenset[str]:
         """Rows that never transmit anything."""
-        return idle_rows(self.snapshot)
+        return idle_rows(self.snapshot) - self.told
 
     def _is_internal(self, measure: Measure | NonholonomicForm) -> bool:
         others = set(measure.bodies()) - set(self.bodies)
@@ -183,8 +192,8 @@ class FreeBody:
         for body in self.bodies:
             if body in set(row.measure.bodies()):
                 f, m = self.action.wrench(row.measure, body)
-                label = self._label_of(row)
-                yield from self._placed(row, siblings, body, row.sign * f, row.sign * m, label, "reaction")
+                label, sign = self._label_of(row), self.symbols[row.name].sign
+                yield from self._placed(row, siblings, body, sign * f, sign * m, label, "reaction")
 
     def _label_of(self, row: ConstraintRow) -> Label:
         symbol = self.symbols[row.name]

@@ -1,4 +1,4 @@
-"""Reactions that never act: what keeps a hanging body below its string is held by nothing that pushes sideways.
+"""Reactions that never act: nothing pushes a hanging body sideways, nor the axle of a pulley across its two strings.
 
 A row holds the displacement of one body along a direction n of the ground, so this body has no acceleration along n,
 and Newton's second law along n reads 0 = R + the components of all other forces. Where no other force has one, in
@@ -19,10 +19,10 @@ _NOTHING = 1e-9
 
 
 def idle_rows(snapshot: Snapshot) -> frozenset[str]:
-    """Names of rows that connections add where needed, and that transmit nothing in any motion of the plane."""
+    """Names of rows that transmit nothing in any motion of the plane."""
     reference = snapshot.reference
     system = reference.system
-    candidates = [row for row in system.constraint_rows if row.if_needed]
+    candidates = [row for row in system.constraint_rows if not row.unilateral]
     if not candidates or system.space or not isinstance(reference, Reference):
         return frozenset()
     noise = np.random.default_rng(1)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -24,9 +24,8 @@ from freebody.study.pictures.touching import closed_bounds
 from freebody.study.worded import in_words
 from freebody.system.system import System
 
-VIEW = (30.0, 20.0)
 SHOWN = ("velocity", "acceleration", "force", "instant-centres")
-View = tuple[float, float]
+View = tuple[float, float] | None  # azimuth and elevation; nothing: from where most is seen
 
 
 @in_words
@@ -35,7 +34,7 @@ def picture(
     *,
     at: float | None = None,
     show: Sequence[str] = (),
-    view: View = VIEW,
+    view: View = None,
     perspective: bool = False,
 ) -> Picture:
     """The system with what joins and pushes it, coordinates, dimensions and axes.
@@ -72,15 +71,16 @@ def free_body(
     at: float | None = None,
     labels: Mapping[str, str] | None = None,
     show: Sequence[str] = (),
-    view: View = VIEW,
+    told: Collection[str] = (),
+    view: View = None,
     perspective: bool = False,
 ) -> Picture:
     """Bodies cut free together, with every load and reaction from outside as an arrow in the direction in which it is
     counted positive, labelled as by `reaction_symbols`.
 
     at: [s] the pose at that time, else at the start; labels: other symbols, by the name of a row, of its symbol or of a
-    load; show: "force" for values in that instant; view: in space, azimuth and elevation [deg]. Raises InputError for
-    bodies that there are not."""
+    load; show: "force" for values in that instant; told: names of rows that are drawn even if they never act; view: in
+    space, azimuth and elevation [deg]. Raises InputError for bodies that there are not."""
     bodies = checked_bodies(system, bodies)
     show = _checked(system, show)
     _check_view(system, view, perspective=perspective)
@@ -89,7 +89,7 @@ def free_body(
             Message("{show} is drawn of the whole system; of bodies cut free there is force", show=show[0])
         )
     found = instant_of(system, at, in_motion="force" in show, at_rest=True)
-    forces = FreeBody(found.snapshot, bodies, closed=closed_bounds(found.snapshot), labels=labels).forces()
+    forces = FreeBody(found.snapshot, bodies, closed=closed_bounds(found.snapshot), labels=labels, told=told).forces()
     if "force" in show:
         forces = tuple(_valued(force, found) for force in forces)
     title = f"{system.title}: {', '.join(bodies)} cut free"
@@ -121,7 +121,7 @@ def draw(
     at: float | None = None,
     show: Sequence[str] = (),
     free: Sequence[str] = (),
-    view: View = VIEW,
+    view: View = None,
     perspective: bool = False,
     dark: bool = False,
 ) -> Path:
@@ -154,15 +154,15 @@ def _checked(system: System, show: Sequence[str]) -> tuple[str, ...]:
 
 
 def _check_view(system: System, view: View, *, perspective: bool) -> None:
-    if not system.space and (perspective or view != VIEW):
+    if not system.space and (perspective or view is not None):
         raise InputError(Message("a view from the side is for models in space; this one is in the plane"))
 
 
 def _valued(force: ShownForce, found: Instant) -> ShownForce:
     """A force with its value in an instant, where it is unique."""
-    value = found.reactions.get(force.name)
-    if force.kind != "reaction":
-        value = FreeBody(found.snapshot, [force.body]).load_value(force.name)
+    free = FreeBody(found.snapshot, [force.body])
+    is_reaction = force.kind == "reaction"
+    value = free.reaction_values(found.reactions).get(force.name) if is_reaction else free.load_value(force.name)
     return replace(force, value=value)
 
 

@@ -12,10 +12,12 @@ from freebody.present.picture.picture import Picture
 from freebody.present.picture.space import WholeInSpace, free_body_in_space
 from freebody.present.places import Places
 from freebody.present.scene import Scene
+from freebody.present.space.viewpoint import best_angles
+from freebody.present.view import AZIMUTH, ELEVATION
 from freebody.study.pictures.instant import Instant
 from freebody.study.pictures.points import points_of
 
-View = tuple[float, float]
+View = tuple[float, float] | None
 
 
 def whole_in_space(found: Instant, acting: Sequence[ShownForce], view: View, *, perspective: bool) -> WholeInSpace:
@@ -23,7 +25,9 @@ def whole_in_space(found: Instant, acting: Sequence[ShownForce], view: View, *, 
     system = found.snapshot.reference.system
     places = Places(system, found.snapshot.reference.number)
     loads = [force for force in acting if force.kind == "load"]
-    return WholeInSpace(system, places, poses_of(found), loads, view, perspective=perspective)
+    poses = poses_of(found)
+    angles = view or best_angles(Scene.of(system, places.number), *poses)
+    return WholeInSpace(system, places, poses, loads, angles, perspective=perspective)
 
 
 def free_body(
@@ -44,7 +48,14 @@ def free_body(
         ends.setdefault(row.connection, {point.body for point in points_of(row.measure)})
     partners = {row.name: frozenset(index[body] for body in ends[row.connection]) for row in system.rows}
     return free_body_in_space(
-        scene, poses_of(found), bodies, forces, title, view, perspective=perspective, partners=partners
+        scene,
+        poses_of(found),
+        bodies,
+        forces,
+        title,
+        view or (AZIMUTH, ELEVATION),
+        perspective=perspective,
+        partners=partners,
     )
 
 

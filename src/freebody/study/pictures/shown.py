@@ -70,9 +70,10 @@ def forces_in_numbers(found: Instant) -> list[ShownForce]:
     moving = [body.name for body in system.moving]
     free = FreeBody(found.snapshot, moving, closed=closed_bounds(found.snapshot))
     valued: list[ShownForce] = []
+    reactions = free.reaction_values(found.reactions)
     seen: set[str] = set()
     for force in free.all_forces():
-        value = found.reactions.get(force.name) if force.kind == "reaction" else free.load_value(force.name)
+        value = reactions.get(force.name) if force.kind == "reaction" else free.load_value(force.name)
         first = force.name not in seen or any(f.name == force.name and f.body == force.body for f in valued)
         if value is not None and (force.kind != "reaction" or first):
             valued.append(replace(force, value=value))

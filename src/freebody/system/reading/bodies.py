@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from typing import Any, cast
 
+from freebody.language.document.writer import flow_text
 from freebody.language.expression import ZERO, negate
 from freebody.language.sentences import Message
 from freebody.language.units import LENGTH
@@ -130,10 +131,23 @@ class BodySections:
         names = self.names
         kinds = [k for k in entry if k in Shape.kinds]
         options = SPATIAL_OPTIONS if names.space else PLANAR_OPTIONS
-        for key in entry:
+        fields = {key: value for key, value in entry.items() if key not in options and key not in Shape.kinds}
+        if not kinds and fields and (able := self._able(fields)):
+            names.problem(
+                Message(
+                    "{name} needs a shape with these fields: {name}: {{{shape}: {fields}}}; there is {names}",
+                    name=name,
+                    shape=able[0],
+                    fields=flow_text(fields),
+                    names=", ".join(able),
+                )
+            )
+            return None
+        for key, value in entry.items():
             if key not in Shape.kinds and key not in options:
                 known = [*Shape.kinds, *options]
-                hint = kind_meant(key, Shape.kinds, known)
+                inside = cast("dict[str, Any]", value) if isinstance(value, dict) else {}
+                hint = kind_meant(key, Shape.kinds, known, space=names.space, fields=inside)
                 if key in SPATIAL_OPTIONS:
                     hint = Message(" It is for models in space: write space: true.")
                 if key == "angle":
@@ -147,6 +161,12 @@ class BodySections:
         if len(kinds) != 1:
             return None
         return self.source.spec(Shape.kinds[kinds[0]], entry[kinds[0]], kinds[0])
+
+    def _able(self, fields: Collection[str]) -> list[str]:
+        """Shapes that take all these fields, the plainest first."""
+        kinds = {kind: spec for kind, spec in Shape.kinds.items() if self.names.space or not spec.space_only}
+        able = [kind for kind, spec in kinds.items() if set(fields) <= set(spec.model_fields)]
+        return sorted(able, key=lambda kind: (len(kinds[kind].model_fields), kind))
 
     def _offsets(self, name: str, entry: dict[str, Any], build: Build) -> dict[str, Components]:
         """The points of a body, from its mass centre."""

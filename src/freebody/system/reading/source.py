@@ -11,8 +11,9 @@ from pydantic import ValidationError
 
 from freebody.errors import ModelError
 from freebody.language.document import Document
+from freebody.language.document.writer import flow_text
 from freebody.language.expression import name_problem
-from freebody.language.sentences import Message, listed
+from freebody.language.sentences import Message, in_turn, listed
 from freebody.model.names import Names
 from freebody.model.noting import did_you_mean
 from freebody.model.spec import Spec
@@ -53,16 +54,35 @@ def known_keys(names: Names, entry: Mapping[str, Any], known: Sequence[str], wha
             )
 
 
-def kind_meant(key: str, kinds: Mapping[str, type[Spec]], known: Iterable[str]) -> str:
-    """' Did you mean x?' of kinds: by how a name is spelt, else what people call so (block: rectangle)."""
-    known = list(known)
-    is_alike = difflib.get_close_matches(key, known, n=1, cutoff=0.7) or any(k.startswith(f"{key}_") for k in kinds)
-    called = [] if is_alike else [kind for kind, spec in kinds.items() if key in spec.called]
+def kind_meant(
+    key: str, kinds: Mapping[str, type[Spec]], known: Iterable[str], *, space: bool, fields: Collection[str] = ()
+) -> str:
+    """' Did you mean x?' of kinds: what people call so (block: rectangle), of these those that have all fields that are
+    given, else by how a name is spelt."""
+    fits = {kind: spec for kind, spec in kinds.items() if space or not spec.space_only}
+    known = [name for name in known if name in fits or name not in kinds]
+    begun = [kind for kind in fits if kind.startswith(f"{key}_")]
+    called = begun or [kind for kind, spec in fits.items() if key in spec.called]
+    able = [kind for kind in called if set(fields) <= set(fits[kind].model_fields)]
+    called = able or called
+    called = [kind for kind in difflib.get_close_matches(key, called, n=1, cutoff=0.7) if not begun] or called
+    if not called:
+        return did_you_mean(key, known)
     if len(called) == 1:
         return Message(" Did you mean {x}?", x=called[0])
-    if called:
-        return Message(" Did you mean one of {names}?", names=", ".join(called))
-    return did_you_mean(key, known)
+    return Message(" Did you mean one of {names}?", names=", ".join(called))
+
+
+def _example_of(kind: type[Spec]) -> str:
+    """', e.g. kind: {...}' as its own example has it, if it has one."""
+    if not kind.example:
+        return ""
+    for section in Document.read(kind.example).data.values():
+        entries = cast("dict[str, Any]", section) if isinstance(section, dict) else {}
+        if isinstance(own := entries.get("it"), dict):
+            fields = cast("dict[str, Any]", own).get(kind.kind)
+            return Message(", e.g. {example}", example=flow_text({kind.kind: fields})[1:-1])
+    return ""
 
 
 class Source:
@@ -117,32 +137,72 @@ class Source:
 
     def spec(self, kind: type[SpecT], value: Any, *path: str | int) -> SpecT | None:
         """One description, its problems noted with their places."""
+        if kind.space_only and not self.names.space:
+            other = kind.in_plane_take
+            told = Message("; in the plane take {other}", other=other) if other else ""
+            what = Message("{kind} is for models in space: write space: true{told}", kind=kind.kind, told=told)
+            self.names.problem(what, *path)
+            return None
         try:
             return kind.model_validate(kind.from_plain(value))
         except ValidationError as error:
-            known = [f.alias or n for n, f in kind.model_fields.items()]
             faults = {place_of(fault): fault for fault in reversed(error.errors())}  # of a field the first
+            absent = [str(place_of(fault)[0]) for fault in error.errors() if fault["type"] == "missing"]
+            strange = [str(where[0]) for where, fault in faults.items() if fault["type"] == "extra_forbidden"]
+            self._misnamed(kind, absent, list(reversed(strange)), *path)
             for where, fault in reversed(faults.items()):
-                what = str(where[0]) if where else ""
-                if fault["type"] == "extra_forbidden":
-                    message = Message(
-                        "{what} has no {key}.{hint}", what=kind.kind, key=what, hint=did_you_mean(what, known)
-                    )
-                elif fault["type"] == "missing":
-                    message = Message(
-                        "{kind} needs {what}; it takes {names}", kind=kind.kind, what=what, names=", ".join(known)
-                    )
-                    where = ()
-                else:
-                    wanted = [wanted_by(other) for other in error.errors() if place_of(other) == where]
-                    message = Message(
-                        "{what}: expected {wanted}, found {value}",
-                        what=what,
-                        wanted=listed(list(dict.fromkeys(wanted)), "{first} or {second}"),
-                        value=repr(fault["input"]),
-                    )
+                if fault["type"] in ("extra_forbidden", "missing"):
+                    continue
+                wanted = [wanted_by(other) for other in error.errors() if place_of(other) == where]
+                message = Message(
+                    "{what}: expected {wanted}, found {value}",
+                    what=str(where[0]) if where else "",
+                    wanted=listed(list(dict.fromkeys(wanted)), "{first} or {second}"),
+                    value=repr(fault["input"]),
+                )
                 self.names.problem(message, *path, *where)
             return None
+
+    def _kind_wanted(self, name: str, value: Any, kinds: Mapping[str, type[Spec]]) -> Message:
+        """Who writes `gravity: g` gives the name of a kind and what belongs into it."""
+        if name in kinds and not isinstance(value, dict):
+            return Message(
+                "give it a name of its own beside its kind, e.g. my_{name}: {{{name}: {value}}}", name=name, value=value
+            )
+        able = [kind for kind in sorted(kinds) if self.names.space or not kinds[kind].space_only]
+        return Message(
+            "give one kind, e.g. {name}: {{{hint}: ...}}; kinds: {names}",
+            name=name,
+            hint=able[0],
+            names=", ".join(able),
+        )
+
+    def _misnamed(self, kind: type[Spec], absent: Sequence[str], strange: Sequence[str], *path: str | int) -> None:
+        """Fields that there are not and fields that are left out. Who writes `from` for `first` makes one mistake."""
+        known = [f.alias or n for n, f in kind.model_fields.items()]
+        alike = {key: tuple(difflib.get_close_matches(key, known, n=1, cutoff=0.6)) for key in strange}
+        meant = {key: kind.meant(key) or alike[key] for key in strange}
+        for key in strange:
+            hint = did_you_mean(key, known)
+            if meant[key]:
+                hint = Message(" Did you mean {x}?", x=listed(meant[key], "{first} and {second}"))
+            elif absent:
+                continue  # told with what is left out
+            self.names.problem(Message("{what} has no {key}.{hint}", what=kind.kind, key=key, hint=hint), *path, key)
+        left = [field for field in absent if not any(field in fields for fields in meant.values())]
+        if not left:
+            return
+        others = [key for key in strange if not meant[key]]
+        has_no = Message("has no {keys}; it ", keys=in_turn(others)) if others else ""
+        told = Message(
+            "{kind} {has_no}needs {what}; it takes {names}{example}",
+            kind=kind.kind,
+            has_no=has_no,
+            what=listed(left),
+            names=", ".join(known),
+            example=_example_of(kind),
+        )
+        self.names.problem(told, *path)
 
     def specs(self, section: str, kinds: Mapping[str, type[SpecT]], beside: Collection[str] = ()) -> dict[str, SpecT]:
         """The descriptions of a section by name. beside: keys that an entry may have beside its kind."""
@@ -162,15 +222,7 @@ class Source:
                             )
                         continue
                 if not isinstance(value, dict) or len(cast("dict[str, Any]", value)) != 1:
-                    hint = next(iter(kinds))
-                    self.names.problem(
-                        Message(
-                            "give one kind, e.g. {name}: {{{hint}: ...}}; kinds: {names}",
-                            name=name,
-                            hint=hint,
-                            names=", ".join(sorted(kinds)),
-                        )
-                    )
+                    self.names.problem(self._kind_wanted(name, value, kinds))
                     continue
                 ((kind, fields),) = cast("dict[str, Any]", value).items()
                 if kind not in kinds:
@@ -180,7 +232,7 @@ class Source:
                             "{kind} is no kind of {what}.{hint}",
                             kind=kind,
                             what=what,
-                            hint=kind_meant(kind, kinds, kinds),
+                            hint=kind_meant(kind, kinds, kinds, space=self.names.space),
                         ),
                         kind,
                     )

@@ -1,0 +1,165 @@
+"""Warnings: what is legal in a model but unlikely to be meant, one message for each cause, none where all is well."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+from typer.testing import CliRunner
+
+import freebody as fb
+from freebody.cli import commands
+from freebody.examples_folder import templates
+from freebody.study.model_warnings import WarningKind
+
+ROOT = Path(__file__).parents[1]
+FILES = sorted([*(ROOT / "examples").glob("*.yaml"), *(ROOT / "src" / "freebody" / "templates").glob("*.yaml")])
+
+SLOPE = """
+parameters: {m: 1 kg, g: 9.81 m/s^2, alpha: ANGLE}
+ground: {lines: {incline: {along: -alpha}}}
+bodies: {block: {particle: {mass: m}}}
+connections: {guide: {slider: {body: block, along: incline}}}
+loads: {w: {gravity: g}}
+measures: {s: travel of block along incline}
+"""
+PENDULUM = """
+parameters: {m: 1 kg, g: 9.81 m/s^2, L: 1 m}
+bodies: {bob: {particle: {mass: m}}}
+connections: {rod: {link: [ground.O, bob, L]}}
+loads: {w: {gravity: g}}
+measures: {theta: angle of line from ground.O to bob from down}
+start: {theta: ANGLE}
+"""
+WALL = """
+parameters: {m: 1 kg, R: 0.1 m}
+ground: {points: {P: [0.5 m, 0]}, lines: {floor: {along: right}, wall: {through: ground.P, along: up}}}
+bodies: {ball: {disk: {mass: m, radius: R}, at: [PLACE, 0.1 m]}, other: {particle: {mass: m}, at: [0.1 m, 1 m]}}
+connections: {c: {rolling: {body: ball, on: floor}}, d: {contact: {between: [other, wall]}}}
+"""
+LADDER = """
+parameters: {m: 1 kg, L: 4 m, g: 9.81 m/s^2}
+ground: {lines: {floor: {along: right}, wall: {along: WAY}}}
+bodies: {ladder: {rod: {mass: m, length: L}, angle: 120 deg}}
+connections: {foot: {contact: {between: [ladder.start, floor], friction: 0.5}},
+  head: {contact: {between: [ladder.end, wall]}}}
+loads: {w: {gravity: g}}
+"""
+CEILING = """
+parameters: {m: 1 kg, R: 0.1 m}
+ground: {points: {P: [0, 1 m]}, lines: {ceiling: {through: ground.P, along: left}}}
+bodies: {block: {disk: {mass: m, radius: R}, at: [0, 0]}}
+connections: {guide: {slider: {body: block, along: WAY}}, top: {contact: {between: [block, ceiling]}}}
+"""
+CRANK = """
+parameters: {r: 0.1 m, l: 0.4 m, m: 1 kg}
+bodies: {crank: {rod: {length: r}}, rod: {rod: {length: l, mass: m}}}
+connections: {main: {pin: [ground.O, crank.start]}, pin: {pin: [crank.end, rod.start]}, guide: {GUIDE}}
+measures: {theta: angle of crank from right}
+start: {theta: 60 deg}
+"""
+WHEEL = """
+parameters: {m: 1 kg, R: 0.1 m, T: 1 N m}
+bodies: {wheel: {disk: {mass: m, radius: R}}}
+connections: {axle: {GUIDE}}
+loads: {motor: {torque: {on: wheel, magnitude: T}}}
+measures: {x: x of wheel}
+"""
+RACK = """
+parameters: {m: 1 kg, R: 0.1 m}
+bodies: {gear: {disk: {mass: m, radius: R}}, bar: {rod: {mass: m, length: 1 m}, at: [0, -0.1 m], angle: 0}}
+connections: {axle: {pin: [ground.O, gear]}, GUIDES, teeth: {rack_and_pinion: {pinion: gear, rack: bar, along: right}}}
+"""
+PUSH = """
+parameters: {m: 1 kg, F: 2 N}
+bodies: {bob: {particle: {mass: m}}}
+loads: {push: {force: {at: PLACE, along: right, magnitude: F}}}
+"""
+ON_RAIL = "slider: {body: wheel, along: right}"
+SLIDE, SLOT = "slider: {body: rod.end, along: right}", "slot: {pin: rod.end, along: right}"
+
+
+def warned(text: str) -> list[tuple[str, str]]:
+    return [(w.kind, w.text()) for w in fb.System.from_text(text).warnings]
+
+
+@pytest.mark.parametrize(
+    ("text", "kind", "says"),
+    [
+        (SLOPE.replace("ANGLE", "60 rad"), "many turns", "60 rad is 9.5 turns. If degrees are meant, write 60 deg"),
+        (PENDULUM.replace("ANGLE", "30 rad"), "many turns", "write 30 deg"),
+        (SLOPE.replace("ANGLE", "20 deg, mu: 0.1"), "unused", "mu is used nowhere in the model"),
+        (WALL.replace("PLACE", "0.45 m"), "inside a wall", "{contact: {between: [ball, wall]}}"),
+        (LADDER.replace("WAY", "up"), "inside a wall", "ladder starts inside wall, which is solid on the right"),
+        (CEILING.replace("WAY", "right"), "out of reach", "top never touches: the gap is 0.9 m at the start"),
+        (
+            CRANK.replace("GUIDE", SLIDE),
+            "locked rotation",
+            "nothing can move. If a point of rod is guided, write slot: {",
+        ),
+        (PUSH.replace("PLACE", "ground"), "no effect", "push acts on ground, which cannot move"),
+        (WHEEL.replace("GUIDE", ON_RAIL), "locked rotation", "so that motor has no effect"),
+    ],
+)
+def test_what_is_unlikely_is_told_once_with_its_cure(text: str, kind: str, says: str) -> None:
+    ((found, told),) = warned(text)
+    assert found == kind
+    assert says in told
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        SLOPE.replace("ANGLE", "60 deg"),
+        SLOPE.replace("ANGLE", "0.5 rad"),
+        PENDULUM.replace("ANGLE", "720 deg"),
+        WALL.replace("PLACE", "0.3 m"),
+        LADDER.replace("WAY", "down"),
+        CEILING.replace("WAY", "up"),
+        CRANK.replace("GUIDE", SLOT),
+        WHEEL.replace("GUIDE", "slot: {pin: wheel, along: right}"),
+        PUSH.replace("PLACE", "bob"),
+        RACK.replace("GUIDES", "guide: {slider: {body: bar, along: right}}"),
+    ],
+)
+def test_what_is_meant_has_no_warning(text: str) -> None:
+    assert warned(text) == []
+
+
+def test_a_rack_that_moves_across_its_teeth() -> None:
+    """A slider or a slot across the teeth is refused when it is read; constraints of the user's own are not."""
+    guides = "one: {constraint: u}, two: {constraint: b}"
+    text = RACK.replace("GUIDES", guides) + "measures: {u: x of bar, b: angle of bar, v: y of bar}\n"
+    ((kind, told),) = warned(text)
+    assert kind == "teeth apart"
+    assert "slider: {body: bar, along: ...}" in told
+
+
+def test_a_wrong_angle_explains_what_stands_elsewhere_because_of_it() -> None:
+    tilted = WALL.replace("along: right}", "along: 20 rad}").replace("PLACE", "0.45 m")
+    assert [kind for kind, _told in warned(tilted)] == ["many turns"]
+
+
+@pytest.mark.parametrize("path", FILES, ids=lambda path: f"{path.parent.name}/{path.stem}")
+def test_no_bundled_model_has_a_warning(path: Path) -> None:
+    assert fb.System.load(path).warnings == ()
+
+
+def test_every_kind_is_a_file_of_its_own_and_names_kinds_that_there_are() -> None:
+    names = {kind.name for kind in WarningKind.kinds}
+    assert len({kind.__module__ for kind in WarningKind.kinds}) == len(WarningKind.kinds)
+    assert {name for kind in WarningKind.kinds for name in kind.explains} <= names
+    assert templates()
+
+
+def test_the_program_tells_warnings_on_stderr_and_in_json(tmp_path: Path) -> None:
+    file = tmp_path / "slope.yaml"
+    file.write_text(SLOPE.replace("ANGLE", "60 rad").strip() + "\nquestions: [acceleration of s]\n")
+    told = CliRunner().invoke(commands(), ["solve", str(file), "--json"])
+    assert f"warning: {file}:1:45: parameters.alpha: 60 rad is 9.5 turns" in told.stderr
+    (warning,) = json.loads(told.stdout)["warnings"]
+    assert (warning["kind"], warning["where"], warning["line"]) == ("many turns", "parameters.alpha", 1)
+    german = CliRunner().invoke(commands(), ["explain", str(file), "--language", "de"])
+    assert "Warnung:" in german.stderr
+    assert "60 deg schreiben" in german.stderr
