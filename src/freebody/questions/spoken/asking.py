@@ -148,6 +148,10 @@ def _plain(names: Names, clause: Clause) -> Groups:
         and asked[1] in ("force", "torque", "spring force", "friction force")
     ):
         asked = asked[:1] if clause.names else asked
+    if asked[0] == "phase lag" and set(asked[1:]) <= {"force", "displacement", "position"} and len(names.measures) == 1:
+        if clause.only("quantity", "name", *SILENT):  # of the displacement against the force
+            yield [f"phase lag of {measure}" for measure in names.measures]
+        return
     if len(asked) > 1 and asked[0] in _OF_QUANTITY:
         inner = Clause([w for w in clause.words if w != Word("quantity", asked[0])])
         for group in quantities(names, inner):

@@ -113,7 +113,7 @@ def _heads_counted(names: Names, sentence: Sentence) -> Groups:
         named = [name for _, own in sentence.others for _, name in own.names if name in lookup.turning(names)]
         yield [f"turns of {name}" for name in ([who] if who else named or lookup.turning(names))]
     elif asked == ["energy lost"] or (asked == ["energy"] and verbs == {"lost"}):
-        yield ["energy lost"] if not of or lookup.is_all_that_moves(names, who) else []
+        yield ["energy lost"] if not of or lookup.is_all_that_moves(names, who) or lookup.is_all_that_rubs(names, who) else []
     elif (main.has("ask", "far", "much", "high", "large") and not asked and goes) or (
         asked in (["distance"], ["displacement"], ["distance travelled"], ["horizontal range"]) and (goes or not verbs)
     ):

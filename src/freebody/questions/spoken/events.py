@@ -115,6 +115,8 @@ def _quantity_is(names: Names, clause: Clause, value: str) -> Groups:
         elif quantity == "height":
             yield lookup.lifted(names, of, value)
             yield [f"height of {of} = {value}"] if of else []
+        elif quantity in ("displacement", "distance travelled"):
+            yield [f"{way} = {value}" for way in lookup.ways(names, of)]
         elif quantity in ("position", "distance"):
             yield [f"{place} = {value}" for place in lookup.places(names, of)]
         elif quantity in ("velocity", "speed", "angular velocity") and is_zero:
@@ -206,15 +208,24 @@ def _leaves(names: Names, who: str, other: str) -> Groups:
 
 
 def _rolls(names: Names, who: str, other: str) -> Groups:
-    yield [f"{who} begins to roll" if who else "rolling begins"] if not other else []
+    yield [f"{who} begins to roll" if who else "rolling begins"] if _is_rough_to(names, who, other) else []
 
 
 def _slips(names: Names, who: str, other: str) -> Groups:
-    yield [f"{who} begins to slip" if who else "slipping begins"] if not other else []
+    yield [f"{who} begins to slip" if who else "slipping begins"] if _is_rough_to(names, who, other) else []
 
 
 def _ends_slipping(names: Names, who: str, other: str) -> Groups:
-    yield [f"slipping of {who} ends" if who else "slipping ends"] if not other else []
+    yield [f"slipping of {who} ends" if who else "slipping ends"] if _is_rough_to(names, who, other) else []
+
+
+def _is_rough_to(names: Names, who: str, other: str) -> bool:
+    """Whether what a body slips on is the only thing that it can slip on, where that is named."""
+    if not other:
+        return True
+    rough = {row.connection for row in names.constraint_rows if row.reaction == "friction force"}
+    own = [joint for joint in rough if not who or lookup.touches(names, joint, who)]
+    return len(own) == 1 and lookup.touches(names, own[0], other)
 
 
 def _stops(names: Names, who: str, other: str) -> Groups:
@@ -263,6 +274,8 @@ _TOLD: dict[frozenset[str], Callable[..., Groups]] = {
         ("start roll", _rolls),
         ("begin_roll", _rolls),
         ("stop slide start roll", _rolls),
+        ("stop slide roll", _rolls),
+        ("end slide roll", _rolls),
         ("end slide start roll", _rolls),
         ("start slide", _slips),
         ("slide", _slips),

@@ -37,6 +37,10 @@ def timed(names: Names, sentence: Sentence) -> Groups:
         return
     if main.has("ask", "where") and main.has("instant", "in equilibrium") and not main.has("quantity"):
         main = Clause([Word("quantity", "equilibrium"), *main.without("ask").without("verb").without("instant").words])
+    if main.has("verb", "accelerate") and main.has("verb", "start"):  # how fast does it start to accelerate
+        main = Clause([*main.without("verb", "start").words, Word("instant", "at start")])
+    if main.has("quantity", "terminal velocity") and others:  # the final speed once it rolls
+        main = Clause([Word("quantity", "speed") if w == Word("quantity", "terminal velocity") else w for w in main.words])
     tails, main = _tails(names, main)
     if main.has("quantity", "impact speed"):
         main = Clause([Word("quantity", "speed") if w == Word("quantity", "impact speed") else w for w in main.words])

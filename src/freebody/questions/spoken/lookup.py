@@ -9,8 +9,8 @@ import math
 from typing import TYPE_CHECKING, cast
 
 from freebody.errors import UnitError
-from freebody.language.expression import Symbol
-from freebody.language.units import DIMENSIONLESS, FORCE, LENGTH, TIME, TORQUE
+from freebody.language.expression import Symbol, free_symbols
+from freebody.language.units import DIMENSIONLESS, FORCE, LENGTH, MASS, TIME, TORQUE
 from freebody.language.units.quantity import parse_quantity
 from freebody.measures.displacement import Displacement
 from freebody.measures.distance import Bearing
@@ -40,13 +40,25 @@ def measured(names: Names) -> list[str]:
 
 
 def is_all_that_moves(names: Names, body: str) -> bool:
-    return moving(names) == [body]
+    return massive(names) == [body]
+
+
+def massive(names: Names) -> list[str]:
+    """Bodies that move and have a mass."""
+    return [name for name in moving(names) if names.bodies[name].mass != ZERO]
 
 
 def is_all_that_slips(names: Names, body: str) -> bool:
     """Whether all dry friction is that of a body."""
     rough = {row.connection for row in names.constraint_rows if row.reaction == "friction force"}
     return bool(rough) and all(_is_of(names, connection, body) for connection in rough)
+
+
+def is_all_that_rubs(names: Names, connection: str) -> bool:
+    """Whether nothing but a connection takes energy away: no other is rough, and nothing is damped."""
+    rough = {row.connection for row in names.constraint_rows if row.reaction == "friction force"} - {connection}
+    damped = [name for name in names.loads if "damper" in (*names.called.get(name, ()), name.lower())]
+    return connection in names.connections and not rough and not damped and not strikes(names)
 
 
 def rests(names: Names) -> bool:
@@ -241,7 +253,7 @@ def is_known_point(names: Names, name: str) -> bool:
 
 def springs(names: Names) -> list[str]:
     """Loads that are springs."""
-    return [name for name in names.loads if "spring" in names.called.get(name, ())]
+    return [name for name in names.loads if "spring" in (*names.called.get(name, ()), name.lower().rstrip("0123456789_"))]
 
 
 def strikes(names: Names) -> bool:
@@ -286,6 +298,38 @@ def of_kind(names: Names, kind: str) -> list[str]:
     if kind == "angle":
         return [parameter.name for parameter in given if parameter.is_angle]
     return [parameter.name for parameter in given if kind in dimensions and parameter.dimension == dimensions[kind]]
+
+
+def chosen(names: Names, kind: str, of: list[str]) -> list[str]:
+    """Parameters that are of a kind and can be chosen: a force that a load exerts, a length that is no size of a body.
+
+    of: what is named beside it."""
+    given = [parameter for parameter in names.parameters.values() if parameter.form is None]
+    if kind == "mass":
+        own = [name for body in of for name in parameters(names, "mass", body)]
+        bodies = frozenset[str]().union(*(free_symbols(body.mass) for body in names.bodies.values()))
+        others = [p.name for p in given if p.dimension == MASS and p.name not in bodies]
+        return own or ([] if any(name in names.bodies for name in of) else others)
+    if kind in ("friction coefficient", "friction force"):
+        return parameters(names, "friction coefficient", next((name for name in of if is_joined(names, name)), ""))
+    if kind in ("force", "torque", "moment"):
+        exerted = [load for load in names.applied_loads if "gravity" not in names.called.get(load.load, ())]
+        loads = [load for load in exerted if load.load in of] or exerted
+        pushed = frozenset[str]().union(*(free_symbols(load.law) for load in loads))
+        return [name for name in of_kind(names, kind) if name in pushed]
+    sizes = frozenset[str]().union(
+        *(free_symbols(body.inertia) | free_symbols(body.radius or ZERO) for body in names.bodies.values())
+    )
+    return [name for name in of_kind(names, kind) if kind == "angle" or name not in sizes]
+
+
+def is_joined(names: Names, name: str) -> bool:
+    return name in names.connections or name in names.bodies[GROUND].lines
+
+
+def is_rough(names: Names) -> bool:
+    """Whether dry friction holds something."""
+    return any(row.reaction == "friction force" for row in names.constraint_rows)
 
 
 def _is_at(names: Names, name: str, thing: str) -> bool:

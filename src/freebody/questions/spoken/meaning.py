@@ -9,10 +9,11 @@ from typing import TYPE_CHECKING
 
 from freebody.questions.spoken import lookup, turning_round
 from freebody.questions.spoken.asking import quantities
-from freebody.questions.spoken.composing import Groups
+from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.counting import counted, lost, stopping, time
 from freebody.questions.spoken.instants import timed
 from freebody.questions.spoken.lexicon import Word
+from freebody.questions.spoken.limits import limits
 from freebody.questions.spoken.sentence import Sentence, parted
 from freebody.questions.spoken.words import Clause
 
@@ -20,19 +21,41 @@ if TYPE_CHECKING:
     from freebody.model.names import Names
 
 _MARKS = ("when", "until", "after", "while")
+# what only a limit tells apart: how small, how steep
+_AS_LARGE = {Word("ask", what): Word("ask", "large") for what in ("small", "flat", "steep")}
 
 
 def meanings(names: Names, words: list[Word]) -> Groups:
     """What words can ask for."""
-    words = [word for word in words if word.kind != "filler"]
     if any(word.kind == "other" for word in words):
         return
+    modal = {word.what for word in words if word.kind == "filler"} & {"may", "must"}
+    said = _bounded(_without_auxiliary([word for word in words if word.kind != "filler"]))
+    words = [_AS_LARGE.get(word, word) for word in said]
     yield from turning_round.parameters(names, words, meanings)
     sentence = parted(words)
-    if sentence is None or any(mark not in _MARKS for mark, _ in sentence.others):
-        return
-    for told in (_limit, _structure, _conserved, lost, time, stopping, counted, timed):
-        yield from told(names, sentence)
+    if sentence is not None and all(mark in _MARKS for mark, _ in sentence.others):
+        for told in (_limit, _structure, _conserved, lost, time, stopping, counted, timed):
+            yield from told(names, sentence)
+    yield from limits(names, said, modal)
+
+
+def _without_auxiliary(words: list[Word]) -> list[Word]:
+    """`wird gehalten` is held; `wird 2 m/s` becomes, and reaches, 2 m/s."""
+    become = Word("verb", "become")
+    if any(word.kind == "verb" and word != become for word in words):
+        return [word for word in words if word != become]
+    return [Word("verb", "reach") if word == become else word for word in words]
+
+
+def _bounded(words: list[Word]) -> list[Word]:
+    """`F ist mindestens nötig` is the least F: at least, where no value follows, is the end of a range."""
+    ends = {">=": Word("degree", "least"), "<=": Word("degree", "greatest")}
+    alone = [
+        word.kind == "relation" and word.what in ends and not any(w.kind in ("value", "name", "quantity") for w in words[k + 1 : k + 2])
+        for k, word in enumerate(words)
+    ]
+    return [ends[word.what] if is_end else word for word, is_end in zip(words, alone, strict=True)]
 
 
 def _limit(names: Names, sentence: Sentence) -> Groups:
@@ -90,6 +113,10 @@ def _structure(names: Names, sentence: Sentence) -> Groups:
     if verbs == {"stop"} and asks_nothing and everything and lookup.rests(names):
         yield ["does it hold"]
     if {"hold"} <= verbs <= {"hold", "move"} and asks_nothing and everything:
+        yield ["does it hold"]
+    at_rest = main.all("instant") == ["in equilibrium"] and main.only("instant", "name", "pronoun") and everything
+    by_friction = main.words[:1] == [Word("verb", "hold")] and set(main.all("quantity")) <= {"friction force", "friction coefficient"}
+    if lookup.rests(names) and (at_rest or (by_friction and main.only("verb", "quantity", *SILENT, "name"))):
         yield ["does it hold"]
     if (
         verbs == {"move"}

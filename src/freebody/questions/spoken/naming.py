@@ -7,15 +7,17 @@ Names are marked («left») until the text is read, so that no rule takes them f
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 from itertools import islice
 from typing import TYPE_CHECKING
 
 from freebody.language.expression import Symbol
 from freebody.measures.geometry import GROUND
-from freebody.questions.spoken.lexicon import CLOSE, OPEN, kinds_apart
+from freebody.questions.spoken.lexicon import CLOSE, OPEN, compared, kinds_apart, numbered, things_alike
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -59,9 +61,19 @@ class Elements:
         default_factory=dict[tuple[str, ...], list[tuple[Element, str, int]]]
     )
 
+    masses: dict[str, float] = field(default_factory=dict[str, float])  # of bodies, so far as they are numbers
+
+    @cached_property
+    def taken(self) -> frozenset[str]:
+        """Words in lower case that are names, or words of names."""
+        return frozenset(word for key in self.spoken for word in key if word.isalpha())
+
     def add(self, name: str, words: Sequence[str] = (), said: str = "", distance: int = WRITTEN) -> None:
         """said: how it may be called, where that is not its name."""
-        element = self.exact.setdefault(name, Element(name, frozenset(words))) if not said else self.exact[name]
+        if not said:  # a line of the ground may be called as what touches it
+            before = self.exact[name].words if name in self.exact else frozenset[str]()
+            self.exact[name] = Element(name, before | frozenset(words))
+        element = self.exact[name]
         written = said or name
         apart = re.sub(r"(?<=[a-z])(?=[A-Z])", " ", written)
         keys = {(written.lower(),), tuple(re.split(r"[\s_.]+", apart.lower()))}
@@ -77,15 +89,21 @@ def elements_of(names: Names) -> Elements:
     for name, body in names.bodies.items():
         if name != GROUND:
             found.add(name, (*_kinds(name, names.called.get(name, ())), *_BODY_WORDS))
+            mass = names.numeric(body.mass)
+            if mass is not None:
+                found.masses[name] = mass
             if isinstance(body.mass, Symbol):  # `mass m1`, `the acceleration of m1`
                 found.add(name, said=body.mass.name, distance=INFERRED)
         for point in body.points:
             found.add(f"{name}.{point}", _POINT_WORDS)
             found.add(f"{name}.{point}", said=point, distance=INFERRED)
     for name in names.connections:
-        found.add(name, (*names.called.get(name, ()), *_JOINT_WORDS))
+        found.add(name, (*names.called.get(name, ()), *_stems(name), *_JOINT_WORDS))
+        for body in names.connections[name].mentions(names) - {GROUND}:  # the bearing of the pulley
+            for word in names.called.get(name, ()):
+                found.add(name, said=f"{body} {word}", distance=INFERRED)
     for name in names.loads:
-        found.add(name, names.called.get(name, ()))
+        found.add(name, (*names.called.get(name, ()), *_stems(name)))
     for name in names.bodies[GROUND].lines:
         found.add(name, _LINE_WORDS)
     for name in (*names.measures, *names.parameters):
@@ -94,16 +112,85 @@ def elements_of(names: Names) -> Elements:
 
 
 def _kinds(name: str, words: Sequence[str]) -> Sequence[str]:
-    """What a thing may be called: one whose name says that it is a block is no cart."""
-    said = set(re.split(r"[\W_\d]+", name.lower()))
+    """What a thing may be called: as its name says and, of the words for its shape, by those that do not contradict:
+    one whose name says that it is a block is no cart."""
+    said = {*re.split(r"[\W_\d]+", name.lower()), *_stems(name)} - {""}
     own = [kinds for kinds in kinds_apart() if kinds & said]
     others = frozenset[str]().union(*(kinds for kinds in kinds_apart() if own and kinds not in own))
-    return [word for word in words if word not in others]
+    alike = frozenset[str]().union(*(kinds for kinds in things_alike() if kinds & {*words, *said}))
+    return [word for word in dict.fromkeys((*words, *sorted(said), *sorted(alike))) if word not in others]
+
+
+def _stems(name: str) -> list[str]:
+    """A name without the number at its end, where it is a word: spring2 is a spring."""
+    stem = name.rstrip("0123456789_").lower()
+    return [stem] if stem != name.lower() and stem.isalpha() and len(stem) > 2 else []
+
+
+# -- bodies by what tells them from others ----------------------------------------------------
+_MASS = re.compile(r"\b(\d+(?:[.,]\d+)?)[ -]?(kg|g|t)[ -]([^\W\d_]+)\b(?: of mass)?")
+_WITH_MASS = re.compile(r"\b([^\W\d_]+) (?:of|with|with a|mit|mit der|von) (?:mass|masse)? ?(\d+(?:[.,]\d+)?) ?(kg|g|t)\b")
+_IN_KILOGRAMS = {"kg": 1.0, "g": 1e-3, "t": 1e3}
+_PAIR = re.compile(r"\b([^\W\d_]+) ([^\W\d_]+|\d{1,2})\b")
+
+
+def told_apart(elements: Elements, text: str) -> str:
+    """The text in which a body that is told by its mass or its number is called by its name: the 2 kg block, the heavier
+    mass, the first wagon, wagon 1."""
+
+    def of_mass(kind: str, number: str, unit: str) -> list[str]:
+        mass = float(number.replace(",", ".")) * _IN_KILOGRAMS[unit]
+        return [name for name in _of_kind(elements, kind) if math.isclose(elements.masses.get(name, 0.0), mass)]
+
+    def named(found: list[str], written: str) -> str:
+        return found[0] if len(found) == 1 else written
+
+    text = _MASS.sub(lambda m: named(of_mass(m[3], m[1], m[2]), m[0]), text)
+    text = _WITH_MASS.sub(lambda m: named(of_mass(m[1], m[2], m[3]), m[0]), text)
+    begin = 0
+    while (pair := _PAIR.search(text, begin)) is not None:
+        name = named(_told(elements, pair[1], pair[2]), "")
+        text = f"{text[: pair.start()]}{name or pair[0]}{text[pair.end() :]}"
+        begin = pair.start() + (len(name) or len(pair[1]) + 1)
+    return text
+
+
+def _told(elements: Elements, first: str, second: str) -> list[str]:
+    """Bodies that two words tell: the first wagon, wagon 1, the heavier mass."""
+    if first.lower() in elements.exact or (first.lower(), second.lower()) in elements.spoken:
+        return []
+    kind = second if second.isalpha() else first
+    of_kind = _of_kind(elements, kind) or (list(elements.masses) if kind.lower() in ("one", "two") else [])
+    number = second if second.isdigit() else _meant(numbered(), first)
+    if number:
+        return [name for name in of_kind if re.search(rf"(?<!\d){number}$", name)]
+    than = _meant(compared(), first)
+    if not than or len(of_kind) < 2:
+        return []
+    masses = sorted((elements.masses[name], name) for name in of_kind if name in elements.masses)
+    if len(masses) != len(of_kind):
+        return []
+    end, beside = (masses[-1], masses[-2]) if than == "heavier" else (masses[0], masses[1])
+    return [] if math.isclose(end[0], beside[0]) else [end[1]]
+
+
+def _meant(table: dict[str, str], word: str) -> str:
+    return next((what for said, what in table.items() if _is_like(said, word.lower())), "")
+
+
+def _is_like(said: str, word: str) -> bool:
+    return word.startswith(said[:-1]) if said.endswith("*") else word == said
+
+
+def _of_kind(elements: Elements, kind: str) -> list[str]:
+    """Bodies that a word for a kind of thing may mean."""
+    word = kind.lower()
+    return [name for name in elements.masses if word in elements.exact[name].words and elements.masses[name] > 0.0]
 
 
 def linked(elements: Elements, text: str) -> list[Way]:
     """The text with names put in, in every way that its words can be meant, the nearest to what is written first."""
-    tokens: list[str] = _TOKEN.findall(text)
+    tokens: list[str] = _TOKEN.findall(told_apart(elements, text))
     ways = list(islice(_linked(elements, tokens, 0, Way("", 0)), MOST))
     return sorted(ways, key=lambda way: way.distance)
 
@@ -142,15 +229,18 @@ def _readings(elements: Elements, tokens: Sequence[str], k: int) -> Iterator[tup
 def _named(elements: Elements, written: Sequence[str]) -> Iterator[tuple[str, int]]:
     """Elements that all of some words name, and how far they are from it."""
     words = tuple(word.lower() for word in written)
-    meant = elements.spoken.get(words) or elements.spoken.get(("".join(words),), [])  # `wrist pin` for wristpin
-    as_written = [found for found in meant if found[1] == " ".join(written)]
+    meant = elements.spoken.get(words, [])
+    if len(words) > 1:  # `wrist pin` for wristpin
+        meant = [*meant, *elements.spoken.get(("".join(words),), [])]
+    as_written = [found for found in meant if found[1] == " ".join(written)] if len(words) == 1 else []
     if len(words) == 1 and len(words[0]) < 3:
         meant = []  # m is not M: short names are meant as they are written
     for element, text, distance in as_written or meant:
         yield element.name, distance + (WRITTEN if text == " ".join(written) else ALIKE)
     if len(words) == 1 and not as_written:  # every thing of a kind
-        of_kind = (e for e in elements.exact.values() if "." not in e.name and words[0] in e.words)
-        yield from ((element.name, INFERRED) for element in of_kind)
+        of_kind = [e for e in elements.exact.values() if "." not in e.name and words[0] in e.words]
+        own = [e for e in of_kind if words[0] in e.name.lower()]  # the block among blocks and boxes
+        yield from ((element.name, INFERRED) for element in own or of_kind)
     for k in range(1, len(words)):  # a name beside the word for its kind
         for rest, kind in ((written[:k], words[k:]), (written[k:], words[:k])):
             for element, text, _distance in elements.spoken.get(tuple(w.lower() for w in rest), []):

@@ -23,7 +23,13 @@ def motion(names: Names, quantity: str, rest: Clause) -> Groups:
         return
     end = f"{relative}{along}"
     quantity = "velocity" if quantity == "speed" and along else quantity  # which has a sign
-    if not of and rest.has("pronoun", "system"):
+    if not of and rest.has("pronoun", "system"):  # which is one body, or has one angle
+        whole = lookup.massive(names)
+        angles = lookup.angles(names, "") if quantity.startswith("angular") else []
+        if len(whole) == 1 and not lookup.turning(names) and len(angles) == 1 and not end:
+            yield [f"{quantity.removeprefix('angular ')} of {angles[0]}"]
+        elif len(whole) == 1:
+            yield [f"{quantity} of {whole[0]}{end}"]
         return
     if not of:
         moving = (

@@ -62,8 +62,8 @@ def _equilibrium(names: Names, quantity: str, rest: Clause) -> Groups:
 @said_of("stroke", "time ratio", "extremes", "steady amplitude", "phase lag", "resonance frequency")
 def _of_coordinate(names: Names, quantity: str, rest: Clause) -> Groups:
     """What is asked of the place of something: its stroke, its time ratio."""
-    of = [name for _, name in rest.names]
-    if not of and quantity in ("steady amplitude", "phase lag", "resonance frequency") and rest.only(*SILENT):
+    of = [name for _, name in rest.names if name not in names.parameters]  # the speed Omega at which it resonates
+    if not of and quantity in ("steady amplitude", "phase lag", "resonance frequency") and rest.only("name", *SILENT):
         yield [f"{quantity} of {name}" for name in names.measures]
     if len(of) == 1 and rest.only("name", "instant", *SILENT):
         yield [f"{quantity} of {name}" for name in lookup.places(names, of[0]) or lookup.angles(names, of[0])]

@@ -76,7 +76,7 @@ def _parted(names: Names, words: list[Word]) -> tuple[list[str], Clause, str] | 
             return _without_mark(names, words)
     else:
         return _without_mark(names, words)
-    return _head(names, head, rest)
+    return _head(names, head, rest, is_marked=bool(marks))
 
 
 def _without_mark(names: Names, words: list[Word]) -> tuple[list[str], Clause, str] | None:
@@ -120,12 +120,12 @@ def _end_of_head(names: Names, words: list[Word]) -> int | None:
     return named[0] if named else k  # who does something stands before the verb
 
 
-def _head(names: Names, head: Clause, rest: Clause) -> tuple[list[str], Clause, str] | None:
+def _head(names: Names, head: Clause, rest: Clause, *, is_marked: bool = False) -> tuple[list[str], Clause, str] | None:
     is_largest = head.has("ask", "large", "heavy") and (rest.has("not", "before") or rest.has("verb", "start"))
     degrees = {"greatest"} if is_largest else set(head.all("degree")) - {"value", "range"}
     if (
         len(degrees) > 1
-        or head.has("verb", "hit", "leave", "roll", "slide", "turn")
+        or (head.has("verb", "hit", "leave", "roll", "slide", "turn") and not is_marked)
         or head.has("value")
         or head.has("relation")
     ):
@@ -133,6 +133,8 @@ def _head(names: Names, head: Clause, rest: Clause) -> tuple[list[str], Clause, 
     end = {"least": "least", "greatest": "largest"}.get(next(iter(degrees), ""), "")
     named = [name for _, name in head.names if name in names.parameters]
     others = [name for before, name in head.names if name not in names.parameters and (not before or not named)]
+    if head.has("verb", "hit", "exert") and is_marked:  # at which height h do I hit the ball so that ..
+        others = []
     asked = head.all("quantity")
     if len(named) == 1 and len(others) <= head.has("ask") and set(asked) <= {*_KIND_OF_PARAMETER, *_SAYS_KIND}:
         return named, rest, end
@@ -179,6 +181,8 @@ def _so(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
     yield from _failing_first(names, clause)
     if not plain:
         return
+    if set(clause.all("instant")) - {"in equilibrium", "at start", "at once"} and verbs & {"hold"}:
+        return  # it stays at the top
     if (verbs & {"hold"} and not negated and verbs <= {"hold", "move"}) or clause.all("quantity") == ["equilibrium"]:
         yield ["it stays at rest"] if everything or _is_held(clause) else []
     elif clause.all("instant") == ["in equilibrium"] and not verbs:
@@ -216,7 +220,7 @@ def _extremal(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Gro
     end = {"greatest": "largest", "least": "least"}.get(ends[-1]) if ends else None
     kept = [word for word in clause.words if word.kind != "degree"]
     for group in whole(names, kept) if end else ():
-        yield [f"{text} is {end}" for text in group]
+        yield [f"{text} is {end}" for text in group if not text.startswith(("does ", "is ", "degrees "))]
 
 
 def _reaching(names: Names, clause: Clause, of: list[str]) -> Groups:

@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING, TypeVar
 
 from freebody.errors import Problem
 from freebody.language.sentences import Message
-from freebody.questions.spoken.lexicon import Word, in_english_nouns, languages
+from freebody.questions.spoken.compounds import in_english_nouns
+from freebody.questions.spoken.lexicon import Word, languages
 from freebody.questions.spoken.meaning import meanings
 from freebody.questions.spoken.naming import elements_of, linked
 from freebody.questions.spoken.suggesting import MOST, suggestions
@@ -144,7 +145,7 @@ def _meanings(names: Names, text: str, *, guess: bool = False) -> list[Meaning]:
     elements = elements_of(names)
     found: list[Meaning] = []
     for language in languages():
-        for way in linked(elements, in_english_nouns(text, language)):
+        for way in linked(elements, in_english_nouns(text, language, elements.taken)):
             try:
                 words = words_of(way.text, language, guess=guess)
             except Unknown:
@@ -158,7 +159,7 @@ def _known(names: Names, text: str) -> Iterator[tuple[int, list[Word]]]:
     elements = elements_of(names)
     found: list[tuple[int, list[Word]]] = []
     for language in languages():
-        for way in islice(linked(elements, in_english_nouns(text, language)), MOST):
+        for way in islice(linked(elements, in_english_nouns(text, language, elements.taken)), MOST):
             try:
                 found.append((0, words_of(way.text, language)))
             except Unknown as error:
