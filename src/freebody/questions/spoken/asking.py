@@ -116,6 +116,8 @@ def _of_two(names: Names, clause: Clause) -> Groups:
     between = {"preposition"}
     cuts = [j for j, w in enumerate(rest) if w.kind in between and (w.what in signs or w.what == "and")]
     operator = {"ratio": "/", "difference": "-", "sum": "+"}[kind]
+    if kind == "difference" and not cuts:
+        yield from _of_sides(names, Clause([*said, *rest]))
     for cut in cuts:
         first, second = Clause(rest[:cut]), Clause(rest[cut + 1 :])
         first = Clause([*said, *first.words])
@@ -132,6 +134,18 @@ def _of_two(names: Names, clause: Clause) -> Groups:
             if all(texts[0].startswith("angular velocity") for texts in (one, other) if texts):
                 pairs = pairs[:1]  # speeds of what turns about axles
             yield [f"ratio of {a} to {b}" if operator == "/" else f"{a} {operator} {b}" for a, b in pairs]
+
+
+def _of_sides(names: Names, clause: Clause) -> Groups:
+    """The difference of the forces at the two ends of a rope."""
+    asked, of = clause.all("quantity"), [name for _, name in clause.names]
+    if len(asked) != 1 or len(of) > 1 or not clause.only("quantity", "name", *SILENT):
+        return
+    for row in names.constraint_rows:
+        if row.reaction == asked[0] and row.connection in (of or [row.connection]) and len(row.ends) == 2:
+            first, second = (f"{asked[0]} of {row.connection} at {end}" for end in row.ends)
+            yield [f"{first} - {second}"]
+            return
 
 
 def _plain(names: Names, clause: Clause) -> Groups:

@@ -24,7 +24,7 @@ _MARKS = ("until", "so_that", "to", "when", "without")
 _BY_ASKING = {"heavy": "mass", "rough": "friction coefficient", "steep": "angle", "flat": "angle", "far": "distance", "high": "height"}
 _KINDS = {  # quantities that say what kind of parameter is meant
     **{kind: kind for kind in ("mass", "friction coefficient", "friction force", "angle", "distance", "height")},
-    **dict.fromkeys(("force", "tension", "driving force", "reaction"), "force"),
+    **dict.fromkeys(("force", "tension", "driving force"), "force"),
     **dict.fromkeys(("torque", "moment", "driving torque"), "torque"),
 }
 _REST, _NO_SLIP = "it stays at rest", "it does not slip"
@@ -39,6 +39,8 @@ def limits(names: Names, words: list[Word], modal: set[str]) -> Groups:
     if set(clause.all("instant")) - {"in equilibrium"} or set(clause.all("part")) - {"only", "upward", "downward"}:
         return
     if any(mark not in _MARKS for mark in clause.all("mark")) or len(clause.all("degree")) > 1:
+        return
+    if not modal and not (clause.has("ask") or clause.has("degree") or clause.has("mark")):
         return
     head, state = _parted(names, words)
     lasts = _lasting(names, head, state, modal)
@@ -116,6 +118,8 @@ def _end(head: Clause, state: Clause, modal: set[str], lasts: str) -> str:
     ends_rest = set(state.all("verb")) & _ENDS_REST
     is_denied = state.has("not") or state.has("mark", "until", "without") or state.has("verb", "end")
     starts = bool(ends_rest) and not is_denied
+    if state.has("part", "only") and is_denied and not degree:  # it just does not move
+        degree = "greatest" if _is_push(head) else ""
     if degree in ("least", "greatest"):
         if starts and "hold" not in state.all("verb"):  # the least force that moves it is the largest that does not
             return {"least": "largest"}.get(degree, "")
@@ -129,8 +133,12 @@ def _end(head: Clause, state: Clause, modal: set[str], lasts: str) -> str:
         return "largest"
     if is_up and "must" in modal and not starts:
         return "least"
-    is_push = any(_KINDS.get(kind) in ("force", "torque") for kind in head.all("quantity")) or head.has("verb", "exert")
-    is_push = is_push or (head.has("name") and not head.has("quantity"))
-    if starts and is_push and "fall" not in ends_rest and not state.has("updown", "down"):
+    if starts and _is_push(head) and "fall" not in ends_rest and not state.has("updown", "down"):
         return "largest"
     return "range"
+
+
+def _is_push(head: Clause) -> bool:
+    """Whether the parameter is how hard something is pushed or turned."""
+    kinds = {_KINDS.get(kind) for kind in head.all("quantity")}
+    return bool(kinds & {"force", "torque"}) or head.has("verb", "exert") or (head.has("name") and not kinds)

@@ -256,6 +256,11 @@ def springs(names: Names) -> list[str]:
     return [name for name in names.loads if "spring" in (*names.called.get(name, ()), name.lower().rstrip("0123456789_"))]
 
 
+def is_forced(names: Names) -> bool:
+    """Whether a load is a function of time."""
+    return any(load.general is not None or "t" in free_symbols(load.law) for load in names.applied_loads)
+
+
 def strikes(names: Names) -> bool:
     """Whether there is something that can collide."""
     return any(row.reaction == "normal force" for row in names.constraint_rows)

@@ -15,6 +15,7 @@ from freebody.questions.spoken.instants import timed
 from freebody.questions.spoken.lexicon import Word
 from freebody.questions.spoken.limits import limits
 from freebody.questions.spoken.sentence import Sentence, parted
+from freebody.questions.spoken.stated import stated
 from freebody.questions.spoken.words import Clause
 
 if TYPE_CHECKING:
@@ -30,13 +31,14 @@ def meanings(names: Names, words: list[Word]) -> Groups:
     if any(word.kind == "other" for word in words):
         return
     modal = {word.what for word in words if word.kind == "filler"} & {"may", "must"}
-    said = _bounded(_without_auxiliary([word for word in words if word.kind != "filler"]))
+    said = _carrying(names, _bounded(_without_auxiliary([word for word in words if word.kind != "filler"])))
     words = [_AS_LARGE.get(word, word) for word in said]
     yield from turning_round.parameters(names, words, meanings)
     sentence = parted(words)
     if sentence is not None and all(mark in _MARKS for mark, _ in sentence.others):
         for told in (_limit, _structure, _conserved, lost, time, stopping, counted, timed):
             yield from told(names, sentence)
+    yield from stated(names, words)
     yield from limits(names, said, modal)
 
 
@@ -56,6 +58,16 @@ def _bounded(words: list[Word]) -> list[Word]:
         for k, word in enumerate(words)
     ]
     return [ends[word.what] if is_end else word for word, is_end in zip(words, alone, strict=True)]
+
+
+def _carrying(names: Names, words: list[Word]) -> list[Word]:
+    """What a connection carries is its force: the rope carries 500 N."""
+    carry = Word("verb", "carry")
+    joints = [word.what for word in words if word.kind == "name" and word.what in names.connections]
+    rows = {row.reaction for row in names.constraint_rows if row.connection in joints}
+    kind = next((kind for kind in ("tension", "normal force", "reaction") if kind in rows), "reaction")
+    meant = Word("quantity", kind) if len(joints) == 1 and not any(w.kind == "quantity" for w in words) else None
+    return [(meant or Word("verb", "move")) if word == carry else word for word in words]
 
 
 def _limit(names: Names, sentence: Sentence) -> Groups:

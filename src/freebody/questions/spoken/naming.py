@@ -97,6 +97,9 @@ def elements_of(names: Names) -> Elements:
         for point in body.points:
             found.add(f"{name}.{point}", _POINT_WORDS)
             found.add(f"{name}.{point}", said=point, distance=INFERRED)
+    for point in names.free_ground_points:
+        found.add(f"{GROUND}.{point}", _POINT_WORDS)
+        found.add(f"{GROUND}.{point}", said=point, distance=INFERRED)
     for name in names.connections:
         found.add(name, (*names.called.get(name, ()), *_stems(name), *_JOINT_WORDS))
         for body in names.connections[name].mentions(names) - {GROUND}:  # the bearing of the pulley

@@ -63,6 +63,8 @@ def _equilibrium(names: Names, quantity: str, rest: Clause) -> Groups:
 def _of_coordinate(names: Names, quantity: str, rest: Clause) -> Groups:
     """What is asked of the place of something: its stroke, its time ratio."""
     of = [name for _, name in rest.names if name not in names.parameters]  # the speed Omega at which it resonates
+    if quantity == "steady amplitude" and not lookup.is_forced(names):
+        return
     if not of and quantity in ("steady amplitude", "phase lag", "resonance frequency") and rest.only("name", *SILENT):
         yield [f"{quantity} of {name}" for name in names.measures]
     if len(of) == 1 and rest.only("name", "instant", *SILENT):
