@@ -22,6 +22,7 @@ from freebody.questions.spoken.lexicon import (
 
 _WORD = re.compile(r"(?<![\w.«])[^\W\d_]+(?![\w/(»])")
 _LINKS = ("", "s", "n", "en", "es", "e", "er")  # letters between the parts of a word
+_FIXED = re.compile(r"(\w{3,})fest(?:e|en|em|er|es)")
 _SHORTEST = 3  # letters of a part
 
 
@@ -67,6 +68,9 @@ def _apart(word: str, language: str, taken: Container[str]) -> str:
     said = word.lower()
     if len(said) < 2 * _SHORTEST or phrases_at(said.replace("ß", "ss"), 0, language):
         return ""
+    fixed = _FIXED.fullmatch(said)  # the wellenfeste system is that of the shaft
+    if fixed is not None and (thing := _first(fixed[1], language, taken, is_quantity=True)):
+        return thing
     for k in range(_SHORTEST, len(said) - _SHORTEST + 1):
         last = said[k:]
         is_quantity = last in quantity_words(language) or _bare(last, language) in quantity_words(language)

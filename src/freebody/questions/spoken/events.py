@@ -61,7 +61,7 @@ def _instants(names: Names, clause: Clause) -> Groups:
         if instant == "at the top":
             yield lookup.tops(names, of)
         elif instant == "at the bottom":
-            yield lookup.bottoms(names, of)
+            yield lookup.bottoms(names, of) or ([f"{of or 'it'} hits"] if lookup.strikes(names) else [])
         elif instant in ("at the impact", "in the impact"):
             yield [f"{of or 'it'} hits"]
 
@@ -148,6 +148,9 @@ def _with_value(names: Names, clause: Clause, verbs: list[str]) -> Groups:
     ]
     [value], of = values, [name for name in of if name not in lines]
     who = next(iter(of), "")
+    if lookup.is_speed(value):
+        yield [f"rate({place}) = {value}" for place in lookup.places(names, who)]
+        return
     doing = set(verbs) - {"start"}
     sense = -1 if clause.has("updown", "down") or clause.has("part", "downward") else 0
     sense = 1 if clause.has("updown", "up") or clause.has("part", "upward") else sense

@@ -104,6 +104,8 @@ def _how_far(names: Names, main: Clause) -> Groups:
         return
     if up:
         yield [f"{way} when rate({way}) = 0" for way, sense in lookup.inclined(names, who) if sense > 0]
+    elif set(main.all("verb")) == {"slide"} and not lookup.rests(names):
+        yield [f"distance travelled along {way} until slipping ends" for way in lookup.ways(names, who)]
     elif set(main.all("verb")) == {"turn"}:
         yield [f"{angle} when rate({angle}) = 0" for angle in lookup.angles(names, who)]
 

@@ -30,6 +30,7 @@ _NO_WORDS = (
     "things",
     "numbered",
     "compared",
+    "adjectives",
 )  # tables that are not kinds of words
 _CHOICE = re.compile(r"\(([^()]*)\)(\?)?")
 
@@ -176,6 +177,12 @@ def spelt(text: str, language: str) -> str:
     for pattern, replacement in _spelling(language):
         text = pattern.sub(replacement, text)
     return " ".join(text.split())
+
+
+def is_adjective(token: str, language: str) -> bool:
+    """Whether a word looks like an adjective, by its ending, that does not tell a thing from another of its kind."""
+    table = _file(language)["adjectives"]
+    return token.endswith(tuple(table["endings"])) and not any(_is_word(word, token) for word in table["telling"])
 
 
 @cache

@@ -63,7 +63,7 @@ def is_all_that_rubs(names: Names, connection: str) -> bool:
 
 def rests(names: Names) -> bool:
     """Whether nothing is given that would set the system in motion."""
-    return not names.start_rates
+    return all(rate == ZERO for rate in names.start_rates.values())
 
 
 def swings(names: Names) -> bool:
@@ -93,6 +93,11 @@ def angles(names: Names, body: str) -> list[str]:
         return [body] if names.measures[body].dimension == DIMENSIONLESS else []
     found = [(name, measure) for name, measure in names.measures.items() if measure.dimension == DIMENSIONLESS]
     return [name for name, measure in found if not body or {*measure.bodies()} - {GROUND} == {body}]
+
+
+def hung(names: Names, body: str) -> list[str]:
+    """Angles of lines that end at a body."""
+    return [name for name, m in names.measures.items() if isinstance(m, Bearing) and m.end.body == body]
 
 
 def gone(names: Names, body: str, by: str, sense: int) -> list[str]:
@@ -194,8 +199,13 @@ def _is_of(names: Names, connection: str, thing: str) -> bool:
     if thing == connection:
         return True
     described = names.connections[connection]
-    if thing in names.bodies and thing != GROUND:
+    if thing == GROUND and described.mentions(names):
+        lines = {*names.bodies[GROUND].lines, *names.bodies[GROUND].planes}
+        return GROUND in described.mentions(names) or any(names_line(names, connection, line) for line in lines)
+    if thing in names.bodies:
         return thing in described.mentions(names)
+    if thing in names.bodies[GROUND].planes:
+        return names_line(names, connection, thing)
     return thing in names.bodies[GROUND].lines and names_line(names, connection, thing)
 
 
@@ -310,6 +320,10 @@ def chosen(names: Names, kind: str, of: list[str]) -> list[str]:
 
     of: what is named beside it."""
     given = [parameter for parameter in names.parameters.values() if parameter.form is None]
+    held = [load for load in names.applied_loads if load.load in of]
+    if kind == "mass" and held and not any(name in names.bodies for name in of):  # how heavy a load is
+        weights = frozenset[str]().union(*(free_symbols(load.law) for load in held))
+        return [p.name for p in given if p.name in weights and p.dimension in (MASS, FORCE)]
     if kind == "mass":
         own = [name for body in of for name in parameters(names, "mass", body)]
         bodies = frozenset[str]().union(*(free_symbols(body.mass) for body in names.bodies.values()))
@@ -343,6 +357,10 @@ def _is_at(names: Names, name: str, thing: str) -> bool:
 
 def is_time(value: str) -> bool:
     return _has(value, TIME)
+
+
+def is_speed(value: str) -> bool:
+    return _has(value, LENGTH / TIME)
 
 
 def is_angle(value: str) -> bool:

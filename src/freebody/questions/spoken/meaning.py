@@ -31,7 +31,8 @@ def meanings(names: Names, words: list[Word]) -> Groups:
     if any(word.kind == "other" for word in words):
         return
     modal = {word.what for word in words if word.kind == "filler"} & {"may", "must"}
-    said = _carrying(names, _bounded(_without_auxiliary([word for word in words if word.kind != "filler"])))
+    said = _bounded(_without_auxiliary([word for word in words if word.kind != "filler"]))
+    said = _carrying(names, said, modal)
     words = [_AS_LARGE.get(word, word) for word in said]
     yield from turning_round.parameters(names, words, meanings)
     sentence = parted(words)
@@ -60,13 +61,18 @@ def _bounded(words: list[Word]) -> list[Word]:
     return [ends[word.what] if is_end else word for word, is_end in zip(words, alone, strict=True)]
 
 
-def _carrying(names: Names, words: list[Word]) -> list[Word]:
-    """What a connection carries is its force: the rope carries 500 N."""
+def _carrying(names: Names, words: list[Word], modal: set[str]) -> list[Word]:
+    """What a connection carries is its force: the rope carries 500 N; what it can carry is no less than that."""
     carry = Word("verb", "carry")
     joints = [word.what for word in words if word.kind == "name" and word.what in names.connections]
     rows = {row.reaction for row in names.constraint_rows if row.connection in joints}
     kind = next((kind for kind in ("tension", "normal force", "reaction") if kind in rows), "reaction")
     meant = Word("quantity", kind) if len(joints) == 1 and not any(w.kind == "quantity" for w in words) else None
+    if meant is not None and carry in words and any(w.kind == "degree" for w in words[: words.index(carry)]):
+        words = [Word("mark", "so_that") if w == Word("mark", "when") else w for w in words]
+        at = next((k for k, w in enumerate(words) if w.kind == "value"), 0)
+        if "may" in modal and at and not any(w.kind == "relation" for w in words):
+            words = [*words[:at], Word("relation", "<="), *words[at:]]
     return [(meant or Word("verb", "move")) if word == carry else word for word in words]
 
 

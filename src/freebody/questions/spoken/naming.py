@@ -247,7 +247,7 @@ def _named(elements: Elements, written: Sequence[str]) -> Iterator[tuple[str, in
     for k in range(1, len(words)):  # a name beside the word for its kind
         for rest, kind in ((written[:k], words[k:]), (written[k:], words[:k])):
             for element, text, _distance in elements.spoken.get(tuple(w.lower() for w in rest), []):
-                if " ".join(kind) in element.words:
+                if " ".join(kind[1:] if kind[0] == "side" else kind) in element.words:
                     yield element.name, WRITTEN if text == " ".join(rest) else ALIKE
 
 

@@ -37,6 +37,10 @@ def _transmitted(names: Names, quantity: str, rest: Clause) -> Groups:
         kinds = tuple(
             kind for kind in sorted(own) if kind.endswith(" force") and kind.split()[0] in ("belt", "rope", "cable")
         )
+    joints = {name for _, name in rest.names if name in names.connections}
+    driving = [row.reaction for row in names.constraint_rows if row.connection in joints and row.reaction.startswith("driving ")]
+    if driving and quantity in ("force", "torque", "moment", "driving force", "driving torque"):
+        kinds = tuple(dict.fromkeys((*driving, *kinds)))  # what a motor gives
     for kind in kinds:
         yield from _of_joint(names, kind, rest)
 

@@ -22,6 +22,8 @@ def motion(names: Names, quantity: str, rest: Clause) -> Groups:
     if len(of) > 1 or (rest.has("part", "initial", "size", "only", "driving")):
         return
     end = f"{relative}{along}"
+    if quantity == "speed" and any(before == "about" and "." in name for before, name in rest.names):
+        quantity = "angular velocity"
     quantity = "velocity" if quantity == "speed" and along else quantity  # which has a sign
     if not of and rest.has("pronoun", "system"):  # which is one body, or has one angle
         whole = lookup.massive(names)
@@ -44,6 +46,8 @@ def motion(names: Names, quantity: str, rest: Clause) -> Groups:
     if quantity == "speed" and axle:  # what turns about its centre has no other speed
         yield [f"angular velocity of {name}", *([f"speed of {name}"] if axle == "beside" else [])]
         return
+    if quantity.startswith("angular") and name in names.bodies and not names.bodies[name].turns and not end:
+        yield [f"{quantity.removeprefix('angular ')} of {angle}" for angle in lookup.hung(names, name)]
     yield [f"{quantity} of {name}{end}"]
     if quantity == "speed":
         yield [f"|velocity of {name}|"] if not end else []
@@ -64,6 +68,8 @@ def _directed(names: Names, rest: Clause) -> tuple[list[str], str, str] | None:
             relative = f" relative to {name}"
         elif before == "about" and "." in name and not lookup.is_known_point(names, name) and not along:
             along = f" along {name}"
+        elif before == "in" and names.space and name in names.bodies and of and not relative:
+            relative = f" in {name}"  # by its components there
         elif before in ("along", "up", "down") or (is_line and before in ("on", "in", "of", "from") and not along):
             if along or (before in ("up", "down") and not lookup.points(names, line or name, before)):
                 return None

@@ -42,7 +42,10 @@ class Equation:
 def stated(names: Names, words: list[Word]) -> Groups:
     """What words ask for that give the values of measures at an instant."""
     equations, rest = _equations(names, words)
-    if not equations or any(word.kind in ("relation", "not", "degree", "value", "turns") for word in rest):
+    if not equations or any(word.kind in ("relation", "not", "value", "turns") for word in rest):
+        return
+    if any(word.kind == "degree" for word in rest):
+        yield from _farthest(names, equations, Clause(rest)) if len(equations) == 1 else ()
         return
     if any(word.kind == "name" and word.what in names.parameters for word in rest) or len(equations) == 2:
         yield from _parameter(names, equations, Clause(rest))
@@ -75,7 +78,7 @@ def _at(names: Names, equation: Equation, rest: Clause) -> Groups:
         return
     if rest.has("instant", "at start"):
         return
-    if rest.has("ask", "far") and not rest.has("quantity"):
+    if rest.has("ask", "far") and set(rest.all("quantity")) <= {"height"}:
         ways = [way for way in lookup.ways(names, next(iter(names_), "")) if way != equation.measure]
         yield [f"change of {way} until {equation}" for way in ways]
         return
@@ -86,6 +89,19 @@ def _at(names: Names, equation: Equation, rest: Clause) -> Groups:
     kept = [w for w in kept if not (w.kind == "name" and w.what in places and len(names_) > 1)]
     for group in quantities(names, Clause(kept)):
         yield [f"{text} when {equation}" for text in group]
+
+
+def _farthest(names: Names, equations: list[Equation], rest: Clause) -> Groups:
+    """The value of a parameter with which something comes farthest: at which angle does it fly farthest, y = 0?"""
+    named = [name for _, name in rest.names if name in names.parameters]
+    others = [name for _, name in rest.names if name not in names.parameters]
+    asked = [quantity for quantity in rest.all("quantity") if quantity not in ("horizontal range", "distance")]
+    flies = rest.has("verb", "fly", "move", "hit") or rest.has("quantity", "horizontal range", "distance")
+    found = named or (lookup.of_kind(names, asked[0]) if len(asked) == 1 else [])
+    ways = [way for way in lookup.ways(names, "") if way != equations[0].measure and way in (others or [way])]
+    ways = ways or [way for body in others for way in lookup.ways(names, body) if way != equations[0].measure]
+    if rest.all("degree") == ["greatest"] and flies and len(found) == 1 and len(asked) <= 1:
+        yield [f"value of {found[0]} for which {way} when {equations[0]} is largest" for way in ways]
 
 
 def _parameter(names: Names, equations: list[Equation], rest: Clause) -> Groups:

@@ -149,6 +149,7 @@ def _head(names: Names, head: Clause, rest: Clause, *, is_marked: bool = False) 
     if not named and len(asked) == 1 and asked[0] in _KIND_OF_PARAMETER and len(others) <= 1:
         of = next(iter(others), "")
         found = lookup.parameters(names, asked[0].replace("friction force", "friction coefficient"), of)
+        found = found or (lookup.chosen(names, "mass", others) if asked[0] == "mass" and others else [])
         return (found, rest, end) if found else None
     return None
 
