@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from freebody.model.names import Names
 
 _MOTION = ("velocity", "speed", "acceleration", "angular velocity", "angular acceleration")
+_OSCILLATES = ("natural frequency", "natural frequencies", "period", "period of small oscillations", "damped frequency")
 _OF_QUANTITY = ("stroke", "time ratio", "extremes", "steady amplitude", "phase lag", "resonance frequency")
 __all__ = ["of_forces", "of_motion", "of_systems", "quantities"]  # the rooms of quantities are found when this is read
 
@@ -69,7 +70,10 @@ def _inferred(names: Names, clause: Clause) -> Clause:
         return Clause([Word("quantity", "equilibrium"), *clause.without("ask").without("verb").words])
     if "where" in ask and clause.has("quantity", "equilibrium", "instant centre", "dead points"):
         return clause.without("ask").without("verb")
-    moving = {"move", "turn", "roll", "fly", "slide", "fall", "rise"} if clause.has("quantity", *_MOTION) else {"move"}
+    moving = {"move", "turn", "roll", "fly", "slide", "fall", "rise", "reach"} if clause.has("quantity", *_MOTION) else {"move"}
+    if clause.all("quantity") == ["deflection"] and ask <= {"far", "much", "large"} and not verbs:
+        return clause.without("ask")
+    moving |= {"turn"} if clause.has("quantity", *_OSCILLATES) else set()
     if ask <= {"what", "large", "much", "with", "for", "many", "where"} and verbs <= moving:
         return clause.without("ask").without("verb")
     return clause
@@ -96,8 +100,9 @@ def _extreme(names: Names, clause: Clause, degrees: list[str]) -> Groups:
             for top in lookup.tops(names, name)
         ]
         return
-    if clause.has("quantity", "position", "distance", "angle") and len(of) <= 1:
+    if clause.has("quantity", "position", "distance", "angle", "deflection") and len(of) <= 1:
         found = lookup.angles if clause.has("quantity", "angle") else lookup.places
+        found = lookup.deflections if clause.has("quantity", "deflection") else found
         yield [f"{degree} {measure}{whole}" for measure in found(names, next(iter(of), ""))]
         return
     for group in _plain(names, clause):
@@ -109,9 +114,14 @@ def _of_two(names: Names, clause: Clause) -> Groups:
     kind = next(word.what for word in clause.words if word.what in ("ratio", "difference", "sum"))
     k = next(k for k, word in enumerate(clause.words) if word == Word("quantity", kind))
     said = [word for word in clause.words[:k] if word.kind not in (*SILENT, "ask")]
+    rest = clause.words[k + 1 :]
+    if clause.has("ask", "fast") and kind == "ratio" and [w.kind for w in rest if w.kind not in SILENT] == ["name"]:
+        own = Word("quantity", "angular velocity" if clause.has("verb", "turn") else "speed")
+        first = [w for w in clause.words[:k] if w.kind == "name"]
+        rest = [own, *first, Word("preposition", "to"), *[w for w in rest if w.kind == "name"]]
+        said = []
     if any(word.kind != "quantity" for word in said) or len(said) > 1:
         return
-    rest = clause.words[k + 1 :]
     signs = ("to",) if kind == "ratio" else ("and",)
     between = {"preposition"}
     cuts = [j for j, w in enumerate(rest) if w.kind in between and (w.what in signs or w.what == "and")]

@@ -66,7 +66,8 @@ def _nouns(language: str) -> re.Pattern[str]:
 def _apart(word: str, language: str, taken: Container[str]) -> str:
     """A word that is written as one in its two parts, the longest last part first; nothing where it is none."""
     said = word.lower()
-    if len(said) < 2 * _SHORTEST or phrases_at(said.replace("ß", "ss"), 0, language):
+    is_participle = word[0].islower() and re.search(r"end(?:e[nrsm]?)?$", said)  # rollend
+    if len(said) < 2 * _SHORTEST or is_participle or phrases_at(said.replace("ß", "ss"), 0, language):
         return ""
     fixed = _FIXED.fullmatch(said)  # the wellenfeste system is that of the shaft
     if fixed is not None and (thing := _first(fixed[1], language, taken, is_quantity=True)):

@@ -26,6 +26,7 @@ def time(names: Names, sentence: Sentence) -> Groups:
         main.has("ask", "long")
         and not sentence.others
         and not head.has("value")
+        and not any(name in names.parameters for _, name in head.names)
         and set(head.all("verb")) <= set(GOES_ON)
     ):
         of = [name for _, name in head.names]

@@ -46,6 +46,9 @@ def conditions(names: Names, clause: Clause) -> Groups:
         yield from _instants(names, clause)
     elif clause.has("relation"):
         yield from _equations(names, clause)
+    elif clause.all("quantity") in (["highest place"], ["lowest place"]) and not clause.values:
+        of = next((name for _, name in clause.names), "")
+        yield (lookup.tops if clause.has("quantity", "highest place") else lookup.bottoms)(names, of)
     elif clause.has("quantity"):
         yield from _of_quantity(names, clause, verbs)
     else:
@@ -60,6 +63,8 @@ def _instants(names: Names, clause: Clause) -> Groups:
     for instant in clause.all("instant"):
         if instant == "at the top":
             yield lookup.tops(names, of)
+        elif instant == "at the top of the loop":
+            yield lookup.uppermost(names, of)
         elif instant == "at the bottom":
             yield lookup.bottoms(names, of) or ([f"{of or 'it'} hits"] if lookup.strikes(names) else [])
         elif instant in ("at the impact", "in the impact"):
@@ -289,6 +294,7 @@ _TOLD: dict[frozenset[str], Callable[..., Groups]] = {
         ("turn_back", _turns_back),
         ("return", _returns),
         ("return move", _returns),
+        ("hit return", _returns),
         ("reach", _reaches),
         ("top", _at_top),
         ("bottom", _at_bottom),

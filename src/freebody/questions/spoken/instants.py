@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from freebody.questions.spoken import lookup
 from freebody.questions.spoken.asking import quantities
 from freebody.questions.spoken.composing import Groups
-from freebody.questions.spoken.events import HAPPENS, conditions
+from freebody.questions.spoken.events import GOES_ON, HAPPENS, conditions
 from freebody.questions.spoken.lexicon import Word
 from freebody.questions.spoken.sentence import Sentence, clock
 from freebody.questions.spoken.words import Clause
@@ -39,6 +39,9 @@ def timed(names: Names, sentence: Sentence) -> Groups:
         main = Clause([Word("quantity", "equilibrium"), *main.without("ask").without("verb").without("instant").words])
     if main.has("verb", "accelerate") and main.has("verb", "start"):  # how fast does it start to accelerate
         main = Clause([*main.without("verb", "start").words, Word("instant", "at start")])
+    accelerates = main.has("quantity", "acceleration", "angular acceleration") and main.has("verb", "start")
+    if accelerates and main.has("verb", *GOES_ON) and not others:  # with what acceleration does it start to move
+        main = Clause([*main.without("verb").words, Word("instant", "at start")])
     if main.has("quantity", "terminal velocity") and others:  # the final speed once it rolls
         main = Clause([Word("quantity", "speed") if w == Word("quantity", "terminal velocity") else w for w in main.words])
     tails, main = _tails(names, main)
@@ -62,14 +65,15 @@ def timed(names: Names, sentence: Sentence) -> Groups:
     if event is not None:
         head, conditions_ = event
         for group, when in product(list(quantities(names, head)), conditions_):
-            yield [f"{text} when {condition}" for text, condition in product(group, when)]
+            pairs = product(group, when)
+            yield [f"{text} when {condition}" for text, condition in pairs if not condition.startswith(f"{text} = ")]
         return
     if not tails:
         yield from quantities(names, main)
         return
     for tail in _grouped(names, sentence, tails):
         for group in quantities(names, main):
-            yield [f"{text}{end}" for text, end in product(group, tail)]
+            yield [f"{text}{end}" for text, end in product(group, tail) if not end.startswith(f" when {text} = ")]
 
 
 def _is_of_state(mark: str, clause: Clause) -> bool:
@@ -129,6 +133,9 @@ def _tails(names: Names, main: Clause) -> tuple[list[list[str]], Clause]:
         elif instant in ("after the impact", "before the impact"):
             struck = lookup.is_struck_at_start_alone(names)
             tails.append([" at start" if struck and instant[0] == "a" else f" {instant}"])
+        elif instant == "at the top of the loop":
+            of = next((name for _, name in main.names), "")
+            tails.append([f" when {text}" for text in lookup.uppermost(names, of)])
         elif instant in ("at the top", "at the bottom"):
             found = lookup.tops if instant == "at the top" else lookup.bottoms
             of = next((name for _, name in main.names), "")
@@ -144,6 +151,7 @@ def _tails(names: Names, main: Clause) -> tuple[list[list[str]], Clause]:
         "after the impact",
         "before the impact",
         "at the top",
+        "at the top of the loop",
         "at the bottom",
         "at the impact",
         "in equilibrium",

@@ -31,6 +31,7 @@ _NO_WORDS = (
     "numbered",
     "compared",
     "adjectives",
+    "adverbs",
 )  # tables that are not kinds of words
 _CHOICE = re.compile(r"\(([^()]*)\)(\?)?")
 
@@ -182,6 +183,12 @@ def spelt(text: str, language: str) -> str:
 def is_adjective(token: str, language: str) -> bool:
     """Whether a word looks like an adjective, by its ending, that does not tell a thing from another of its kind."""
     table = _file(language)["adjectives"]
+    return token.endswith(tuple(table["endings"])) and not any(_is_word(word, token) for word in table["telling"])
+
+
+def is_adverb(token: str, language: str) -> bool:
+    """Whether a word looks like an adverb of manner, which does not say where or how much."""
+    table = _file(language)["adverbs"]
     return token.endswith(tuple(table["endings"])) and not any(_is_word(word, token) for word in table["telling"])
 
 

@@ -154,9 +154,13 @@ def rising(names: Names, body: str) -> list[str]:
 def tops(names: Names, body: str) -> list[str]:
     """The condition that a body has risen as far as it does at first, or swings no further."""
     up = [name for name, sense in heights(names, body) if _rises(names, name, sense)]
-    round_a_point = [f"{name} = {'0' if above else '180 deg'}" for name, above in _hanging(names, body)]
     turning_back = [f"rate({name}) = 0" for name, _ in _hanging(names, body)]
-    return [f"rate({name}) = 0" for name in up] or [*round_a_point, *turning_back]
+    return [f"rate({name}) = 0" for name in up] or [*uppermost(names, body), *turning_back]
+
+
+def uppermost(names: Names, body: str) -> list[str]:
+    """The condition that what goes round a point of the ground is straight above it."""
+    return [f"{name} = {'0' if above else '180 deg'}" for name, above in _hanging(names, body)]
 
 
 def _rises(names: Names, measure: str, sense: int) -> bool:
@@ -271,6 +275,13 @@ def is_forced(names: Names) -> bool:
     return any(load.general is not None or "t" in free_symbols(load.law) for load in names.applied_loads)
 
 
+def deflections(names: Names, spring: str) -> list[str]:
+    """Named measures that the force of a spring, or of the only one, is in proportion to."""
+    named = [spring] if spring else springs(names)
+    own = [load.measure for load in names.applied_loads if load.load in named and load.load in springs(names)]
+    return [name for name, measure in names.measures.items() if measure in own] if len(named) == 1 else []
+
+
 def strikes(names: Names) -> bool:
     """Whether there is something that can collide."""
     return any(row.reaction == "normal force" for row in names.constraint_rows)
@@ -361,6 +372,15 @@ def is_time(value: str) -> bool:
 
 def is_speed(value: str) -> bool:
     return _has(value, LENGTH / TIME)
+
+
+def kind_of(value: str) -> str:
+    """A speed or an acceleration, as the unit of a value says."""
+    return next((kind for kind, of in (("speed", LENGTH / TIME), ("acceleration", LENGTH / TIME**2)) if _has(value, of)), "")
+
+
+def is_length(value: str) -> bool:
+    return _has(value, LENGTH)
 
 
 def is_angle(value: str) -> bool:

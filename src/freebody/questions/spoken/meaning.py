@@ -46,7 +46,8 @@ def meanings(names: Names, words: list[Word]) -> Groups:
 def _without_auxiliary(words: list[Word]) -> list[Word]:
     """`wird gehalten` is held; `wird 2 m/s` becomes, and reaches, 2 m/s."""
     become = Word("verb", "become")
-    if any(word.kind == "verb" and word != become for word in words):
+    reaches = any(word.kind in ("value", "relation", "instant", "not") for word in words)
+    if not reaches or any(word.kind == "verb" and word != become for word in words):
         return [word for word in words if word != become]
     return [Word("verb", "reach") if word == become else word for word in words]
 
@@ -68,7 +69,9 @@ def _carrying(names: Names, words: list[Word], modal: set[str]) -> list[Word]:
     rows = {row.reaction for row in names.constraint_rows if row.connection in joints}
     kind = next((kind for kind in ("tension", "normal force", "reaction") if kind in rows), "reaction")
     meant = Word("quantity", kind) if len(joints) == 1 and not any(w.kind == "quantity" for w in words) else None
-    if meant is not None and carry in words and any(w.kind == "degree" for w in words[: words.index(carry)]):
+    if meant is not None and carry in words and any(
+        w.kind == "degree" or w in (Word("ask", "heavy"), Word("ask", "large")) for w in words[: words.index(carry)]
+    ):
         words = [Word("mark", "so_that") if w == Word("mark", "when") else w for w in words]
         at = next((k for k, w in enumerate(words) if w.kind == "value"), 0)
         if "may" in modal and at and not any(w.kind == "relation" for w in words):
@@ -127,7 +130,7 @@ def _structure(names: Names, sentence: Sentence) -> Groups:
     if main.has("quantity", "degrees of freedom") and main.only("quantity", "ask", "pronoun", "preposition", "verb"):
         yield ["degrees of freedom"]
     asks_nothing = not (main.has("ask") or main.has("not") or main.has("degree") or main.has("quantity"))
-    everything = all(lookup.is_all_that_moves(names, name) for name in of)
+    everything = all(lookup.is_all_that_moves(names, name) or lookup.is_all_that_slips(names, name) for name in of)
     if verbs == {"stop"} and asks_nothing and everything and lookup.rests(names):
         yield ["does it hold"]
     if {"hold"} <= verbs <= {"hold", "move"} and asks_nothing and everything:
@@ -139,7 +142,7 @@ def _structure(names: Names, sentence: Sentence) -> Groups:
     if (
         verbs == {"move"}
         and main.only("verb", "pronoun", "name")
-        and all(lookup.is_all_that_moves(names, n) for n in of)
+        and everything
     ):
         yield ["does it hold"] if lookup.rests(names) else []
     if verbs & {"stable", "unstable"} and main.only("verb", "quantity", "pronoun", "preposition", "name", "instant"):
@@ -163,7 +166,7 @@ def _conserved(names: Names, sentence: Sentence) -> Groups:
     if not main.has("verb", "conserved") or main.has("not"):
         return
     asks_when = main.has("ask", "when", "with")
-    others = [clause for _, clause in sentence.others]
+    others = [clause for mark, clause in sentence.others if not _is_throughout(names, mark, clause)]
     if (main.has("ask") and not asks_when) or others:
         return
     kept = Clause(
@@ -171,3 +174,10 @@ def _conserved(names: Names, sentence: Sentence) -> Groups:
     )
     for group in quantities(names, kept):
         yield [f"{'when is' if asks_when else 'is'} {text} conserved" for text in group]
+
+
+def _is_throughout(names: Names, mark: str, clause: Clause) -> bool:
+    """Whether a clause is of all of the motion: while it rolls, where nothing else can come."""
+    goes_on = set(clause.all("verb")) <= {"move", "roll", "turn", "fly", "fall"} and clause.has("verb")
+    may_change = any("contact" in names.called.get(name, ()) for name in names.connections)
+    return mark == "while" and goes_on and not may_change and clause.only("verb", "pronoun", "name")

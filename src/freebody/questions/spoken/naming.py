@@ -166,7 +166,8 @@ def _told(elements: Elements, first: str, second: str) -> list[str]:
     of_kind = _of_kind(elements, kind) or (list(elements.masses) if kind.lower() in ("one", "two") else [])
     number = second if second.isdigit() else _meant(numbered(), first)
     if number:
-        return [name for name in of_kind if re.search(rf"(?<!\d){number}$", name)]
+        kinds = [e.name for e in elements.exact.values() if kind.lower() in e.words and "." not in e.name]
+        return [name for name in of_kind or kinds if re.search(rf"(?<!\d){number}$", name)]
     than = _meant(compared(), first)
     if not than or len(of_kind) < 2:
         return []

@@ -41,6 +41,8 @@ def _transmitted(names: Names, quantity: str, rest: Clause) -> Groups:
     driving = [row.reaction for row in names.constraint_rows if row.connection in joints and row.reaction.startswith("driving ")]
     if driving and quantity in ("force", "torque", "moment", "driving force", "driving torque"):
         kinds = tuple(dict.fromkeys((*driving, *kinds)))  # what a motor gives
+    if quantity == "torque" and not joints:  # no bearing is asked for its reaction so
+        kinds = ("driving torque", "torque")
     for kind in kinds:
         yield from _of_joint(names, kind, rest)
 

@@ -37,7 +37,7 @@ def motion(names: Names, quantity: str, rest: Clause) -> Groups:
         moving = (
             lookup.moving(names)
             if quantity == "speed" or along or quantity.startswith("angular")
-            else lookup.measured(names)
+            else [name for name in lookup.measured(names) if name not in lookup.angles(names, "")] or lookup.moving(names)
         )
         yield [f"{quantity} of {name}{end}" for name in moving]
         return
@@ -70,7 +70,7 @@ def _directed(names: Names, rest: Clause) -> tuple[list[str], str, str] | None:
             along = f" along {name}"
         elif before == "in" and names.space and name in names.bodies and of and not relative:
             relative = f" in {name}"  # by its components there
-        elif before in ("along", "up", "down") or (is_line and before in ("on", "in", "of", "from") and not along):
+        elif before in ("along", "up", "down") or (is_line and before in ("on", "in", "of", "from", "over") and not along):
             if along or (before in ("up", "down") and not lookup.points(names, line or name, before)):
                 return None
             along = f" along {line or name}"
@@ -84,6 +84,8 @@ def _directed(names: Names, rest: Clause) -> tuple[list[str], str, str] | None:
                 return None
             along = f" along {ALONG[part]}"
     of = without_owners(of)
+    owned = {body for name in of if name in names.measures for body in names.measures[name].bodies()}
+    of = [name for name in of if name not in owned]
     return of, relative, along
 
 
@@ -123,6 +125,14 @@ def _range(names: Names, quantity: str, rest: Clause) -> Groups:
         yield [f"{name} when it lands" for name in level] if lookup.strikes(names) else []
         down = [name for name in upright if name in names.started_at_zero]
         yield [f"{name} when {height} = 0" for name in level for height in down]
+
+
+@said_of("deflection")
+def _deflection(names: Names, quantity: str, rest: Clause) -> Groups:
+    """How far a spring is compressed or stretched: what its force is in proportion to."""
+    of = [name for _, name in rest.names]
+    if rest.only("name", *SILENT) and len(of) <= 1:
+        yield lookup.deflections(names, next(iter(of), ""))
 
 
 @said_of("displacement", "distance travelled")

@@ -42,6 +42,12 @@ class Equation:
 def stated(names: Names, words: list[Word]) -> Groups:
     """What words ask for that give the values of measures at an instant."""
     equations, rest = _equations(names, words)
+    values = [word for word in rest if word.kind == "value"]
+    if len(equations) == 1 and len(values) == 1 and lookup.is_length(values[0].what):  # 60 m far, y = 0
+        ways = [way for way in lookup.ways(names, "") if way != equations[0].measure]
+        if len(ways) == 1 and any(word.kind == "name" and word.what in names.parameters for word in rest):
+            equations = [Equation(ways[0], values[0].what), *equations]
+            rest = [word for word in rest if word not in values]
     if not equations or any(word.kind in ("relation", "not", "value", "turns") for word in rest):
         return
     if any(word.kind == "degree" for word in rest):
@@ -113,6 +119,7 @@ def _parameter(names: Names, equations: list[Equation], rest: Clause) -> Groups:
         return
     if set(asked) - {*_SPEEDS, "angle", "height"} or len(asked) > 1 or set(rest.all("part")) - {"initial"}:
         return
+    rest = rest.without("pronoun")
     if rest.has("ask", "when", "long", "soon", "where") or set(rest.all("instant")) - {*_PLACES}:
         return
     found = named or (lookup.of_kind(names, asked[0]) if asked else [])

@@ -37,7 +37,7 @@ def parameters(names: Names, words: list[Word], whole: Callable[..., Groups]) ->
     if parted is None:
         return
     chosen, relation, end = parted
-    if relation.has("verb", "critical") and not relation.has("not"):
+    if (relation.has("verb", "critical") or relation.all("quantity") == ["critical damping"]) and not relation.has("not"):
         yield [f"critical damping of {parameter}" for parameter in chosen]
     for parameter in chosen:
         for group in _so(names, relation, whole):
@@ -175,6 +175,10 @@ def _so(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
         and not negated
     ):
         yield from _reaching(names, clause, of)
+    if verbs >= {"hit"} and len(clause.values) == 1 and lookup.is_speed(clause.values[0][1]) and not clause.has("relation"):
+        hitting = [name for name in of if name in lookup.moving(names)] or lookup.massive(names)
+        yield [f"speed of {body} before the impact = {clause.values[0][1]}" for body in hitting]  # it hits at 5 m/s
+        return
     is_none = negated and clause.has("quantity") and verbs <= {"move", "stay"}
     if clause.has("relation") or clause.has("value") or "vanish" in verbs or is_none or _is_negated_motion(clause):
         yield from _relation(names, clause, whole)
@@ -365,6 +369,11 @@ def _sides(names: Names, clause: Clause) -> tuple[Clause, str, str | Clause, str
     if not signs and clause.has("verb", "vanish") and not clause.has("not"):
         return Clause(words).without("verb", "vanish", "reach", "move"), "=", "0", tail
     values = [word for word in words if word.kind == "value"]
+    if not signs and len(values) == 1 and not clause.has("quantity") and not clause.has("not"):
+        kind = lookup.kind_of(values[0].what)
+        if kind:
+            kept = [w for w in words if w.kind in ("name", "part", "updown")]
+            return Clause([Word("quantity", kind), *kept]), "=", values[0].what, tail
     if not signs and len(values) == 1 and not clause.has("not"):
         kept = Clause([word for word in words if word != values[0]])
         return kept.without("verb", "reach", "move"), "=", values[0].what, tail

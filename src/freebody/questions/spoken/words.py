@@ -10,7 +10,7 @@ from itertools import accumulate
 
 from freebody.errors import UnitError
 from freebody.language.units.reader import parse_unit
-from freebody.questions.spoken.lexicon import MARKED, Word, goes_beside, is_adjective, phrases_at, spelt, vocabulary
+from freebody.questions.spoken.lexicon import MARKED, Word, goes_beside, is_adjective, is_adverb, phrases_at, spelt, vocabulary
 from freebody.questions.spoken.naming import plain_names
 
 _NUMBER = r"\d+(?:\.\d+)?(?:e[+-]?\d+)?"
@@ -111,7 +111,7 @@ def words_of(text: str, language: str, *, guess: bool = False) -> list[Word]:
         line, begins = " ".join(tokens), list(accumulate((len(t) + 1 for t in tokens), initial=0))
         meant = phrases_at(line, begins[k], language)
         means = next((m for m in meant if _fits(m[0], words)), None)
-        if means is None and _describes(found, k, language):
+        if means is None and (_describes(found, k, language) or is_adverb(token, language)):
             continue
         if means is None:
             last = next((word for word in reversed(words) if word.kind != "filler"), None)
@@ -240,7 +240,7 @@ def respelt(text: str, language: str, taken: Container[str]) -> str:
         if word in words or word in taken or len(word) < _SHORTEST:
             return found[0]
         near = difflib.get_close_matches(word, words, n=3, cutoff=_LEAST_LIKE)
-        right = [other for other in near if other[0] == word[0] and _is_slip(word, other)]
+        right = [other for other in near if (other[0], other[-1]) == (word[0], word[-1]) and _is_slip(word, other)]
         return right[0] if right and right[0] not in taken else found[0]
 
     return re.sub(r"(?<!\w)[^\W\d_]+(?![\w'’])", right, text)
