@@ -26,7 +26,7 @@ _TIMED = {"in steady motion": " in steady motion", "when t grows": " when t grow
 
 def timed(names: Names, sentence: Sentence) -> Groups:
     """A quantity, and when it is meant."""
-    main, others = sentence.main, list(sentence.others)
+    main, others = sentence.main, [one for one in sentence.others if not is_throughout(names, *one)]
     if main.has("ask", "when", "soon", "long"):
         return
     if main.has("ask", "high") and not others and main.has("verb") and main.only("ask", "verb", "name", "pronoun"):
@@ -116,8 +116,9 @@ def _how_far(names: Names, main: Clause) -> Groups:
 
 def _grouped(names: Names, sentence: Sentence, tails: list[list[str]]) -> Iterator[list[str]]:
     """The ways to mean an instant, in groups."""
-    if sentence.others and len(sentence.others) == 1:
-        yield from _at(names, *sentence.others[0])
+    others = [one for one in sentence.others if not is_throughout(names, *one)]
+    if len(others) == 1:
+        yield from _at(names, *others[0])
     else:
         yield tails[0]
 
@@ -285,3 +286,10 @@ def _where_it_is(names: Names, main: Clause) -> tuple[Clause, list[list[str]]] |
     head = [main.words[k], *main.words[k + 1 : k + 1 + named]]
     found = list(conditions(names, Clause([w for w in main.words[k + 1 + named :] if w.kind != "ask"])))
     return (Clause(head), found) if found else None
+
+
+def is_throughout(names: Names, mark: str, clause: Clause) -> bool:
+    """Whether a clause is of all of the motion: while it rolls, where nothing else can come."""
+    goes_on = set(clause.all("verb")) <= {"move", "roll", "turn", "fly", "fall"} and clause.has("verb")
+    may_change = any("contact" in names.called.get(name, ()) for name in names.connections)
+    return mark == "while" and goes_on and not may_change and clause.only("verb", "pronoun", "name")

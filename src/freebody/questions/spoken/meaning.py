@@ -11,7 +11,7 @@ from freebody.questions.spoken import lookup, turning_round
 from freebody.questions.spoken.asking import quantities
 from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.counting import counted, lost, stopping, time
-from freebody.questions.spoken.instants import timed
+from freebody.questions.spoken.instants import is_throughout, timed
 from freebody.questions.spoken.lexicon import Word
 from freebody.questions.spoken.limits import limits
 from freebody.questions.spoken.sentence import Sentence, parted
@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from freebody.model.names import Names
 
 _MARKS = ("when", "until", "after", "while")
+_SO_THAT = Word("mark", "so_that")
 # what only a limit tells apart: how small, how steep
 _AS_LARGE = {Word("ask", what): Word("ask", "large") for what in ("small", "flat", "steep")}
 
@@ -34,13 +35,14 @@ def meanings(names: Names, words: list[Word]) -> Groups:
     said = _bounded(_without_auxiliary([word for word in words if word.kind != "filler"]))
     said = _carrying(names, said, modal)
     words = [_AS_LARGE.get(word, word) for word in said]
-    yield from turning_round.parameters(names, words, meanings)
+    lasting = [_SO_THAT if word == Word("mark", "while") else word for word in words]  # as long as it does not slip
+    yield from turning_round.parameters(names, lasting, meanings)
     sentence = parted(words)
     if sentence is not None and all(mark in _MARKS for mark, _ in sentence.others):
         for told in (_limit, _structure, _conserved, lost, time, stopping, counted, timed):
             yield from told(names, sentence)
     yield from stated(names, words)
-    yield from limits(names, said, modal)
+    yield from limits(names, [_SO_THAT if word == Word("mark", "while") else word for word in said], modal)
 
 
 def _without_auxiliary(words: list[Word]) -> list[Word]:
@@ -166,7 +168,7 @@ def _conserved(names: Names, sentence: Sentence) -> Groups:
     if not main.has("verb", "conserved") or main.has("not"):
         return
     asks_when = main.has("ask", "when", "with")
-    others = [clause for mark, clause in sentence.others if not _is_throughout(names, mark, clause)]
+    others = [clause for mark, clause in sentence.others if not is_throughout(names, mark, clause)]
     if (main.has("ask") and not asks_when) or others:
         return
     kept = Clause(
@@ -174,10 +176,3 @@ def _conserved(names: Names, sentence: Sentence) -> Groups:
     )
     for group in quantities(names, kept):
         yield [f"{'when is' if asks_when else 'is'} {text} conserved" for text in group]
-
-
-def _is_throughout(names: Names, mark: str, clause: Clause) -> bool:
-    """Whether a clause is of all of the motion: while it rolls, where nothing else can come."""
-    goes_on = set(clause.all("verb")) <= {"move", "roll", "turn", "fly", "fall"} and clause.has("verb")
-    may_change = any("contact" in names.called.get(name, ()) for name in names.connections)
-    return mark == "while" and goes_on and not may_change and clause.only("verb", "pronoun", "name")

@@ -37,6 +37,8 @@ def _transmitted(names: Names, quantity: str, rest: Clause) -> Groups:
         kinds = tuple(
             kind for kind in sorted(own) if kind.endswith(" force") and kind.split()[0] in ("belt", "rope", "cable")
         )
+        if not kinds and any(name in names.connections for _, name in rest.names):
+            kinds = (quantity,)  # the grammar says that it has none
     joints = {name for _, name in rest.names if name in names.connections}
     driving = [row.reaction for row in names.constraint_rows if row.connection in joints and row.reaction.startswith("driving ")]
     if driving and quantity in ("force", "torque", "moment", "driving force", "driving torque"):

@@ -80,7 +80,7 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
             names,
             " ".join((text, *_concepts(names, text))),
             _near(names, text),
-            lambda question: not isinstance(_read_quietly(names, question, read), Unread),
+            lambda question: None if isinstance(asked := _read_quietly(names, question, read), Unread) else asked,
         )
         askable = "\n    ".join(fits)
         none = Message("cannot read '{text}'. One can ask for\n    {askable}", text=text, askable=askable)
