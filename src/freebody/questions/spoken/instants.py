@@ -39,6 +39,8 @@ def timed(names: Names, sentence: Sentence) -> Groups:
         main = Clause([Word("quantity", "equilibrium"), *main.without("ask").without("verb").without("instant").words])
     if main.has("verb", "accelerate") and main.has("verb", "start"):  # how fast does it start to accelerate
         main = Clause([*main.without("verb", "start").words, Word("instant", "at start")])
+    if others and main.has("quantity") and not lookup.strikes(names):  # with what speed does it arrive after 3 m
+        main = main.without("verb", "hit", "reach")
     accelerates = main.has("quantity", "acceleration", "angular acceleration") and main.has("verb", "start")
     if accelerates and main.has("verb", *GOES_ON) and not others:  # with what acceleration does it start to move
         main = Clause([*main.without("verb").words, Word("instant", "at start")])

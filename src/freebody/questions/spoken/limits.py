@@ -43,6 +43,8 @@ def limits(names: Names, words: list[Word], modal: set[str]) -> Groups:
     if not modal and not (clause.has("ask") or clause.has("degree") or clause.has("mark")):
         return
     head, state = _parted(names, words)
+    if clause.has("ask", "far", "high") and "may" not in modal:
+        return  # how far something comes is no limit of rest
     lasts = _lasting(names, head, state, modal)
     parameter = _parameter(names, head)
     if lasts is None or parameter is None:

@@ -121,6 +121,11 @@ def _without(names: Names, sentence: Sentence) -> Groups:
 def _structure(names: Names, sentence: Sentence) -> Groups:
     """What is asked of the system itself: whether it stays at rest, turns fully, is stable, can be assembled."""
     main = sentence.main
+    whole = Clause([*main.words, *(word for _, own in sentence.others for word in own.words)])
+    growing = [name for _, name in whole.names if name in names.parameters]
+    if set(whole.all("verb")) - {"start", "move"} == {"tip", "slide", "grow"} and len(growing) == 1:
+        if not whole.has("value") and not whole.has("not") and set(whole.all("degree")) <= {"first"}:
+            yield [f"does it tip or slide as {growing[0]} grows"]
     verbs, of = set(main.all("verb")), [name for _, name in main.names]
     grown = [
         own.names[0][1] for mark, own in sentence.others if mark == "when" and own.has("verb", "grow") and own.names
@@ -135,7 +140,7 @@ def _structure(names: Names, sentence: Sentence) -> Groups:
     everything = all(lookup.is_all_that_moves(names, name) or lookup.is_all_that_slips(names, name) for name in of)
     if verbs == {"stop"} and asks_nothing and everything and lookup.rests(names):
         yield ["does it hold"]
-    if {"hold"} <= verbs <= {"hold", "move"} and asks_nothing and everything:
+    if {"hold"} <= verbs <= {"hold", "move", "stop"} and asks_nothing and everything:
         yield ["does it hold"]
     at_rest = main.all("instant") == ["in equilibrium"] and main.only("instant", "name", "pronoun") and everything
     by_friction = main.words[:1] == [Word("verb", "hold")] and set(main.all("quantity")) <= {"friction force", "friction coefficient"}

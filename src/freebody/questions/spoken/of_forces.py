@@ -105,6 +105,8 @@ def _at_joint(names: Names, kind: str, head: str, joint: str, things: list[tuple
     if not things:
         yield [f"{head} of {joint}{ends}"]
         return
+    if kind == "tension" and any(before == "over" for before, _ in things):
+        return  # a rope over a pulley is not that which ends at it
     of = without_owners([name for _, name in things])
     on = next((name for before, name in things if before == "on"), None)
     if len(of) == 2 and all(lookup.touches(names, joint, name) for name in of) and kind != "tension":

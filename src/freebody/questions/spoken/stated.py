@@ -88,6 +88,8 @@ def _at(names: Names, equation: Equation, rest: Clause) -> Groups:
         ways = [way for way in lookup.ways(names, next(iter(names_), "")) if way != equation.measure]
         yield [f"change of {way} until {equation}" for way in ways]
         return
+    if rest.has("verb", "reach"):
+        rest = rest.without("part", "vertical", "horizontal")  # it passes the vertical
     kept = [w for w in rest.words if w.kind not in ("verb", "instant", "mark") and w != Word("preposition", ",")]
     if rest.has("ask", "fast"):
         kept = [w for w in rest.words if w.kind not in ("instant", "mark")]

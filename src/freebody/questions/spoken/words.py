@@ -32,6 +32,7 @@ _NO_WORD = "\0"  # stands for names, values and words that are taken
 _TURNS = re.compile(r"(?:turn|revolution|rotation|umdrehung|rev)", re.IGNORECASE)
 _LEAST_LIKE = 0.8  # of a word to one that is misspelt
 _NO_UNITS = ("", "in", "a", "as", "at")
+_KEYBOARD = ("qwertyuiop", "qwertzuiopü", "asdfghjklöä", "zxcvbnm", "yxcvbnm")
 _LONG = 9  # letters of a word in which two may be wrong
 _SHORTEST = 5  # letters of a word that may be misspelt
 
@@ -184,7 +185,11 @@ def _tokens(text: str) -> Iterator[str | Word]:
         if found["word"]:
             said = _Said(found["word"].lower())
             said.is_capital = found["word"][0].isupper()
-            yield said
+            owner = said.removesuffix("’s")
+            if owner and owner != said:  # the system’s momentum
+                yield from (_Said(owner), _Said("’s"))
+            else:
+                yield said
         elif found["name"] or found["rate"] or found["axis"]:
             yield Word("name", plain_names(found[0]))
         elif found["relation"]:
@@ -221,9 +226,19 @@ def _is_unit(text: str) -> bool:
     return True
 
 
+def _are_neighbours(one: str, other: str) -> bool:
+    """Whether two letters lie side by side on a keyboard."""
+    return any(
+        one in row and other in row and abs(row.index(one) - row.index(other)) == 1 for row in _KEYBOARD
+    )
+
+
 def _is_slip(word: str, meant: str) -> bool:
     """Whether one letter is missing, too much or another, or two have changed places; two such in a long word."""
     blocks = difflib.SequenceMatcher(None, word, meant, autojunk=False).get_opcodes()
+    others = [(word[a:b], meant[c:d]) for kind, a, b, c, d in blocks if kind == "replace"]
+    if any(len(one) != len(other) or not all(map(_are_neighbours, one, other)) for one, other in others):
+        return sorted(word) == sorted(meant) and len(others) <= 1  # Ausschlag is no Aufschlag
     slips = sum(max(b - a, d - c) for kind, a, b, c, d in blocks if kind != "equal")
     is_swapped = sorted(word) == sorted(meant) and slips == 2
     return slips <= 1 + (len(word) >= _LONG) or is_swapped
