@@ -68,9 +68,15 @@ def _inferred(names: Names, clause: Clause) -> Clause:
         return Clause([Word("quantity", quantity), *kept])
     if "where" in ask and clause.has("verb", "hold") and verbs <= {"hold", "move"} and not clause.has("quantity"):
         return Clause([Word("quantity", "equilibrium"), *clause.without("ask").without("verb").words])
-    if "where" in ask and clause.has("quantity", "equilibrium", "instant centre", "dead points", "position", "resonance frequency"):
+    if "where" in ask and clause.has(
+        "quantity", "equilibrium", "instant centre", "dead points", "position", "resonance frequency"
+    ):
         return clause.without("ask").without("verb")
-    moving = {"move", "turn", "roll", "fly", "slide", "fall", "rise", "reach"} if clause.has("quantity", *_MOTION) else {"move"}
+    moving = (
+        {"move", "turn", "roll", "fly", "slide", "fall", "rise", "reach"}
+        if clause.has("quantity", *_MOTION)
+        else {"move"}
+    )
     if clause.all("quantity") == ["deflection"] and ask <= {"far", "much", "large"} and not verbs:
         return clause.without("ask")
     if clause.has("quantity", "deceleration") and ask == {"fast"}:

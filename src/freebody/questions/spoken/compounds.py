@@ -1,7 +1,7 @@
 """Words of another language put into English: what things are called, and words that are written as one.
 
-`Kolbengeschwindigkeit` is the velocity of the piston, `Anfangsgeschwindigkeit` that at the start, `Kurbelzapfen` the pin
-of the crank, and a `Stahlkugel` is a ball. A word is taken apart only where both of its parts are known.
+`Kolbengeschwindigkeit` is the velocity of the piston, `Anfangsgeschwindigkeit` that at the start, `Kurbelzapfen` the
+pin of the crank, and a `Stahlkugel` is a ball. A word is taken apart only where both of its parts are known.
 """
 
 from __future__ import annotations

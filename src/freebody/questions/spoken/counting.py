@@ -5,7 +5,7 @@ from __future__ import annotations
 from itertools import product
 from typing import TYPE_CHECKING
 
-from freebody.questions.spoken import lookup
+from freebody.questions.spoken import dimensions, lookup
 from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.events import GOES_ON, conditions
 from freebody.questions.spoken.sentence import Sentence, clock
@@ -114,7 +114,11 @@ def _heads_counted(names: Names, sentence: Sentence) -> Groups:
         named = [name for _, own in sentence.others for _, name in own.names if name in lookup.turning(names)]
         yield [f"turns of {name}" for name in ([who] if who else named or lookup.turning(names))]
     elif asked == ["energy lost"] or (asked == ["energy"] and verbs == {"lost"}):
-        yield ["energy lost"] if not of or lookup.is_all_that_moves(names, who) or lookup.is_all_that_rubs(names, who) else []
+        yield (
+            ["energy lost"]
+            if not of or lookup.is_all_that_moves(names, who) or lookup.is_all_that_rubs(names, who)
+            else []
+        )
     elif (main.has("ask", "far", "much", "high", "large") and not asked and goes) or (
         asked in (["distance"], ["displacement"], ["distance travelled"], ["horizontal range"]) and (goes or not verbs)
     ):
@@ -148,5 +152,5 @@ def ends(names: Names, sentence: Sentence) -> Groups:
             yield [f"slipping of {name} ends" for _, name in clause.names] or ["slipping ends"]
     elif not sentence.others:
         within = [value for before, value in sentence.main.values if before in ("in", "of")]
-        if len(within) == 1 == len(sentence.main.values) and lookup.is_time(within[0]):
+        if len(within) == 1 == len(sentence.main.values) and dimensions.is_time(within[0]):
             yield [f"t = {within[0]}"]

@@ -9,7 +9,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from freebody.measures.geometry import GROUND
-from freebody.questions.spoken import lookup
+from freebody.questions.spoken import dimensions, lookup
 from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.words import Clause
 
@@ -153,7 +153,7 @@ def _with_value(names: Names, clause: Clause, verbs: list[str]) -> Groups:
     ]
     [value], of = values, [name for name in of if name not in lines]
     who = next(iter(of), "")
-    if lookup.is_speed(value):
+    if dimensions.is_speed(value):
         yield [f"rate({place}) = {value}" for place in lookup.places(names, who)]
         return
     doing = set(verbs) - {"start"}
@@ -162,7 +162,7 @@ def _with_value(names: Names, clause: Clause, verbs: list[str]) -> Groups:
     if sense and doing <= {"move", "slide", "roll", "fly", "fall", "rise"}:
         yield lookup.gone(names, who, value, sense)
         return
-    if not doing and lookup.is_angle(value) and who not in names.measures:
+    if not doing and dimensions.is_angle(value) and who not in names.measures:
         yield [f"{angle} = {value}" for angle in lookup.angles(names, who)]
     elif turns or doing == {"turn"}:
         yield [f"{angle} = {value}" for angle in lookup.angles(names, who) if angle in names.started_at_zero]

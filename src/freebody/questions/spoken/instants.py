@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from itertools import product
 from typing import TYPE_CHECKING
 
-from freebody.questions.spoken import lookup
+from freebody.questions.spoken import dimensions, lookup
 from freebody.questions.spoken.asking import quantities
 from freebody.questions.spoken.composing import Groups
 from freebody.questions.spoken.events import GOES_ON, HAPPENS, conditions
@@ -45,7 +45,9 @@ def timed(names: Names, sentence: Sentence) -> Groups:
     if accelerates and main.has("verb", *GOES_ON) and not others:  # with what acceleration does it start to move
         main = Clause([*main.without("verb").words, Word("instant", "at start")])
     if main.has("quantity", "terminal velocity") and others:  # the final speed once it rolls
-        main = Clause([Word("quantity", "speed") if w == Word("quantity", "terminal velocity") else w for w in main.words])
+        main = Clause(
+            [Word("quantity", "speed") if w == Word("quantity", "terminal velocity") else w for w in main.words]
+        )
     tails, main = _tails(names, main)
     if main.has("quantity", "impact speed"):
         main = Clause([Word("quantity", "speed") if w == Word("quantity", "impact speed") else w for w in main.words])
@@ -168,7 +170,7 @@ def _tails(names: Names, main: Clause) -> tuple[list[list[str]], Clause]:
     elif len(times) == 1 and len(main.values) == 1:
         [value] = times
         kept = Clause([w for w in main.words if w != Word("value", value)])
-        if lookup.is_time(value) and not kept.has("ask", "far", "much"):
+        if dimensions.is_time(value) and not kept.has("ask", "far", "much"):
             tails.append([f" after {value}"])
             main = kept
         elif (asked := _place_within(main, value)) is not None:
@@ -208,7 +210,7 @@ def _place_within(main: Clause, value: str) -> tuple[Clause, Clause] | None:
         return None
     inner = [*words[begin + 1 :]]
     if not any(word.kind == "quantity" for word in inner):
-        inner = [Word("quantity", "angle"), *inner] if lookup.is_angle(value) else inner
+        inner = [Word("quantity", "angle"), *inner] if dimensions.is_angle(value) else inner
     return Clause(words[:begin]), Clause(inner)
 
 

@@ -1,9 +1,9 @@
 """How far a parameter may go until rest ends, as people put it.
 
 How hard can one push before the block moves? How far up may the person climb without the ladder slipping? From which
-force on is the load lifted? What is asked is a parameter (by name, or as the only one of its kind), one end of its values
-or all of them, and what lasts: rest, or that nothing slips. Such words are read only of what rests at the start, and none
-may be left over.
+force on is the load lifted? What is asked is a parameter (by name, or as the only one of its kind), one end of its
+values or all of them, and what lasts: rest, or that nothing slips. Such words are read only of what rests at the start,
+and none may be left over.
 """
 
 from __future__ import annotations
@@ -21,7 +21,14 @@ if TYPE_CHECKING:
 _ENDS_REST = {"slide", "move", "fall", "rise", "turn", "start"}  # verbs of what comes where rest ends
 _VERBS = _ENDS_REST | {"hold", "stop", "exert", "act", "end"}
 _MARKS = ("until", "so_that", "to", "when", "without")
-_BY_ASKING = {"heavy": "mass", "rough": "friction coefficient", "steep": "angle", "flat": "angle", "far": "distance", "high": "height"}
+_BY_ASKING = {
+    "heavy": "mass",
+    "rough": "friction coefficient",
+    "steep": "angle",
+    "flat": "angle",
+    "far": "distance",
+    "high": "height",
+}
 _KINDS = {  # quantities that say what kind of parameter is meant
     **{kind: kind for kind in ("mass", "friction coefficient", "friction force", "angle", "distance", "height")},
     **dict.fromkeys(("force", "tension", "driving force"), "force"),
@@ -82,7 +89,7 @@ def _lasting(names: Names, head: Clause, state: Clause, modal: set[str]) -> str 
     ends = verbs & _ENDS_REST
     is_denied = state.has("not") or state.has("mark", "until", "without") or "end" in verbs
     if holds and (not ends or is_denied):
-        return _REST if not state.has("not") or ends else None if bodies else None
+        return _REST if ends or not state.has("not") else None
     if not verbs:
         is_bounded = head.has("degree", "least", "greatest") or head.has("ask", "steep", "flat", "heavy", "rough")
         return _REST if modal and is_bounded and not state.words and lookup.is_rough(names) else None

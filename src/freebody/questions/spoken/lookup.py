@@ -8,10 +8,8 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, cast
 
-from freebody.errors import UnitError
 from freebody.language.expression import Symbol, free_symbols
 from freebody.language.units import DIMENSIONLESS, FORCE, LENGTH, MASS, TIME, TORQUE
-from freebody.language.units.quantity import parse_quantity
 from freebody.measures.displacement import Displacement
 from freebody.measures.distance import Bearing
 from freebody.measures.geometry import GROUND, ZERO
@@ -267,7 +265,9 @@ def is_known_point(names: Names, name: str) -> bool:
 
 def springs(names: Names) -> list[str]:
     """Loads that are springs."""
-    return [name for name in names.loads if "spring" in (*names.called.get(name, ()), name.lower().rstrip("0123456789_"))]
+    return [
+        name for name in names.loads if "spring" in (*names.called.get(name, ()), name.lower().rstrip("0123456789_"))
+    ]
 
 
 def is_forced(names: Names) -> bool:
@@ -293,7 +293,7 @@ def is_struck_at_start_alone(names: Names) -> bool:
     return bool(names.struck_at_start) and (closing | names.impulses) <= names.struck_at_start
 
 
-# -- parameters and values --------------------------------------------------------------------
+# -- parameters --------------------------------------------------------------------
 def parameters(names: Names, kind: str, of: str) -> list[str]:
     """Parameters that are the mass of a body, the stiffness of a spring, the coefficient of friction."""
     if kind == "mass":
@@ -364,31 +364,3 @@ def is_rough(names: Names) -> bool:
 
 def _is_at(names: Names, name: str, thing: str) -> bool:
     return name in names.connections and _is_of(names, name, thing)
-
-
-def is_time(value: str) -> bool:
-    return _has(value, TIME)
-
-
-def is_speed(value: str) -> bool:
-    return _has(value, LENGTH / TIME)
-
-
-def kind_of(value: str) -> str:
-    """A speed or an acceleration, as the unit of a value says."""
-    return next((kind for kind, of in (("speed", LENGTH / TIME), ("acceleration", LENGTH / TIME**2)) if _has(value, of)), "")
-
-
-def is_length(value: str) -> bool:
-    return _has(value, LENGTH)
-
-
-def is_angle(value: str) -> bool:
-    return _has(value, DIMENSIONLESS) and not value.replace(".", "").isdigit()
-
-
-def _has(value: str, dimension: object) -> bool:
-    try:
-        return parse_quantity(value).dimension == dimension
-    except (UnitError, ValueError):
-        return False

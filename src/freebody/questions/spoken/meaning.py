@@ -58,7 +58,9 @@ def _bounded(words: list[Word]) -> list[Word]:
     """`F ist mindestens nötig` is the least F: at least, where no value follows, is the end of a range."""
     ends = {">=": Word("degree", "least"), "<=": Word("degree", "greatest")}
     alone = [
-        word.kind == "relation" and word.what in ends and not any(w.kind in ("value", "name", "quantity") for w in words[k + 1 : k + 2])
+        word.kind == "relation"
+        and word.what in ends
+        and not any(w.kind in ("value", "name", "quantity") for w in words[k + 1 : k + 2])
         for k, word in enumerate(words)
     ]
     return [ends[word.what] if is_end else word for word, is_end in zip(words, alone, strict=True)]
@@ -71,8 +73,12 @@ def _carrying(names: Names, words: list[Word], modal: set[str]) -> list[Word]:
     rows = {row.reaction for row in names.constraint_rows if row.connection in joints}
     kind = next((kind for kind in ("tension", "normal force", "reaction") if kind in rows), "reaction")
     meant = Word("quantity", kind) if len(joints) == 1 and not any(w.kind == "quantity" for w in words) else None
-    if meant is not None and carry in words and any(
-        w.kind == "degree" or w in (Word("ask", "heavy"), Word("ask", "large")) for w in words[: words.index(carry)]
+    if (
+        meant is not None
+        and carry in words
+        and any(
+            w.kind == "degree" or w in (Word("ask", "heavy"), Word("ask", "large")) for w in words[: words.index(carry)]
+        )
     ):
         words = [Word("mark", "so_that") if w == Word("mark", "when") else w for w in words]
         at = next((k for k, w in enumerate(words) if w.kind == "value"), 0)
@@ -123,9 +129,9 @@ def _structure(names: Names, sentence: Sentence) -> Groups:
     main = sentence.main
     whole = Clause([*main.words, *(word for _, own in sentence.others for word in own.words)])
     growing = [name for _, name in whole.names if name in names.parameters]
-    if set(whole.all("verb")) - {"start", "move"} == {"tip", "slide", "grow"} and len(growing) == 1:
-        if not whole.has("value") and not whole.has("not") and set(whole.all("degree")) <= {"first"}:
-            yield [f"does it tip or slide as {growing[0]} grows"]
+    fails = set(whole.all("verb")) - {"start", "move"} == {"tip", "slide", "grow"} and not whole.has("value")
+    if fails and len(growing) == 1 and not whole.has("not") and set(whole.all("degree")) <= {"first"}:
+        yield [f"does it tip or slide as {growing[0]} grows"]
     verbs, of = set(main.all("verb")), [name for _, name in main.names]
     grown = [
         own.names[0][1] for mark, own in sentence.others if mark == "when" and own.has("verb", "grow") and own.names
@@ -143,14 +149,13 @@ def _structure(names: Names, sentence: Sentence) -> Groups:
     if {"hold"} <= verbs <= {"hold", "move", "stop"} and asks_nothing and everything:
         yield ["does it hold"]
     at_rest = main.all("instant") == ["in equilibrium"] and main.only("instant", "name", "pronoun") and everything
-    by_friction = main.words[:1] == [Word("verb", "hold")] and set(main.all("quantity")) <= {"friction force", "friction coefficient"}
+    by_friction = main.words[:1] == [Word("verb", "hold")] and set(main.all("quantity")) <= {
+        "friction force",
+        "friction coefficient",
+    }
     if lookup.rests(names) and (at_rest or (by_friction and main.only("verb", "quantity", *SILENT, "name"))):
         yield ["does it hold"]
-    if (
-        verbs == {"move"}
-        and main.only("verb", "pronoun", "name")
-        and everything
-    ):
+    if verbs == {"move"} and main.only("verb", "pronoun", "name") and everything:
         yield ["does it hold"] if lookup.rests(names) else []
     if verbs & {"stable", "unstable"} and main.only("verb", "quantity", "pronoun", "preposition", "name", "instant"):
         asked = main.all("quantity")

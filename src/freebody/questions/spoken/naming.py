@@ -7,17 +7,17 @@ Names are marked («left») until the text is read, so that no rule takes them f
 
 from __future__ import annotations
 
-import math
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
-from functools import cached_property
+from dataclasses import dataclass
 from itertools import islice
 from typing import TYPE_CHECKING
 
 from freebody.language.expression import Symbol
 from freebody.measures.geometry import GROUND
-from freebody.questions.spoken.lexicon import CLOSE, OPEN, compared, kinds_apart, numbered, things_alike
+from freebody.questions.spoken.elements import ALIKE, INFERRED, WRITTEN, Elements
+from freebody.questions.spoken.lexicon import CLOSE, OPEN, kinds_apart, things_alike
+from freebody.questions.spoken.telling import told_apart
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -25,22 +25,10 @@ if TYPE_CHECKING:
 MOST = 96  # ways in which the words of one text may be meant: more are no question
 _LONGEST = 4  # words of a name
 _TOKEN = re.compile(r"’\w+|[^\W\d]\w*(?:\.[^\W\d]\w*)?|\d[\w.]*|\s+|.", re.DOTALL)
-_OTHERWISE = {"center": "centre", "centre": "center"}  # words with two spellings
 _BODY_WORDS = ("body", "mass", "element", "member", "part")
 _JOINT_WORDS = ("joint", "connection", "support")
 _LINE_WORDS = ("surface", "slope", "incline", "plane")
 _POINT_WORDS = ("point", "end")
-
-# how far what is meant is from what is written
-WRITTEN, ALIKE, INFERRED = 0, 1, 3
-
-
-@dataclass(frozen=True)
-class Element:
-    """Something that a question can name, and the words for its kind."""
-
-    name: str
-    words: frozenset[str] = frozenset()
 
 
 @dataclass(frozen=True)
@@ -49,37 +37,6 @@ class Way:
 
     text: str
     distance: int
-
-
-@dataclass
-class Elements:
-    """All that words can stand for in a model."""
-
-    exact: dict[str, Element] = field(default_factory=dict[str, Element])
-    # by words in lower case: an element, how it is written, and how far that is from its name
-    spoken: dict[tuple[str, ...], list[tuple[Element, str, int]]] = field(
-        default_factory=dict[tuple[str, ...], list[tuple[Element, str, int]]]
-    )
-
-    masses: dict[str, float] = field(default_factory=dict[str, float])  # of bodies, so far as they are numbers
-
-    @cached_property
-    def taken(self) -> frozenset[str]:
-        """Words in lower case that are names, or words of names."""
-        return frozenset(word for key in self.spoken for word in key if word.isalpha())
-
-    def add(self, name: str, words: Sequence[str] = (), said: str = "", distance: int = WRITTEN) -> None:
-        """said: how it may be called, where that is not its name."""
-        if not said:  # a line of the ground may be called as what touches it
-            before = self.exact[name].words if name in self.exact else frozenset[str]()
-            self.exact[name] = Element(name, before | frozenset(words))
-        element = self.exact[name]
-        written = said or name
-        apart = re.sub(r"(?<=[a-z])(?=[A-Z])", " ", written)
-        keys = {(written.lower(),), tuple(re.split(r"[\s_.]+", apart.lower()))}
-        keys |= {tuple(_OTHERWISE.get(word, word) for word in key) for key in keys}
-        for key in keys:
-            self.spoken.setdefault(key, []).append((element, written, distance))
 
 
 def elements_of(names: Names) -> Elements:
@@ -128,68 +85,6 @@ def _stems(name: str) -> list[str]:
     """A name without the number at its end, where it is a word: spring2 is a spring."""
     stem = name.rstrip("0123456789_").lower()
     return [stem] if stem != name.lower() and stem.isalpha() and len(stem) > 2 else []
-
-
-# -- bodies by what tells them from others ----------------------------------------------------
-_MASS = re.compile(r"\b(\d+(?:[.,]\d+)?)[ -]?(kg|g|t)[ -]([^\W\d_]+)\b(?: of mass)?")
-_WITH_MASS = re.compile(r"\b([^\W\d_]+) (?:of|with|with a|mit|mit der|von) (?:mass|masse)? ?(\d+(?:[.,]\d+)?) ?(kg|g|t)\b")
-_IN_KILOGRAMS = {"kg": 1.0, "g": 1e-3, "t": 1e3}
-_PAIR = re.compile(r"\b([^\W\d_]+) ([^\W\d_]+|\d{1,2})\b")
-
-
-def told_apart(elements: Elements, text: str) -> str:
-    """The text in which a body that is told by its mass or its number is called by its name: the 2 kg block, the heavier
-    mass, the first wagon, wagon 1."""
-
-    def of_mass(kind: str, number: str, unit: str) -> list[str]:
-        mass = float(number.replace(",", ".")) * _IN_KILOGRAMS[unit]
-        return [name for name in _of_kind(elements, kind) if math.isclose(elements.masses.get(name, 0.0), mass)]
-
-    def named(found: list[str], written: str) -> str:
-        return found[0] if len(found) == 1 else written
-
-    text = _MASS.sub(lambda m: named(of_mass(m[3], m[1], m[2]), m[0]), text)
-    text = _WITH_MASS.sub(lambda m: named(of_mass(m[1], m[2], m[3]), m[0]), text)
-    begin = 0
-    while (pair := _PAIR.search(text, begin)) is not None:
-        name = named(_told(elements, pair[1], pair[2]), "")
-        text = f"{text[: pair.start()]}{name or pair[0]}{text[pair.end() :]}"
-        begin = pair.start() + (len(name) or len(pair[1]) + 1)
-    return text
-
-
-def _told(elements: Elements, first: str, second: str) -> list[str]:
-    """Bodies that two words tell: the first wagon, wagon 1, the heavier mass."""
-    if first.lower() in elements.exact or (first.lower(), second.lower()) in elements.spoken:
-        return []
-    kind = second if second.isalpha() else first
-    of_kind = _of_kind(elements, kind) or (list(elements.masses) if kind.lower() in ("one", "two") else [])
-    number = second if second.isdigit() else _meant(numbered(), first)
-    if number:
-        kinds = [e.name for e in elements.exact.values() if kind.lower() in e.words and "." not in e.name]
-        return [name for name in of_kind or kinds if re.search(rf"(?<!\d){number}$", name)]
-    than = _meant(compared(), first)
-    if not than or len(of_kind) < 2:
-        return []
-    masses = sorted((elements.masses[name], name) for name in of_kind if name in elements.masses)
-    if len(masses) != len(of_kind):
-        return []
-    end, beside = (masses[-1], masses[-2]) if than == "heavier" else (masses[0], masses[1])
-    return [] if math.isclose(end[0], beside[0]) else [end[1]]
-
-
-def _meant(table: dict[str, str], word: str) -> str:
-    return next((what for said, what in table.items() if _is_like(said, word.lower())), "")
-
-
-def _is_like(said: str, word: str) -> bool:
-    return word.startswith(said[:-1]) if said.endswith("*") else word == said
-
-
-def _of_kind(elements: Elements, kind: str) -> list[str]:
-    """Bodies that a word for a kind of thing may mean."""
-    word = kind.lower()
-    return [name for name in elements.masses if word in elements.exact[name].words and elements.masses[name] > 0.0]
 
 
 def linked(elements: Elements, text: str) -> list[Way]:
@@ -248,7 +143,7 @@ def _named(elements: Elements, written: Sequence[str]) -> Iterator[tuple[str, in
     for k in range(1, len(words)):  # a name beside the word for its kind
         for rest, kind in ((written[:k], words[k:]), (written[k:], words[:k])):
             for element, text, _distance in elements.spoken.get(tuple(w.lower() for w in rest), []):
-                if " ".join(kind[1:] if kind[0] == "side" else kind) in element.words:
+                if " ".join(kind[1:] if kind[:1] == ("side",) else kind) in element.words:
                     yield element.name, WRITTEN if text == " ".join(rest) else ALIKE
 
 

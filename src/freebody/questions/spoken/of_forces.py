@@ -40,7 +40,11 @@ def _transmitted(names: Names, quantity: str, rest: Clause) -> Groups:
         if not kinds and any(name in names.connections for _, name in rest.names):
             kinds = (quantity,)  # the grammar says that it has none
     joints = {name for _, name in rest.names if name in names.connections}
-    driving = [row.reaction for row in names.constraint_rows if row.connection in joints and row.reaction.startswith("driving ")]
+    driving = [
+        row.reaction
+        for row in names.constraint_rows
+        if row.connection in joints and row.reaction.startswith("driving ")
+    ]
     if driving and quantity in ("force", "torque", "moment", "driving force", "driving torque"):
         kinds = tuple(dict.fromkeys((*driving, *kinds)))  # what a motor gives
     if quantity == "torque" and not joints:  # no bearing is asked for its reaction so

@@ -37,7 +37,8 @@ def motion(names: Names, quantity: str, rest: Clause) -> Groups:
         moving = (
             lookup.moving(names)
             if quantity == "speed" or along or quantity.startswith("angular")
-            else [name for name in lookup.measured(names) if name not in lookup.angles(names, "")] or lookup.moving(names)
+            else [name for name in lookup.measured(names) if name not in lookup.angles(names, "")]
+            or lookup.moving(names)
         )
         yield [f"{quantity} of {name}{end}" for name in moving]
         return
@@ -70,7 +71,9 @@ def _directed(names: Names, rest: Clause) -> tuple[list[str], str, str] | None:
             along = f" along {name}"
         elif before == "in" and names.space and name in names.bodies and of and not relative:
             relative = f" in {name}"  # by its components there
-        elif before in ("along", "up", "down") or (is_line and before in ("on", "in", "of", "from", "over") and not along):
+        elif before in ("along", "up", "down") or (
+            is_line and before in ("on", "in", "of", "from", "over") and not along
+        ):
             if along or (before in ("up", "down") and not lookup.points(names, line or name, before)):
                 return None
             along = f" along {line or name}"

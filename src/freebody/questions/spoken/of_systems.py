@@ -35,7 +35,9 @@ def _momentum(names: Names, quantity: str, rest: Clause) -> Groups:
     of = [name for name in of if name not in frames]
     if not rest.only("name", "part", *SILENT) or len(about) > 1 or len(along) > 1 or (about and quantity[0] == "l"):
         return
-    ends = [f" in {name}" for name in frames] + [f" about {name}" for name in about] + [f" along {name}" for name in along]
+    ends = (
+        [f" in {name}" for name in frames] + [f" about {name}" for name in about] + [f" along {name}" for name in along]
+    )
     whose = f" of {' and '.join(of)}" if of else ""
     yield [f"{quantity}{whose}{''.join(ends)}"]
 

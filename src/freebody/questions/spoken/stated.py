@@ -1,7 +1,7 @@
 """Questions that state an instant by an equation, and describe it besides: in the lowest position, theta = 0.
 
-Where a measure and its value are given, what else is said of the same instant (it lands, it is at the bottom again) only
-describes it; the equation is what holds.
+Where a measure and its value are given, what else is said of the same instant (it lands, it is at the bottom again)
+only describes it; the equation is what holds.
 """
 
 from __future__ import annotations
@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from freebody.questions.spoken import lookup
+from freebody.questions.spoken import dimensions, lookup
 from freebody.questions.spoken.asking import quantities
 from freebody.questions.spoken.composing import Groups
 from freebody.questions.spoken.lexicon import Word
@@ -43,7 +43,7 @@ def stated(names: Names, words: list[Word]) -> Groups:
     """What words ask for that give the values of measures at an instant."""
     equations, rest = _equations(names, words)
     values = [word for word in rest if word.kind == "value"]
-    if len(equations) == 1 and len(values) == 1 and lookup.is_length(values[0].what):  # 60 m far, y = 0
+    if len(equations) == 1 and len(values) == 1 and dimensions.is_length(values[0].what):  # 60 m far, y = 0
         ways = [way for way in lookup.ways(names, "") if way != equations[0].measure]
         if len(ways) == 1 and any(word.kind == "name" and word.what in names.parameters for word in rest):
             equations = [Equation(ways[0], values[0].what), *equations]

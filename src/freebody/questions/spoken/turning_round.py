@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from freebody.questions.spoken import lookup
+from freebody.questions.spoken import dimensions, lookup
 from freebody.questions.spoken.asking import quantities
 from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.lexicon import Word
@@ -37,7 +37,9 @@ def parameters(names: Names, words: list[Word], whole: Callable[..., Groups]) ->
     if parted is None:
         return
     chosen, relation, end = parted
-    if (relation.has("verb", "critical") or relation.all("quantity") == ["critical damping"]) and not relation.has("not"):
+    if (relation.has("verb", "critical") or relation.all("quantity") == ["critical damping"]) and not relation.has(
+        "not"
+    ):
         yield [f"critical damping of {parameter}" for parameter in chosen]
     for parameter in chosen:
         for group in _so(names, relation, whole):
@@ -175,7 +177,12 @@ def _so(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
         and not negated
     ):
         yield from _reaching(names, clause, of)
-    if verbs >= {"hit"} and len(clause.values) == 1 and lookup.is_speed(clause.values[0][1]) and not clause.has("relation"):
+    if (
+        verbs >= {"hit"}
+        and len(clause.values) == 1
+        and dimensions.is_speed(clause.values[0][1])
+        and not clause.has("relation")
+    ):
         hitting = [name for name in of if name in lookup.moving(names)] or lookup.massive(names)
         yield [f"speed of {body} before the impact = {clause.values[0][1]}" for body in hitting]  # it hits at 5 m/s
         return
@@ -250,7 +257,7 @@ def _reaching(names: Names, clause: Clause, of: list[str]) -> Groups:
 
 def _in_time(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
     """It is to happen after so much time: it stops within 4 s."""
-    times = [value for _, value in clause.values if lookup.is_time(value)]
+    times = [value for _, value in clause.values if dimensions.is_time(value)]
     if (
         len(times) == 1 == len(clause.values)
         and clause.has("verb")
@@ -370,7 +377,7 @@ def _sides(names: Names, clause: Clause) -> tuple[Clause, str, str | Clause, str
         return Clause(words).without("verb", "vanish", "reach", "move"), "=", "0", tail
     values = [word for word in words if word.kind == "value"]
     if not signs and len(values) == 1 and not clause.has("quantity") and not clause.has("not"):
-        kind = lookup.kind_of(values[0].what)
+        kind = dimensions.kind_of(values[0].what)
         if kind:
             kept = [w for w in words if w.kind in ("name", "part", "updown")]
             return Clause([Word("quantity", kind), *kept]), "=", values[0].what, tail

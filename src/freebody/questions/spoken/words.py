@@ -10,7 +10,16 @@ from itertools import accumulate
 
 from freebody.errors import UnitError
 from freebody.language.units.reader import parse_unit
-from freebody.questions.spoken.lexicon import MARKED, Word, goes_beside, is_adjective, is_adverb, phrases_at, spelt, vocabulary
+from freebody.questions.spoken.lexicon import (
+    MARKED,
+    Word,
+    goes_beside,
+    is_adjective,
+    is_adverb,
+    phrases_at,
+    spelt,
+    vocabulary,
+)
 from freebody.questions.spoken.naming import plain_names
 
 _NUMBER = r"\d+(?:\.\d+)?(?:e[+-]?\d+)?"
@@ -170,7 +179,9 @@ def _describes(found: Sequence[str | Word], k: int, language: str) -> bool:
     if not isinstance(token, _Said) or not is_adjective(token, language) or (token.is_capital and k > 0):
         return False
     after = found[k + 1] if k + 1 < len(found) else ""
-    return (isinstance(after, Word) and after.kind == "name") or (k + 1 < len(found) and _describes(found, k + 1, language))
+    return (isinstance(after, Word) and after.kind == "name") or (
+        k + 1 < len(found) and _describes(found, k + 1, language)
+    )
 
 
 def _tokens(text: str) -> Iterator[str | Word]:
@@ -228,9 +239,7 @@ def _is_unit(text: str) -> bool:
 
 def _are_neighbours(one: str, other: str) -> bool:
     """Whether two letters lie side by side on a keyboard."""
-    return any(
-        one in row and other in row and abs(row.index(one) - row.index(other)) == 1 for row in _KEYBOARD
-    )
+    return any(one in row and other in row and abs(row.index(one) - row.index(other)) == 1 for row in _KEYBOARD)
 
 
 def _is_slip(word: str, meant: str) -> bool:
