@@ -180,6 +180,12 @@ def _plain(names: Names, clause: Clause) -> Groups:
         and asked[1] in ("force", "torque", "spring force", "friction force")
     ):
         asked = asked[:1] if clause.names else asked
+    if "resonance frequency" in asked and set(asked) <= {
+        "resonance frequency",
+        "angular velocity",
+        "natural frequency",
+    }:
+        asked = ["resonance frequency"]  # at what speed does it resonate
     if asked[0] == "phase lag" and set(asked[1:]) <= {"force", "displacement", "position"} and len(names.measures) == 1:
         if clause.only("quantity", "name", *SILENT):  # of the displacement against the force
             yield [f"phase lag of {measure}" for measure in names.measures]

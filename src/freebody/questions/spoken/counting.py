@@ -33,6 +33,10 @@ def time(names: Names, sentence: Sentence) -> Groups:
         if head.only("verb", "name", "pronoun") and len(of) <= 1 and set(head.all("verb")) == {"slide"}:
             yield [f"time when slipping of {of[0]} ends" if of else "time when slipping ends"]
         return
+    if main.has("ask", "long") and not sentence.others and set(head.all("verb")) == {"rise"} and not head.has("value"):
+        of = next((name for _, name in head.names), "")
+        yield [f"time when {top}" for top in lookup.tops(names, of)]
+        return
     if len(sentence.others) == 1 and sentence.others[0][0] in ("when", "until"):
         clause = sentence.others[0][1]
         if not head.only("pronoun", "preposition", "verb", "name") or set(head.all("verb")) - set(GOES_ON):
@@ -112,7 +116,10 @@ def _heads_counted(names: Names, sentence: Sentence) -> Groups:
     goes = bool(verbs) and verbs <= set(GOES_ON)
     if asked == ["turns"] or (main.has("ask", "many") and "turn" in verbs and not asked):
         named = [name for _, own in sentence.others for _, name in own.names if name in lookup.turning(names)]
+        named = named or lookup.started(names)
         yield [f"turns of {name}" for name in ([who] if who else named or lookup.turning(names))]
+    elif main.has("ask", "many") and verbs == {"turn_back"} and not asked:  # how often does it turn round
+        yield [f"turns of {name}" for name in ([who] if who else lookup.started(names) or lookup.turning(names))]
     elif asked == ["energy lost"] or (asked == ["energy"] and verbs == {"lost"}):
         yield (
             ["energy lost"]

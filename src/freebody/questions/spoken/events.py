@@ -193,7 +193,10 @@ def _who(names: Names, clause: Clause) -> tuple[str, str]:
     if clause.has("pronoun", "it") and len(clause.names) == 1:
         return "", clause.names[0][1]
     for before, name in clause.names:
-        is_body = name in names.bodies or name in names.connections or name.partition(".")[0] in names.bodies
+        if before == "by" and name in names.connections:
+            continue  # what stops it
+        owner = name.partition(".")[0]
+        is_body = name in names.connections or (owner in names.bodies and not names.bodies[owner].fixed)
         if not who and is_body and before in ("", "of", "by", "between", "and"):
             who = name
         elif not other:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from itertools import product
+from itertools import pairwise, product
 from typing import TYPE_CHECKING
 
 from freebody.questions.spoken import dimensions, lookup
@@ -258,20 +258,29 @@ def _event_within(names: Names, main: Clause) -> tuple[Clause, list[list[str]]] 
         return None
     if not (main.has("ask", "fast", "with", "where", "what", "large", "high") or main.has("quantity")):
         return None
+    at_angle = [
+        word.what
+        for before, word in pairwise(main.words)
+        if before == Word("quantity", "angle") and word.kind == "name" and word.what in names.measures
+    ]
+    if at_angle:  # at what angle phi does it leave
+        main = Clause([w for w in main.words if w != Word("name", at_angle[0])])
     event = Clause(
         [w for w in main.words if w.kind in ("name", "verb", "pronoun", "preposition", "updown", "value", "degree")]
     )
     found = list(conditions(names, event.without("degree")))
     if not found:
         return None
-    who = next((name for _, name in event.names if name in names.bodies or name in names.measures), None)
+    who = next((name for _, name in event.names if name in lookup.moving(names) or name in names.measures), None)
     head = [w for w in main.words if w.kind in ("ask", "quantity", "part")]
     if who is None:
-        who = next((name for _, name in main.names if name in names.bodies), None)
+        who = next((name for _, name in main.names if name in lookup.moving(names)), None)
+    if who is None and len(lookup.massive(names)) == 1:
+        who = lookup.massive(names)[0]  # what leaves the dome
     if main.has("ask", "where") and not main.has("quantity"):
         head = [Word("quantity", "position")]
     if main.has("quantity", "angle"):  # a place of the motion has a name: what has none is no angle of a motion
-        [angle, *_] = [*lookup.angles(names, who or ""), *lookup.angles(names, ""), ""]
+        [angle, *_] = [*at_angle, *lookup.angles(names, who or ""), *lookup.angles(names, ""), ""]
         return (Clause([Word("name", angle)]), found) if angle else None
     return Clause([*head, *([Word("name", who)] if who else [])]), found
 

@@ -87,7 +87,7 @@ def _lasting(names: Names, head: Clause, state: Clause, modal: set[str]) -> str 
     bodies = [name for _, name in state.names if name in names.bodies and not lookup.is_all_that_moves(names, name)]
     holds = verbs & {"hold", "stop"} or state.has("instant", "in equilibrium") or state.has("quantity", "equilibrium")
     ends = verbs & _ENDS_REST
-    is_denied = state.has("not") or state.has("mark", "until", "without") or "end" in verbs
+    is_denied = _is_denied(state)
     if holds and (not ends or is_denied):
         return _REST if ends or not state.has("not") else None
     if not verbs:
@@ -125,7 +125,7 @@ def _end(head: Clause, state: Clause, modal: set[str], lasts: str) -> str:
     """Which end of the values is meant; `range` where the words leave it open, nothing where they contradict."""
     [degree] = head.all("degree")[:1] or state.all("degree")[:1] or [""]
     ends_rest = set(state.all("verb")) & _ENDS_REST
-    is_denied = state.has("not") or state.has("mark", "until", "without") or state.has("verb", "end")
+    is_denied = _is_denied(state)
     starts = bool(ends_rest) and not is_denied
     if state.has("part", "only") and is_denied and not degree:  # it just does not move
         degree = "greatest" if _is_push(head) else ""
@@ -145,6 +145,11 @@ def _end(head: Clause, state: Clause, modal: set[str], lasts: str) -> str:
     if starts and _is_push(head) and "fall" not in ends_rest and not state.has("updown", "down"):
         return "largest"
     return "range"
+
+
+def _is_denied(state: Clause) -> bool:
+    """Whether what would end rest is said not to come: it does not slip, before it slips, what stops it from slipping."""
+    return state.has("not") or state.has("mark", "until", "without") or state.has("verb", "end", "stop")
 
 
 def _is_push(head: Clause) -> bool:

@@ -32,9 +32,21 @@ def turning(names: Names) -> list[str]:
     return [name for name in moving(names) if names.bodies[name].turns]
 
 
+def started(names: Names) -> list[str]:
+    """Bodies that turn as the motion begins, where the file says of one alone that it does."""
+    turned = [name for name in names.start_rates if names.start_rates[name] != ZERO and name in angles(names, "")]
+    found = {body for name in turned for body in names.measures[name].bodies()} - {GROUND}
+    return sorted(found) if len(found) == 1 else []
+
+
 def measured(names: Names) -> list[str]:
     """What is measured, or the bodies that move where nothing is."""
     return list(names.measures) or moving(names)
+
+
+def can_roll(names: Names) -> bool:
+    """Whether something round moves."""
+    return any(names.bodies[name].radius is not None or names.bodies[name].round for name in turning(names))
 
 
 def is_all_that_moves(names: Names, body: str) -> bool:
@@ -272,7 +284,8 @@ def springs(names: Names) -> list[str]:
 
 def is_forced(names: Names) -> bool:
     """Whether a load is a function of time."""
-    return any(load.general is not None or "t" in free_symbols(load.law) for load in names.applied_loads)
+    is_driven = any("drive" in names.called.get(name, ()) for name in names.connections)
+    return is_driven or any(p.general is not None or "t" in free_symbols(p.law) for p in names.applied_loads)
 
 
 def deflections(names: Names, spring: str) -> list[str]:

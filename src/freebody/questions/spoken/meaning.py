@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from freebody.model.names import Names
 
 _MARKS = ("when", "until", "after", "while")
+_HOLDS = ({"friction force"}, {"friction coefficient"}, {"force"}, {"tension"})  # what may be enough to hold something
 _SO_THAT = Word("mark", "so_that")
 # what only a limit tells apart: how small, how steep
 _AS_LARGE = {Word("ask", what): Word("ask", "large") for what in ("small", "flat", "steep")}
@@ -33,7 +34,7 @@ def meanings(names: Names, words: list[Word]) -> Groups:
         return
     modal = {word.what for word in words if word.kind == "filler"} & {"may", "must"}
     said = _bounded(_without_auxiliary([word for word in words if word.kind != "filler"]))
-    said = _carrying(names, said, modal)
+    said = _not_slipping(names, _carrying(names, said, modal))
     words = [_AS_LARGE.get(word, word) for word in said]
     lasting = [_SO_THAT if word == Word("mark", "while") else word for word in words]  # as long as it does not slip
     yield from turning_round.parameters(names, lasting, meanings)
@@ -52,6 +53,14 @@ def _without_auxiliary(words: list[Word]) -> list[Word]:
     if not reaches or any(word.kind == "verb" and word != become for word in words):
         return [word for word in words if word != become]
     return [Word("verb", "reach") if word == become else word for word in words]
+
+
+def _not_slipping(names: Names, words: list[Word]) -> list[Word]:
+    """`without sliding` is to roll, for what can, and else not to slide."""
+    meant = [Word("verb", "roll")] if lookup.can_roll(names) else [Word("not", "not"), Word("verb", "slide")]
+    if Word("verb", "roll") in words:
+        meant = []
+    return [own for word in words for own in (meant if word == Word("verb", "no_slip") else [word])]
 
 
 def _bounded(words: list[Word]) -> list[Word]:
@@ -138,6 +147,12 @@ def _structure(names: Names, sentence: Sentence) -> Groups:
     ]
     if verbs & {"tip"} and verbs & {"slide"} and len(verbs - {"start", "move"}) == 2 and len(grown) == 1:
         yield [f"does it tip or slide as {grown[0]} grows"]
+    doing = set(whole.all("verb"))
+    is_enough = doing == {"hold", "suffice"} or (doing == {"slide", "suffice"} and whole.has("not"))
+    is_held = doing == {"hold"} and main.words[:1] == [Word("verb", "hold")]  # does friction hold it
+    is_plain = whole.only("verb", "quantity", "mark", "name", "not", *SILENT) and set(whole.all("quantity")) in _HOLDS
+    if (is_enough or is_held) and is_plain and lookup.rests(names):
+        yield ["does it hold"]
     if sentence.others or main.has("value") or main.has("relation") or main.has("turns"):
         return
     if main.has("quantity", "degrees of freedom") and main.only("quantity", "ask", "pronoun", "preposition", "verb"):
@@ -149,11 +164,7 @@ def _structure(names: Names, sentence: Sentence) -> Groups:
     if {"hold"} <= verbs <= {"hold", "move", "stop"} and asks_nothing and everything:
         yield ["does it hold"]
     at_rest = main.all("instant") == ["in equilibrium"] and main.only("instant", "name", "pronoun") and everything
-    by_friction = main.words[:1] == [Word("verb", "hold")] and set(main.all("quantity")) <= {
-        "friction force",
-        "friction coefficient",
-    }
-    if lookup.rests(names) and (at_rest or (by_friction and main.only("verb", "quantity", *SILENT, "name"))):
+    if lookup.rests(names) and at_rest:
         yield ["does it hold"]
     if verbs == {"move"} and main.only("verb", "pronoun", "name") and everything:
         yield ["does it hold"] if lookup.rests(names) else []

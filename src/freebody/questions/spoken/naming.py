@@ -58,14 +58,14 @@ def elements_of(names: Names) -> Elements:
         found.add(f"{GROUND}.{point}", _POINT_WORDS)
         found.add(f"{GROUND}.{point}", said=point, distance=INFERRED)
     for name in names.connections:
-        found.add(name, (*names.called.get(name, ()), *_stems(name), *_JOINT_WORDS))
+        found.add(name, (*names.called.get(name, ()), *_stems(name), *_alike(name), *_JOINT_WORDS))
         for body in names.connections[name].mentions(names) - {GROUND}:  # the bearing of the pulley
             for word in names.called.get(name, ()):
                 found.add(name, said=f"{body} {word}", distance=INFERRED)
     for name in names.loads:
         found.add(name, (*names.called.get(name, ()), *_stems(name)))
     for name in names.bodies[GROUND].lines:
-        found.add(name, _LINE_WORDS)
+        found.add(name, (*_LINE_WORDS, *_alike(name)))
     for name in (*names.measures, *names.parameters):
         found.add(name)
     return found
@@ -79,6 +79,11 @@ def _kinds(name: str, words: Sequence[str]) -> Sequence[str]:
     others = frozenset[str]().union(*(kinds for kinds in kinds_apart() if own and kinds not in own))
     alike = frozenset[str]().union(*(kinds for kinds in things_alike() if kinds & {*words, *said}))
     return [word for word in dict.fromkeys((*words, *sorted(said), *sorted(alike))) if word not in others]
+
+
+def _alike(name: str) -> list[str]:
+    """Words for the things that a name says."""
+    return sorted(frozenset[str]().union(*(kinds for kinds in things_alike() if name.lower() in kinds)))
 
 
 def _stems(name: str) -> list[str]:

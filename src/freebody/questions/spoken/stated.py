@@ -90,6 +90,8 @@ def _at(names: Names, equation: Equation, rest: Clause) -> Groups:
         return
     if rest.has("verb", "reach"):
         rest = rest.without("part", "vertical", "horizontal")  # it passes the vertical
+    if len(rest.all("quantity")) > 1:  # at the dead centre, theta = 0
+        rest = rest.without("quantity", "dead points", "equilibrium")
     kept = [w for w in rest.words if w.kind not in ("verb", "instant", "mark") and w != Word("preposition", ",")]
     if rest.has("ask", "fast"):
         kept = [w for w in rest.words if w.kind not in ("instant", "mark")]
