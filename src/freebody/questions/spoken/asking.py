@@ -100,6 +100,13 @@ def _extreme(names: Names, clause: Clause, degrees: list[str]) -> Groups:
         yield [f"{degree} transmission angle"] if clause.only("quantity", *SILENT) else []
         return
     of = [name for _, name in clause.names]
+    if clause.has("quantity", "friction force", "friction coefficient") and lookup.rests(names):
+        return  # the least friction with which it rests is no least over a motion
+    if degree == "greatest" and clause.has("quantity", "distance", "displacement") and clause.has("updown", "up"):
+        bodies = [name for name in of if name in lookup.moving(names)]
+        who = next(iter(bodies), "")
+        yield [f"greatest {way}" for way, sense in lookup.inclined(names, who) if sense > 0]
+        return
     if degree == "greatest" and clause.has("quantity", "height") and clause.only("quantity", "name", *SILENT):
         yield [f"greatest height of {name}" for name in of or lookup.moving(names)]
         yield [

@@ -24,6 +24,7 @@ def time(names: Names, sentence: Sentence) -> Groups:
     head = main.without("ask").without("quantity", "time")
     if (
         main.has("ask", "long")
+        and not head.has("verb", "rise")
         and not sentence.others
         and not head.has("value")
         and not any(name in names.parameters for _, name in head.names)
@@ -33,9 +34,11 @@ def time(names: Names, sentence: Sentence) -> Groups:
         if head.only("verb", "name", "pronoun") and len(of) <= 1 and set(head.all("verb")) == {"slide"}:
             yield [f"time when slipping of {of[0]} ends" if of else "time when slipping ends"]
         return
-    if main.has("ask", "long") and not sentence.others and set(head.all("verb")) == {"rise"} and not head.has("value"):
+    rises = "rise" in head.all("verb") and set(head.all("verb")) <= {"rise", *GOES_ON} and not head.has("value")
+    if main.has("ask", "long") and not sentence.others and rises:
         of = next((name for _, name in head.names), "")
         yield [f"time when {top}" for top in lookup.tops(names, of)]
+        yield [f"time when rate({way}) = 0" for way, sense in lookup.inclined(names, of) if sense > 0]
         return
     if len(sentence.others) == 1 and sentence.others[0][0] in ("when", "until"):
         clause = sentence.others[0][1]

@@ -182,6 +182,10 @@ def _happening(names: Names, clause: Clause, verbs: list[str]) -> Groups:
     if not clause.only("name", "verb", "degree", *SILENT) or set(clause.all("degree")) - {"first"}:
         return
     doing = frozenset(verbs) - ({"move", "reach"} if len(set(verbs)) > 1 else set())
+    lines = names.bodies[GROUND].lines
+    if not doing and len(clause.names) == 1 and clause.names[0][1] in lines and lookup.strikes(names):
+        yield [f"it hits {clause.names[0][1]}"]  # the time of fall to the floor
+        return
     told = _TOLD.get(doing)
     if told is not None and len(clause.names) <= 2:
         yield from told(names, *_who(names, clause))

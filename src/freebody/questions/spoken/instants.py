@@ -139,11 +139,11 @@ def _tails(names: Names, main: Clause) -> tuple[list[list[str]], Clause]:
             struck = lookup.is_struck_at_start_alone(names)
             tails.append([" at start" if struck and instant[0] == "a" else f" {instant}"])
         elif instant == "at the top of the loop":
-            of = next((name for _, name in main.names), "")
+            of = next((name for _, name in main.names if name in names.bodies or name in names.measures), "")
             tails.append([f" when {text}" for text in lookup.uppermost(names, of)])
         elif instant in ("at the top", "at the bottom"):
             found = lookup.tops if instant == "at the top" else lookup.bottoms
-            of = next((name for _, name in main.names), "")
+            of = next((name for _, name in main.names if name in names.bodies or name in names.measures), "")
             tails.append([f" when {text}" for text in found(names, of)])
         elif instant == "at the impact":
             tails.append([" when it hits"])

@@ -66,8 +66,8 @@ def limits(names: Names, words: list[Word], modal: set[str]) -> Groups:
 def _parted(names: Names, words: list[Word]) -> tuple[Clause, Clause]:
     """What is said of the parameter, and of what is to last: behind a mark, or from the body before a verb on."""
     marks = [k for k, word in enumerate(words) if word.kind == "mark" and word.what in _MARKS]
-    marks += [k for k, word in enumerate(words) if word.kind == "not"]
-    verbs = [k for k, word in enumerate(words) if word.kind == "verb" and word.what not in ("exert", "act")]
+    verbs = [k for k, word in enumerate(words) if word.kind == "not"]
+    verbs += [k for k, word in enumerate(words) if word.kind == "verb" and word.what not in ("exert", "act")]
     verbs += [k for k, word in enumerate(words) if word == Word("instant", "in equilibrium")]
     verbs += [k for k, word in enumerate(words) if word == Word("quantity", "equilibrium")]
     cut = min((*marks, *verbs), default=len(words))
@@ -148,7 +148,7 @@ def _end(head: Clause, state: Clause, modal: set[str], lasts: str) -> str:
 
 
 def _is_denied(state: Clause) -> bool:
-    """Whether what would end rest is said not to come: it does not slip, before it slips, what stops it from slipping."""
+    """Whether what would end rest is said not to come: it does not slip, before it slips, what stops it from it."""
     return state.has("not") or state.has("mark", "until", "without") or state.has("verb", "end", "stop")
 
 

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 
 _MARKS = ("when", "until", "after", "while")
 _HOLDS = ({"friction force"}, {"friction coefficient"}, {"force"}, {"tension"})  # what may be enough to hold something
+_HOW_FAR = tuple(Word("ask", what) for what in ("large", "small", "heavy", "far", "high", "steep", "flat"))
 _SO_THAT = Word("mark", "so_that")
 # what only a limit tells apart: how small, how steep
 _AS_LARGE = {Word("ask", what): Word("ask", "large") for what in ("small", "flat", "steep")}
@@ -36,14 +37,16 @@ def meanings(names: Names, words: list[Word]) -> Groups:
     said = _bounded(_without_auxiliary([word for word in words if word.kind != "filler"]))
     said = _not_slipping(names, _carrying(names, said, modal))
     words = [_AS_LARGE.get(word, word) for word in said]
-    lasting = [_SO_THAT if word == Word("mark", "while") else word for word in words]  # as long as it does not slip
-    yield from turning_round.parameters(names, lasting, meanings)
+    lasting = [_SO_THAT if word == Word("mark", "while") else word for word in said]  # as long as it does not slip
+    if modal == {"may"} and any(word in _HOW_FAR for word in said):  # how large may it be
+        yield from limits(names, lasting, modal)
+    yield from turning_round.parameters(names, [_AS_LARGE.get(word, word) for word in lasting], meanings)
     sentence = parted(words)
     if sentence is not None and all(mark in _MARKS for mark, _ in sentence.others):
         for told in (_limit, _structure, _conserved, lost, time, stopping, counted, timed):
             yield from told(names, sentence)
     yield from stated(names, words)
-    yield from limits(names, [_SO_THAT if word == Word("mark", "while") else word for word in said], modal)
+    yield from limits(names, lasting, modal)
 
 
 def _without_auxiliary(words: list[Word]) -> list[Word]:
