@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
@@ -15,11 +16,14 @@ import freebody as fb
 from freebody.cli import commands
 from freebody.errors import InputError, ModelError
 from freebody.questions.reading import Question
+from freebody.questions.spoken.compounds import in_english_nouns
 from freebody.questions.spoken.lexicon import languages, phrases_at, spelt_out, tables
+from freebody.questions.spoken.words import respelt
 from freebody.system.system import System
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
 TEXTBOOK = Path(__file__).parent / "spoken_models"  # as a textbook has them, with the names a user would give
+TEMPLATES = Path(fb.__file__).parent / "templates"
 
 STACKED = """
 parameters: {F: 20 N}
@@ -221,8 +225,12 @@ CASES = [
 
 @cache
 def example(name: str) -> System:
-    folder = next(folder for folder in (EXAMPLES, TEXTBOOK) if (folder / f"{name}.yaml").exists())
-    return fb.System.load(folder / f"{name}.yaml")
+    return fb.System.load(path_of(name))
+
+
+def path_of(name: str) -> Path:
+    folders = (EXAMPLES, TEXTBOOK, TEMPLATES)
+    return next(path for path in (folder / f"{name}.yaml" for folder in folders) if path.exists())
 
 
 def meaning(question: Question) -> str:
@@ -339,17 +347,87 @@ def test_a_body_leaves_the_surface_that_is_named() -> None:
         )
 
 
-def test_a_question_reads_the_same_in_the_file_on_the_command_line_and_in_python(tmp_path: Path) -> None:
-    said = "How fast is the left block going once x1 reaches 1 m?"
-    text = (EXAMPLES / "atwood_machine.yaml").read_text("utf-8")
+@pytest.mark.parametrize(
+    ("name", "said"),
+    [
+        ("atwood_machine", "How fast is the left block going once x1 reaches 1 m?"),
+        ("atwood_machine", "Wie groß ist die Seilkraft an der schwereren Masse?"),
+        ("block_pushed_on_incline", "How hard can you push before the block starts moving up the incline?"),
+        ("wheel_brake", "Wie viele Umdrehungen macht das Rad noch bis zum Stillstand?"),
+        ("slider_crank", "Kolbenbeschleunigung bei 30 Grad Kurbelwinkel"),
+        ("throw", "How long is the ball in the air before it lands at y = 0?"),
+    ],
+)
+def test_a_question_reads_the_same_in_the_file_on_the_command_line_and_in_python(
+    tmp_path: Path, name: str, said: str
+) -> None:
+    path = path_of(name)
+    text = re.sub(r"\nquestions:.*\Z", "\n", path.read_text("utf-8"), flags=re.DOTALL)
     file = tmp_path / "asked.yaml"
-    file.write_text(f'{text[: text.index("questions:")]}questions: [{{find: "{said}"}}]\n', "utf-8")
+    file.write_text(f'{text}questions: [{{find: "{said}"}}]\n', "utf-8")
     [written] = fb.System.load(file).questions
-    in_python = example("atwood_machine").question(said)
-    found = CliRunner().invoke(commands(), ["solve", str(EXAMPLES / "atwood_machine.yaml"), "--find", said])
+    in_python = example(name).question(said)
+    found = CliRunner().invoke(commands(), ["solve", str(path), "--find", said])
     assert written.understood == in_python.understood
     assert meaning(written) == meaning(in_python)
     assert f"understood  {in_python.understood}" in found.output
+
+
+@pytest.mark.parametrize("said", ["tension in the hinge", "Seilkraft im Gelenk"])
+def test_a_force_that_a_connection_has_not_is_told_so(said: str) -> None:
+    with pytest.raises(ModelError, match="hinge has no tension"):
+        example("cart_and_pendulum").question(said)
+
+
+def test_no_two_suggestions_ask_for_the_same() -> None:
+    system = example("cart_and_pendulum")
+    with pytest.raises(ModelError) as error:
+        system.question("what about the force in hinge and track")
+    suggested = [line.strip() for line in str(error.value).splitlines()[1:]]
+    assert "reaction of hinge" in suggested
+    assert "force of hinge" not in suggested
+    assert len({meaning(system.question(question)) for question in suggested}) == len(suggested)
+
+
+def test_as_long_as_it_does_not_slip_is_a_limit() -> None:
+    system = example("box_on_slope")
+    found = system.question("How large may F be as long as the box does not slip?")
+    assert meaning(found) == meaning(system.question("largest F so that it does not slip"))
+
+
+@pytest.mark.parametrize(
+    ("written", "meant"),
+    [
+        ("velocty", "velocity"),  # a letter is missing
+        ("veloocity", "velocity"),
+        ("froce", "force"),  # two have changed places
+        ("velovity", "velocity"),  # c and v are neighbours on the keyboard
+        ("oscillate", "oscillate"),  # a word of its own: no `oscillator`
+        ("level", "level"),  # no `leave`
+    ],
+)
+def test_a_slip_of_the_hand_is_put_right_and_no_other_word(written: str, meant: str) -> None:
+    assert respelt(written, "en", set()) == meant
+
+
+def test_a_german_word_with_another_first_part_is_no_misspelling() -> None:
+    assert respelt("anfangsbeschleunigung", "de", set()) == "anfangsbeschleunigung"
+
+
+@pytest.mark.parametrize(
+    ("word", "parts"),
+    [
+        ("Kolbengeschwindigkeit", "piston geschwindigkeit"),
+        ("Anfangsbeschleunigung", "anfängliche beschleunigung"),
+        ("Kurbelzapfen", "crank pin"),
+        ("Stahlkugel", "ball"),
+        ("Bremskraft", "brake kraft"),
+        ("Gegengewicht", "Gegengewicht"),  # what `gegen` says of it is not known
+        ("rollenden", "rollenden"),  # no end of a pulley
+    ],
+)
+def test_words_written_as_one_are_taken_apart(word: str, parts: str) -> None:
+    assert in_english_nouns(word, "de") == parts
 
 
 def test_every_language_means_what_english_means() -> None:

@@ -1,12 +1,15 @@
 """Questions as people type them, in the words of the grammar.
 
-    linked(elements, text)              naming.py      words for what the model has: names
-    words_of(text, language)            words.py       every other word: what it means (lexicon.py, a file a language)
-    meanings(names, words)              meaning.py     what the words ask for together, in the words of the grammar
+    in_english_nouns(text, language)    compounds.py    what things are called elsewhere; words that are written as one
+    linked(elements, text)          naming.py      words for what the model has: names (elements.py, telling.py)
+    words_of(text, language)        words.py       every other word: what it means (lexicon.py, a file a language)
+    meanings(names, words)          meaning.py     what the words ask for together, in the words of the grammar
     understood(names, text, read)       understanding.py    the way to mean a text that the grammar reads
 
 Between words and meanings a sentence is parted into clauses (sentence.py); a clause is a condition (events.py), a
 quantity (asking.py, with a room for each family: of_motion.py, of_forces.py, of_systems.py), at an instant
-(instants.py), up to an event (counting.py), or a question turned round (turning_round.py). Nothing that is said is
-dropped, but words that lead to a question.
+(instants.py), up to an event (counting.py), or a question turned round (turning_round.py). Where an equation says when,
+what else is said of that instant describes it (stated.py); up to which value of a parameter rest lasts is put in many
+ways (limits.py). Nothing that is said is dropped, but words that lead to a question, adjectives that tell no thing from
+another, and adverbs of manner.
 """

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from freebody.model.names import Names
 
 _MOTION = ("velocity", "speed", "acceleration", "angular velocity", "angular acceleration")
+_OSCILLATES = ("natural frequency", "natural frequencies", "period", "period of small oscillations", "damped frequency")
 _OF_QUANTITY = ("stroke", "time ratio", "extremes", "steady amplitude", "phase lag", "resonance frequency")
 __all__ = ["of_forces", "of_motion", "of_systems", "quantities"]  # the rooms of quantities are found when this is read
 
@@ -67,10 +68,21 @@ def _inferred(names: Names, clause: Clause) -> Clause:
         return Clause([Word("quantity", quantity), *kept])
     if "where" in ask and clause.has("verb", "hold") and verbs <= {"hold", "move"} and not clause.has("quantity"):
         return Clause([Word("quantity", "equilibrium"), *clause.without("ask").without("verb").words])
-    if "where" in ask and clause.has("quantity", "equilibrium", "instant centre", "dead points"):
+    if "where" in ask and clause.has(
+        "quantity", "equilibrium", "instant centre", "dead points", "position", "resonance frequency"
+    ):
         return clause.without("ask").without("verb")
-    moving = {"move", "turn", "roll", "fly", "slide", "fall", "rise"} if clause.has("quantity", *_MOTION) else {"move"}
-    if ask <= {"what", "large", "much", "with", "for", "many", "where"} and verbs <= moving:
+    moving = (
+        {"move", "turn", "roll", "fly", "slide", "fall", "rise", "reach"}
+        if clause.has("quantity", *_MOTION)
+        else {"move"}
+    )
+    if clause.all("quantity") == ["deflection"] and ask <= {"far", "much", "large"} and not verbs:
+        return clause.without("ask")
+    if clause.has("quantity", "deceleration") and ask == {"fast"}:
+        return clause.without("ask")
+    moving |= {"turn"} if clause.has("quantity", *_OSCILLATES) else set()
+    if ask <= {"what", "large", "much", "with", "for", "many"} and verbs <= moving:
         return clause.without("ask").without("verb")
     return clause
 
@@ -88,6 +100,13 @@ def _extreme(names: Names, clause: Clause, degrees: list[str]) -> Groups:
         yield [f"{degree} transmission angle"] if clause.only("quantity", *SILENT) else []
         return
     of = [name for _, name in clause.names]
+    if clause.has("quantity", "friction force", "friction coefficient") and lookup.rests(names):
+        return  # the least friction with which it rests is no least over a motion
+    if degree == "greatest" and clause.has("quantity", "distance", "displacement") and clause.has("updown", "up"):
+        bodies = [name for name in of if name in lookup.moving(names)]
+        who = next(iter(bodies), "")
+        yield [f"greatest {way}" for way, sense in lookup.inclined(names, who) if sense > 0]
+        return
     if degree == "greatest" and clause.has("quantity", "height") and clause.only("quantity", "name", *SILENT):
         yield [f"greatest height of {name}" for name in of or lookup.moving(names)]
         yield [
@@ -96,8 +115,9 @@ def _extreme(names: Names, clause: Clause, degrees: list[str]) -> Groups:
             for top in lookup.tops(names, name)
         ]
         return
-    if clause.has("quantity", "position", "distance", "angle") and len(of) <= 1:
+    if clause.has("quantity", "position", "distance", "angle", "deflection") and len(of) <= 1:
         found = lookup.angles if clause.has("quantity", "angle") else lookup.places
+        found = lookup.deflections if clause.has("quantity", "deflection") else found
         yield [f"{degree} {measure}{whole}" for measure in found(names, next(iter(of), ""))]
         return
     for group in _plain(names, clause):
@@ -109,13 +129,20 @@ def _of_two(names: Names, clause: Clause) -> Groups:
     kind = next(word.what for word in clause.words if word.what in ("ratio", "difference", "sum"))
     k = next(k for k, word in enumerate(clause.words) if word == Word("quantity", kind))
     said = [word for word in clause.words[:k] if word.kind not in (*SILENT, "ask")]
+    rest = clause.words[k + 1 :]
+    if clause.has("ask", "fast") and kind == "ratio" and [w.kind for w in rest if w.kind not in SILENT] == ["name"]:
+        own = Word("quantity", "angular velocity" if clause.has("verb", "turn") else "speed")
+        first = [w for w in clause.words[:k] if w.kind == "name"]
+        rest = [own, *first, Word("preposition", "to"), *[w for w in rest if w.kind == "name"]]
+        said = []
     if any(word.kind != "quantity" for word in said) or len(said) > 1:
         return
-    rest = clause.words[k + 1 :]
     signs = ("to",) if kind == "ratio" else ("and",)
     between = {"preposition"}
     cuts = [j for j, w in enumerate(rest) if w.kind in between and (w.what in signs or w.what == "and")]
     operator = {"ratio": "/", "difference": "-", "sum": "+"}[kind]
+    if kind == "difference" and not cuts:
+        yield from _of_sides(names, Clause([*said, *rest]))
     for cut in cuts:
         first, second = Clause(rest[:cut]), Clause(rest[cut + 1 :])
         first = Clause([*said, *first.words])
@@ -134,6 +161,18 @@ def _of_two(names: Names, clause: Clause) -> Groups:
             yield [f"ratio of {a} to {b}" if operator == "/" else f"{a} {operator} {b}" for a, b in pairs]
 
 
+def _of_sides(names: Names, clause: Clause) -> Groups:
+    """The difference of the forces at the two ends of a rope."""
+    asked, of = clause.all("quantity"), [name for _, name in clause.names]
+    if len(asked) != 1 or len(of) > 1 or not clause.only("quantity", "name", *SILENT):
+        return
+    for row in names.constraint_rows:
+        if row.reaction == asked[0] and row.connection in (of or [row.connection]) and len(row.ends) == 2:
+            first, second = (f"{asked[0]} of {row.connection} at {end}" for end in row.ends)
+            yield [f"{first} - {second}"]
+            return
+
+
 def _plain(names: Names, clause: Clause) -> Groups:
     """One quantity."""
     asked = clause.all("quantity")
@@ -148,6 +187,16 @@ def _plain(names: Names, clause: Clause) -> Groups:
         and asked[1] in ("force", "torque", "spring force", "friction force")
     ):
         asked = asked[:1] if clause.names else asked
+    if "resonance frequency" in asked and set(asked) <= {
+        "resonance frequency",
+        "angular velocity",
+        "natural frequency",
+    }:
+        asked = ["resonance frequency"]  # at what speed does it resonate
+    if asked[0] == "phase lag" and set(asked[1:]) <= {"force", "displacement", "position"} and len(names.measures) == 1:
+        if clause.only("quantity", "name", *SILENT):  # of the displacement against the force
+            yield [f"phase lag of {measure}" for measure in names.measures]
+        return
     if len(asked) > 1 and asked[0] in _OF_QUANTITY:
         inner = Clause([w for w in clause.words if w != Word("quantity", asked[0])])
         for group in quantities(names, inner):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from itertools import product
 from typing import TYPE_CHECKING
 
-from freebody.questions.spoken import lookup
+from freebody.questions.spoken import dimensions, lookup
 from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.events import GOES_ON, conditions
 from freebody.questions.spoken.sentence import Sentence, clock
@@ -24,13 +24,21 @@ def time(names: Names, sentence: Sentence) -> Groups:
     head = main.without("ask").without("quantity", "time")
     if (
         main.has("ask", "long")
+        and not head.has("verb", "rise")
         and not sentence.others
         and not head.has("value")
+        and not any(name in names.parameters for _, name in head.names)
         and set(head.all("verb")) <= set(GOES_ON)
     ):
         of = [name for _, name in head.names]
         if head.only("verb", "name", "pronoun") and len(of) <= 1 and set(head.all("verb")) == {"slide"}:
             yield [f"time when slipping of {of[0]} ends" if of else "time when slipping ends"]
+        return
+    rises = "rise" in head.all("verb") and set(head.all("verb")) <= {"rise", *GOES_ON} and not head.has("value")
+    if main.has("ask", "long") and not sentence.others and rises:
+        of = next((name for _, name in head.names), "")
+        yield [f"time when {top}" for top in lookup.tops(names, of)]
+        yield [f"time when rate({way}) = 0" for way, sense in lookup.inclined(names, of) if sense > 0]
         return
     if len(sentence.others) == 1 and sentence.others[0][0] in ("when", "until"):
         clause = sentence.others[0][1]
@@ -111,9 +119,16 @@ def _heads_counted(names: Names, sentence: Sentence) -> Groups:
     goes = bool(verbs) and verbs <= set(GOES_ON)
     if asked == ["turns"] or (main.has("ask", "many") and "turn" in verbs and not asked):
         named = [name for _, own in sentence.others for _, name in own.names if name in lookup.turning(names)]
+        named = named or lookup.started(names)
         yield [f"turns of {name}" for name in ([who] if who else named or lookup.turning(names))]
+    elif main.has("ask", "many") and verbs == {"turn_back"} and not asked:  # how often does it turn round
+        yield [f"turns of {name}" for name in ([who] if who else lookup.started(names) or lookup.turning(names))]
     elif asked == ["energy lost"] or (asked == ["energy"] and verbs == {"lost"}):
-        yield ["energy lost"] if not of or lookup.is_all_that_moves(names, who) else []
+        yield (
+            ["energy lost"]
+            if not of or lookup.is_all_that_moves(names, who) or lookup.is_all_that_rubs(names, who)
+            else []
+        )
     elif (main.has("ask", "far", "much", "high", "large") and not asked and goes) or (
         asked in (["distance"], ["displacement"], ["distance travelled"], ["horizontal range"]) and (goes or not verbs)
     ):
@@ -147,5 +162,5 @@ def ends(names: Names, sentence: Sentence) -> Groups:
             yield [f"slipping of {name} ends" for _, name in clause.names] or ["slipping ends"]
     elif not sentence.others:
         within = [value for before, value in sentence.main.values if before in ("in", "of")]
-        if len(within) == 1 == len(sentence.main.values) and lookup.is_time(within[0]):
+        if len(within) == 1 == len(sentence.main.values) and dimensions.is_time(within[0]):
             yield [f"t = {within[0]}"]

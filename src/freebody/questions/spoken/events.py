@@ -9,7 +9,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from freebody.measures.geometry import GROUND
-from freebody.questions.spoken import lookup
+from freebody.questions.spoken import dimensions, lookup
 from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.words import Clause
 
@@ -46,6 +46,9 @@ def conditions(names: Names, clause: Clause) -> Groups:
         yield from _instants(names, clause)
     elif clause.has("relation"):
         yield from _equations(names, clause)
+    elif clause.all("quantity") in (["highest place"], ["lowest place"]) and not clause.values:
+        of = next((name for _, name in clause.names), "")
+        yield (lookup.tops if clause.has("quantity", "highest place") else lookup.bottoms)(names, of)
     elif clause.has("quantity"):
         yield from _of_quantity(names, clause, verbs)
     else:
@@ -60,8 +63,10 @@ def _instants(names: Names, clause: Clause) -> Groups:
     for instant in clause.all("instant"):
         if instant == "at the top":
             yield lookup.tops(names, of)
+        elif instant == "at the top of the loop":
+            yield lookup.uppermost(names, of)
         elif instant == "at the bottom":
-            yield lookup.bottoms(names, of)
+            yield lookup.bottoms(names, of) or ([f"{of or 'it'} hits"] if lookup.strikes(names) else [])
         elif instant in ("at the impact", "in the impact"):
             yield [f"{of or 'it'} hits"]
 
@@ -115,6 +120,8 @@ def _quantity_is(names: Names, clause: Clause, value: str) -> Groups:
         elif quantity == "height":
             yield lookup.lifted(names, of, value)
             yield [f"height of {of} = {value}"] if of else []
+        elif quantity in ("displacement", "distance travelled"):
+            yield [f"{way} = {value}" for way in lookup.ways(names, of)]
         elif quantity in ("position", "distance"):
             yield [f"{place} = {value}" for place in lookup.places(names, of)]
         elif quantity in ("velocity", "speed", "angular velocity") and is_zero:
@@ -146,13 +153,16 @@ def _with_value(names: Names, clause: Clause, verbs: list[str]) -> Groups:
     ]
     [value], of = values, [name for name in of if name not in lines]
     who = next(iter(of), "")
+    if dimensions.is_speed(value):
+        yield [f"rate({place}) = {value}" for place in lookup.places(names, who)]
+        return
     doing = set(verbs) - {"start"}
     sense = -1 if clause.has("updown", "down") or clause.has("part", "downward") else 0
     sense = 1 if clause.has("updown", "up") or clause.has("part", "upward") else sense
     if sense and doing <= {"move", "slide", "roll", "fly", "fall", "rise"}:
         yield lookup.gone(names, who, value, sense)
         return
-    if not doing and lookup.is_angle(value) and who not in names.measures:
+    if not doing and dimensions.is_angle(value) and who not in names.measures:
         yield [f"{angle} = {value}" for angle in lookup.angles(names, who)]
     elif turns or doing == {"turn"}:
         yield [f"{angle} = {value}" for angle in lookup.angles(names, who) if angle in names.started_at_zero]
@@ -172,6 +182,10 @@ def _happening(names: Names, clause: Clause, verbs: list[str]) -> Groups:
     if not clause.only("name", "verb", "degree", *SILENT) or set(clause.all("degree")) - {"first"}:
         return
     doing = frozenset(verbs) - ({"move", "reach"} if len(set(verbs)) > 1 else set())
+    lines = names.bodies[GROUND].lines
+    if not doing and len(clause.names) == 1 and clause.names[0][1] in lines and lookup.strikes(names):
+        yield [f"it hits {clause.names[0][1]}"]  # the time of fall to the floor
+        return
     told = _TOLD.get(doing)
     if told is not None and len(clause.names) <= 2:
         yield from told(names, *_who(names, clause))
@@ -183,7 +197,10 @@ def _who(names: Names, clause: Clause) -> tuple[str, str]:
     if clause.has("pronoun", "it") and len(clause.names) == 1:
         return "", clause.names[0][1]
     for before, name in clause.names:
-        is_body = name in names.bodies or name in names.connections or name.partition(".")[0] in names.bodies
+        if before == "by" and name in names.connections:
+            continue  # what stops it
+        owner = name.partition(".")[0]
+        is_body = name in names.connections or (owner in names.bodies and not names.bodies[owner].fixed)
         if not who and is_body and before in ("", "of", "by", "between", "and"):
             who = name
         elif not other:
@@ -206,15 +223,24 @@ def _leaves(names: Names, who: str, other: str) -> Groups:
 
 
 def _rolls(names: Names, who: str, other: str) -> Groups:
-    yield [f"{who} begins to roll" if who else "rolling begins"] if not other else []
+    yield [f"{who} begins to roll" if who else "rolling begins"] if _is_rough_to(names, who, other) else []
 
 
 def _slips(names: Names, who: str, other: str) -> Groups:
-    yield [f"{who} begins to slip" if who else "slipping begins"] if not other else []
+    yield [f"{who} begins to slip" if who else "slipping begins"] if _is_rough_to(names, who, other) else []
 
 
 def _ends_slipping(names: Names, who: str, other: str) -> Groups:
-    yield [f"slipping of {who} ends" if who else "slipping ends"] if not other else []
+    yield [f"slipping of {who} ends" if who else "slipping ends"] if _is_rough_to(names, who, other) else []
+
+
+def _is_rough_to(names: Names, who: str, other: str) -> bool:
+    """Whether what a body slips on is the only thing that it can slip on, where that is named."""
+    if not other:
+        return True
+    rough = {row.connection for row in names.constraint_rows if row.reaction == "friction force"}
+    own = [joint for joint in rough if not who or lookup.touches(names, joint, who)]
+    return len(own) == 1 and lookup.touches(names, own[0], other)
 
 
 def _stops(names: Names, who: str, other: str) -> Groups:
@@ -263,6 +289,8 @@ _TOLD: dict[frozenset[str], Callable[..., Groups]] = {
         ("start roll", _rolls),
         ("begin_roll", _rolls),
         ("stop slide start roll", _rolls),
+        ("stop slide roll", _rolls),
+        ("end slide roll", _rolls),
         ("end slide start roll", _rolls),
         ("start slide", _slips),
         ("slide", _slips),
@@ -273,6 +301,7 @@ _TOLD: dict[frozenset[str], Callable[..., Groups]] = {
         ("turn_back", _turns_back),
         ("return", _returns),
         ("return move", _returns),
+        ("hit return", _returns),
         ("reach", _reaches),
         ("top", _at_top),
         ("bottom", _at_bottom),

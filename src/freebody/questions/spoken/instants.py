@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from itertools import product
+from itertools import pairwise, product
 from typing import TYPE_CHECKING
 
-from freebody.questions.spoken import lookup
+from freebody.questions.spoken import dimensions, lookup
 from freebody.questions.spoken.asking import quantities
 from freebody.questions.spoken.composing import Groups
-from freebody.questions.spoken.events import HAPPENS, conditions
+from freebody.questions.spoken.events import GOES_ON, HAPPENS, conditions
 from freebody.questions.spoken.lexicon import Word
 from freebody.questions.spoken.sentence import Sentence, clock
 from freebody.questions.spoken.words import Clause
@@ -26,7 +26,7 @@ _TIMED = {"in steady motion": " in steady motion", "when t grows": " when t grow
 
 def timed(names: Names, sentence: Sentence) -> Groups:
     """A quantity, and when it is meant."""
-    main, others = sentence.main, list(sentence.others)
+    main, others = sentence.main, [one for one in sentence.others if not is_throughout(names, *one)]
     if main.has("ask", "when", "soon", "long"):
         return
     if main.has("ask", "high") and not others and main.has("verb") and main.only("ask", "verb", "name", "pronoun"):
@@ -37,6 +37,17 @@ def timed(names: Names, sentence: Sentence) -> Groups:
         return
     if main.has("ask", "where") and main.has("instant", "in equilibrium") and not main.has("quantity"):
         main = Clause([Word("quantity", "equilibrium"), *main.without("ask").without("verb").without("instant").words])
+    if main.has("verb", "accelerate") and main.has("verb", "start"):  # how fast does it start to accelerate
+        main = Clause([*main.without("verb", "start").words, Word("instant", "at start")])
+    if others and main.has("quantity") and not lookup.strikes(names):  # with what speed does it arrive after 3 m
+        main = main.without("verb", "hit", "reach")
+    accelerates = main.has("quantity", "acceleration", "angular acceleration") and main.has("verb", "start")
+    if accelerates and main.has("verb", *GOES_ON) and not others:  # with what acceleration does it start to move
+        main = Clause([*main.without("verb").words, Word("instant", "at start")])
+    if main.has("quantity", "terminal velocity") and others:  # the final speed once it rolls
+        main = Clause(
+            [Word("quantity", "speed") if w == Word("quantity", "terminal velocity") else w for w in main.words]
+        )
     tails, main = _tails(names, main)
     if main.has("quantity", "impact speed"):
         main = Clause([Word("quantity", "speed") if w == Word("quantity", "impact speed") else w for w in main.words])
@@ -58,14 +69,15 @@ def timed(names: Names, sentence: Sentence) -> Groups:
     if event is not None:
         head, conditions_ = event
         for group, when in product(list(quantities(names, head)), conditions_):
-            yield [f"{text} when {condition}" for text, condition in product(group, when)]
+            pairs = product(group, when)
+            yield [f"{text} when {condition}" for text, condition in pairs if not condition.startswith(f"{text} = ")]
         return
     if not tails:
         yield from quantities(names, main)
         return
     for tail in _grouped(names, sentence, tails):
         for group in quantities(names, main):
-            yield [f"{text}{end}" for text, end in product(group, tail)]
+            yield [f"{text}{end}" for text, end in product(group, tail) if not end.startswith(f" when {text} = ")]
 
 
 def _is_of_state(mark: str, clause: Clause) -> bool:
@@ -100,14 +112,17 @@ def _how_far(names: Names, main: Clause) -> Groups:
         return
     if up:
         yield [f"{way} when rate({way}) = 0" for way, sense in lookup.inclined(names, who) if sense > 0]
+    elif set(main.all("verb")) == {"slide"} and not lookup.rests(names):
+        yield [f"distance travelled along {way} until slipping ends" for way in lookup.ways(names, who)]
     elif set(main.all("verb")) == {"turn"}:
         yield [f"{angle} when rate({angle}) = 0" for angle in lookup.angles(names, who)]
 
 
 def _grouped(names: Names, sentence: Sentence, tails: list[list[str]]) -> Iterator[list[str]]:
     """The ways to mean an instant, in groups."""
-    if sentence.others and len(sentence.others) == 1:
-        yield from _at(names, *sentence.others[0])
+    others = [one for one in sentence.others if not is_throughout(names, *one)]
+    if len(others) == 1:
+        yield from _at(names, *others[0])
     else:
         yield tails[0]
 
@@ -123,9 +138,12 @@ def _tails(names: Names, main: Clause) -> tuple[list[list[str]], Clause]:
         elif instant in ("after the impact", "before the impact"):
             struck = lookup.is_struck_at_start_alone(names)
             tails.append([" at start" if struck and instant[0] == "a" else f" {instant}"])
+        elif instant == "at the top of the loop":
+            of = next((name for _, name in main.names if name in names.bodies or name in names.measures), "")
+            tails.append([f" when {text}" for text in lookup.uppermost(names, of)])
         elif instant in ("at the top", "at the bottom"):
             found = lookup.tops if instant == "at the top" else lookup.bottoms
-            of = next((name for _, name in main.names), "")
+            of = next((name for _, name in main.names if name in names.bodies or name in names.measures), "")
             tails.append([f" when {text}" for text in found(names, of)])
         elif instant == "at the impact":
             tails.append([" when it hits"])
@@ -138,6 +156,7 @@ def _tails(names: Names, main: Clause) -> tuple[list[list[str]], Clause]:
         "after the impact",
         "before the impact",
         "at the top",
+        "at the top of the loop",
         "at the bottom",
         "at the impact",
         "in equilibrium",
@@ -151,7 +170,7 @@ def _tails(names: Names, main: Clause) -> tuple[list[list[str]], Clause]:
     elif len(times) == 1 and len(main.values) == 1:
         [value] = times
         kept = Clause([w for w in main.words if w != Word("value", value)])
-        if lookup.is_time(value) and not kept.has("ask", "far", "much"):
+        if dimensions.is_time(value) and not kept.has("ask", "far", "much"):
             tails.append([f" after {value}"])
             main = kept
         elif (asked := _place_within(main, value)) is not None:
@@ -191,7 +210,7 @@ def _place_within(main: Clause, value: str) -> tuple[Clause, Clause] | None:
         return None
     inner = [*words[begin + 1 :]]
     if not any(word.kind == "quantity" for word in inner):
-        inner = [Word("quantity", "angle"), *inner] if lookup.is_angle(value) else inner
+        inner = [Word("quantity", "angle"), *inner] if dimensions.is_angle(value) else inner
     return Clause(words[:begin]), Clause(inner)
 
 
@@ -239,20 +258,29 @@ def _event_within(names: Names, main: Clause) -> tuple[Clause, list[list[str]]] 
         return None
     if not (main.has("ask", "fast", "with", "where", "what", "large", "high") or main.has("quantity")):
         return None
+    at_angle = [
+        word.what
+        for before, word in pairwise(main.words)
+        if before == Word("quantity", "angle") and word.kind == "name" and word.what in names.measures
+    ]
+    if at_angle:  # at what angle phi does it leave
+        main = Clause([w for w in main.words if w != Word("name", at_angle[0])])
     event = Clause(
         [w for w in main.words if w.kind in ("name", "verb", "pronoun", "preposition", "updown", "value", "degree")]
     )
     found = list(conditions(names, event.without("degree")))
     if not found:
         return None
-    who = next((name for _, name in event.names if name in names.bodies or name in names.measures), None)
+    who = next((name for _, name in event.names if name in lookup.moving(names) or name in names.measures), None)
     head = [w for w in main.words if w.kind in ("ask", "quantity", "part")]
     if who is None:
-        who = next((name for _, name in main.names if name in names.bodies), None)
+        who = next((name for _, name in main.names if name in lookup.moving(names)), None)
+    if who is None and len(lookup.massive(names)) == 1:
+        who = lookup.massive(names)[0]  # what leaves the dome
     if main.has("ask", "where") and not main.has("quantity"):
         head = [Word("quantity", "position")]
     if main.has("quantity", "angle"):  # a place of the motion has a name: what has none is no angle of a motion
-        [angle, *_] = [*lookup.angles(names, who or ""), *lookup.angles(names, ""), ""]
+        [angle, *_] = [*at_angle, *lookup.angles(names, who or ""), *lookup.angles(names, ""), ""]
         return (Clause([Word("name", angle)]), found) if angle else None
     return Clause([*head, *([Word("name", who)] if who else [])]), found
 
@@ -271,3 +299,10 @@ def _where_it_is(names: Names, main: Clause) -> tuple[Clause, list[list[str]]] |
     head = [main.words[k], *main.words[k + 1 : k + 1 + named]]
     found = list(conditions(names, Clause([w for w in main.words[k + 1 + named :] if w.kind != "ask"])))
     return (Clause(head), found) if found else None
+
+
+def is_throughout(names: Names, mark: str, clause: Clause) -> bool:
+    """Whether a clause is of all of the motion: while it rolls, where nothing else can come."""
+    goes_on = set(clause.all("verb")) <= {"move", "roll", "turn", "fly", "fall"} and clause.has("verb")
+    may_change = any("contact" in names.called.get(name, ()) for name in names.connections)
+    return mark == "while" and goes_on and not may_change and clause.only("verb", "pronoun", "name")

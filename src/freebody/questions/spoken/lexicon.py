@@ -28,6 +28,10 @@ _NO_WORDS = (
     "before",
     "behind",
     "things",
+    "numbered",
+    "compared",
+    "adjectives",
+    "adverbs",
 )  # tables that are not kinds of words
 _CHOICE = re.compile(r"\(([^()]*)\)(\?)?")
 
@@ -176,30 +180,78 @@ def spelt(text: str, language: str) -> str:
     return " ".join(text.split())
 
 
-def in_english_nouns(text: str, language: str) -> str:
-    """The text with what things are called in a language in English."""
-    table = _file(language).get("nouns")
-    if table is None:
-        return text
-    text = _compounds(language).sub(r"\1 \2", text)
-    return _nouns(language).sub(lambda found: str(table[found[1].lower()]), text)
+def is_adjective(token: str, language: str) -> bool:
+    """Whether a word looks like an adjective, by its ending, that does not tell a thing from another of its kind."""
+    table = _file(language)["adjectives"]
+    return token.endswith(tuple(table["endings"])) and not any(_is_word(word, token) for word in table["telling"])
+
+
+def is_adverb(token: str, language: str) -> bool:
+    """Whether a word looks like an adverb of manner, which does not say where or how much."""
+    table = _file(language)["adverbs"]
+    return token.endswith(tuple(table["endings"])) and not any(_is_word(word, token) for word in table["telling"])
 
 
 @cache
-def _compounds(language: str) -> re.Pattern[str]:
-    """What is one word with the thing it belongs to: Kolbengeschwindigkeit."""
-    table = _file(language)
-    nouns, heads = (
-        "|".join(sorted(words, key=len, reverse=True)) for words in (table["nouns"], table["compounds"]["heads"])
-    )
-    return re.compile(rf"\b({nouns})(?:{table['endings']['nouns']})?({heads})\b", re.IGNORECASE)
+def translated(language: str) -> dict[str, str]:
+    """What things are called in a language, and in English."""
+    return cast("dict[str, str]", _file(language).get("nouns", {}))
 
 
 @cache
-def _nouns(language: str) -> re.Pattern[str]:
-    """What things are called in a language, with its endings."""
-    table = _file(language)
-    nouns, verbs = (
-        "|".join(sorted(words, key=len, reverse=True)) for words in (table["nouns"], table["endings"]["verbs"])
-    )
-    return re.compile(rf"\b(?!(?:{verbs})\b)({nouns})(?:{table['endings']['nouns']})?\b(?!/)", re.IGNORECASE)
+def endings(language: str) -> str:
+    """The endings of nouns, as a pattern."""
+    return str(_file(language).get("endings", {}).get("nouns", ""))
+
+
+@cache
+def no_nouns(language: str) -> tuple[str, ...]:
+    """What looks like a noun with an ending."""
+    return tuple(_file(language).get("endings", {}).get("verbs", ()))
+
+
+@cache
+def said_of_quantity(language: str) -> dict[str, str]:
+    """First parts of words that are written as one with a quantity, and what they say of it."""
+    return cast("dict[str, str]", _file(language).get("compounds", {}).get("of_quantity", {}))
+
+
+@cache
+def silent_of_thing(language: str) -> frozenset[str]:
+    """First parts of words for things that say no more of a thing than its kind."""
+    return frozenset(_file(language).get("compounds", {}).get("of_thing", {}).get("silent", ()))
+
+
+@cache
+def quantity_words(language: str) -> frozenset[str]:
+    """Single words for quantities."""
+    said = (text for own in tables(language)["quantity"].values() for phrase in own for text in spelt_out(phrase))
+    return frozenset(text for text in said if text and " " not in text and "*" not in text)
+
+
+@cache
+def numbered() -> dict[str, str]:
+    """Words for the first, the second, in all languages."""
+    return {
+        word: number
+        for language in languages()
+        for number, words in cast("dict[str, list[str]]", _file(language).get("numbered", {})).items()
+        for word in words
+    }
+
+
+@cache
+def compared() -> dict[str, str]:
+    """Words for the heavier, the lighter of two, in all languages."""
+    return {
+        word: what
+        for language in languages()
+        for what, words in cast("dict[str, list[str]]", _file(language).get("compared", {})).items()
+        for word in words
+    }
+
+
+@cache
+def things_alike() -> tuple[frozenset[str], ...]:
+    """Words for things of one kind."""
+    return tuple(frozenset(cast("list[str]", words)) for words in _file(ENGLISH)["things"]["alike"])

@@ -8,10 +8,8 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, cast
 
-from freebody.errors import UnitError
-from freebody.language.expression import Symbol
-from freebody.language.units import DIMENSIONLESS, FORCE, LENGTH, TIME, TORQUE
-from freebody.language.units.quantity import parse_quantity
+from freebody.language.expression import Symbol, free_symbols
+from freebody.language.units import DIMENSIONLESS, FORCE, LENGTH, MASS, TIME, TORQUE
 from freebody.measures.displacement import Displacement
 from freebody.measures.distance import Bearing
 from freebody.measures.geometry import GROUND, ZERO
@@ -34,13 +32,30 @@ def turning(names: Names) -> list[str]:
     return [name for name in moving(names) if names.bodies[name].turns]
 
 
+def started(names: Names) -> list[str]:
+    """Bodies that turn as the motion begins, where the file says of one alone that it does."""
+    turned = [name for name in names.start_rates if names.start_rates[name] != ZERO and name in angles(names, "")]
+    found = {body for name in turned for body in names.measures[name].bodies()} - {GROUND}
+    return sorted(found) if len(found) == 1 else []
+
+
 def measured(names: Names) -> list[str]:
     """What is measured, or the bodies that move where nothing is."""
     return list(names.measures) or moving(names)
 
 
+def can_roll(names: Names) -> bool:
+    """Whether something round moves."""
+    return any(names.bodies[name].radius is not None or names.bodies[name].round for name in turning(names))
+
+
 def is_all_that_moves(names: Names, body: str) -> bool:
-    return moving(names) == [body]
+    return massive(names) == [body]
+
+
+def massive(names: Names) -> list[str]:
+    """Bodies that move and have a mass."""
+    return [name for name in moving(names) if names.bodies[name].mass != ZERO]
 
 
 def is_all_that_slips(names: Names, body: str) -> bool:
@@ -49,9 +64,16 @@ def is_all_that_slips(names: Names, body: str) -> bool:
     return bool(rough) and all(_is_of(names, connection, body) for connection in rough)
 
 
+def is_all_that_rubs(names: Names, connection: str) -> bool:
+    """Whether nothing but a connection takes energy away: no other is rough, and nothing is damped."""
+    rough = {row.connection for row in names.constraint_rows if row.reaction == "friction force"} - {connection}
+    damped = [name for name in names.loads if "damper" in (*names.called.get(name, ()), name.lower())]
+    return connection in names.connections and not rough and not damped and not strikes(names)
+
+
 def rests(names: Names) -> bool:
     """Whether nothing is given that would set the system in motion."""
-    return not names.start_rates
+    return all(rate == ZERO for rate in names.start_rates.values())
 
 
 def swings(names: Names) -> bool:
@@ -81,6 +103,11 @@ def angles(names: Names, body: str) -> list[str]:
         return [body] if names.measures[body].dimension == DIMENSIONLESS else []
     found = [(name, measure) for name, measure in names.measures.items() if measure.dimension == DIMENSIONLESS]
     return [name for name, measure in found if not body or {*measure.bodies()} - {GROUND} == {body}]
+
+
+def hung(names: Names, body: str) -> list[str]:
+    """Angles of lines that end at a body."""
+    return [name for name, m in names.measures.items() if isinstance(m, Bearing) and m.end.body == body]
 
 
 def gone(names: Names, body: str, by: str, sense: int) -> list[str]:
@@ -137,9 +164,13 @@ def rising(names: Names, body: str) -> list[str]:
 def tops(names: Names, body: str) -> list[str]:
     """The condition that a body has risen as far as it does at first, or swings no further."""
     up = [name for name, sense in heights(names, body) if _rises(names, name, sense)]
-    round_a_point = [f"{name} = {'0' if above else '180 deg'}" for name, above in _hanging(names, body)]
     turning_back = [f"rate({name}) = 0" for name, _ in _hanging(names, body)]
-    return [f"rate({name}) = 0" for name in up] or [*round_a_point, *turning_back]
+    return [f"rate({name}) = 0" for name in up] or [*uppermost(names, body), *turning_back]
+
+
+def uppermost(names: Names, body: str) -> list[str]:
+    """The condition that what goes round a point of the ground is straight above it."""
+    return [f"{name} = {'0' if above else '180 deg'}" for name, above in _hanging(names, body)]
 
 
 def _rises(names: Names, measure: str, sense: int) -> bool:
@@ -182,8 +213,13 @@ def _is_of(names: Names, connection: str, thing: str) -> bool:
     if thing == connection:
         return True
     described = names.connections[connection]
-    if thing in names.bodies and thing != GROUND:
+    if thing == GROUND and described.mentions(names):
+        lines = {*names.bodies[GROUND].lines, *names.bodies[GROUND].planes}
+        return GROUND in described.mentions(names) or any(names_line(names, connection, line) for line in lines)
+    if thing in names.bodies:
         return thing in described.mentions(names)
+    if thing in names.bodies[GROUND].planes:
+        return names_line(names, connection, thing)
     return thing in names.bodies[GROUND].lines and names_line(names, connection, thing)
 
 
@@ -241,7 +277,22 @@ def is_known_point(names: Names, name: str) -> bool:
 
 def springs(names: Names) -> list[str]:
     """Loads that are springs."""
-    return [name for name in names.loads if "spring" in names.called.get(name, ())]
+    return [
+        name for name in names.loads if "spring" in (*names.called.get(name, ()), name.lower().rstrip("0123456789_"))
+    ]
+
+
+def is_forced(names: Names) -> bool:
+    """Whether a load is a function of time."""
+    is_driven = any("drive" in names.called.get(name, ()) for name in names.connections)
+    return is_driven or any(p.general is not None or "t" in free_symbols(p.law) for p in names.applied_loads)
+
+
+def deflections(names: Names, spring: str) -> list[str]:
+    """Named measures that the force of a spring, or of the only one, is in proportion to."""
+    named = [spring] if spring else springs(names)
+    own = [load.measure for load in names.applied_loads if load.load in named and load.load in springs(names)]
+    return [name for name, measure in names.measures.items() if measure in own] if len(named) == 1 else []
 
 
 def strikes(names: Names) -> bool:
@@ -255,7 +306,7 @@ def is_struck_at_start_alone(names: Names) -> bool:
     return bool(names.struck_at_start) and (closing | names.impulses) <= names.struck_at_start
 
 
-# -- parameters and values --------------------------------------------------------------------
+# -- parameters --------------------------------------------------------------------
 def parameters(names: Names, kind: str, of: str) -> list[str]:
     """Parameters that are the mass of a body, the stiffness of a spring, the coefficient of friction."""
     if kind == "mass":
@@ -288,20 +339,41 @@ def of_kind(names: Names, kind: str) -> list[str]:
     return [parameter.name for parameter in given if kind in dimensions and parameter.dimension == dimensions[kind]]
 
 
+def chosen(names: Names, kind: str, of: list[str]) -> list[str]:
+    """Parameters that are of a kind and can be chosen: a force that a load exerts, a length that is no size of a body.
+
+    of: what is named beside it."""
+    given = [parameter for parameter in names.parameters.values() if parameter.form is None]
+    held = [load for load in names.applied_loads if load.load in of]
+    if kind == "mass" and held and not any(name in names.bodies for name in of):  # how heavy a load is
+        weights = frozenset[str]().union(*(free_symbols(load.law) for load in held))
+        return [p.name for p in given if p.name in weights and p.dimension in (MASS, FORCE)]
+    if kind == "mass":
+        own = [name for body in of for name in parameters(names, "mass", body)]
+        bodies = frozenset[str]().union(*(free_symbols(body.mass) for body in names.bodies.values()))
+        others = [p.name for p in given if p.dimension == MASS and p.name not in bodies]
+        return own or ([] if any(name in names.bodies for name in of) else others)
+    if kind in ("friction coefficient", "friction force"):
+        return parameters(names, "friction coefficient", next((name for name in of if is_joined(names, name)), ""))
+    if kind in ("force", "torque", "moment"):
+        exerted = [load for load in names.applied_loads if "gravity" not in names.called.get(load.load, ())]
+        loads = [load for load in exerted if load.load in of] or exerted
+        pushed = frozenset[str]().union(*(free_symbols(load.law) for load in loads))
+        return [name for name in of_kind(names, kind) if name in pushed]
+    sizes = frozenset[str]().union(
+        *(free_symbols(body.inertia) | free_symbols(body.radius or ZERO) for body in names.bodies.values())
+    )
+    return [name for name in of_kind(names, kind) if kind == "angle" or name not in sizes]
+
+
+def is_joined(names: Names, name: str) -> bool:
+    return name in names.connections or name in names.bodies[GROUND].lines
+
+
+def is_rough(names: Names) -> bool:
+    """Whether dry friction holds something."""
+    return any(row.reaction == "friction force" for row in names.constraint_rows)
+
+
 def _is_at(names: Names, name: str, thing: str) -> bool:
     return name in names.connections and _is_of(names, name, thing)
-
-
-def is_time(value: str) -> bool:
-    return _has(value, TIME)
-
-
-def is_angle(value: str) -> bool:
-    return _has(value, DIMENSIONLESS) and not value.replace(".", "").isdigit()
-
-
-def _has(value: str, dimension: object) -> bool:
-    try:
-        return parse_quantity(value).dimension == dimension
-    except (UnitError, ValueError):
-        return False

@@ -9,30 +9,94 @@ from typing import TYPE_CHECKING
 
 from freebody.questions.spoken import lookup, turning_round
 from freebody.questions.spoken.asking import quantities
-from freebody.questions.spoken.composing import Groups
+from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.counting import counted, lost, stopping, time
-from freebody.questions.spoken.instants import timed
+from freebody.questions.spoken.instants import is_throughout, timed
 from freebody.questions.spoken.lexicon import Word
+from freebody.questions.spoken.limits import limits
 from freebody.questions.spoken.sentence import Sentence, parted
+from freebody.questions.spoken.stated import stated
 from freebody.questions.spoken.words import Clause
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
 
 _MARKS = ("when", "until", "after", "while")
+_HOLDS = ({"friction force"}, {"friction coefficient"}, {"force"}, {"tension"})  # what may be enough to hold something
+_HOW_FAR = tuple(Word("ask", what) for what in ("large", "small", "heavy", "far", "high", "steep", "flat"))
+_SO_THAT = Word("mark", "so_that")
+# what only a limit tells apart: how small, how steep
+_AS_LARGE = {Word("ask", what): Word("ask", "large") for what in ("small", "flat", "steep")}
 
 
 def meanings(names: Names, words: list[Word]) -> Groups:
     """What words can ask for."""
-    words = [word for word in words if word.kind != "filler"]
     if any(word.kind == "other" for word in words):
         return
-    yield from turning_round.parameters(names, words, meanings)
+    modal = {word.what for word in words if word.kind == "filler"} & {"may", "must"}
+    said = _bounded(_without_auxiliary([word for word in words if word.kind != "filler"]))
+    said = _not_slipping(names, _carrying(names, said, modal))
+    words = [_AS_LARGE.get(word, word) for word in said]
+    lasting = [_SO_THAT if word == Word("mark", "while") else word for word in said]  # as long as it does not slip
+    if modal == {"may"} and any(word in _HOW_FAR for word in said):  # how large may it be
+        yield from limits(names, lasting, modal)
+    yield from turning_round.parameters(names, [_AS_LARGE.get(word, word) for word in lasting], meanings)
     sentence = parted(words)
-    if sentence is None or any(mark not in _MARKS for mark, _ in sentence.others):
-        return
-    for told in (_limit, _structure, _conserved, lost, time, stopping, counted, timed):
-        yield from told(names, sentence)
+    if sentence is not None and all(mark in _MARKS for mark, _ in sentence.others):
+        for told in (_limit, _structure, _conserved, lost, time, stopping, counted, timed):
+            yield from told(names, sentence)
+    yield from stated(names, words)
+    yield from limits(names, lasting, modal)
+
+
+def _without_auxiliary(words: list[Word]) -> list[Word]:
+    """`wird gehalten` is held; `wird 2 m/s` becomes, and reaches, 2 m/s."""
+    become = Word("verb", "become")
+    reaches = any(word.kind in ("value", "relation", "instant", "not") for word in words)
+    if not reaches or any(word.kind == "verb" and word != become for word in words):
+        return [word for word in words if word != become]
+    return [Word("verb", "reach") if word == become else word for word in words]
+
+
+def _not_slipping(names: Names, words: list[Word]) -> list[Word]:
+    """`without sliding` is to roll, for what can, and else not to slide."""
+    meant = [Word("verb", "roll")] if lookup.can_roll(names) else [Word("not", "not"), Word("verb", "slide")]
+    if Word("verb", "roll") in words:
+        meant = []
+    return [own for word in words for own in (meant if word == Word("verb", "no_slip") else [word])]
+
+
+def _bounded(words: list[Word]) -> list[Word]:
+    """`F ist mindestens nötig` is the least F: at least, where no value follows, is the end of a range."""
+    ends = {">=": Word("degree", "least"), "<=": Word("degree", "greatest")}
+    alone = [
+        word.kind == "relation"
+        and word.what in ends
+        and not any(w.kind in ("value", "name", "quantity") for w in words[k + 1 : k + 2])
+        for k, word in enumerate(words)
+    ]
+    return [ends[word.what] if is_end else word for word, is_end in zip(words, alone, strict=True)]
+
+
+def _carrying(names: Names, words: list[Word], modal: set[str]) -> list[Word]:
+    """What a connection carries is its force: the rope carries 500 N; what it can carry is no less than that."""
+    carry = Word("verb", "carry")
+    joints = [word.what for word in words if word.kind == "name" and word.what in names.connections]
+    rows = {row.reaction for row in names.constraint_rows if row.connection in joints}
+    kind = next((kind for kind in ("tension", "normal force", "reaction") if kind in rows), "reaction")
+    meant = Word("quantity", kind) if len(joints) == 1 and not any(w.kind == "quantity" for w in words) else None
+    if (
+        meant is not None
+        and carry in words
+        and any(
+            w.kind == "degree" or w in (Word("ask", "heavy"), Word("ask", "large")) for w in words[: words.index(carry)]
+        )
+    ):
+        words = [Word("mark", "so_that") if w == Word("mark", "when") else w for w in words]
+        at = next((k for k, w in enumerate(words) if w.kind == "value"), 0)
+        if "may" in modal and at and not any(w.kind == "relation" for w in words):
+            words = [*words[:at], Word("relation", "<="), *words[at:]]
+    return [(meant or Word("verb", "move")) if word == carry else word for word in words]
 
 
 def _limit(names: Names, sentence: Sentence) -> Groups:
@@ -75,27 +139,37 @@ def _without(names: Names, sentence: Sentence) -> Groups:
 def _structure(names: Names, sentence: Sentence) -> Groups:
     """What is asked of the system itself: whether it stays at rest, turns fully, is stable, can be assembled."""
     main = sentence.main
+    whole = Clause([*main.words, *(word for _, own in sentence.others for word in own.words)])
+    growing = [name for _, name in whole.names if name in names.parameters]
+    fails = set(whole.all("verb")) - {"start", "move"} == {"tip", "slide", "grow"} and not whole.has("value")
+    if fails and len(growing) == 1 and not whole.has("not") and set(whole.all("degree")) <= {"first"}:
+        yield [f"does it tip or slide as {growing[0]} grows"]
     verbs, of = set(main.all("verb")), [name for _, name in main.names]
     grown = [
         own.names[0][1] for mark, own in sentence.others if mark == "when" and own.has("verb", "grow") and own.names
     ]
     if verbs & {"tip"} and verbs & {"slide"} and len(verbs - {"start", "move"}) == 2 and len(grown) == 1:
         yield [f"does it tip or slide as {grown[0]} grows"]
+    doing = set(whole.all("verb"))
+    is_enough = doing == {"hold", "suffice"} or (doing == {"slide", "suffice"} and whole.has("not"))
+    is_held = doing == {"hold"} and main.words[:1] == [Word("verb", "hold")]  # does friction hold it
+    is_plain = whole.only("verb", "quantity", "mark", "name", "not", *SILENT) and set(whole.all("quantity")) in _HOLDS
+    if (is_enough or is_held) and is_plain and lookup.rests(names):
+        yield ["does it hold"]
     if sentence.others or main.has("value") or main.has("relation") or main.has("turns"):
         return
     if main.has("quantity", "degrees of freedom") and main.only("quantity", "ask", "pronoun", "preposition", "verb"):
         yield ["degrees of freedom"]
     asks_nothing = not (main.has("ask") or main.has("not") or main.has("degree") or main.has("quantity"))
-    everything = all(lookup.is_all_that_moves(names, name) for name in of)
+    everything = all(lookup.is_all_that_moves(names, name) or lookup.is_all_that_slips(names, name) for name in of)
     if verbs == {"stop"} and asks_nothing and everything and lookup.rests(names):
         yield ["does it hold"]
-    if {"hold"} <= verbs <= {"hold", "move"} and asks_nothing and everything:
+    if {"hold"} <= verbs <= {"hold", "move", "stop"} and asks_nothing and everything:
         yield ["does it hold"]
-    if (
-        verbs == {"move"}
-        and main.only("verb", "pronoun", "name")
-        and all(lookup.is_all_that_moves(names, n) for n in of)
-    ):
+    at_rest = main.all("instant") == ["in equilibrium"] and main.only("instant", "name", "pronoun") and everything
+    if lookup.rests(names) and at_rest:
+        yield ["does it hold"]
+    if verbs == {"move"} and main.only("verb", "pronoun", "name") and everything:
         yield ["does it hold"] if lookup.rests(names) else []
     if verbs & {"stable", "unstable"} and main.only("verb", "quantity", "pronoun", "preposition", "name", "instant"):
         asked = main.all("quantity")
@@ -118,7 +192,7 @@ def _conserved(names: Names, sentence: Sentence) -> Groups:
     if not main.has("verb", "conserved") or main.has("not"):
         return
     asks_when = main.has("ask", "when", "with")
-    others = [clause for _, clause in sentence.others]
+    others = [clause for mark, clause in sentence.others if not is_throughout(names, mark, clause)]
     if (main.has("ask") and not asks_when) or others:
         return
     kept = Clause(

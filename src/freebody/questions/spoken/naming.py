@@ -9,13 +9,15 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from itertools import islice
 from typing import TYPE_CHECKING
 
 from freebody.language.expression import Symbol
 from freebody.measures.geometry import GROUND
-from freebody.questions.spoken.lexicon import CLOSE, OPEN, kinds_apart
+from freebody.questions.spoken.elements import ALIKE, INFERRED, WRITTEN, Elements
+from freebody.questions.spoken.lexicon import CLOSE, OPEN, kinds_apart, things_alike
+from freebody.questions.spoken.telling import told_apart
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -23,22 +25,10 @@ if TYPE_CHECKING:
 MOST = 96  # ways in which the words of one text may be meant: more are no question
 _LONGEST = 4  # words of a name
 _TOKEN = re.compile(r"’\w+|[^\W\d]\w*(?:\.[^\W\d]\w*)?|\d[\w.]*|\s+|.", re.DOTALL)
-_OTHERWISE = {"center": "centre", "centre": "center"}  # words with two spellings
 _BODY_WORDS = ("body", "mass", "element", "member", "part")
 _JOINT_WORDS = ("joint", "connection", "support")
 _LINE_WORDS = ("surface", "slope", "incline", "plane")
 _POINT_WORDS = ("point", "end")
-
-# how far what is meant is from what is written
-WRITTEN, ALIKE, INFERRED = 0, 1, 3
-
-
-@dataclass(frozen=True)
-class Element:
-    """Something that a question can name, and the words for its kind."""
-
-    name: str
-    words: frozenset[str] = frozenset()
 
 
 @dataclass(frozen=True)
@@ -49,27 +39,6 @@ class Way:
     distance: int
 
 
-@dataclass
-class Elements:
-    """All that words can stand for in a model."""
-
-    exact: dict[str, Element] = field(default_factory=dict[str, Element])
-    # by words in lower case: an element, how it is written, and how far that is from its name
-    spoken: dict[tuple[str, ...], list[tuple[Element, str, int]]] = field(
-        default_factory=dict[tuple[str, ...], list[tuple[Element, str, int]]]
-    )
-
-    def add(self, name: str, words: Sequence[str] = (), said: str = "", distance: int = WRITTEN) -> None:
-        """said: how it may be called, where that is not its name."""
-        element = self.exact.setdefault(name, Element(name, frozenset(words))) if not said else self.exact[name]
-        written = said or name
-        apart = re.sub(r"(?<=[a-z])(?=[A-Z])", " ", written)
-        keys = {(written.lower(),), tuple(re.split(r"[\s_.]+", apart.lower()))}
-        keys |= {tuple(_OTHERWISE.get(word, word) for word in key) for key in keys}
-        for key in keys:
-            self.spoken.setdefault(key, []).append((element, written, distance))
-
-
 def elements_of(names: Names) -> Elements:
     """What can be named in a model."""
     found = Elements()
@@ -77,33 +46,55 @@ def elements_of(names: Names) -> Elements:
     for name, body in names.bodies.items():
         if name != GROUND:
             found.add(name, (*_kinds(name, names.called.get(name, ())), *_BODY_WORDS))
+            mass = names.numeric(body.mass)
+            if mass is not None:
+                found.masses[name] = mass
             if isinstance(body.mass, Symbol):  # `mass m1`, `the acceleration of m1`
                 found.add(name, said=body.mass.name, distance=INFERRED)
         for point in body.points:
             found.add(f"{name}.{point}", _POINT_WORDS)
             found.add(f"{name}.{point}", said=point, distance=INFERRED)
+    for point in names.free_ground_points:
+        found.add(f"{GROUND}.{point}", _POINT_WORDS)
+        found.add(f"{GROUND}.{point}", said=point, distance=INFERRED)
     for name in names.connections:
-        found.add(name, (*names.called.get(name, ()), *_JOINT_WORDS))
+        found.add(name, (*names.called.get(name, ()), *_stems(name), *_alike(name), *_JOINT_WORDS))
+        for body in names.connections[name].mentions(names) - {GROUND}:  # the bearing of the pulley
+            for word in names.called.get(name, ()):
+                found.add(name, said=f"{body} {word}", distance=INFERRED)
     for name in names.loads:
-        found.add(name, names.called.get(name, ()))
+        found.add(name, (*names.called.get(name, ()), *_stems(name)))
     for name in names.bodies[GROUND].lines:
-        found.add(name, _LINE_WORDS)
+        found.add(name, (*_LINE_WORDS, *_alike(name)))
     for name in (*names.measures, *names.parameters):
         found.add(name)
     return found
 
 
 def _kinds(name: str, words: Sequence[str]) -> Sequence[str]:
-    """What a thing may be called: one whose name says that it is a block is no cart."""
-    said = set(re.split(r"[\W_\d]+", name.lower()))
+    """What a thing may be called: as its name says and, of the words for its shape, by those that do not contradict:
+    one whose name says that it is a block is no cart."""
+    said = {*re.split(r"[\W_\d]+", name.lower()), *_stems(name)} - {""}
     own = [kinds for kinds in kinds_apart() if kinds & said]
     others = frozenset[str]().union(*(kinds for kinds in kinds_apart() if own and kinds not in own))
-    return [word for word in words if word not in others]
+    alike = frozenset[str]().union(*(kinds for kinds in things_alike() if kinds & {*words, *said}))
+    return [word for word in dict.fromkeys((*words, *sorted(said), *sorted(alike))) if word not in others]
+
+
+def _alike(name: str) -> list[str]:
+    """Words for the things that a name says."""
+    return sorted(frozenset[str]().union(*(kinds for kinds in things_alike() if name.lower() in kinds)))
+
+
+def _stems(name: str) -> list[str]:
+    """A name without the number at its end, where it is a word: spring2 is a spring."""
+    stem = name.rstrip("0123456789_").lower()
+    return [stem] if stem != name.lower() and stem.isalpha() and len(stem) > 2 else []
 
 
 def linked(elements: Elements, text: str) -> list[Way]:
     """The text with names put in, in every way that its words can be meant, the nearest to what is written first."""
-    tokens: list[str] = _TOKEN.findall(text)
+    tokens: list[str] = _TOKEN.findall(told_apart(elements, text))
     ways = list(islice(_linked(elements, tokens, 0, Way("", 0)), MOST))
     return sorted(ways, key=lambda way: way.distance)
 
@@ -142,19 +133,22 @@ def _readings(elements: Elements, tokens: Sequence[str], k: int) -> Iterator[tup
 def _named(elements: Elements, written: Sequence[str]) -> Iterator[tuple[str, int]]:
     """Elements that all of some words name, and how far they are from it."""
     words = tuple(word.lower() for word in written)
-    meant = elements.spoken.get(words) or elements.spoken.get(("".join(words),), [])  # `wrist pin` for wristpin
-    as_written = [found for found in meant if found[1] == " ".join(written)]
+    meant = elements.spoken.get(words, [])
+    if len(words) > 1:  # `wrist pin` for wristpin
+        meant = [*meant, *elements.spoken.get(("".join(words),), [])]
+    as_written = [found for found in meant if found[1] == " ".join(written)] if len(words) == 1 else []
     if len(words) == 1 and len(words[0]) < 3:
         meant = []  # m is not M: short names are meant as they are written
     for element, text, distance in as_written or meant:
         yield element.name, distance + (WRITTEN if text == " ".join(written) else ALIKE)
     if len(words) == 1 and not as_written:  # every thing of a kind
-        of_kind = (e for e in elements.exact.values() if "." not in e.name and words[0] in e.words)
-        yield from ((element.name, INFERRED) for element in of_kind)
+        of_kind = [e for e in elements.exact.values() if "." not in e.name and words[0] in e.words]
+        own = [e for e in of_kind if words[0] in e.name.lower()]  # the block among blocks and boxes
+        yield from ((element.name, INFERRED) for element in own or of_kind)
     for k in range(1, len(words)):  # a name beside the word for its kind
         for rest, kind in ((written[:k], words[k:]), (written[k:], words[:k])):
             for element, text, _distance in elements.spoken.get(tuple(w.lower() for w in rest), []):
-                if " ".join(kind) in element.words:
+                if " ".join(kind[1:] if kind[:1] == ("side",) else kind) in element.words:
                     yield element.name, WRITTEN if text == " ".join(rest) else ALIKE
 
 

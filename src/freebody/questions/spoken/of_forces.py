@@ -17,7 +17,7 @@ _TRANSMITTED = (
 )
 _KINDS = {  # kinds of what is said so, by how likely they are meant
     "force": ("force", "reaction"),
-    "contact force": ("normal force", "reaction"),
+    "contact force": ("normal force", "tooth force", "reaction"),
     "torque": ("driving torque", "torque", "moment"),
     "moment": ("moment", "torque"),
     "driving force": ("driving force", "force"),
@@ -37,6 +37,18 @@ def _transmitted(names: Names, quantity: str, rest: Clause) -> Groups:
         kinds = tuple(
             kind for kind in sorted(own) if kind.endswith(" force") and kind.split()[0] in ("belt", "rope", "cable")
         )
+        if not kinds and any(name in names.connections for _, name in rest.names):
+            kinds = (quantity,)  # the grammar says that it has none
+    joints = {name for _, name in rest.names if name in names.connections}
+    driving = [
+        row.reaction
+        for row in names.constraint_rows
+        if row.connection in joints and row.reaction.startswith("driving ")
+    ]
+    if driving and quantity in ("force", "torque", "moment", "driving force", "driving torque"):
+        kinds = tuple(dict.fromkeys((*driving, *kinds)))  # what a motor gives
+    if quantity == "torque" and not joints:  # no bearing is asked for its reaction so
+        kinds = ("driving torque", "torque")
     for kind in kinds:
         yield from _of_joint(names, kind, rest)
 
@@ -97,21 +109,26 @@ def _at_joint(names: Names, kind: str, head: str, joint: str, things: list[tuple
     if not things:
         yield [f"{head} of {joint}{ends}"]
         return
+    if kind == "tension" and any(before == "over" for before, _ in things):
+        return  # a rope over a pulley is not that which ends at it
     of = without_owners([name for _, name in things])
     on = next((name for before, name in things if before == "on"), None)
     if len(of) == 2 and all(lookup.touches(names, joint, name) for name in of) and kind != "tension":
         has_side = kind in ("reaction", "moment", "impulse") and on is not None
         yield [f"{head} of {joint}{f' on {on}' if has_side else ''}{ends}"]
-    elif len(of) == 2:
+    elif len(of) == 2 and kind == "tension":
         yield [f"{head} of {joint} between {of[0]} and {of[1]}{ends}"]
+    elif len(of) == 2 and not all(lookup.touches(names, joint, name) for name in of):
+        return
     elif kind in ("reaction", "moment", "impulse", "angular impulse"):
         if things[0][0] == "on":
             yield [f"{head} of {joint} on {of[0]}{ends}"]
         else:
             yield [f"{head} of {joint}{ends}"] if lookup.touches(names, joint, of[0]) else []
     else:
-        yield [f"{head} of {joint} at {of[0]}{ends}"]
-        yield [f"{head} of {joint}{ends}"] if lookup.touches(names, joint, of[0]) else []
+        plain = [f"{head} of {joint}{ends}"] if lookup.touches(names, joint, of[0]) else []
+        placed = [f"{head} of {joint} at {of[0]}{ends}"]
+        yield from (placed, plain) if kind == "tension" else (plain, placed)  # a string has a tension on each side
 
 
 def _between(
@@ -134,6 +151,9 @@ def _between(
     first, second = (*of, "", "")[:2]
     joints = lookup.joints(names, first, second, kind)
     joints = [joint for joint in joints if joint in only] or ([] if only else joints)
+    if kind in ("impulse", "angular impulse"):  # what closes or strikes has an impulse of its own
+        closing = {row.connection for row in names.constraint_rows if row.closes} | names.struck_at_start
+        joints = [joint for joint in joints if joint in closing] or joints
     has_sides = kind in ("reaction", "moment", "impulse")
     if has_sides and len(of) == 1 and not ends and on and len(joints) != 1:
         return

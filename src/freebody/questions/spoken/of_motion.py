@@ -22,14 +22,23 @@ def motion(names: Names, quantity: str, rest: Clause) -> Groups:
     if len(of) > 1 or (rest.has("part", "initial", "size", "only", "driving")):
         return
     end = f"{relative}{along}"
+    if quantity == "speed" and any(before == "about" and "." in name for before, name in rest.names):
+        quantity = "angular velocity"
     quantity = "velocity" if quantity == "speed" and along else quantity  # which has a sign
-    if not of and rest.has("pronoun", "system"):
+    if not of and rest.has("pronoun", "system"):  # which is one body, or has one angle
+        whole = lookup.massive(names)
+        angles = lookup.angles(names, "") if quantity.startswith("angular") else []
+        if len(whole) == 1 and not lookup.turning(names) and len(angles) == 1 and not end:
+            yield [f"{quantity.removeprefix('angular ')} of {angles[0]}"]
+        elif len(whole) == 1:
+            yield [f"{quantity} of {whole[0]}{end}"]
         return
     if not of:
         moving = (
             lookup.moving(names)
             if quantity == "speed" or along or quantity.startswith("angular")
-            else lookup.measured(names)
+            else [name for name in lookup.measured(names) if name not in lookup.angles(names, "")]
+            or lookup.moving(names)
         )
         yield [f"{quantity} of {name}{end}" for name in moving]
         return
@@ -38,6 +47,8 @@ def motion(names: Names, quantity: str, rest: Clause) -> Groups:
     if quantity == "speed" and axle:  # what turns about its centre has no other speed
         yield [f"angular velocity of {name}", *([f"speed of {name}"] if axle == "beside" else [])]
         return
+    if quantity.startswith("angular") and name in names.bodies and not names.bodies[name].turns and not end:
+        yield [f"{quantity.removeprefix('angular ')} of {angle}" for angle in lookup.hung(names, name)]
     yield [f"{quantity} of {name}{end}"]
     if quantity == "speed":
         yield [f"|velocity of {name}|"] if not end else []
@@ -58,7 +69,11 @@ def _directed(names: Names, rest: Clause) -> tuple[list[str], str, str] | None:
             relative = f" relative to {name}"
         elif before == "about" and "." in name and not lookup.is_known_point(names, name) and not along:
             along = f" along {name}"
-        elif before in ("along", "up", "down") or (is_line and before in ("on", "in", "of", "from") and not along):
+        elif before == "in" and names.space and name in names.bodies and of and not relative:
+            relative = f" in {name}"  # by its components there
+        elif before in ("along", "up", "down") or (
+            is_line and before in ("on", "in", "of", "from", "over") and not along
+        ):
             if along or (before in ("up", "down") and not lookup.points(names, line or name, before)):
                 return None
             along = f" along {line or name}"
@@ -72,6 +87,8 @@ def _directed(names: Names, rest: Clause) -> tuple[list[str], str, str] | None:
                 return None
             along = f" along {ALONG[part]}"
     of = without_owners(of)
+    owned = {body for name in of if name in names.measures for body in names.measures[name].bodies()}
+    of = [name for name in of if name not in owned]
     return of, relative, along
 
 
@@ -111,6 +128,14 @@ def _range(names: Names, quantity: str, rest: Clause) -> Groups:
         yield [f"{name} when it lands" for name in level] if lookup.strikes(names) else []
         down = [name for name in upright if name in names.started_at_zero]
         yield [f"{name} when {height} = 0" for name in level for height in down]
+
+
+@said_of("deflection")
+def _deflection(names: Names, quantity: str, rest: Clause) -> Groups:
+    """How far a spring is compressed or stretched: what its force is in proportion to."""
+    of = [name for _, name in rest.names]
+    if rest.only("name", *SILENT) and len(of) <= 1:
+        yield lookup.deflections(names, next(iter(of), ""))
 
 
 @said_of("displacement", "distance travelled")

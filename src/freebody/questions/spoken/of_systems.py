@@ -31,9 +31,13 @@ def _momentum(names: Names, quantity: str, rest: Clause) -> Groups:
     along = [name for before, name in rest.names if before in ("along", "up", "down")]
     along += [ALONG[part] for part in rest.all("part") if part in ALONG]
     of = [name for before, name in rest.names if before not in ("about", "relative", "along", "up", "down")]
+    frames = [name for before, name in rest.names if before == "in" and name in of[1:] and names.space]
+    of = [name for name in of if name not in frames]
     if not rest.only("name", "part", *SILENT) or len(about) > 1 or len(along) > 1 or (about and quantity[0] == "l"):
         return
-    ends = [f" about {name}" for name in about] + [f" along {name}" for name in along]
+    ends = (
+        [f" in {name}" for name in frames] + [f" about {name}" for name in about] + [f" along {name}" for name in along]
+    )
     whose = f" of {' and '.join(of)}" if of else ""
     yield [f"{quantity}{whose}{''.join(ends)}"]
 
@@ -62,9 +66,13 @@ def _equilibrium(names: Names, quantity: str, rest: Clause) -> Groups:
 @said_of("stroke", "time ratio", "extremes", "steady amplitude", "phase lag", "resonance frequency")
 def _of_coordinate(names: Names, quantity: str, rest: Clause) -> Groups:
     """What is asked of the place of something: its stroke, its time ratio."""
-    of = [name for _, name in rest.names]
-    if not of and quantity in ("steady amplitude", "phase lag", "resonance frequency") and rest.only(*SILENT):
+    of = [name for _, name in rest.names if name not in names.parameters]  # the speed Omega at which it resonates
+    if quantity == "steady amplitude" and not lookup.is_forced(names):
+        return
+    if not of and quantity in ("steady amplitude", "phase lag", "resonance frequency") and rest.only("name", *SILENT):
         yield [f"{quantity} of {name}" for name in names.measures]
+    if not of and quantity in ("stroke", "time ratio") and rest.only(*SILENT):
+        yield [f"{quantity} of {name}" for name in lookup.places(names, "")]
     if len(of) == 1 and rest.only("name", "instant", *SILENT):
         yield [f"{quantity} of {name}" for name in lookup.places(names, of[0]) or lookup.angles(names, of[0])]
 
@@ -73,6 +81,8 @@ def _of_coordinate(names: Names, quantity: str, rest: Clause) -> Groups:
 def _dead_points(names: Names, quantity: str, rest: Clause) -> Groups:
     """Of what is measured of something that is named, or of itself."""
     of = [name for _, name in rest.names]
+    if not of and rest.only(*SILENT):
+        yield [f"dead points of {name}" for name in lookup.places(names, "")]
     if len(of) == 1 and rest.only("name", *SILENT):
         yield [f"dead points of {name}" for name in lookup.places(names, of[0]) or of]
         yield [f"dead points of {of[0]}"]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from freebody.questions.spoken import lookup
+from freebody.questions.spoken import dimensions
 from freebody.questions.spoken.lexicon import Word
 from freebody.questions.spoken.words import Clause
 
@@ -44,6 +44,6 @@ def parted(words: list[Word]) -> Sentence | None:
 def clock(clause: Clause) -> str | None:
     """A time since the start that a clause is."""
     values = clause.values
-    if len(values) == 1 and clause.only("value", "preposition", "pronoun") and lookup.is_time(values[0][1]):
+    if len(values) == 1 and clause.only("value", "preposition", "pronoun") and dimensions.is_time(values[0][1]):
         return values[0][1]
     return None

@@ -44,18 +44,23 @@ _COMMON = frozenset(  # words that say nothing of what is meant
     }
 )
 _LIMIT = re.compile(r"\b(?:slip|slid|hold|rest\b|moves?\b|stay|tip|rutsch|gleit|ruhe|kipp|hält)", re.IGNORECASE)
-_RATIO = re.compile(r"ratio|übersetzung|verhältnis", re.IGNORECASE)
+_RATIO = re.compile(r"\bratio|übersetzung|verhältnis", re.IGNORECASE)
 
 
-def suggestions(names: Names, text: str, near: Iterable[str], is_read: Callable[[str], bool]) -> list[str]:
+def suggestions(names: Names, text: str, near: Iterable[str], read: Callable[[str], object | None]) -> list[str]:
     """At most five questions that can be read: first those that are near, then by how many of their words are those of
-    the text."""
+    the text. No two of them ask for the same.
+
+    read: what a question asks for, None where it cannot be read."""
     typed = _words(text)
     others = sorted(dict.fromkeys(_askable(names)), key=lambda question: -_likeness(typed, _words(question)))
-    found: dict[str, None] = {}
+    found: dict[str, object] = {}
     for question in (*near, *_limits(names, text), *_turning_points(names, text), *_ratios(names, text), *others):
-        if len(found) < MOST and question not in found and is_read(question):
-            found[question] = None
+        if len(found) >= MOST:
+            break
+        asked = None if question in found else read(question)
+        if asked is not None and asked not in found.values():
+            found[question] = asked
     return list(found)
 
 
@@ -66,7 +71,8 @@ def _askable(names: Names) -> Iterator[str]:
         yield f"{'angular ' if is_angle else ''}velocity of {name}"
         yield f"equilibrium of {name}"
     for row in names.constraint_rows:
-        yield f"{row.reaction} of {row.connection}"
+        if row.reaction != "force":  # of a pin, which is its reaction
+            yield f"{row.reaction} of {row.connection}"
         for end in row.ends:
             yield f"{row.reaction} of {row.connection} at {end}"
         yield f"reaction of {row.connection}"

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from freebody.questions.spoken import lookup
+from freebody.questions.spoken import dimensions, lookup
 from freebody.questions.spoken.asking import quantities
 from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.lexicon import Word
@@ -37,7 +37,9 @@ def parameters(names: Names, words: list[Word], whole: Callable[..., Groups]) ->
     if parted is None:
         return
     chosen, relation, end = parted
-    if relation.has("verb", "critical") and not relation.has("not"):
+    if (relation.has("verb", "critical") or relation.all("quantity") == ["critical damping"]) and not relation.has(
+        "not"
+    ):
         yield [f"critical damping of {parameter}" for parameter in chosen]
     for parameter in chosen:
         for group in _so(names, relation, whole):
@@ -76,7 +78,7 @@ def _parted(names: Names, words: list[Word]) -> tuple[list[str], Clause, str] | 
             return _without_mark(names, words)
     else:
         return _without_mark(names, words)
-    return _head(names, head, rest)
+    return _head(names, head, rest, is_marked=bool(marks))
 
 
 def _without_mark(names: Names, words: list[Word]) -> tuple[list[str], Clause, str] | None:
@@ -120,12 +122,12 @@ def _end_of_head(names: Names, words: list[Word]) -> int | None:
     return named[0] if named else k  # who does something stands before the verb
 
 
-def _head(names: Names, head: Clause, rest: Clause) -> tuple[list[str], Clause, str] | None:
+def _head(names: Names, head: Clause, rest: Clause, *, is_marked: bool = False) -> tuple[list[str], Clause, str] | None:
     is_largest = head.has("ask", "large", "heavy") and (rest.has("not", "before") or rest.has("verb", "start"))
     degrees = {"greatest"} if is_largest else set(head.all("degree")) - {"value", "range"}
     if (
         len(degrees) > 1
-        or head.has("verb", "hit", "leave", "roll", "slide", "turn")
+        or (head.has("verb", "hit", "leave", "roll", "slide", "turn") and not is_marked)
         or head.has("value")
         or head.has("relation")
     ):
@@ -133,6 +135,8 @@ def _head(names: Names, head: Clause, rest: Clause) -> tuple[list[str], Clause, 
     end = {"least": "least", "greatest": "largest"}.get(next(iter(degrees), ""), "")
     named = [name for _, name in head.names if name in names.parameters]
     others = [name for before, name in head.names if name not in names.parameters and (not before or not named)]
+    if head.has("verb", "hit", "exert") and is_marked:  # at which height h do I hit the ball so that ..
+        others = []
     asked = head.all("quantity")
     if len(named) == 1 and len(others) <= head.has("ask") and set(asked) <= {*_KIND_OF_PARAMETER, *_SAYS_KIND}:
         return named, rest, end
@@ -147,6 +151,7 @@ def _head(names: Names, head: Clause, rest: Clause) -> tuple[list[str], Clause, 
     if not named and len(asked) == 1 and asked[0] in _KIND_OF_PARAMETER and len(others) <= 1:
         of = next(iter(others), "")
         found = lookup.parameters(names, asked[0].replace("friction force", "friction coefficient"), of)
+        found = found or (lookup.chosen(names, "mass", others) if asked[0] == "mass" and others else [])
         return (found, rest, end) if found else None
     return None
 
@@ -172,6 +177,15 @@ def _so(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
         and not negated
     ):
         yield from _reaching(names, clause, of)
+    if (
+        verbs >= {"hit"}
+        and len(clause.values) == 1
+        and dimensions.is_speed(clause.values[0][1])
+        and not clause.has("relation")
+    ):
+        hitting = [name for name in of if name in lookup.moving(names)] or lookup.massive(names)
+        yield [f"speed of {body} before the impact = {clause.values[0][1]}" for body in hitting]  # it hits at 5 m/s
+        return
     is_none = negated and clause.has("quantity") and verbs <= {"move", "stay"}
     if clause.has("relation") or clause.has("value") or "vanish" in verbs or is_none or _is_negated_motion(clause):
         yield from _relation(names, clause, whole)
@@ -179,6 +193,8 @@ def _so(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
     yield from _failing_first(names, clause)
     if not plain:
         return
+    if set(clause.all("instant")) - {"in equilibrium", "at start", "at once"} and verbs & {"hold"}:
+        return  # it stays at the top
     if (verbs & {"hold"} and not negated and verbs <= {"hold", "move"}) or clause.all("quantity") == ["equilibrium"]:
         yield ["it stays at rest"] if everything or _is_held(clause) else []
     elif clause.all("instant") == ["in equilibrium"] and not verbs:
@@ -216,7 +232,7 @@ def _extremal(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Gro
     end = {"greatest": "largest", "least": "least"}.get(ends[-1]) if ends else None
     kept = [word for word in clause.words if word.kind != "degree"]
     for group in whole(names, kept) if end else ():
-        yield [f"{text} is {end}" for text in group]
+        yield [f"{text} is {end}" for text in group if not text.startswith(("does ", "is ", "degrees "))]
 
 
 def _reaching(names: Names, clause: Clause, of: list[str]) -> Groups:
@@ -241,7 +257,7 @@ def _reaching(names: Names, clause: Clause, of: list[str]) -> Groups:
 
 def _in_time(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
     """It is to happen after so much time: it stops within 4 s."""
-    times = [value for _, value in clause.values if lookup.is_time(value)]
+    times = [value for _, value in clause.values if dimensions.is_time(value)]
     if (
         len(times) == 1 == len(clause.values)
         and clause.has("verb")
@@ -360,6 +376,11 @@ def _sides(names: Names, clause: Clause) -> tuple[Clause, str, str | Clause, str
     if not signs and clause.has("verb", "vanish") and not clause.has("not"):
         return Clause(words).without("verb", "vanish", "reach", "move"), "=", "0", tail
     values = [word for word in words if word.kind == "value"]
+    if not signs and len(values) == 1 and not clause.has("quantity") and not clause.has("not"):
+        kind = dimensions.kind_of(values[0].what)
+        if kind:
+            kept = [w for w in words if w.kind in ("name", "part", "updown")]
+            return Clause([Word("quantity", kind), *kept]), "=", values[0].what, tail
     if not signs and len(values) == 1 and not clause.has("not"):
         kept = Clause([word for word in words if word != values[0]])
         return kept.without("verb", "reach", "move"), "=", values[0].what, tail

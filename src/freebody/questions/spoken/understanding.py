@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING, TypeVar
 
 from freebody.errors import Problem
 from freebody.language.sentences import Message
-from freebody.questions.spoken.lexicon import Word, in_english_nouns, languages
+from freebody.questions.spoken.compounds import in_english_nouns
+from freebody.questions.spoken.lexicon import Word, languages
 from freebody.questions.spoken.meaning import meanings
 from freebody.questions.spoken.naming import elements_of, linked
 from freebody.questions.spoken.suggesting import MOST, suggestions
@@ -82,7 +83,7 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
             names,
             " ".join((text, *_concepts(names, text))),
             _near(names, text),
-            lambda question: not isinstance(_read_quietly(names, question, read), Unread),
+            lambda question: None if isinstance(asked := _read_quietly(names, question, read), Unread) else asked,
         )
         askable = "\n    ".join(fits)
         none = Message("cannot read '{text}'. One can ask for\n    {askable}", text=text, askable=askable)
@@ -147,7 +148,7 @@ def _meanings(names: Names, text: str, *, guess: bool = False) -> list[Meaning]:
     elements = elements_of(names)
     found: list[Meaning] = []
     for language in languages():
-        for way in linked(elements, in_english_nouns(text, language)):
+        for way in linked(elements, in_english_nouns(text, language, elements.taken)):
             try:
                 words = words_of(way.text, language, guess=guess)
             except Unknown:
@@ -161,7 +162,7 @@ def _known(names: Names, text: str) -> Iterator[tuple[int, list[Word]]]:
     elements = elements_of(names)
     found: list[tuple[int, list[Word]]] = []
     for language in languages():
-        for way in islice(linked(elements, in_english_nouns(text, language)), MOST):
+        for way in islice(linked(elements, in_english_nouns(text, language, elements.taken)), MOST):
             try:
                 found.append((0, words_of(way.text, language)))
             except Unknown as error:

@@ -10,7 +10,16 @@ from itertools import accumulate
 
 from freebody.errors import UnitError
 from freebody.language.units.reader import parse_unit
-from freebody.questions.spoken.lexicon import MARKED, Word, goes_beside, phrases_at, spelt, vocabulary
+from freebody.questions.spoken.lexicon import (
+    MARKED,
+    Word,
+    goes_beside,
+    is_adjective,
+    is_adverb,
+    phrases_at,
+    spelt,
+    vocabulary,
+)
 from freebody.questions.spoken.naming import plain_names
 
 _NUMBER = r"\d+(?:\.\d+)?(?:e[+-]?\d+)?"
@@ -32,7 +41,15 @@ _NO_WORD = "\0"  # stands for names, values and words that are taken
 _TURNS = re.compile(r"(?:turn|revolution|rotation|umdrehung|rev)", re.IGNORECASE)
 _LEAST_LIKE = 0.8  # of a word to one that is misspelt
 _NO_UNITS = ("", "in", "a", "as", "at")
+_KEYBOARD = ("qwertyuiop", "qwertzuiopü", "asdfghjklöä", "zxcvbnm", "yxcvbnm")
+_LONG = 9  # letters of a word in which two may be wrong
 _SHORTEST = 5  # letters of a word that may be misspelt
+
+
+class _Said(str):
+    """A word of a text in lower case."""
+
+    is_capital: bool = False
 
 
 @dataclass(frozen=True)
@@ -91,7 +108,7 @@ class Clause:
 def words_of(text: str, language: str, *, guess: bool = False) -> list[Word]:
     """The words of a text in which names are marked. Raises Unknown for those that the language does not have, unless
     one alone is to be taken for a name (guess)."""
-    found = list(_tokens(spelt(text, language)))
+    found = _without_parentheses(list(_tokens(spelt(text, language))), language)
     tokens = [token if isinstance(token, str) else _NO_WORD for token in found]
     words: list[Word] = []
     unknown: list[str] = []
@@ -104,6 +121,8 @@ def words_of(text: str, language: str, *, guess: bool = False) -> list[Word]:
         line, begins = " ".join(tokens), list(accumulate((len(t) + 1 for t in tokens), initial=0))
         meant = phrases_at(line, begins[k], language)
         means = next((m for m in meant if _fits(m[0], words)), None)
+        if means is None and (_describes(found, k, language) or is_adverb(token, language)):
+            continue
         if means is None:
             last = next((word for word in reversed(words) if word.kind != "filler"), None)
             is_placed = last is not None and last.kind == "preposition"
@@ -128,6 +147,43 @@ def _is_beside_name(token: str, found: Sequence[str | Word], k: int, language: s
     )
 
 
+_OPEN, _SHUT = Word("other", "("), Word("other", ")")
+
+
+def _without_parentheses(found: list[str | Word], language: str) -> list[str | Word]:
+    """`the motor (engine)` is called engine, `(theta = 90 deg)` says when."""
+    kept: list[str | Word] = []
+    k = 0
+    while k < len(found):
+        inside = found[k + 1 : k + 5]
+        if found[k] == _OPEN and inside[1:2] == [_SHUT] and isinstance(inside[0], Word) and inside[0].kind == "name":
+            before = kept[-1] if kept else ""
+            if (isinstance(before, Word) and before.kind == "name") or (
+                isinstance(before, _Said) and not phrases_at(before, 0, language)
+            ):
+                kept.pop()  # the name says what it is
+            kept.append(inside[0])
+            k += 3
+        elif found[k] == _OPEN and inside[3:4] == [_SHUT] and inside[1] == Word("relation", "="):
+            kept += [Word("preposition", "in"), *inside[:3]]
+            k += 5
+        else:
+            kept.append(found[k])
+            k += 1
+    return kept
+
+
+def _describes(found: Sequence[str | Word], k: int, language: str) -> bool:
+    """Whether an unknown word is an adjective before a name that does not tell it from another: the supporting rope."""
+    token = found[k]
+    if not isinstance(token, _Said) or not is_adjective(token, language) or (token.is_capital and k > 0):
+        return False
+    after = found[k + 1] if k + 1 < len(found) else ""
+    return (isinstance(after, Word) and after.kind == "name") or (
+        k + 1 < len(found) and _describes(found, k + 1, language)
+    )
+
+
 def _tokens(text: str) -> Iterator[str | Word]:
     """Words to be looked up, and what is none: names, values, signs."""
     at = 0
@@ -138,7 +194,13 @@ def _tokens(text: str) -> Iterator[str | Word]:
             continue
         at = found.end()
         if found["word"]:
-            yield found["word"].lower()
+            said = _Said(found["word"].lower())
+            said.is_capital = found["word"][0].isupper()
+            owner = said.removesuffix("’s")
+            if owner and owner != said:  # the system’s momentum
+                yield from (_Said(owner), _Said("’s"))
+            else:
+                yield said
         elif found["name"] or found["rate"] or found["axis"]:
             yield Word("name", plain_names(found[0]))
         elif found["relation"]:
@@ -175,6 +237,22 @@ def _is_unit(text: str) -> bool:
     return True
 
 
+def _are_neighbours(one: str, other: str) -> bool:
+    """Whether two letters lie side by side on a keyboard."""
+    return any(one in row and other in row and abs(row.index(one) - row.index(other)) == 1 for row in _KEYBOARD)
+
+
+def _is_slip(word: str, meant: str) -> bool:
+    """Whether one letter is missing, too much or another, or two have changed places; two such in a long word."""
+    blocks = difflib.SequenceMatcher(None, word, meant, autojunk=False).get_opcodes()
+    others = [(word[a:b], meant[c:d]) for kind, a, b, c, d in blocks if kind == "replace"]
+    if any(len(one) != len(other) or not all(map(_are_neighbours, one, other)) for one, other in others):
+        return sorted(word) == sorted(meant) and len(others) <= 1  # Ausschlag is no Aufschlag
+    slips = sum(max(b - a, d - c) for kind, a, b, c, d in blocks if kind != "equal")
+    is_swapped = sorted(word) == sorted(meant) and slips == 2
+    return slips <= 1 + (len(word) >= _LONG) or is_swapped
+
+
 def respelt(text: str, language: str, taken: Container[str]) -> str:
     """The text with misspelt words of the language put right, where each is like one word alone.
 
@@ -185,7 +263,8 @@ def respelt(text: str, language: str, taken: Container[str]) -> str:
         word = found[0].lower()
         if word in words or word in taken or len(word) < _SHORTEST:
             return found[0]
-        near = difflib.get_close_matches(word, words, n=1, cutoff=_LEAST_LIKE)
-        return near[0] if near and near[0] not in taken else found[0]
+        near = difflib.get_close_matches(word, words, n=3, cutoff=_LEAST_LIKE)
+        right = [other for other in near if (other[0], other[-1]) == (word[0], word[-1]) and _is_slip(word, other)]
+        return right[0] if right and right[0] not in taken else found[0]
 
     return re.sub(r"(?<!\w)[^\W\d_]+(?![\w'’])", right, text)

@@ -1,0 +1,97 @@
+"""Words of another language put into English: what things are called, and words that are written as one.
+
+`Kolbengeschwindigkeit` is the velocity of the piston, `Anfangsgeschwindigkeit` that at the start, `Kurbelzapfen` the
+pin of the crank, and a `Stahlkugel` is a ball. A word is taken apart only where both of its parts are known.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Container
+from functools import cache
+
+from freebody.questions.spoken.lexicon import (
+    endings,
+    no_nouns,
+    phrases_at,
+    quantity_words,
+    said_of_quantity,
+    silent_of_thing,
+    translated,
+)
+
+_WORD = re.compile(r"(?<![\w.«])[^\W\d_]+(?![\w/(»])")
+_LINKS = ("", "s", "n", "en", "es", "e", "er")  # letters between the parts of a word
+_FIXED = re.compile(r"(\w{3,})fest(?:e|en|em|er|es)")
+_SHORTEST = 3  # letters of a part
+
+
+def in_english_nouns(text: str, language: str, taken: Container[str] = ()) -> str:
+    """The text with what things are called in a language in English, and words that are written as one apart.
+
+    taken: words in lower case for what the model has, which stay as they are."""
+    if not translated(language):
+        return text
+
+    def told(found: re.Match[str]) -> str:
+        word = found[0]
+        if word.lower() in taken:
+            return word
+        if (stem := _bare(word, language)) in taken:
+            return stem
+        return _noun(word, language) or _apart(word, language, taken) or word
+
+    return _WORD.sub(told, text)
+
+
+def _bare(word: str, language: str) -> str:
+    """A noun in lower case without an ending."""
+    return re.sub(rf"(?<=\w{{3}})(?:{endings(language)})$", "", word.lower())
+
+
+def _noun(word: str, language: str) -> str:
+    """What something is called in English; nothing where a word is no noun for a thing."""
+    found = _nouns(language).fullmatch(word)
+    return translated(language)[found[1].lower()] if found else ""
+
+
+@cache
+def _nouns(language: str) -> re.Pattern[str]:
+    """What things are called in a language, with its endings."""
+    nouns = "|".join(sorted(translated(language), key=len, reverse=True))
+    others = "|".join(no_nouns(language))
+    return re.compile(rf"(?!(?:{others})$)({nouns})(?:{endings(language)})?", re.IGNORECASE)
+
+
+def _apart(word: str, language: str, taken: Container[str]) -> str:
+    """A word that is written as one in its two parts, the longest last part first; nothing where it is none."""
+    said = word.lower()
+    is_participle = word[0].islower() and re.search(r"end(?:e[nrsm]?)?$", said)  # rollend
+    if len(said) < 2 * _SHORTEST or is_participle or phrases_at(said.replace("ß", "ss"), 0, language):
+        return ""
+    fixed = _FIXED.fullmatch(said)  # the wellenfeste system is that of the shaft
+    if fixed is not None and (thing := _first(fixed[1], language, taken, is_quantity=True)):
+        return thing
+    for k in range(_SHORTEST, len(said) - _SHORTEST + 1):
+        last = said[k:]
+        is_quantity = last in quantity_words(language) or _bare(last, language) in quantity_words(language)
+        head = last if is_quantity else _noun(last, language)
+        first = _first(said[:k], language, taken, is_quantity=is_quantity) if head else None
+        if first is not None:
+            return f"{first} {head}".strip()
+    return ""
+
+
+def _first(part: str, language: str, taken: Container[str], *, is_quantity: bool) -> str | None:
+    """What the first part of a word says of the last: a thing, an adjective, nothing (""); None where it is unknown."""
+    stems = [part.removesuffix(link) for link in _LINKS if part.endswith(link)]
+    for stem in (*stems, *(f"{stem}e" for stem in stems)):  # a Bremse brakes with a Bremskraft
+        if stem in taken:
+            return stem
+        if is_quantity and stem in said_of_quantity(language):
+            return said_of_quantity(language)[stem]
+        if not is_quantity and stem in silent_of_thing(language):
+            return ""
+        if stem in translated(language):
+            return translated(language)[stem]
+    return None

@@ -1,0 +1,158 @@
+"""How far a parameter may go until rest ends, as people put it.
+
+How hard can one push before the block moves? How far up may the person climb without the ladder slipping? From which
+force on is the load lifted? What is asked is a parameter (by name, or as the only one of its kind), one end of its
+values or all of them, and what lasts: rest, or that nothing slips. Such words are read only of what rests at the start,
+and none may be left over.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from freebody.questions.spoken import lookup
+from freebody.questions.spoken.composing import SILENT, Groups
+from freebody.questions.spoken.lexicon import Word
+from freebody.questions.spoken.words import Clause
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+_ENDS_REST = {"slide", "move", "fall", "rise", "turn", "start"}  # verbs of what comes where rest ends
+_VERBS = _ENDS_REST | {"hold", "stop", "exert", "act", "end"}
+_MARKS = ("until", "so_that", "to", "when", "without")
+_BY_ASKING = {
+    "heavy": "mass",
+    "rough": "friction coefficient",
+    "steep": "angle",
+    "flat": "angle",
+    "far": "distance",
+    "high": "height",
+}
+_KINDS = {  # quantities that say what kind of parameter is meant
+    **{kind: kind for kind in ("mass", "friction coefficient", "friction force", "angle", "distance", "height")},
+    **dict.fromkeys(("force", "tension", "driving force"), "force"),
+    **dict.fromkeys(("torque", "moment", "driving torque"), "torque"),
+}
+_REST, _NO_SLIP = "it stays at rest", "it does not slip"
+
+
+def limits(names: Names, words: list[Word], modal: set[str]) -> Groups:
+    """The end of the values of a parameter up to which rest lasts. modal: whether something `may` or `must` be."""
+    clause = Clause(words)
+    known = clause.only("ask", "degree", "quantity", "name", "verb", "not", "mark", "instant", "part", *SILENT)
+    if not known or not lookup.rests(names) or not set(clause.all("verb")) <= _VERBS:
+        return
+    if set(clause.all("instant")) - {"in equilibrium"} or set(clause.all("part")) - {"only", "upward", "downward"}:
+        return
+    if any(mark not in _MARKS for mark in clause.all("mark")) or len(clause.all("degree")) > 1:
+        return
+    if not modal and not (clause.has("ask") or clause.has("degree") or clause.has("mark")):
+        return
+    head, state = _parted(names, words)
+    if clause.has("ask", "far", "high") and "may" not in modal:
+        return  # how far something comes is no limit of rest
+    lasts = _lasting(names, head, state, modal)
+    parameter = _parameter(names, head)
+    if lasts is None or parameter is None:
+        return
+    end = _end(head, state, modal, lasts)
+    if end in ("least", "largest"):
+        yield [f"{end} {parameter} so that {lasts}"]
+    elif end == "range":
+        yield [f"range of {parameter} that keeps it at rest"]
+
+
+def _parted(names: Names, words: list[Word]) -> tuple[Clause, Clause]:
+    """What is said of the parameter, and of what is to last: behind a mark, or from the body before a verb on."""
+    marks = [k for k, word in enumerate(words) if word.kind == "mark" and word.what in _MARKS]
+    verbs = [k for k, word in enumerate(words) if word.kind == "not"]
+    verbs += [k for k, word in enumerate(words) if word.kind == "verb" and word.what not in ("exert", "act")]
+    verbs += [k for k, word in enumerate(words) if word == Word("instant", "in equilibrium")]
+    verbs += [k for k, word in enumerate(words) if word == Word("quantity", "equilibrium")]
+    cut = min((*marks, *verbs), default=len(words))
+    if marks and not (verbs and min(verbs) > min(marks)) and min(marks, default=0) > 0:
+        cut = min(marks)
+    chosen = [k for k, w in enumerate(words) if w.kind == "name" and w.what in names.parameters]
+    while 0 < cut < len(words) and words[cut - 1].kind == "name" and cut - 1 not in chosen and not marks:
+        cut -= 1  # who does something stands before the verb
+    return Clause(words[:cut]), Clause(words[cut:])
+
+
+def _lasting(names: Names, head: Clause, state: Clause, modal: set[str]) -> str | None:
+    """What is to last, where the words say it, or only that something must do."""
+    verbs = set(state.all("verb")) - {"exert", "act"}
+    if state.has("quantity") and set(state.all("quantity")) != {"equilibrium"}:
+        return None
+    bodies = [name for _, name in state.names if name in names.bodies and not lookup.is_all_that_moves(names, name)]
+    holds = verbs & {"hold", "stop"} or state.has("instant", "in equilibrium") or state.has("quantity", "equilibrium")
+    ends = verbs & _ENDS_REST
+    is_denied = _is_denied(state)
+    if holds and (not ends or is_denied):
+        return _REST if ends or not state.has("not") else None
+    if not verbs:
+        is_bounded = head.has("degree", "least", "greatest") or head.has("ask", "steep", "flat", "heavy", "rough")
+        return _REST if modal and is_bounded and not state.words and lookup.is_rough(names) else None
+    if not ends:
+        return None
+    if "slide" in ends:
+        return _NO_SLIP if all(lookup.is_all_that_slips(names, body) for body in bodies) else None
+    return _REST if not bodies or ("rise" in ends and not is_denied) else None
+
+
+def _parameter(names: Names, head: Clause) -> str | None:
+    """The parameter that is meant: the one that is named, or the only one of the kind that is."""
+    named = [name for _, name in head.names if name in names.parameters]
+    others = [name for _, name in head.names if name not in names.parameters]
+    if len(named) > 1:
+        return None
+    kinds = [_KINDS[kind] for kind in head.all("quantity") if kind in _KINDS]
+    if len(kinds) != len(head.all("quantity")) or len(kinds) > 1:
+        return None
+    if named:
+        return named[0]
+    kinds = kinds or [_BY_ASKING[ask] for ask in head.all("ask") if ask in _BY_ASKING]
+    loads = [name for name in others if name in names.loads]
+    if not kinds and (head.has("verb", "exert") or loads):
+        kinds = ["force"]
+    if not kinds and len(others) == 1 and others[0] in names.bodies and head.has("degree"):  # the largest load that ..
+        kinds = ["mass"]
+    found = lookup.chosen(names, kinds[0], others) if kinds else []
+    return found[0] if len(found) == 1 else None
+
+
+def _end(head: Clause, state: Clause, modal: set[str], lasts: str) -> str:
+    """Which end of the values is meant; `range` where the words leave it open, nothing where they contradict."""
+    [degree] = head.all("degree")[:1] or state.all("degree")[:1] or [""]
+    ends_rest = set(state.all("verb")) & _ENDS_REST
+    is_denied = _is_denied(state)
+    starts = bool(ends_rest) and not is_denied
+    if state.has("part", "only") and is_denied and not degree:  # it just does not move
+        degree = "greatest" if _is_push(head) else ""
+    if degree in ("least", "greatest"):
+        if starts and "hold" not in state.all("verb"):  # the least force that moves it is the largest that does not
+            return {"least": "largest"}.get(degree, "")
+        return {"greatest": "largest"}.get(degree, degree)
+    if degree not in ("", "value", "range"):
+        return ""
+    if head.has("ask", "flat", "small"):
+        return "least" if "may" in modal and not starts else ""
+    is_up = head.has("ask", "large", "far", "high", "heavy", "steep", "rough")
+    if head.has("ask", "up_to") or (is_up and not starts and ("may" in modal or state.has("mark", "until"))):
+        return "largest"
+    if is_up and "must" in modal and not starts:
+        return "least"
+    if starts and _is_push(head) and "fall" not in ends_rest and not state.has("updown", "down"):
+        return "largest"
+    return "range"
+
+
+def _is_denied(state: Clause) -> bool:
+    """Whether what would end rest is said not to come: it does not slip, before it slips, what stops it from it."""
+    return state.has("not") or state.has("mark", "until", "without") or state.has("verb", "end", "stop")
+
+
+def _is_push(head: Clause) -> bool:
+    """Whether the parameter is how hard something is pushed or turned."""
+    kinds = {_KINDS.get(kind) for kind in head.all("quantity")}
+    return bool(kinds & {"force", "torque"}) or head.has("verb", "exert") or (head.has("name") and not kinds)

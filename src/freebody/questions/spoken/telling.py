@@ -1,0 +1,70 @@
+"""Bodies by what tells them from others: the 2 kg block, the heavier mass, the first wagon, wagon 1."""
+
+from __future__ import annotations
+
+import math
+import re
+
+from freebody.questions.spoken.elements import Elements
+from freebody.questions.spoken.lexicon import compared, numbered
+
+_MASS = re.compile(r"\b(\d+(?:[.,]\d+)?)[ -]?(kg|g|t)[ -]([^\W\d_]+)\b(?: of mass)?")
+_WITH_MASS = re.compile(
+    r"\b([^\W\d_]+) (?:of|with|with a|mit|mit der|von) (?:mass|masse)? ?(\d+(?:[.,]\d+)?) ?(kg|g|t)\b"
+)
+_IN_KILOGRAMS = {"kg": 1.0, "g": 1e-3, "t": 1e3}
+_PAIR = re.compile(r"\b([^\W\d_]+) ([^\W\d_]+|\d{1,2})\b")
+
+
+def told_apart(elements: Elements, text: str) -> str:
+    """The text in which a body that is told by its mass or its number is called by its name."""
+
+    def of_mass(kind: str, number: str, unit: str) -> list[str]:
+        mass = float(number.replace(",", ".")) * _IN_KILOGRAMS[unit]
+        return [name for name in _of_kind(elements, kind) if math.isclose(elements.masses.get(name, 0.0), mass)]
+
+    def named(found: list[str], written: str) -> str:
+        return found[0] if len(found) == 1 else written
+
+    text = _MASS.sub(lambda m: named(of_mass(m[3], m[1], m[2]), m[0]), text)
+    text = _WITH_MASS.sub(lambda m: named(of_mass(m[1], m[2], m[3]), m[0]), text)
+    begin = 0
+    while (pair := _PAIR.search(text, begin)) is not None:
+        name = named(_told(elements, pair[1], pair[2]), "")
+        text = f"{text[: pair.start()]}{name or pair[0]}{text[pair.end() :]}"
+        begin = pair.start() + (len(name) or len(pair[1]) + 1)
+    return text
+
+
+def _told(elements: Elements, first: str, second: str) -> list[str]:
+    """Bodies that two words tell: the first wagon, wagon 1, the heavier mass."""
+    if first.lower() in elements.exact or (first.lower(), second.lower()) in elements.spoken:
+        return []
+    kind = second if second.isalpha() else first
+    of_kind = _of_kind(elements, kind) or (list(elements.masses) if kind.lower() in ("one", "two") else [])
+    number = second if second.isdigit() else _meant(numbered(), first)
+    if number:
+        kinds = [e.name for e in elements.exact.values() if kind.lower() in e.words and "." not in e.name]
+        return [name for name in of_kind or kinds if re.search(rf"(?<!\d){number}$", name)]
+    than = _meant(compared(), first)
+    if not than or len(of_kind) < 2:
+        return []
+    masses = sorted((elements.masses[name], name) for name in of_kind if name in elements.masses)
+    if len(masses) != len(of_kind):
+        return []
+    end, beside = (masses[-1], masses[-2]) if than == "heavier" else (masses[0], masses[1])
+    return [] if math.isclose(end[0], beside[0]) else [end[1]]
+
+
+def _meant(table: dict[str, str], word: str) -> str:
+    return next((what for said, what in table.items() if _is_like(said, word.lower())), "")
+
+
+def _is_like(said: str, word: str) -> bool:
+    return word.startswith(said[:-1]) if said.endswith("*") else word == said
+
+
+def _of_kind(elements: Elements, kind: str) -> list[str]:
+    """Bodies that a word for a kind of thing may mean."""
+    word = kind.lower()
+    return [name for name in elements.masses if word in elements.exact[name].words and elements.masses[name] > 0.0]
