@@ -6,6 +6,7 @@ A description can be given by position or by name, in Python (`Pin("ground.axle"
 
 from __future__ import annotations
 
+from inspect import Parameter, Signature
 from typing import Any, ClassVar, cast
 
 from pydantic import BaseModel, ConfigDict
@@ -14,6 +15,27 @@ from pydantic import BaseModel, ConfigDict
 Formula = str | int | float
 # What stands for a direction: right, left, up, down, an angle, components, or a line or axis of a body.
 Heading = str | int | float | list[Formula] | tuple[Formula, Formula]
+
+
+class _FieldsInOrder:
+    """The signature of a description: its fields, which may be given by position. Computed when it is asked for."""
+
+    def __get__(self, instance: object, owner: type[Spec]) -> Signature:
+        parameters: list[Parameter] = []
+        has_default = False
+        for name, info in owner.model_fields.items():
+            # Python knows no argument that is needed behind one that is not: it is shown as one that is given by name
+            after = info.is_required() and has_default
+            kind = Parameter.KEYWORD_ONLY if after or _by_name_only(parameters) else Parameter.POSITIONAL_OR_KEYWORD
+            default = Parameter.empty if info.is_required() else info.get_default(call_default_factory=True)
+            parameters.append(Parameter(name, kind, default=default, annotation=info.annotation))
+            has_default = has_default or not info.is_required()
+        return Signature(parameters)
+
+
+def _by_name_only(parameters: list[Parameter]) -> bool:
+    """Whether what follows can be given by name only."""
+    return bool(parameters) and parameters[-1].kind is Parameter.KEYWORD_ONLY
 
 
 class Spec(BaseModel):
@@ -30,6 +52,11 @@ class Spec(BaseModel):
         if len(args) > len(fields):
             raise TypeError(f"{type(self).__name__} takes {', '.join(fields)}")
         super().__init__(**dict(zip(fields, args, strict=False)), **named)
+
+    @classmethod
+    def __pydantic_init_subclass__(cls, **rest: Any) -> None:
+        super().__pydantic_init_subclass__(**rest)
+        setattr(cls, "__signature__", _FieldsInOrder())  # noqa: B010 - what `help` and notebooks read
 
     @classmethod
     def from_plain(cls, value: object) -> dict[str, Any]:
