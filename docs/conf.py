@@ -34,8 +34,35 @@ _LITERAL = re.compile(r"`([^`]*)`")
 def _write_reference(_app: Any) -> None:
     """The pages of the reference are written before the site is read."""
     from reference import write
+    from reference.pictures import draw
+
+    from freebody import System
 
     write(HERE / "reference")
+    draw(System.load(HERE.parent / "examples" / "atwood_machine.yaml"), "atwood_machine", HERE / "pictures")
+
+
+def _add_pictures(_app: Any, page: str, source: list[str]) -> None:
+    """Models that a page shows are drawn."""
+    from reference.pictures import with_pictures
+
+    source[0] = with_pictures(page, source[0], HERE / "pictures")
+
+
+def _short_signature(
+    _app: Any, what: str, _name: str, one: Any, _options: Any, signature: str | None, returned: str | None
+) -> tuple[str | None, str | None] | None:
+    """What nobody makes by hand needs no arguments; unions of types have the names that they have in the code."""
+    from freebody import SimulationOptions, Simulator
+    from freebody.model.spec import Formula, Heading, Spec
+
+    if what == "class" and not issubclass(one, (Spec, Exception, SimulationOptions, Simulator)):
+        return "", None
+    if signature is None:
+        return None
+    for name, union in (("Heading", Heading), ("Formula", Formula)):
+        signature = signature.replace(str(union), name)
+    return signature, returned
 
 
 def _plain_docstring(_app: Any, _what: str, _name: str, _object: object, _options: Any, lines: list[str]) -> None:
@@ -55,5 +82,7 @@ def _add_gallery(app: Any, error: Exception | None) -> None:
 
 def setup(app: Any) -> None:
     app.connect("builder-inited", _write_reference)
+    app.connect("source-read", _add_pictures)
+    app.connect("autodoc-process-signature", _short_signature)
     app.connect("autodoc-process-docstring", _plain_docstring)
     app.connect("build-finished", _add_gallery)
