@@ -222,6 +222,10 @@ class Model:
         """What is written so far, read. Raises ModelError with all its mistakes."""
         return System.from_data(self._data | ({"questions": self._questions} if self._questions else {}))
 
+    def __repr__(self) -> str:
+        sizes = ", ".join(f"{len(part)} {name}" for name, part in self._data.items() if isinstance(part, dict))
+        return f"<Model {self._data.get('title', '')!r}: {sizes or 'empty'}>"
+
     def _repr_html_(self) -> str:
         """For notebooks: as the system shows itself."""
         shown: Any = self.system()

@@ -25,7 +25,7 @@ def region_picture(x: Array, y: Array, index: Array, cases: Sequence[str], label
     axes: Any = figure.subplots()
     n = len(cases)
     shown = ListedColormap([colors[0], *(colors[1 + k % (len(colors) - 1)] for k in range(n))])
-    axes.pcolormesh(x, y, index, cmap=shown, vmin=-1.5, vmax=n - 0.5, shading="nearest")
+    axes.pcolormesh(x, y, index, cmap=shown, vmin=-1.5, vmax=n - 0.5, shading="nearest", rasterized=True)
     present = [int(k) for k in np.unique(index) if k >= 0]
     handles = [
         Patch(color=shown.colors[k + 1], label=cases[k])  # type: ignore[index]

@@ -37,6 +37,10 @@ _INLINE_WIDTH = 24  # a wider formula in a text scrolls on a narrow screen
 _FORMULAS = MathMLFormulas()
 _SIGNS = {"right": "✓", "wrong": "✗"}
 _LOOKS = {"code": "<code>{}</code>", "strong": "<strong>{}</strong>", "soft": '<span class="soft">{}</span>'}
+# notebooks have rules of their own for tables, which are more special than those of the page
+_IN_NOTEBOOKS = """.freebody-report .table :is(th, td) { text-align: left; }
+.freebody-report .table tbody tr { background: none; }
+"""
 _POLICY = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:"
 
 
@@ -68,7 +72,7 @@ def html_page(report: Report) -> str:
 def html_fragment(report: Report) -> str:
     """The report to stand within another page, as a notebook's: its style is its own, and it has no script."""
     digest = hashlib.sha256(_body(report, "", "div").encode()).hexdigest()[:8]
-    style = f"<style>\n{asset('report', 'report.css')}</style>"
+    style = f"<style>\n{asset('report', 'report.css')}{_IN_NOTEBOOKS}</style>"
     return f'<div class="freebody-report">\n{style}\n{_body(report, f"r{digest}-", "div")}\n</div>'
 
 
