@@ -51,6 +51,7 @@ def test_every_kind_has_its_section(written: dict[str, Page]) -> None:
     asked = headings(written["commands"])
     assert {f"`freebody {study.command}`" for study in STUDIES.values() if study.command} <= set(asked)
     assert "`freebody simulate`" in asked
+    assert headings(written["studies"]) == [f"`{name}`" for name in STUDIES]
 
 
 def test_every_name_of_the_package_is_documented(written: dict[str, Page]) -> None:

@@ -53,5 +53,7 @@ def _directive(name: str) -> str:
     one = getattr(fb, name)
     if isfunction(one):
         return f".. autofunction:: freebody.{name}"
-    members = "" if issubclass(one, (Spec, Exception)) else "\n   :members:\n   :inherited-members:"
+    # of a system its parts as they were read are no part of the interface
+    inherited = " SystemDescription" if name == "System" else ""
+    members = "" if issubclass(one, (Spec, Exception)) else f"\n   :members:\n   :inherited-members:{inherited}"
     return f".. autoclass:: freebody.{name}{members}"
