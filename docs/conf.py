@@ -21,6 +21,7 @@ html_title = "freebody"
 html_static_path = ["static"]
 html_css_files = ["site.css"]
 myst_heading_anchors = 3
+smartquotes_action = "qe"  # two hyphens are those of an option
 suppress_warnings = ["misc.highlighting_failure"]
 
 autodoc_member_order = "bysource"
