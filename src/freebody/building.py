@@ -223,7 +223,8 @@ class Model:
         return System.from_data(self._data | ({"questions": self._questions} if self._questions else {}))
 
     def __repr__(self) -> str:
-        sizes = ", ".join(f"{len(part)} {name}" for name, part in self._data.items() if isinstance(part, dict))
+        parts = ((name, cast("dict[str, Any]", x)) for name, x in self._data.items() if isinstance(x, dict))
+        sizes = ", ".join(f"{len(part)} {name}" for name, part in parts)
         return f"<Model {self._data.get('title', '')!r}: {sizes or 'empty'}>"
 
     def _repr_html_(self) -> str:
