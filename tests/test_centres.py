@@ -225,3 +225,22 @@ def test_more_than_one_freedom_is_told() -> None:
     system, snapshot = posed("bodies: {a: {rod: {mass: 1 kg, length: 1 m}}}")
     with pytest.raises(fb.CannotAnswer, match="the pose has 3 degrees of freedom"):
         instant_centres(system, snapshot)
+
+
+def test_a_driven_mechanism_has_the_centres_of_the_free_one() -> None:
+    """A driven pose moves in one way only, whatever the rate of the drive: its centres are those of the pose."""
+    free = fb.System.from_text(FOUR_BAR)
+    driven = fb.System.from_text(
+        FOUR_BAR.replace("d: 3 m}", "d: 3 m, n: 7 rad/s}")
+        .replace("measures:", "  motor: {driver: {measure: theta, follows: pi/3 - n*t}}\nmeasures:")
+        .replace("start: {theta: 60 deg}\n", "")
+    )
+    tables: list[dict[tuple[str, str], CentreOfPair]] = []
+    for system in (free, driven):
+        reference = Reference(system)
+        q = reference.assemble()
+        tables.append(instant_centres(system, reference.snapshot(q, reference.velocities(q))))
+    assert tables[0].keys() == tables[1].keys()
+    for pair, centre in tables[0].items():
+        assert tables[1][pair].at == pytest.approx(centre.at, abs=1e-9)
+    assert "<svg" in driven.draw(show=["instant-centres"]).svg()  # type: ignore[union-attr]

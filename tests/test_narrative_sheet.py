@@ -232,6 +232,30 @@ def test_variants_have_other_numbers_that_the_key_follows() -> None:
     assert len(seen) == 3
 
 
+@pytest.mark.parametrize(
+    "questions",
+    [
+        "{a: acceleration of x, b: {find: acceleration of x, options: {p: F/m, q: F}, key: p}}",
+        "[acceleration of x, {find: acceleration of x, options: [F/m, F], key: a}]",
+    ],
+)
+def test_variants_of_questions_however_they_are_written(questions: str) -> None:
+    text = f"""
+parameters: {{F: 6 N, m: 2 kg}}
+bodies: {{cart: {{particle: {{mass: m}}}}}}
+connections: {{rail: {{slider: {{body: cart, along: right}}}}}}
+loads: {{push: {{force: {{at: cart, along: right, magnitude: F}}}}}}
+measures: {{x: x of cart}}
+questions: {questions}
+"""
+    made = sheet([System.from_text(text)], variants=2, seed=3)
+    for n in (1, 2):
+        (exercise,) = made.variant(n)
+        asked = exercise.system.questions[1]
+        assert asked.options[str(asked.key)] == "F/m"
+        assert sorted(asked.options.values()) == ["F", "F/m"]
+
+
 def test_the_same_seed_gives_the_same_sheet_and_another_another() -> None:
     system = asked(ATWOOD, "acceleration of x", "g", "m1*g/M", "(m1 - m2)/(m1 + m2 + M/2)*g", "m2*g/M")
     texts = [terminal_text(sheet([system], variants=2, seed=seed).report(2)) for seed in (1, 1, 2)]

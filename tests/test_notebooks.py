@@ -45,3 +45,50 @@ def test_the_package_lists_what_it_has(name: str) -> None:
 def test_everything_listed_is_there() -> None:
     for name in dir(fb):
         assert hasattr(fb, name), name
+
+
+def crank() -> fb.System:
+    return fb.System.load(EXAMPLES / "slider_crank.yaml")
+
+
+def test_a_system_shows_its_parameters_and_questions() -> None:
+    shown = crank()._repr_html_()
+    assert "T = 5 N m" in shown
+    assert "<li>velocity of piston along right</li>" in shown
+
+
+def test_drawn_without_a_path_it_is_a_picture() -> None:
+    assert crank().draw()._repr_svg_() == crank().picture()._repr_svg_()  # type: ignore[union-attr]
+    assert crank().draw(free=["rod"])._repr_svg_().startswith("<svg")  # type: ignore[union-attr]
+    assert repr(crank().draw()).startswith("<Picture 'Slider-crank'")
+
+
+def test_an_answer_shows_its_formula() -> None:
+    answer = fb.System.load(EXAMPLES / "yo_yo.yaml").solve("acceleration of y")["q1"]
+    bundle = answer._repr_mimebundle_()
+    assert set(bundle) == {"text/plain", "text/html", "text/latex"}
+    assert bundle["text/latex"] == r"$\displaystyle \frac{2 g}{3}$"
+    assert "<math" in bundle["text/html"]
+    assert "valid" in bundle["text/plain"]
+    assert str(answer) == bundle["text/plain"]
+
+
+def test_a_motion_plots_and_plays_without_a_path(tmp_path: Path) -> None:
+    run = crank().simulate(0.1)
+    assert run.plot()._repr_svg_().startswith("<svg")
+    film = run.animate()
+    assert "<iframe srcdoc=" in film._repr_html_()
+    assert film.write(tmp_path / "a.html").read_text("utf-8") == film.text()
+    assert run.animate(tmp_path / "b.html") == tmp_path / "b.html"
+    top = fb.System.load(EXAMPLES / "spinning_top.yaml").simulate(0.01).animate()
+    assert "<iframe srcdoc=" in top._repr_html_()
+    with pytest.raises(fb.InputError, match="positive"):
+        run.animate(speed=0.0)
+
+
+def test_a_model_in_the_making_shows_itself() -> None:
+    model = fb.Model("rod")
+    rod = model.body("rod", fb.Rod("1 kg", "1 m"))
+    model.connect("pin", fb.Pin("ground.O", rod.start))
+    assert "<svg" in model._repr_html_()
+    assert repr(model) == "<Model 'rod': 1 bodies, 1 connections>"

@@ -482,7 +482,9 @@ def test_json_of_a_solution_holds_its_phases() -> None:
 
 
 def test_regions_are_drawn(tmp_path: Path) -> None:
-    assert phases(sphere()).plot("theta", "mu", tmp_path / "regions.png", n=40).stat().st_size > 5_000
+    figure = phases(sphere()).plot("theta", "mu", tmp_path / "regions.png", n=40)
+    assert figure._repr_svg_().startswith("<svg")
+    assert (tmp_path / "regions.png").stat().st_size > 5_000
 
 
 def test_an_unknown_parameter_of_a_region_is_told() -> None:

@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from freebody.api import System
     from freebody.budgets import effort
+    from freebody.building import Model
     from freebody.errors import CannotAnswer, FreebodyError, InputError, ModelError, RoutesDisagree
     from freebody.narrative.explain import explain
     from freebody.numeric.options import SimulationOptions
@@ -44,6 +45,7 @@ _HOMES = {
     "Answer": "freebody.study.answering.answer",
     "Conservation": "freebody.study.conservation.conservation",
     "Mobility": "freebody.study.mobility.mobility",
+    "Model": "freebody.building",
     "Statics": "freebody.study.friction.report",
     "SimulationOptions": "freebody.numeric.options",
     "Simulation": "freebody.study.simulation.simulate",
@@ -65,6 +67,7 @@ __all__ = [
     "FreebodyError",
     "InputError",
     "Mobility",
+    "Model",
     "ModelError",
     "RoutesDisagree",
     "Simulation",

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any, cast
 
 from freebody.studies import Studies
 from freebody.system.system import System as Description
@@ -24,13 +25,27 @@ class System(Studies, Description):
         return warnings_of(self)
 
     def _repr_html_(self) -> str:
-        """For notebooks: the title and the picture; words where a picture cannot be drawn."""
+        """For notebooks: the title, the picture, and the parameters; words where a picture cannot be drawn."""
         from html import escape
 
         from freebody.errors import FreebodyError
 
         title = f"<p><b>{escape(self.title)}</b>{f' {escape(self.about)}' if self.about else ''}</p>"
         try:
-            return title + self.picture().svg()
+            shown = self.picture().svg()
         except FreebodyError as error:
-            return f"{title}<p>{escape(str(error))}</p>"
+            shown = f"<p>{escape(str(error))}</p>"
+        given = ", ".join(f"{escape(name)} = {escape(text)}" for name, text in self._given())
+        asked = "".join(f"<li>{escape(question.text)}</li>" for question in self.questions)
+        return title + shown + (f"<p>{given}</p>" if given else "") + (f"<ul>{asked}</ul>" if asked else "")
+
+    def _given(self) -> Iterator[tuple[str, str]]:
+        """The parameters, as the model writes their values."""
+        written: dict[str, Any] = self.document.data.get("parameters") or {}
+        for name in self.parameters:
+            value = written.get(name)
+            if isinstance(value, dict):
+                entry = cast("dict[str, Any]", value)
+                value = entry.get("value", entry.get("function"))
+            if value is not None:
+                yield name, str(value)

@@ -210,7 +210,7 @@ class Studies:
     )
     def draw(
         self,
-        path: str | Path,
+        path: str | Path | None = None,
         *,
         at: float | None = None,
         show: Sequence[str] = (),
@@ -218,9 +218,10 @@ class Studies:
         view: tuple[float, float] | None = None,
         perspective: bool = False,
         dark: bool = False,
-    ) -> Path:
+    ) -> Picture | Path:
         """Draw a model at its start or in motion, or bodies of it cut free.
 
+        path: the file to write; without one the picture is returned, which shows itself in a notebook;
         at: [s]; show: velocity, acceleration, force, instant-centres; view: in space, azimuth and elevation [deg],
         else from where most is seen."""
         ...

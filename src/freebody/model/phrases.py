@@ -31,11 +31,13 @@ Found = dict[str, str | None]
 
 @dataclass(frozen=True)
 class MeasurePhrase:
-    """One way to state a measure."""
+    """One way to state a measure. example: the smallest model with such a measure; the docstring of `read` says what it
+    is. Documentation shows both."""
 
     form: str
     pattern: re.Pattern[str]
     read: Callable[[Names, Found, Path], Measure]
+    example: str
 
 
 _POINT = r"[A-Za-z_]\w*(?:\.\w+)?"
@@ -43,12 +45,12 @@ PHRASES: list[MeasurePhrase] = []
 
 
 def _phrase(
-    form: str, pattern: str
+    form: str, pattern: str, example: str
 ) -> Callable[[Callable[[Names, Found, Path], Measure]], Callable[[Names, Found, Path], Measure]]:
     def register(
         read: Callable[[Names, Found, Path], Measure],
     ) -> Callable[[Names, Found, Path], Measure]:
-        PHRASES.append(MeasurePhrase(form, re.compile(rf"^(?:{pattern})$"), read))
+        PHRASES.append(MeasurePhrase(form, re.compile(rf"^(?:{pattern})$"), read, example))
         return read
 
     return register
@@ -58,18 +60,42 @@ def _origin(names: Names, text: str | None, path: Path) -> Point:
     return names.ground_origin if text is None else names.point(text, *path)
 
 
-@_phrase("drop of POINT [below POINT]", rf"drop of (?P<of>{_POINT})(?: (?:below|from) (?P<origin>{_POINT}))?")
+@_phrase(
+    "drop of POINT [below POINT]",
+    rf"drop of (?P<of>{_POINT})(?: (?:below|from) (?P<origin>{_POINT}))?",
+    """
+bodies: {ball: {particle: {mass: 1 kg}}}
+measures: {s: drop of ball below ground.A}
+""",
+)
 def _drop(names: Names, found: Found, path: Path) -> Measure:
+    """How far a point is below another one, else below the origin of the ground; it grows as the point sinks."""
     return Displacement(names.point(found["of"], *path), _origin(names, found["origin"], path), names.compass["down"])
 
 
-@_phrase("height of POINT [above POINT]", rf"height of (?P<of>{_POINT})(?: (?:above|over) (?P<origin>{_POINT}))?")
+@_phrase(
+    "height of POINT [above POINT]",
+    rf"height of (?P<of>{_POINT})(?: (?:above|over) (?P<origin>{_POINT}))?",
+    """
+bodies: {ball: {particle: {mass: 1 kg}}}
+measures: {h: height of ball above ground.A}
+""",
+)
 def _height(names: Names, found: Found, path: Path) -> Measure:
+    """How far a point is above another one, else above the origin of the ground."""
     return Displacement(names.point(found["of"], *path), _origin(names, found["origin"], path), names.compass["up"])
 
 
-@_phrase("x of POINT [from POINT]", rf"(?P<axis>[xyz]) of (?P<of>{_POINT})(?: from (?P<origin>{_POINT}))?")
+@_phrase(
+    "x of POINT [from POINT]",
+    rf"(?P<axis>[xyz]) of (?P<of>{_POINT})(?: from (?P<origin>{_POINT}))?",
+    """
+bodies: {ball: {particle: {mass: 1 kg}}}
+measures: {x: x of ball}
+""",
+)
 def _coordinate(names: Names, found: Found, path: Path) -> Measure:
+    """A coordinate of a point along x, y or (in space) z of the ground, from another point, else from the origin."""
     name = found["axis"] or "x"
     if name not in names.compass:
         names.problem(Message("there is no z in the plane; for a model in space write space: true"), *path)
@@ -81,14 +107,28 @@ def _coordinate(names: Names, found: Found, path: Path) -> Measure:
 @_phrase(
     "travel of POINT along DIRECTION [from POINT]",
     rf"(?:travel|displacement|position) of (?P<of>{_POINT}) along (?P<along>.+?)(?: from (?P<origin>{_POINT}))?",
+    """
+ground: {lines: {incline: {along: -30 deg}}}
+bodies: {ball: {particle: {mass: 1 kg}}}
+measures: {s: travel of ball along incline}
+""",
 )
 def _travel(names: Names, found: Found, path: Path) -> Measure:
+    """How far a point is along a direction, which may be one of a body, from another point, else from the origin."""
     along = names.direction(found["along"], *path)
     return Displacement(names.point(found["of"], *path), _origin(names, found["origin"], path), along)
 
 
-@_phrase("distance from POINT to POINT", rf"distance (?:from|of) (?P<start>{_POINT}) (?:to|from) (?P<end>{_POINT})")
+@_phrase(
+    "distance from POINT to POINT",
+    rf"distance (?:from|of) (?P<start>{_POINT}) (?:to|from) (?P<end>{_POINT})",
+    """
+bodies: {a: {particle: {mass: 1 kg}}, b: {particle: {mass: 1 kg}, at: [1 m, 0]}}
+measures: {d: distance from a to b}
+""",
+)
 def _distance(names: Names, found: Found, path: Path) -> Measure:
+    """The distance between two points, never negative."""
     return Distance(names.point(found["start"], *path), names.point(found["end"], *path))
 
 
@@ -115,8 +155,13 @@ def direction_angle(direction: Direction) -> Expr:
     "angle of line from POINT to POINT [from DIRECTION] [clockwise]",
     rf"angle of (?:the )?line from (?P<start>{_POINT}) to (?P<end>{_POINT})"
     r"(?: from (?P<ref>.+?))?(?P<cw> clockwise)?",
+    """
+bodies: {ball: {particle: {mass: 1 kg}}}
+measures: {theta: angle of line from ground.O to ball from down}
+""",
 )
 def _bearing(names: Names, found: Found, path: Path) -> Measure:
+    """The angle of the line from one point to another, counter-clockwise from a direction (else from `right`)."""
     ref = RIGHT if found["ref"] is None else names.direction(found["ref"], *path)
     start, end = names.point(found["start"], *path), names.point(found["end"], *path)
     if len(ref.components) > 2 and ref.components[2] != number(0):
@@ -135,8 +180,15 @@ def _inclination(start: Point, end: Point, ref: Direction) -> Measure:
 @_phrase(
     "angle of BODY about DIRECTION [relative to BODY]",
     r"(?:angle|turn) of (?P<of>[A-Za-z_]\w*) about (?P<axis>.+?)(?: (?:relative to|against) (?P<rel>[A-Za-z_]\w*))?",
+    """
+space: true
+bodies: {wheel: {disk: {mass: 1 kg, radius: 0.2 m, axis: x}}}
+connections: {axle: {revolute: {first: ground.O, second: wheel, about: x}}}
+measures: {psi: angle of wheel about x}
+""",
 )
 def _turn(names: Names, found: Found, path: Path) -> Measure:
+    """In space: how far a body has turned about an axis of the ground or of another body, by the right-hand rule."""
     body, base = names.body(cast("str", found["of"]), *path), names.body(found["rel"] or GROUND, *path)
     if not names.space:
         names.problem(Message("an angle about an axis is for models in space: write space: true"), *path)
@@ -178,8 +230,14 @@ def _about(body: str, base: str, axis: Direction) -> Measure:
 @_phrase(
     "angle between DIRECTION and DIRECTION",
     r"angle between (?P<one>.+?) and (?P<other>.+)",
+    """
+space: true
+bodies: {top: {body: {mass: 1 kg, inertia: [1 kg m^2, 1 kg m^2, 2 kg m^2]}}}
+measures: {theta: angle between top.z and up}
+""",
 )
 def _between(names: Names, found: Found, path: Path) -> Measure:
+    """The angle between two directions, from 0 to 180 degrees."""
     one, other = names.direction(found["one"], *path), names.direction(found["other"], *path)
     return Composed(Call("acos", Symbol("c")), (("c", Alignment(one, other)),), DIMENSIONLESS)
 
@@ -187,8 +245,14 @@ def _between(names: Names, found: Found, path: Path) -> Measure:
 @_phrase(
     "alignment of DIRECTION and DIRECTION",
     r"alignment of (?P<one>.+?) (?:and|with) (?P<other>.+)",
+    """
+space: true
+bodies: {top: {body: {mass: 1 kg, inertia: [1 kg m^2, 1 kg m^2, 2 kg m^2]}}}
+measures: {c: alignment of top.z and up}
+""",
 )
 def _alignment(names: Names, found: Found, path: Path) -> Measure:
+    """The cosine of the angle between two directions."""
     return Alignment(names.direction(found["one"], *path), names.direction(found["other"], *path))
 
 
@@ -196,8 +260,14 @@ def _alignment(names: Names, found: Found, path: Path) -> Measure:
     "angle of BODY [from DIRECTION | relative to BODY] [clockwise]",
     r"(?P<cw1>clockwise )?angle of (?P<of>[A-Za-z_]\w*)"
     r"(?: from (?P<ref>.+?)| (?:relative to|against) (?P<rel>[A-Za-z_]\w*))?(?P<cw> clockwise)?",
+    """
+bodies: {rod: {rod: {mass: 1 kg, length: 1 m}}}
+measures: {theta: angle of rod from down}
+""",
 )
 def _angle(names: Names, found: Found, path: Path) -> Measure:
+    """The angle of the x axis of a body, counter-clockwise from a direction (else from `right`), or from the x axis of
+    another body."""
     body = names.body(cast("str", found["of"]), *path)
     if not body.turns:
         names.problem(Message("{body} is a particle and has no angle", body=body.name), *path)

@@ -7,9 +7,12 @@ A description can be given by position or by name, in Python (`Pin("ground.axle"
 from __future__ import annotations
 
 from collections.abc import Mapping
+from inspect import Parameter, Signature
 from typing import Any, ClassVar, cast, get_origin
 
 from pydantic import BaseModel, ConfigDict
+
+from freebody.language.written import as_text
 
 # What stands for a number: an expression in the parameters, a quantity with unit, or a plain SI number.
 Formula = str | int | float
@@ -38,9 +41,32 @@ MEANT: Mapping[str, tuple[str, ...]] = {
     "m": ("mass",),
     "l": ("length",),
 }
+_ModelClass: Any = type(BaseModel)
 
 
-class Spec(BaseModel):
+class _Described(_ModelClass):
+    """The class of descriptions, which knows their signature: the fields, which may be given by position."""
+
+    @property
+    def __signature__(self) -> Signature:
+        """What `help` and notebooks show."""
+        parameters: list[Parameter] = []
+        has_default = False
+        for name, info in self.model_fields.items():
+            # Python knows no argument that is needed behind one that is not: it is shown as one that is given by name
+            by_name = has_default and (info.is_required() or parameters[-1].kind is Parameter.KEYWORD_ONLY)
+            kind = Parameter.KEYWORD_ONLY if by_name else Parameter.POSITIONAL_OR_KEYWORD
+            default = Parameter.empty if info.is_required() else info.get_default(call_default_factory=True)
+            parameters.append(Parameter(name, kind, default=default, annotation=info.annotation))
+            has_default = has_default or not info.is_required()
+        return Signature(parameters)
+
+    @__signature__.setter
+    def __signature__(self, found: object) -> None:
+        """That of the library, which knows no positions, is not kept."""
+
+
+class Spec(BaseModel, metaclass=_Described):
     """One described thing."""
 
     model_config = ConfigDict(frozen=True, extra="forbid", strict=False, defer_build=True)
@@ -53,7 +79,10 @@ class Spec(BaseModel):
         fields = list(type(self).model_fields)
         if len(args) > len(fields):
             raise TypeError(f"{type(self).__name__} takes {', '.join(fields)}")
-        super().__init__(**dict(zip(fields, args, strict=False)), **named)
+        if twice := set(fields[: len(args)]) & set(named):
+            raise TypeError(f"{type(self).__name__} is given {', '.join(sorted(twice))} twice")
+        given = dict(zip(fields, args, strict=False)) | named
+        super().__init__(**{name: as_text(value) for name, value in given.items()})
 
     @classmethod
     def from_plain(cls, value: object) -> dict[str, Any]:

@@ -7,6 +7,7 @@ import math
 import shutil
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from html import escape
 from pathlib import Path
 from typing import Any
 
@@ -38,13 +39,27 @@ def write_animation(
     speed: float = 1.0,
     contacts: ContactTrack | None = None,
 ) -> Path:
-    """Writes a motion as `.html` (one page with controls, no network), `.gif` or `.mp4`, by the suffix of the path.
+    """Writes a motion as `.html` (one page with controls, no network), `.gif` or `.mp4`, by the suffix of the path,
+    which it returns. The motion as for `film_of`. Raises InputError as that does, and if the suffix is another one, the
+    file cannot be written, or there is no ffmpeg for an MP4."""
+    return write_film(film_of(scene, times, poses, title=title, speed=speed, contacts=contacts), path)
+
+
+def film_of(
+    scene: Scene,
+    times: Array,
+    poses: Array,
+    *,
+    title: str,
+    speed: float = 1.0,
+    contacts: ContactTrack | None = None,
+) -> Film:
+    """A motion as a film.
 
     times: (n_times,) [s], ascending, a repeated time counts once (its last pose). poses: (n_times, n_moving_bodies,
     3), x and y of the mass centre [m] and the angle [rad], continuous, in the order of `scene.names`. speed: seconds
-    of motion in a second of showing. contacts: where bodies touch at the given times, to be marked. Returns the path.
-    Raises InputError if these do not fit together, the suffix is another one, the file cannot be written, or there is
-    no ffmpeg for an MP4."""
+    of motion in a second of showing. contacts: where bodies touch at the given times, to be marked. Raises InputError
+    if these do not fit together."""
     motion = _checked(scene, times, poses, contacts)
 
     def show(n_frames: int) -> tuple[Show, Array]:
@@ -55,10 +70,10 @@ def write_animation(
         drawing, shown = motion.drawn(scene, n_frames)
         return page(drawing, shown, title, speed)
 
-    return write_film(Film(motion.times, title, speed, show, page_of), path)
+    return Film(motion.times, title, speed, show, page_of)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Film:
     """A motion that can be shown. times: (n_times,) [s] at which it is given; speed: seconds of motion in a second of
     showing; show, page: of so many frames the drawing with their times, equally spaced, and the page that plays them
@@ -70,6 +85,23 @@ class Film:
     show: Callable[[int], tuple[Show, Array]]
     page: Callable[[int, str, float], str]
     fewest: int = FEWEST + 1
+
+    def __post_init__(self) -> None:
+        if not (math.isfinite(self.speed) and self.speed > 0):
+            raise InputError(f"the speed of an animation is a positive number, not {self.speed}")
+
+    def __repr__(self) -> str:
+        return f"<Film {self.title!r}: {self.times[0]:.4g} s to {self.times[-1]:.4g} s>"
+
+    def _repr_html_(self) -> str:
+        """For notebooks: the page that plays it, in a frame of its own."""
+        look = "width: 100%; height: 34rem; border: 0"
+        return f'<iframe srcdoc="{escape(self.text())}" sandbox="allow-scripts" style="{look}"></iframe>'
+
+    def write(self, path: str | Path) -> Path:
+        """Writes it as `.html`, `.gif` or `.mp4`, by the suffix of the path, which it returns. Raises InputError for
+        another suffix, a file that cannot be written, or an MP4 without ffmpeg."""
+        return write_film(self, path)
 
     def n_frames(self, rate: int) -> int:
         """Of a film at a rate [1/s]."""
@@ -97,11 +129,8 @@ class Film:
 
 
 def write_film(film: Film, path: str | Path) -> Path:
-    """Writes a film as `.html`, `.gif` or `.mp4`, by the suffix of the path, which it returns. Raises InputError for
-    another one, a speed that is not positive, a file that cannot be written, or an MP4 without ffmpeg."""
+    """As `Film.write`."""
     path = Path(path)
-    if not (math.isfinite(film.speed) and film.speed > 0):
-        raise InputError(f"the speed of an animation is a positive number, not {film.speed}")
     writers: dict[str, Callable[[Path], None]] = {
         ".html": lambda file: _written(file, film.text()),
         ".gif": lambda file: _write_gif(*film.stages(GIF_RATE), file),

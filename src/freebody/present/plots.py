@@ -138,12 +138,10 @@ def figure_over(
     dark: bool = False,
 ) -> Figure:
     """Panels by unit over the time, or whatever else goes on evenly, with the instants of events."""
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
-    from matplotlib.figure import Figure
+    from freebody.present.shown_figure import shown_figure
 
     theme = THEMES["dark" if dark else "light"]
-    figure: Any = Figure(figsize=(9.0, 0.8 + 2.4 * max(1, len(panels))), layout="constrained")
-    FigureCanvasAgg(figure)
+    figure: Any = shown_figure(9.0, 0.8 + 2.4 * max(1, len(panels)))
     figure.set_facecolor(theme.paper)
     stack = figure.subplots(max(1, len(panels)), 1, sharex=True, squeeze=False)[:, 0]
     for axes, (unit, group) in zip(stack, panels.items(), strict=False):

@@ -126,7 +126,9 @@ class AtStart(Quantity):
 
 @dataclass(frozen=True)
 class Calculated(Joined, kind="calculated"):
-    """What is calculated from quantities. form: of symbols, each the name of an operand."""
+    """What is calculated from quantities.
+
+    form: of symbols, each the name of an operand."""
 
     form: Expr
     operands: tuple[tuple[str, Quantity], ...]

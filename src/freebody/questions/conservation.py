@@ -102,8 +102,9 @@ questions: {it: is linear momentum along right conserved}
 
 @dataclass(frozen=True)
 class ConservedInBlow(Quantity, kind="conserved in a blow"):
-    """Whether a quantity is the same just before and just after a blow or an impact. of_blow: the connections that
-    close or collide and the impulses; none: any."""
+    """Whether a quantity is the same just before and just after a blow or an impact.
+
+    of_blow: the connections that close or collide and the impulses; none: any."""
 
     of: Quantity
     name: str

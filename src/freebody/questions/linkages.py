@@ -91,8 +91,9 @@ class DeadPoints(OfLinkage, kind="dead points"):
 @dataclass(frozen=True)
 class TransmissionAngle(OfLinkage, kind="transmission angle"):
     """The angle at which the coupler takes hold of the output: between the two at their pin, or between the coupler and
-    the normal of a guide. end: its least or greatest value over the motion, of the angle and what it lacks to 180
-    degrees the smaller one."""
+    the normal of a guide.
+
+    end: its least or greatest value over the motion, of the angle and what it lacks to 180 degrees the smaller one."""
 
     end: End = ""
 

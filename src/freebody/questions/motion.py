@@ -149,7 +149,9 @@ questions: {it: acceleration of ball}
 
 @dataclass(frozen=True)
 class AngularVelocity(Quantity, kind="turning"):
-    """Angular velocity (order 1) or acceleration (2) of a body in space: a vector, a component, or its size."""
+    """Angular velocity or angular acceleration of a body in space: a vector, a component, or its size.
+
+    order: 1 or 2."""
 
     body: str
     order: Literal[1, 2]

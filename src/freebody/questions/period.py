@@ -18,7 +18,10 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Period(Quantity, kind="period"):
-    """Of the motion of a measure; None: of the one coordinate. Where an angle turns over, the time of a whole turn."""
+    """After which time a motion repeats itself, whatever its amplitude. Where an angle turns over, the time of a whole
+    turn.
+
+    measure: whose motion is meant; None: that of the one coordinate."""
 
     measure: Measure | None
     name: str

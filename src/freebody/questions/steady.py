@@ -85,9 +85,10 @@ def is_steady_place(q: Quantity) -> bool:
 
 @dataclass(frozen=True)
 class Extremes(Steady, kind="extremes"):
-    """The least and the largest value of a quantity over a turn of an angle; None: of the one angle it depends on.
-    what: both, or one of them; how far they are apart; or how much longer the angle, turned evenly, takes one way than
-    back."""
+    """The least and the largest value of a quantity over a turn of an angle; how far they are apart (its stroke); or
+    how much longer the angle, turned evenly, takes one way than back (its time ratio).
+
+    over: None: of the one angle it depends on; what: which of these is asked for."""
 
     of: Quantity
     over: str | None

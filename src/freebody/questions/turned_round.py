@@ -227,7 +227,9 @@ class RangeForOnTheWay(RangeFor):
 
 @dataclass(frozen=True)
 class ExtremalFor(ValueFor, kind="extremal for"):
-    """The value of a parameter for which a quantity is largest or least, or (not asks_place) the quantity there."""
+    """The value of a parameter for which a quantity is largest or least, or the quantity there.
+
+    asks_place: the parameter is asked for."""
 
     relation: str = EXTREMAL
 
@@ -253,7 +255,9 @@ class ExtremalForOnTheWay(ExtremalFor):
 
 @dataclass(frozen=True)
 class LimitOf(ValueFor, kind="limit of"):
-    """To what a quantity tends as a parameter tends to the target, or (end: grows) grows without bound."""
+    """To what a quantity tends as a parameter tends to a value, or grows without bound.
+
+    target: the value; end: grows, where there is none."""
 
     relation: str = TENDS
 

@@ -16,6 +16,7 @@ from freebody.errors import InputError
 from freebody.language.document import Document
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS
+from freebody.language.written import as_text
 from freebody.model.noting import did_you_mean
 from freebody.model.spec import Spec
 from freebody.questions.reading import Question
@@ -94,11 +95,11 @@ class System(SystemDescription):
 
 
 def _plain(value: Any) -> Any:
-    """Description objects become `{kind: fields}`; everything else stays."""
+    """Description objects become `{kind: fields}`, formulas and what is written their text; everything else stays."""
     if isinstance(value, Spec):
         return {value.kind: value.model_dump(exclude_defaults=True, by_alias=True)}
     if isinstance(value, Mapping):
-        return {str(k): _plain(v) for k, v in cast("Mapping[Any, Any]", value).items()}
+        return {str(as_text(k)): _plain(v) for k, v in cast("Mapping[Any, Any]", value).items()}
     if isinstance(value, (list, tuple)):
         return [_plain(v) for v in cast("Sequence[Any]", value)]
-    return value
+    return as_text(value)

@@ -146,14 +146,23 @@ def _written(system: System, numbers: Mapping[str, str], letters: list[dict[str,
     for name, value in numbers.items():
         entry = parameters[name]
         parameters[name] = {**cast("dict[str, Any]", entry), "value": value} if isinstance(entry, dict) else value
-    for entry, new in zip(cast("list[dict[str, Any]]", data.get("questions") or []), letters, strict=True):
-        given = entry.get("options")
-        if isinstance(given, dict):
-            options = cast("dict[Any, Any]", given)
-            entry["options"] = dict(sorted((new[str(k)], v) for k, v in options.items()))
-            if entry.get("key") is not None:
-                entry["key"] = new[str(entry["key"])]
+    given: Any = data.get("questions") or []
+    questions = list(cast("dict[str, Any]", given).values()) if isinstance(given, dict) else cast("list[Any]", given)
+    for entry, new in zip(questions, letters, strict=True):
+        if isinstance(entry, dict):  # else it is a text, without options
+            _rename(cast("dict[str, Any]", entry), new)
     return replace(System.from_data(data), file=system.file)
+
+
+def _rename(question: dict[str, Any], new: Mapping[str, str]) -> None:
+    """Gives the options of a question other letters; options in a list have the first ones."""
+    given: Any = question.get("options")
+    texts: Any = cast("dict[str, Any]", given).values() if isinstance(given, dict) else given or ()
+    renamed = dict(zip(new.values(), texts, strict=False))
+    if renamed:
+        question["options"] = dict(sorted(renamed.items()))
+        if question.get("key") is not None:
+            question["key"] = new[str(question["key"])]
 
 
 __all__ = ["Variant", "as_given", "rounded", "variant_of"]

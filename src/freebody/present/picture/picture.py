@@ -36,6 +36,10 @@ class Picture(PictureContent):
 
         return rendered(self, "pdf", dark=dark)
 
+    def __repr__(self) -> str:
+        wide, tall = (self.corners[1] - self.corners[0]).tolist()
+        return f"<Picture {self.title!r}: {wide:.0f} by {tall:.0f} pt>"
+
     def _repr_svg_(self) -> str:
         return self.svg()
 

@@ -61,6 +61,9 @@ class Result:
         """What the first cell of a notebook runs."""
         return ""
 
+    def __str__(self) -> str:
+        return self.to_text().rstrip()
+
     def _repr_html_(self) -> str:
         from freebody.present.report.formats.html import html_fragment
 
@@ -70,6 +73,10 @@ class Result:
         from freebody.present.report.formats.latex import latex_fragment
 
         return latex_fragment(self.report)
+
+    def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, str]:
+        """What notebooks and consoles take; they choose the form that they can show."""
+        return {"text/plain": str(self), "text/html": self._repr_html_(), "text/latex": self._repr_latex_()}
 
 
 def summary(title: str, blocks: Iterable[Block]) -> Report:

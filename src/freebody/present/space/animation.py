@@ -35,13 +35,30 @@ def write_animation(
     view: tuple[float, float] = (AZIMUTH, ELEVATION),
     perspective: bool = False,
 ) -> Path:
-    """Writes a motion as `.html` (one page with controls, no network), `.gif` or `.mp4`, by the suffix of the path.
+    """Writes a motion as `.html` (one page with controls, no network), `.gif` or `.mp4`, by the suffix of the path,
+    which it returns. The motion as for `film_of`. Raises InputError as that does, and if the suffix is another one, the
+    file cannot be written, or there is no ffmpeg for an MP4."""
+    film = film_of(scene, times, centers, axes, title=title, speed=speed, view=view, perspective=perspective)
+    return write_film(film, path)
+
+
+def film_of(
+    scene: Scene,
+    times: Array,
+    centers: Array,
+    axes: Array,
+    *,
+    title: str,
+    speed: float = 1.0,
+    view: tuple[float, float] = (AZIMUTH, ELEVATION),
+    perspective: bool = False,
+) -> Film:
+    """A motion as a film.
 
     times: (n_times,) [s], ascending, a repeated time counts once (its last pose). centers: (n_times, n_moving, 3) [m]
     of the mass centres; axes: (n_times, n_moving, 3, 3), whose columns are the bodies' axes, or (n_times, n_moving,
     4) unit quaternions (w, x, y, z); both in the order of `scene.names`. speed: seconds of motion in a second of
-    showing. view: azimuth and elevation of the viewer [deg]. Returns the path. Raises InputError if these do not fit
-    together, the suffix is another one, the file cannot be written, or there is no ffmpeg for an MP4."""
+    showing. view: azimuth and elevation of the viewer [deg]. Raises InputError if these do not fit together."""
     motion = _checked(scene, times, centers, axes)
     fast = largest_turn(motion.times, motion.turns) * float(motion.times[-1] - motion.times[0])
 
@@ -54,7 +71,7 @@ def write_animation(
         return page(drawing, shown, turns, title, speed, view, perspective=perspective)
 
     fewest = max(FEWEST + 1, math.ceil(fast / _STEP) + 1)
-    return write_film(Film(motion.times, title, speed, show, page_of, fewest), path)
+    return Film(motion.times, title, speed, show, page_of, fewest)
 
 
 @dataclass(frozen=True)

@@ -9,7 +9,10 @@ from typing import Any
 from freebody.assess.verdict import Judgement, Verdict
 from freebody.language.expression import Expr
 from freebody.language.notation import stated_plain, to_latex, to_python
+from freebody.present.report.blocks import Report
+from freebody.present.report.results import Result, summary
 from freebody.questions.reading import Question
+from freebody.study.answering.told import answer_blocks
 
 Value = float | tuple[float, ...] | None
 NOT_VALID = "Not valid for the given numbers"  # how a note begins that names a condition which they break
@@ -39,7 +42,7 @@ class AnswerCase:
 
 
 @dataclass(frozen=True)
-class Answer:
+class Answer(Result):
     """An answer in closed form, or the reason why there is none.
 
     `expression` is None (no closed form), an expression, or a pair for a vector; `value` the same in numbers at
@@ -63,6 +66,19 @@ class Answer:
     why_no_value: str = ""  # of an answer with an expression
     never: bool = False  # it is proved that the event does not happen after the start; `reason` says why
     understood: str = ""  # the question in the words of the grammar
+
+    @property
+    def report(self) -> Report:
+        """The answer as a report."""
+        return summary(self.question, answer_blocks(self))
+
+    @property
+    def is_complete(self) -> bool:
+        return self.expression is not None
+
+    def _repr_latex_(self) -> str:
+        """The formula, for notebooks that show no HTML."""
+        return super()._repr_latex_() if self.latex is None else rf"$\displaystyle {self.latex}$"
 
     @property
     def is_answered(self) -> bool:

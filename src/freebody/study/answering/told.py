@@ -2,20 +2,74 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Protocol
 
+from freebody.assess.verdict import Verdict
 from freebody.language.expression import Expr
 from freebody.present.lines import number_text
 from freebody.present.report.blocks import Block, Entry, Equation, Equations, Formula, Piece, Section, Text
 from freebody.present.report.results import entries, entry, line, options, question_title
-from freebody.study.answering.answer import Answer
 
 
-def answer_section(answer: Answer) -> Section:
-    return Section(question_title(answer.id, answer.question), tuple(_blocks(answer)))
+class _Evidence(Protocol):
+    @property
+    def draws(self) -> int: ...
+    @property
+    def worst_relative_difference(self) -> float: ...
+    @property
+    def route(self) -> str: ...
 
 
-def _blocks(answer: Answer) -> Iterator[Block]:
+class _Case(Protocol):
+    @property
+    def expression(self) -> Expr | tuple[Expr, ...]: ...
+    @property
+    def conditions(self) -> tuple[str, ...]: ...
+    @property
+    def what(self) -> str: ...
+
+
+class Told(Protocol):
+    """An answer, as far as it is shown."""
+
+    @property
+    def id(self) -> str: ...
+    @property
+    def question(self) -> str: ...
+    @property
+    def understood(self) -> str: ...
+    @property
+    def expression(self) -> Expr | tuple[Expr, ...] | None: ...
+    @property
+    def unit(self) -> str: ...
+    @property
+    def value(self) -> float | tuple[float, ...] | None: ...
+    @property
+    def conditions(self) -> tuple[str, ...]: ...
+    @property
+    def cases(self) -> Sequence[_Case]: ...
+    @property
+    def notes(self) -> tuple[str, ...]: ...
+    @property
+    def reason(self) -> str: ...
+    @property
+    def never(self) -> bool: ...
+    @property
+    def choice(self) -> str | None: ...
+    @property
+    def options(self) -> Mapping[str, Verdict]: ...
+    @property
+    def author_notes(self) -> tuple[str, ...]: ...
+    @property
+    def evidence(self) -> _Evidence | None: ...
+
+
+def answer_section(answer: Told) -> Section:
+    return Section(question_title(answer.id, answer.question), tuple(answer_blocks(answer)))
+
+
+def answer_blocks(answer: Told) -> Iterator[Block]:
     if answer.understood not in ("", answer.question):
         yield from entries(entry("understood", answer.understood))
     if answer.expression is None:
@@ -31,14 +85,14 @@ def _blocks(answer: Answer) -> Iterator[Block]:
     yield from entries(*_value(answer, "value"), *_said(answer))
 
 
-def _value(answer: Answer, label: str) -> Iterator[Entry]:
+def _value(answer: Told, label: str) -> Iterator[Entry]:
     if answer.value is not None:
         values = answer.value if isinstance(answer.value, tuple) else None
         text = number_text(answer.value) if values is None else f"({', '.join(map(number_text, values))})"  # type: ignore[arg-type]
         yield entry(label, text + ("" if answer.unit == "1" else f" {answer.unit}"))
 
 
-def _said(answer: Answer) -> Iterator[Entry]:
+def _said(answer: Told) -> Iterator[Entry]:
     yield entry("valid", *answer.conditions)
     yield entry("cases", *(_case(case.expression, case.conditions, case.what) for case in answer.cases))
     yield entry("note", *answer.notes)

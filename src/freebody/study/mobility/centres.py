@@ -79,10 +79,13 @@ def moving_for(quantity: Quantity, snapshot: Snapshot) -> Snapshot:
 
 
 def _along_freedom(system: System, snapshot: Snapshot) -> Snapshot:
-    """The pose of a snapshot, moving in the one way in which it can. Raises CannotAnswer otherwise."""
+    """The pose of a snapshot, moving in the one way in which it can: along its freedom, or as it is driven. Raises
+    CannotAnswer otherwise."""
     reference = snapshot.reference
     free = reference.split_at(snapshot.q, snapshot.branches, snapshot.t).null
-    if free.shape[1] != 1:
+    # without a freedom of its own a pose moves as its drivers say, and in no other way
+    is_driven = free.shape[1] == 0 and np.abs(snapshot.v).max(initial=0.0) > 0.0
+    if free.shape[1] != 1 and not is_driven:
         raise CannotAnswer(
             Message(
                 "the pose has {n} degrees of freedom; centres and ratios of the pose alone need exactly one. "
@@ -90,13 +93,14 @@ def _along_freedom(system: System, snapshot: Snapshot) -> Snapshot:
                 n=free.shape[1],
             )
         )
-    v = free[:, 0] / (float(reference.sizes.relative(free[:, 0]).max()) or 1.0)
+    way = snapshot.v if is_driven else free[:, 0]
+    v = way / (float(reference.sizes.relative(way).max()) or 1.0)
     return snapshot_of(reference, snapshot.q, v, snapshot.t, snapshot)
 
 
 def instant_centres(system: System, snapshot: Snapshot) -> dict[tuple[str, str], CentreOfPair]:
     """The centres of all pairs of bodies that turn; fixed bodies count as the ground. Raises CannotAnswer unless the
-    pose has exactly one freedom, and in space."""
+    pose has exactly one freedom or is driven, and in space."""
     if system.space:
         raise CannotAnswer(
             Message("bodies have instant centres in the plane; in space they move about screws, see mobility")
@@ -126,8 +130,8 @@ def _centre(pair: tuple[str, str], motion: Array, size: float) -> CentreOfPair:
 
 def velocity_ratios(system: System, snapshot: Snapshot, input: str | Measure) -> dict[str, VelocityRatio]:
     """Rates of all bodies' angles (by the body's name), and of the named measures, per unit rate of the input: a named
-    measure, or a body whose angle is meant. Raises CannotAnswer unless the pose has exactly one freedom, or
-    where the input stands still: a dead point."""
+    measure, or a body whose angle is meant. Raises CannotAnswer unless the pose has exactly one freedom or is driven,
+    or where the input stands still: a dead point."""
     moving = _along_freedom(system, snapshot)
     driving, name = _input(system, input)
     rate = moving.rate(driving)

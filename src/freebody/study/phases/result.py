@@ -87,13 +87,17 @@ class Phases(Result):
         cases = [RegionCase(c.what, c.conditions, tuple(c.relations)) for c in self.cases]
         return regions(self.tree, cases, x, y, n)
 
-    def plot(self, x: str, y: str, path: FilePath, n: int = 240) -> FilePath:
-        """Draws the regions of the cases."""
+    def plot(self, x: str, y: str, path: str | FilePath | None = None, n: int = 240) -> Any:
+        """A figure of the regions of the cases over two parameters; saved if a path is given. n: points each way."""
+        from freebody.present.plots import save
         from freebody.present.region_picture import region_picture
 
         r = self.regions(x, y, n)
         cases = [f"{case}: {where}" for case, where in zip(r.cases, r.conditions, strict=True)]
-        return region_picture(r.x, r.y, r.index, cases, r.labels, path)
+        figure = region_picture(r.x, r.y, r.index, cases, r.labels)
+        if path is not None:
+            save(figure, path)
+        return figure
 
 
 @in_words

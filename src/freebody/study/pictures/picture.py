@@ -116,7 +116,7 @@ def free_body(
 @in_words
 def draw(
     system: System,
-    path: str | Path,
+    path: str | Path | None = None,
     *,
     at: float | None = None,
     show: Sequence[str] = (),
@@ -124,16 +124,18 @@ def draw(
     view: View = None,
     perspective: bool = False,
     dark: bool = False,
-) -> Path:
-    """Draws a system at its start, or at a time, into a file: .svg, .png, .pdf, or .tex with a tikzpicture; with `free`
-    these bodies alone, cut free. For the others see `picture`. Raises InputError for another format, ModelError where
-    the start cannot be assembled."""
-    path = checked_path(path)
+) -> Picture | Path:
+    """Draws a system at its start, or at a time; with `free` these bodies alone, cut free. Without a path the picture
+    is returned, which shows itself in a notebook; with one it is written there, as .svg, .png, .pdf, or .tex with a
+    tikzpicture, and the path returned. For the others see `picture`. Raises InputError for another format, ModelError
+    where the start cannot be assembled."""
+    if path is not None:
+        path = checked_path(path)
     if free:
         made = free_body(system, *free, at=at, show=show, view=view, perspective=perspective)
     else:
         made = picture(system, at=at, show=show, view=view, perspective=perspective)
-    return made.write(path, dark=dark)
+    return made if path is None else made.write(path, dark=dark)
 
 
 def poses_of(snapshot: Snapshot) -> Array:

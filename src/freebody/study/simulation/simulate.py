@@ -39,16 +39,11 @@ class Simulation(MeasuredMotion, Result):
     """The result of a simulation. SI units, angles in rad."""
 
     def __repr__(self) -> str:
-        return self.to_text().rstrip()
+        return str(self)
 
     def _repr_html_(self) -> str:
         """The summary and a plot, for notebooks."""
-        from io import StringIO
-
-        picture = StringIO()
-        self.plot().savefig(picture, format="svg")
-        svg = picture.getvalue()
-        return super()._repr_html_() + svg[svg.index("<svg") :]
+        return super()._repr_html_() + self.plot()._repr_svg_()
 
     @property
     def report(self) -> Report:
@@ -93,8 +88,9 @@ class Simulation(MeasuredMotion, Result):
             save(figure, Path(path))
         return figure
 
-    def animate(self, path: str | Path, *, speed: float = 1.0) -> Path:
-        """Writes an animation: a player (.html), .gif or .mp4."""
+    def animate(self, path: str | Path | None = None, *, speed: float = 1.0) -> Any:
+        """The motion as a film that plays in a notebook; with a path it is written, as a player (.html), .gif or .mp4,
+        and the path returned. speed: seconds of motion in a second of showing."""
         from freebody.present import animation as plane
         from freebody.present.marks import ContactTrack
         from freebody.present.scene import Scene
@@ -104,9 +100,11 @@ class Simulation(MeasuredMotion, Result):
         scene, poses = Scene.of(self.system, number), course.poses[:, :-1]
         if course.rotation is not None:
             turned = course.rotation.quaternions[:, :-1]
-            return space.write_animation(scene, course.times, poses[:, :, :3], turned, path, title=title, speed=speed)
-        contacts = ContactTrack.of(self.system, number, course.contact)
-        return plane.write_animation(scene, course.times, poses, path, title=title, speed=speed, contacts=contacts)
+            film = space.film_of(scene, course.times, poses[:, :, :3], turned, title=title, speed=speed)
+        else:
+            contacts = ContactTrack.of(self.system, number, course.contact)
+            film = plane.film_of(scene, course.times, poses, title=title, speed=speed, contacts=contacts)
+        return film if path is None else film.write(path)
 
 
 @in_words

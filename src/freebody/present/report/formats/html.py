@@ -43,6 +43,10 @@ _LOOKS = {
     "soft": '<span class="soft">{}</span>',
     "name": "<i>{}</i>",
 }
+# notebooks have rules of their own for tables, which are more special than those of the page
+_IN_NOTEBOOKS = """.freebody-report .table :is(th, td) { text-align: left; }
+.freebody-report .table tbody tr { background: none; }
+"""
 _POLICY = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:; font-src data:"
 
 
@@ -81,7 +85,7 @@ def _font() -> str:
 def html_fragment(report: Report) -> str:
     """The report to stand within another page, as a notebook's: its style is its own, and it has no script."""
     digest = hashlib.sha256(_body(report, "", "div").encode()).hexdigest()[:8]
-    style = f"<style>\n{asset('report', 'report.css')}</style>"
+    style = f"<style>\n{asset('report', 'report.css')}{_IN_NOTEBOOKS}</style>"
     return f'<div class="freebody-report">\n{style}\n{_body(report, f"r{digest}-", "div")}\n</div>'
 
 

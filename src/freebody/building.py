@@ -1,0 +1,245 @@
+"""Models written in Python, with names instead of texts.
+
+    import freebody as fb
+
+    model = fb.Model("Ball on an incline")
+    m, R, alpha, g = model.parameters(m="2 kg", R="0.1 m", alpha="30 deg", g="9.81 m/s^2")
+    incline = model.line("incline", along=-alpha)
+    ball = model.body("ball", fb.Sphere(m, R))
+    model.connect("contact", fb.Rolling(ball, incline))
+    model.load("weight", fb.Gravity(g))
+    s = model.measure("s", ball.travel(along=incline))
+    model.ask(s.acceleration)
+    model.system().solve()
+
+Parameters and measures are formulas: `-alpha`, `m*g/2`, `F*cos(Omega*model.time)`. Bodies have their points as
+attributes: `rod.end`. A model is put together in the order of the lines; `system` reads it and tells all mistakes at
+once.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, cast
+
+from freebody.api import System
+from freebody.connections.base import Connection
+from freebody.language.expression import Call, Expr, Symbol, symbol
+from freebody.language.written import Written, as_text
+from freebody.loads.base import Load
+from freebody.model.shapes.base import Shape
+from freebody.model.spec import Formula
+
+Given = Formula | Expr  # a formula, a quantity with its unit, or an SI number
+Along = Given | Written | Sequence[Given]  # a direction
+
+
+class Place(Written):
+    """A point, from which measures are made."""
+
+    def travel(self, along: Along, start: Place | str | None = None) -> Written:
+        """How far it is along a direction, from a point, else from the origin of the ground."""
+        return _phrase(f"travel of {self} along {_direction(along)}", start, "from")
+
+    def height(self, above: Place | str | None = None) -> Written:
+        """How far it is above a point, else above the origin of the ground."""
+        return _phrase(f"height of {self}", above, "above")
+
+    def drop(self, below: Place | str | None = None) -> Written:
+        """How far it is below a point, else below the origin of the ground."""
+        return _phrase(f"drop of {self}", below, "below")
+
+    def coordinate(self, axis: str, start: Place | str | None = None) -> Written:
+        """Its coordinate along x, y or z of the ground."""
+        return _phrase(f"{axis} of {self}", start, "from")
+
+    def distance(self, to: Place | str) -> Written:
+        """Its distance from another point."""
+        return Written(f"distance from {self} to {to}")
+
+    def bearing(self, to: Place | str, counted_from: Along = "right", *, clockwise: bool = False) -> Written:
+        """The angle of the line from here to another point, from a direction."""
+        sense = " clockwise" if clockwise else ""
+        return Written(f"angle of line from {self} to {to} from {_direction(counted_from)}{sense}")
+
+    @property
+    def velocity(self) -> Written:
+        """A question."""
+        return Written(f"velocity of {self}")
+
+    @property
+    def acceleration(self) -> Written:
+        """A question."""
+        return Written(f"acceleration of {self}")
+
+
+class Body(Place):
+    """A body; its points, axes and lines are its attributes: `rod.end`, `rod.x`."""
+
+    def __getattr__(self, name: str) -> Place:
+        if name.startswith("_"):
+            raise AttributeError(name)
+        return self.point(name)
+
+    def point(self, name: str) -> Place:
+        """One of its points by name: for names that are those of a method."""
+        return Place(f"{self.text}.{name}")
+
+    def angle(
+        self, counted_from: Along | None = None, *, relative_to: Body | None = None, clockwise: bool = False
+    ) -> Written:
+        """The angle of its x axis, from a direction (else from `right`), or from the x axis of another body."""
+        reference = f" relative to {relative_to}" if relative_to is not None else ""
+        if counted_from is not None:
+            reference = f" from {_direction(counted_from)}"
+        return Written(f"angle of {self}{reference}{' clockwise' if clockwise else ''}")
+
+    @property
+    def angular_velocity(self) -> Written:
+        """A question."""
+        return Written(f"angular velocity of {self}")
+
+    @property
+    def angular_acceleration(self) -> Written:
+        """A question."""
+        return Written(f"angular acceleration of {self}")
+
+
+class Measure(Symbol):
+    """A named measure: a formula, and what can be asked of it."""
+
+    __slots__ = ()
+
+    def __str__(self) -> str:
+        return self.name
+
+    @property
+    def rate(self) -> Expr:
+        """Its time derivative, in formulas and in `start`."""
+        return Call("rate", Symbol(self.name))
+
+    @property
+    def velocity(self) -> Written:
+        """A question."""
+        return Written(f"velocity of {self.name}")
+
+    @property
+    def acceleration(self) -> Written:
+        """A question."""
+        return Written(f"acceleration of {self.name}")
+
+
+@dataclass(frozen=True)
+class Joined(Written):
+    """A connection or a load by its name, and what can be asked of it."""
+
+    def force(self, what: str, at: Body | str | None = None) -> Written:
+        """What it transmits, by its name: `rope.force("tension", at=left)`."""
+        return _phrase(f"{what} of {self}", at, "at")
+
+    def reaction(self, on: Body | str | None = None, along: Along | None = None) -> Written:
+        """Its force on a body, a vector or its component along a direction."""
+        component = f" along {_direction(along)}" if along is not None else ""
+        return Written(f"{_phrase(f'reaction of {self}', on, 'on')}{component}")
+
+
+class Model:
+    """A model that is being written. title, about: what it shows; space: three dimensions."""
+
+    def __init__(self, title: str = "", about: str = "", *, space: bool = False) -> None:
+        head = {"title": title, "about": about, "space": space}
+        self._data: dict[str, Any] = {name: value for name, value in head.items() if value}
+        self._questions: list[dict[str, Any]] = []
+
+    time: Symbol = Symbol("t")
+
+    def parameters(self, **values: Formula) -> tuple[Symbol, ...]:
+        """Parameters with their values, as quantities with units: m="2 kg". Returns a symbol for each, in order."""
+        return tuple(self.parameter(name, value) for name, value in values.items())
+
+    def parameter(self, name: str, value: Formula | None = None, **more: str) -> Symbol:
+        """One parameter. more: `sign="any"`, `unit="m"` for one without a value. Raises ExpressionError for a name that
+        no formula can have."""
+        made = symbol(name)
+        entry = {key: text for key, text in (("value", value), *more.items()) if text is not None}
+        self._section("parameters")[name] = entry if more else value
+        return made
+
+    def point(self, name: str, *at: Given) -> Place:
+        """A point of the ground; without a place its position is open."""
+        self._section("ground").setdefault("points", {})[name] = as_text(at) if at else [None, None]
+        return Place(f"ground.{name}")
+
+    def line(self, name: str, along: Along, through: Sequence[Given] | None = None) -> Written:
+        """A line of the ground, through a point, else through the origin."""
+        given = {"along": as_text(along)} | ({} if through is None else {"through": as_text(through)})
+        self._section("ground").setdefault("lines", {})[name] = given
+        return Written(f"ground.{name}")
+
+    def body(self, name: str, shape: Shape, **more: Any) -> Body:
+        """A body with its shape. more: what else stands there in a file, such as `at`, `angle`, `points`, `fixed`."""
+        self._section("bodies")[name] = {shape.kind: shape.model_dump(exclude_defaults=True, by_alias=True)} | as_text(
+            more
+        )
+        return Body(name)
+
+    def connect(self, name: str, connection: Connection, closes: str | None = None) -> Joined:
+        """A connection. closes: `at start`, or `when EVENT`."""
+        entry = {connection.kind: connection.model_dump(exclude_defaults=True, by_alias=True)}
+        self._section("connections")[name] = entry | ({} if closes is None else {"closes": closes})
+        return Joined(name)
+
+    def load(self, name: str, load: Load) -> Joined:
+        """A load."""
+        self._section("loads")[name] = {load.kind: load.model_dump(exclude_defaults=True, by_alias=True)}
+        return Joined(name)
+
+    def measure(self, name: str, of: Written | Expr | str) -> Measure:
+        """A measure with a name: a phrase, as bodies and points make it, or a formula in other measures."""
+        text = as_text(of)
+        self._section("measures")[name] = text if isinstance(of, (Written, str)) else {"expression": text}
+        return Measure(name)
+
+    def start(self, values: Mapping[Measure | Expr | str, Given]) -> None:
+        """Values of measures and their rates at the start: `{s: 0, s.rate: v0}`."""
+        self._section("start").update(as_text(values))
+
+    def ask(
+        self,
+        find: Written | str,
+        *,
+        id: str | None = None,
+        when: str | None = None,
+        options: Mapping[str, Given] | None = None,
+        key: str | None = None,
+    ) -> None:
+        """A question, with options to choose from and the letter of the right one."""
+        given = {"find": str(find), "id": id, "when": when, "options": as_text(options), "key": key}
+        self._questions.append({name: value for name, value in given.items() if value is not None})
+
+    def system(self) -> System:
+        """What is written so far, read. Raises ModelError with all its mistakes."""
+        return System.from_data(self._data | ({"questions": self._questions} if self._questions else {}))
+
+    def __repr__(self) -> str:
+        parts = ((name, cast("dict[str, Any]", x)) for name, x in self._data.items() if isinstance(x, dict))
+        sizes = ", ".join(f"{len(part)} {name}" for name, part in parts)
+        return f"<Model {self._data.get('title', '')!r}: {sizes or 'empty'}>"
+
+    def _repr_html_(self) -> str:
+        """For notebooks: as the system shows itself."""
+        shown: Any = self.system()
+        return shown._repr_html_()
+
+    def _section(self, name: str) -> dict[str, Any]:
+        return self._data.setdefault(name, {})
+
+
+def _phrase(text: str, other: Written | str | None, word: str) -> Written:
+    return Written(text if other is None else f"{text} {word} {other}")
+
+
+def _direction(along: Along) -> str:
+    text = as_text(along)
+    return f"[{', '.join(map(str, cast('list[Any]', text)))}]" if isinstance(text, list) else str(text)
