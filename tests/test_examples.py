@@ -266,6 +266,21 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
     # x = v0^2 sin(2 theta)/g, y = v0^2 sin(theta)^2/(2 g)
     "farthest_throw": {"angle": "pi/4", "farthest": "v0**2/g", "upright": "0", "height": "v0**2/(2*g)"},
     # S = m (L w^2 + g cos(theta)), w^2 = w0^2 - 2 g (1 - cos(theta))/L: slack between the side and the top
+    # m R theta'' = m (R Omega^2 cos theta - g) sin theta
+    "bead_on_upright_hoop": {
+        "places": ["0", "pi", "acos(g/(R*Omega**2))"],
+        "side": "sqrt(g/R)",
+        "rate": "sqrt(2*g/R)",
+        "period": "2*pi/(Omega*sqrt(1 - (g/(R*Omega**2))**2))",
+    },
+    # slack where v^2 = g L k at the height k L, k = (v0^2/(g L) - 2)/3; r^2 - L^2 = t^3 (g^2 t/4 - g v cos phi) with
+    # sin phi = k, so it is taut again at t = 4 v cos phi/g, with r r' = 8 v^3 cos^3 phi/g
+    "string_comes_taut_again": {
+        "slack": "acos(-(v0**2/(g*L) - 2)/3)",
+        "speed": "sqrt(g*L*(v0**2/(g*L) - 2)/3)",
+        "lost": "32*m*g*L*((v0**2/(g*L) - 2)/3)**3*(1 - ((v0**2/(g*L) - 2)/3)**2)**3",
+        "share": "64*g*L/v0**2*((v0**2/(g*L) - 2)/3)**3*(1 - ((v0**2/(g*L) - 2)/3)**2)**3",
+    },
     "ball_on_string_stays_taut": {
         "taut": ["sqrt(2*g/L)", "sqrt(5*g/L)"],
         "length": ["2*g/w0**2", "5*g/w0**2"],

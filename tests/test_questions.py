@@ -66,7 +66,11 @@ def test_the_question_of_contributing_works_everywhere_as_written(closing_speed:
 # -- no list of kinds -------------------------------------------------------------------------
 QUANTITIES = {"q", "quantity"}  # what quantities are called
 # Assertions that tell the type checker what the scope "every motion" means: the one kind that has this scope
-ASSERTED = {"narrative/questions/conserving.py": 1, "study/conservation/judge.py": 1}
+ASSERTED = {
+    "narrative/questions/conserving.py": 1,
+    "narrative/questions/jump.py": 1,
+    "study/conservation/judge.py": 1,
+}
 
 
 def names_in(node: ast.AST) -> set[str]:
@@ -168,7 +172,7 @@ def test_who_asks_a_load_for_a_reaction_or_a_connection_for_its_force_is_told_ho
 bodies: {{rod: {{rod: {{mass: 1 kg, length: 1 m}}}}}}
 connections:
   axle: {{pin: [ground.O, rod.start]}}
-  motor: {{driver: {{measure: angle of rod, follows: 2*t}}}}
+  motor: {{driver: {{measure: angle of rod, follows: 2 rad/s*t}}}}
 loads: {{pull: {{spring: {{first: ground.O, second: rod.end, stiffness: 1 N/m}}}}}}
 questions: ['{question}']
 """

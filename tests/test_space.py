@@ -164,6 +164,8 @@ def on_a_lab(name: str, shift: Array, turn: Array) -> dict[str, Any]:
         return f"lab.{value}" if value in ground.get("lines", {}) else value.replace("ground.", "lab.")
 
     def measure(text: str) -> str:
+        if text.startswith("angle of line"):
+            return re.sub(r" from (\w+)$", r" from lab.\1", text)
         if text.startswith("angle of") and "relative to" not in text:
             return f"{text} relative to lab"
         return re.sub(r"^([xyz]) of (\S+)$", r"travel of \2 along lab.\1 from lab.origin", text)

@@ -102,7 +102,7 @@ class Context:
     def _first_mode(self) -> Context:
         """A system of its own. Raises CannotAnswer where the motion begins with none."""
         setup = first_mode(self.system)
-        made = Context(setup.system, self.next_number, self.introduced, self.system)
+        made = Context(setup.system, self.next_number, self.introduced, drawn=self.system)
         made.setup = setup
         return made
 

@@ -188,6 +188,11 @@ class Quantity:
         return False
 
     @property
+    def is_momentum_of_all(self) -> bool:
+        """Whether it is the momentum, or the angular momentum, of all bodies together."""
+        return False
+
+    @property
     def is_of_state(self) -> bool:
         """Whether it has a value in the course of a motion, at an instant or from the start up to it."""
         return self.scope in ("instant", "course")

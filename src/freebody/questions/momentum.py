@@ -64,6 +64,10 @@ questions: {it: linear momentum of ball}
     def letter(self) -> str:
         return "P"
 
+    @property
+    def is_momentum_of_all(self) -> bool:
+        return self.body is None
+
     def share(self, body: str) -> Momentum | None:
         return replace(self, body=body) if is_among(body, self.body) else None
 
@@ -120,6 +124,10 @@ questions: {it: angular momentum of ball about ground.origin}
     @property
     def letter(self) -> str:
         return "H"
+
+    @property
+    def is_momentum_of_all(self) -> bool:
+        return self.body is None
 
     def share(self, body: str) -> AngularMomentum | None:
         """About the same point; None where that is the mass centre of several bodies, or not said."""

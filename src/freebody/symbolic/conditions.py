@@ -166,13 +166,13 @@ def _by_arguments(base: Ratio) -> Ratio:
         return base
     (name,), (rest, u) = names, (parts[0], field.arguments[used[0]][1])
     sign = -1 if (slope < 0) != (name == "acos") else 1
-    if len(used) == 2 and name in ARC_RANGES and rest == -slope * field.variable(used[1]):
+    if len(used) == 2 and name in ARC_RANGES and (rest + parts[1] * field.variable(used[1])).is_zero():
         return _signed(sign * (u - field.arguments[used[1]][1]))
     if len(used) != 1:
         return base
     if name == "log" and rest.is_zero():
         return _signed(sign * (u - 1))
-    part = (-rest / (slope * field.pi)).fraction()
+    part = (-rest / (parts[1] * field.pi)).fraction()
     if name not in ARC_RANGES or part is None or (edge := arc_argument(name, u.field, part)) is None:
         return base
     return _signed(sign * (u - edge))

@@ -197,7 +197,7 @@ def arc_argument(name: str, field: Field, part: Fraction) -> Ratio | None:
     low, high = ARC_RANGES[name]
     if part < low or part > high or (name == "atan" and part in (low, high)):
         return None
-    cos, sin = cos_sin(field, field.pi * part)
+    cos, sin = cos_sin(field, field.pi * part.numerator / part.denominator)
     edge = {"asin": sin, "acos": cos}.get(name)
     return sin / cos if edge is None else edge
 

@@ -61,10 +61,10 @@ def event_means(asked: AtEvent) -> list[int]:
     event, model, script = asked.question.event, asked.context.setup.model, asked.script
     assert isinstance(event, QuestionEvent)
     value = model.field.lowest_terms(model.value_of(event.measure))
-    own = {c.index for c in (*model.coordinates, *model.dependent)}
+    own = [frozenset((c.index,)) for c in (*model.coordinates, *model.dependent)]
     lines: list[int] = []
     name = next((n for n, m in asked.context.system.measures.items() if m == event.measure), "")
-    if name and value.generators() not in [{index} for index in own]:
+    if name and value.generators() not in own:
         lines.append(script.line(Symbol(name), tidy(value), why="course.given", when="event"))
     if model.field.ingredients(value) & {d.index for d in model.dependent}:
         lines += closed_loops(asked.context.setup, script)

@@ -12,7 +12,6 @@ from freebody.narrative.context import Context, Method, refuse
 from freebody.narrative.kinds import derivation_of
 from freebody.narrative.lines.script import DerivationStage, NumberedFormula, Script
 from freebody.questions.conservation import ConservedInBlow
-from freebody.questions.momentum import AngularMomentum, Momentum
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
 from freebody.study.answering.jumps import before_start, sides_of
@@ -46,7 +45,7 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
         right = answer.expression
         is_one = not isinstance(right, tuple)
         script.line(left[0] if is_one else left, right, why="impact.change", args={"lines": lines}, when="never")
-        if isinstance(own[0], (Momentum, AngularMomentum)) and own[0].body is None:
+        if own[0].is_momentum_of_all:
             is_kept = all(part == ZERO for part in (right if isinstance(right, tuple) else (right,)))
             script.say("impact.kept" if is_kept else "impact.not_kept")
     return [*stages, *more, *script.stages]

@@ -100,6 +100,8 @@ def _dependent(engine: Evaluator) -> tuple[list[int], float]:
 def _without_direction(engine: Evaluator) -> str:
     """The first held measure without a dimension that a small part of the system's size turns by a radian: the
     direction of a line goes like one over its length."""
+    if not engine.held:
+        return ""
     slopes = np.abs(engine.jacobian().reshape(len(engine.held), -1) * engine.unit).max(axis=1, initial=0.0)
     for row, slope in zip(engine.held, slopes, strict=True):
         if row.measure.dimension == DIMENSIONLESS and slope > STEEPEST:

@@ -128,7 +128,10 @@ class SpaceDimensions(Dimensioned):
         self.sketch.wish(Wish(label, places, SIZE, INK, weight=3.0))
 
     def _radius(self, start: Array, end: Array) -> list[Shape]:
-        way = (end - start) / float(np.hypot(*(end - start)))
+        length = float(np.hypot(*(end - start)))
+        if length == 0.0:  # of a disk without radius
+            return []
+        way = (end - start) / length
         return [Shape(np.array((start, end - 4.0 * way)), INK, 0.7), head(end, way, INK, 5.0)]
 
     # -- angles -------------------------------------------------------------------------------

@@ -108,7 +108,8 @@ def _extreme(names: Names, clause: Clause, degrees: list[str]) -> Groups:
         yield [f"greatest {way}" for way, sense in lookup.inclined(names, who) if sense > 0]
         return
     if degree == "greatest" and clause.has("quantity", "height") and clause.only("quantity", "name", *SILENT):
-        yield [f"greatest height of {name}" for name in of or lookup.moving(names)]
+        moved = [name for name in of if name in lookup.moving(names) or name not in names.bodies]
+        yield [f"greatest height of {name}" for name in moved or lookup.moving(names)]
         yield [
             f"{name} when {top}"
             for name in lookup.rising(names, next(iter(of), ""))

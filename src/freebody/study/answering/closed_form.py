@@ -12,7 +12,7 @@ from typing import NoReturn
 from freebody.assess.verdict import Judgement
 from freebody.errors import CannotAnswer, NeverHappens
 from freebody.language.expression import number
-from freebody.language.notation import to_text
+from freebody.language.notation import Stated, to_python, to_text
 from freebody.language.sentences import Message, further
 from freebody.questions.base import Quantity, Wanted
 from freebody.questions.clock import Clock
@@ -88,7 +88,7 @@ class QuestionSolver:
         notes = [*blow, *([Message("this is its rate")] if found.rate is not None else [])]
         for term in () if found.rate is None else (part for what, part in found.parts if what == CARRIED):
             words = Message("the point moves, so dH/dt = M - v × P, here with -v × P = {term}", term=to_text(term))
-            notes.append(words)
+            notes.append(Stated(words, to_python(term)))
         return made(
             self.question,
             found.rate,
