@@ -48,6 +48,16 @@ SMOOTH = [
 ]
 # with 1e-12 round-off makes this wedge, which stays at rest, slip and stick again in the plane as well
 TOLERANCES = {"wedge_under_load": 1e-9}
+# of a start that nothing tells several poses are nearest to the one in which all is at the origin: (x, y, angle)
+NEAR = {
+    "multi_bar_platform": {
+        "B1": (0.13, 0.95, 0.25),
+        "L1": (-0.65, 0.32, 0.74),
+        "L2": (0.83, 0.44, 1.93),
+        "L3": (-1.0, 1.0, 3.14),
+        "L4": (1.08, 1.08, -0.56),
+    }
+}
 TOLERANCE, CLOSE, SEED = 1e-12, 1e-9, 5
 # what cannot be said in space, and why
 REFUSED = {
@@ -89,6 +99,10 @@ def without_questions(data: dict[str, Any]) -> dict[str, Any]:
 def both(name: str) -> tuple[fb.System, fb.System]:
     """An example in the plane and in space."""
     data = without_questions(DOCUMENTS[name])
+    if name in NEAR:
+        data = copy.deepcopy(data)
+        for body, (x, y, angle) in NEAR[name].items():
+            data["bodies"][body]["near"] = {"at": [f"{x} m", f"{y} m"], "angle": f"{angle} rad"}
     return fb.System.from_data(data), fb.System.from_data(in_space(data))
 
 
@@ -189,8 +203,9 @@ def test_a_planar_example_has_the_same_events_in_space(name: str) -> None:
     units = {LENGTH: " m"}
     asked = [
         f"{m} = {float(values[15 + 2 * j : 17 + 2 * j].mean())!r}{units.get(flat.system.measures[m].dimension, '')}"
-        for j, (m, (values, _rate, _second)) in enumerate(flat.series.items())
+        for j, (m, (values, rate, _second)) in enumerate(flat.series.items())
         if np.ptp(values) > 1e-3
+        and np.abs(rate[15 + 2 * j : 17 + 2 * j]).min() > 1e-3  # a value that it does not touch
     ]
     if asked:
         flat, spatial = (

@@ -163,7 +163,6 @@ questions: [rate(x), how nice is it, what is up]
     ("question", "told"),
     [
         ("tension of pull", "pull is a load; ask for: force in pull"),
-        ("torque of motor", "motor is a connection; ask for: driving torque of motor"),
         ("force in pul", "there is no load pul. Did you mean pull?"),
     ],
 )

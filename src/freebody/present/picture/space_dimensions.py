@@ -115,23 +115,22 @@ class SpaceDimensions(Dimensioned):
         first = level / float(np.linalg.norm(level)) if float(np.linalg.norm(level)) > 1e-9 else np.eye(3)[0]
         second = np.cross(axis, first)
         tips = [figure.sizes[0] * (math.cos(a) * first + math.sin(a) * second) for a in _RADII]
-        lines = [self._radius(self.sketch.seen(middle), self.sketch.seen(middle + tip)) for tip in tips]
-        k = self.sketch.least_crowded([shapes[:1] for shapes in lines], 30)
+        ends = [(self.sketch.seen(middle), self.sketch.seen(middle + tip)) for tip in tips]
+        ends = [(start, end) for start, end in ends if not np.array_equal(start, end)]  # none of a disk without radius
+        lines = [self._radius(start, end) for start, end in ends]
+        k = self.sketch.least_crowded([shapes[:1] for shapes in lines], 30) if lines else None
         if k is None:
             return
         self.show(label)
         self.sketch.add(lines[k])
-        start, end = self.sketch.seen(middle), self.sketch.seen(middle + tips[k])
+        start, end = ends[k]
         side = across((end - start) / float(np.hypot(*(end - start))))
         spots = [start + share * (end - start) for share in (0.55, 0.7, 0.4)]
         places = tuple((spot, sign * side) for spot in spots for sign in (1.0, -1.0))
         self.sketch.wish(Wish(label, places, SIZE, INK, weight=3.0))
 
     def _radius(self, start: Array, end: Array) -> list[Shape]:
-        length = float(np.hypot(*(end - start)))
-        if length == 0.0:  # of a disk without radius
-            return []
-        way = (end - start) / length
+        way = (end - start) / float(np.hypot(*(end - start)))
         return [Shape(np.array((start, end - 4.0 * way)), INK, 0.7), head(end, way, INK, 5.0)]
 
     # -- angles -------------------------------------------------------------------------------
