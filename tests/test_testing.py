@@ -263,7 +263,7 @@ def test_a_refusal_names_what_it_is_about(name: str) -> None:
 
 def test_a_stop_that_is_passed_at_the_start_holds_nothing() -> None:
     system = fb.System.from_text(ENDS["a stop that is passed at the start"])
-    with pytest.raises(fb.CannotAnswer, match="in the start pose something penetrates"):
+    with pytest.raises(fb.CannotAnswer, match="in the start pose there is penetration at"):
         system.statics()
 
 

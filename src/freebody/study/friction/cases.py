@@ -104,7 +104,8 @@ class Ends:
         acute = [p.name for p in self.touching.system.parameters.values() if p.acute]
         kept = [d for d in every if all(0.0 < d.values[name] < math.pi / 2 for name in acute)]
         found = [d for d in kept if self.touching.is_admissible(d.reference, d.q)]
-        self.touching.insist(self.setup.draws[0] in found)
+        own = self.setup.draws[0]
+        self.touching.insist(own.reference, own.q)
         return found
 
     def limit(self, sign: int) -> HoldingLimit:

@@ -155,7 +155,7 @@ def statics(system: System) -> Statics:
     rest = prepared(system)
     touching, setup = rest.touching, rest.setup
     draw = setup.draws[0]
-    touching.insist(touching.is_admissible(draw.reference, draw.q))
+    touching.insist(draw.reference, draw.q)
     problem = rest_problem(draw.reference, draw.q, touching.dry_friction)
     if unresisted(problem) is not None:
         return Statics(system, False, how_it_fails(touching, problem, draw), 0.0, ())

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from freebody.errors import CannotAnswer
-from freebody.language.sentences import Message
+from freebody.language.sentences import Message, listed
 from freebody.measures.displacement import Displacement
 from freebody.model.elements import ConstraintRow, DryFriction, UnilateralConstraint
 from freebody.numeric.contact.start import far_sides, is_within
@@ -45,18 +45,26 @@ class TouchingAtRest:
 
     def is_admissible(self, reference: Reference, q: Array) -> bool:
         """Whether nothing else penetrates in a pose, and what touches does so where it is meant to."""
+        return not self._out_of_place(reference, q)
+
+    def _out_of_place(self, reference: Reference, q: Array) -> list[str]:
+        """The sites at which something touches beyond the end of an edge, or penetrates."""
         g = reference.geometry(q, np.zeros_like(q), 0.0)
         slack, closed = TOUCHES * reference.sizes.length, {bound.name for bound in self.bounds}
-        for bound in self.bounds:
-            if not is_within(reference, g, bound, slack):
-                return False
+        beyond = [bound.name for bound in self.bounds if not is_within(reference, g, bound, slack)]
         apart = _apart(reference, g, self.system.bounds)
-        return all(gap >= -slack or name in closed for gap, name in apart.values())
+        return beyond + [name for gap, name in apart.values() if gap < -slack and name not in closed]
 
-    def insist(self, is_admissible: bool) -> None:
+    def insist(self, reference: Reference, q: Array) -> None:
         """Raises CannotAnswer where the start pose is not admissible: what is said of rest would be said of another."""
-        if not is_admissible:
-            raise CannotAnswer(Message("in the start pose something penetrates, or touches beyond the end of an edge"))
+        if names := self._out_of_place(reference, q):
+            raise CannotAnswer(
+                Message(
+                    "in the start pose there is penetration at {names}, or contact beyond the end of an edge; say how "
+                    "the bodies stand, e.g. by angle and at",
+                    names=listed(names),
+                )
+            )
 
 
 def touching(system: System) -> TouchingAtRest:
