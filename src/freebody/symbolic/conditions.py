@@ -15,7 +15,7 @@ from freebody.language.notation import Stated, compared, reworded
 from freebody.language.sentences import Message, in_turn
 from freebody.symbolic.decide import decide, sign_given
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.signs import ARC_RANGES, Sign, arc_argument
+from freebody.symbolic.signs import ARC_RANGES, Sign, acute_argument, arc_argument
 from freebody.symbolic.tidy import tidy
 
 
@@ -157,8 +157,10 @@ def _is_excluded(base: Ratio, rest: Ratio) -> bool:
 
 def _by_arguments(base: Ratio) -> Ratio:
     """What has the sign of a function that only rises or falls, against a value that it has, by where its argument is:
-    log u as u - 1, atan u - atan v as u - v, asin u - pi/6 as u - 1/2, pi/3 - acos u as u - 1/2."""
+    log u as u - 1, atan u - atan v as u - v, asin u - pi/6 as u - 1/2, pi/3 - acos u as u - 1/2 (and acute angles)."""
     field = base.field
+    if (angles := _by_acute_angles(base)) is not None:
+        return angles
     used = sorted(base.generators() & field.arguments.keys())
     names = {field.arguments[g][0] for g in used}
     parts = base.coefficients(used[0]) if used and base.den is None else []
@@ -172,10 +174,34 @@ def _by_arguments(base: Ratio) -> Ratio:
         return base
     if name == "log" and rest.is_zero():
         return _signed(sign * (u - 1))
-    part = (-rest / (parts[1] * field.pi)).fraction()
-    if name not in ARC_RANGES or part is None or (edge := arc_argument(name, u.field, part)) is None:
+    against = field.lowest_terms(-rest / parts[1])
+    part = (against / field.pi).fraction()
+    if name not in ARC_RANGES:
+        return base
+    edge = acute_argument(name, against) if part is None else arc_argument(name, u.field, part)
+    if edge is None:
         return base
     return _signed(sign * (u - edge))
+
+
+def _by_acute_angles(base: Ratio) -> Ratio | None:
+    """What has the sign of the sine of a difference of two acute angles, which is less than a right one, or of the
+    cosine of their sum: cos a sin b - sin a cos b as b - a, cos a cos b - sin a sin b as pi/2 - a - b."""
+    field = base.field
+    acute = [p for p in field.pairs(base.generators()) if all(field.generators[g].positive for g in p)]
+    if len(acute) != 2 or len(base.num) != 2 or base.den is not None:
+        return None
+    (a, b), ((ca, sa), (cb, sb)) = (
+        (field.angles[c] for c, _s in acute),
+        ((field.variable(c), field.variable(s)) for c, s in acute),
+    )
+    difference, total = ca * sb - sa * cb, ca * cb - sa * sb
+    for sign in (1, -1):
+        if base == sign * difference:
+            return sign * (b - a)
+        if base == sign * total:
+            return sign * (field.pi / 2 - a - b)
+    return None
 
 
 def _signed(x: Ratio) -> Ratio:

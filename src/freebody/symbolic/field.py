@@ -446,8 +446,8 @@ class Field(PolynomialRing):
         self, x: Ratio, is_negative: Callable[[Ratio], bool | None] | None = None, *, is_kept: bool = False
     ) -> Ratio:
         """The root that is not negative. Square factors and the denominator come out; `is_negative` tells for each
-        of them whether its sign must be turned (default: never), and if `is_kept` also for what becomes of the root
-        when something in it is replaced. Where it tells nothing (None) the root of the square stays."""
+        of them whether its sign must be turned (default: what is known of it), and if `is_kept` also for what becomes
+        of the root when something in it is replaced. Where it tells nothing (None) the root of the square stays."""
         if x.is_zero():
             return x
         num, den = self.current(x.num), self.one.num if x.den is None else self.current(x.den)
@@ -466,7 +466,7 @@ class Field(PolynomialRing):
             if exponent % 2 or taken is None:
                 inside = inside * base ** (exponent % 2 if taken is not None else exponent)
         below = Ratio(self, den, None)  # sqrt(n/d) = sqrt(n d)/|d|
-        turned = False if is_negative is None or below == 1 else is_negative(below)
+        turned = False if below == 1 else (is_negative or self.has_negative_sign)(below)
         outside = outside / (self._root(below * below) if turned is None else -below if turned else below)
         if inside == 1:
             return outside

@@ -240,12 +240,28 @@ _ARCS: dict[str, dict[Fraction, tuple[int, int]]] = {
 
 
 def _known_arc(field: Field, name: str, x: Ratio) -> Ratio | None:
-    """An inverse function at a number where it is a part of pi."""
+    """An inverse function at a number where it is a part of pi, or of a function of an acute angle."""
+    if (acute := _of_acute(field, name, x)) is not None:
+        return acute
     fraction = x.fraction()
     if fraction is None or fraction not in _ARCS[name]:
         return None
     n, d = _ARCS[name][fraction]
     return field.pi * n / d
+
+
+def _of_acute(field: Field, name: str, x: Ratio) -> Ratio | None:
+    """The angle itself, or what it lacks of a right angle: acos(sin b) = pi/2 - b, atan(cos b/sin b) = pi/2 - b."""
+    for c, s in field.pairs(x.generators()):
+        if not field.generators[c].positive or not field.generators[s].positive:
+            continue
+        angle, cos, sin = field.angles[c], field.variable(c), field.variable(s)
+        own, other = {"asin": (sin, cos), "acos": (cos, sin), "atan": (sin / cos, cos / sin)}[name]
+        for sign in (1, -1):
+            if x in (sign * own, sign * other):
+                known = angle if x == sign * own else field.pi / 2 - angle
+                return known if sign > 0 else field.pi - known if name == "acos" else -known
+    return None
 
 
 def _arc_or_known(field: Field, name: str, x: Ratio, slope: Callable[[Ratio], Ratio]) -> Ratio:

@@ -20,9 +20,8 @@ from freebody.questions.reading import QuestionEvent
 from freebody.symbolic.closure import Closure
 from freebody.symbolic.event_places import EventPlaces, Need, Variable
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.laws import Freely, LawInstant, first, law_of
-from freebody.symbolic.laws.damped import Damped
-from freebody.symbolic.laws.quadratic_resistance import Resisted
+from freebody.symbolic.law_ranges import extent_by_law, period_by_law
+from freebody.symbolic.laws import Freely, LawInstant, MotionLaw, first, law_of
 from freebody.symbolic.laws.uniform import UniformLaw
 from freebody.symbolic.motion_laws import MotionLaws
 from freebody.symbolic.reached import HOLDS_ALWAYS, HOLDS_ONCE, Reached
@@ -225,14 +224,24 @@ class SmoothMotion(MotionLaws):
     def _together(
         self, value: Ratio, target: Ratio, found: list[Coordinate], text: str, order: int = 0
     ) -> Reached | None:
-        """A measure that is linear in several coordinates, and whose acceleration depends on nothing that moves but
-        itself: the way between bodies that fall, or between two masses on a spring."""
+        """When a measure that is linear in several coordinates has a value, or its rate."""
+        law = self._law_together(value, found)
+        if isinstance(law, UniformLaw) and not order:
+            return passage_at(text, law, target).of(None, target)
+        if law is None or law.is_still:
+            return None
+        instants = law.rates(target) if order else law.places(target)
+        return None if instants is None else self._first(None, text, *instants)
+
+    def _law_together(self, value: Ratio, found: list[Coordinate]) -> MotionLaw | None:
+        """The law of a measure that is linear in several coordinates, and whose acceleration depends on nothing that
+        moves but itself: the way between bodies that fall, or between two masses on a spring."""
         f = self.field
         slopes = [f.partial(value, c.index) for c in found]
         rest = value
         for slope, c in zip(slopes, found, strict=True):
             rest = rest - slope * f.variable(c.index)
-        if not all(x.is_constant() for x in (*slopes, rest)):
+        if not found or not all(x.is_constant() for x in (*slopes, rest)):
             return None
         q0, u0, a = rest, f.zero, f.zero
         for slope, c in zip(slopes, found, strict=True):
@@ -246,13 +255,7 @@ class SmoothMotion(MotionLaws):
             rate = rate - slopes[k] * f.variable(found[k].speed)
         a = f.lowest_terms(f.follow(a, {first.index: own / slopes[0], first.speed: rate / slopes[0]}))
         moving = Freely(self.model, first, a, f.lowest_terms(q0), f.lowest_terms(u0), self._takes_side)
-        law = law_of(moving) if moving.is_alone else None
-        if isinstance(law, UniformLaw) and not order:
-            return passage_at(text, law, target).of(None, target)
-        if law is None or law.is_still:
-            return None
-        instants = law.rates(target) if order else law.places(target)
-        return None if instants is None else self._first(None, text, *instants)
+        return law_of(moving) if moving.is_alone else None
 
     def _first(
         self, c: Coordinate | None, name: str, instants: list[LawInstant], needs: list[tuple[Ratio, str]]
@@ -332,14 +335,7 @@ class SmoothMotion(MotionLaws):
             raise NeverHappens(Message("it starts at rest in an equilibrium, and stays there"))
         law = self.law_of(c, takes_side=self._takes_side)
         if law is not None:
-            if law.is_still or law.period is None:
-                raise NeverHappens(Message("the motion of {x} does not repeat itself", x=c.name))
-            notes: list[str] = (
-                []
-                if law.is_undamped
-                else [Message("of a damped motion it is the time from a turn to the next but one")]
-            )
-            return Reached(self.field.lowest_terms(law.period), c, q0, u0, notes)
+            return period_by_law(law, c.name, c)
         way = self.way_of(c)
         found = way.period()
         if found is None:
@@ -349,6 +345,10 @@ class SmoothMotion(MotionLaws):
         time, needs, says = found
         return Reached(time, c, q0, u0, [], needs, says=says, integral=way.integral)
 
+    def period_of_sum(self, value: Ratio, name: str) -> Reached:
+        """The same of a measure that is linear in several coordinates and moves by a law of its own."""
+        return period_by_law(self.law_of_sum(value), name)
+
     def extent(self, c: Coordinate, side: int) -> Reached:
         """The farthest place of a coordinate above (side > 0) or below."""
         q0 = self.start.of(c.index)
@@ -357,20 +357,30 @@ class SmoothMotion(MotionLaws):
         try:
             self.integrals.speed_squared(c, self.field.variable(c.index))
         except CannotAnswer:
-            return self._extent_by_law(c, side)
+            law = self.law_of(c, takes_side=True)
+            if law is None:
+                raise CannotAnswer(Message("no closed form was found for how far it gets")) from None
+            return extent_by_law(law, c.name, side, c)
         at, needs, says = self.way_of(c).extent(side)
         return Reached(None, c, at, self.field.zero, [], needs, says=says)
 
-    def _extent_by_law(self, c: Coordinate, side: int) -> Reached:
-        """Of what is damped or resisted: it does not get beyond its first turn, nor back beyond its start at rest."""
-        law, u0 = self.law_of(c, takes_side=True), self.start.of(c.speed)
-        sense = sign_of(u0)
-        if not isinstance(law, Damped | Resisted) or not sense.is_strict or (sense is Sign.POSITIVE) != (side > 0):
-            raise CannotAnswer(Message("no closed form was found for how far it gets"))
-        instants = law.rates(self.field.zero)
-        if instants is None or (isinstance(law, Damped) and law.is_negative(law.delta)):
-            raise CannotAnswer(Message("no closed form was found for how far it gets"))
-        return self._first(c, c.name, *instants)
+    def ends(self, c: Coordinate) -> tuple[Ratio, Ratio]:
+        """The least and the greatest place of a coordinate. Raises CannotAnswer, NeverHappens or NotReached where it
+        has none, or none in closed form."""
+        low, high = (self.extent(c, side).at for side in (-1, 1))
+        return low, high
+
+    def extent_of_sum(self, value: Ratio, name: str, side: int) -> Reached:
+        """The same of a measure that is linear in several coordinates and moves by a law of its own."""
+        return extent_by_law(self.law_of_sum(value), name, side)
+
+    def law_of_sum(self, value: Ratio) -> MotionLaw:
+        """The law of a measure that is linear in several coordinates. Raises CannotAnswer where it has none."""
+        inside = self.field.ingredients(value)
+        law = self._law_together(value, [c for c in self.model.coordinates if c.index in inside])
+        if law is None:
+            raise CannotAnswer(Message("no closed form was found for that: it moves by no law of its own"))
+        return law
 
     # -- first integral -----------------------------------------------------------------------
     def _place_by_energy(self, c: Coordinate, at: Ratio, event: QuestionEvent) -> Reached:

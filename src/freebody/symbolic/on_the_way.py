@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from freebody.errors import CannotAnswer
+from freebody.errors import CannotAnswer, NeverHappens, NotReached
 from freebody.symbolic.conditions import Condition, require
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.motion import SmoothMotion
@@ -44,6 +44,39 @@ def kept_until(motion: SmoothMotion, reached: Reached, conditions: Sequence[Cond
         on_parameters = _least(motion, reached, c) if _moves(c.element) else None
         found += [c] if on_parameters is None else on_parameters
     return found
+
+
+def kept_throughout(motion: SmoothMotion, conditions: Sequence[Condition]) -> list[Condition]:
+    """Conditions on the state in all of a motion that comes back, on parameters where the least value is told; the
+    others as they are."""
+    found: list[Condition] = []
+    for c in conditions:
+        on_parameters = _least_of_all(motion, c) if _moves(c.element) and c.relation != "!=" else None
+        found += [c] if on_parameters is None else on_parameters
+    return found
+
+
+def _least_of_all(motion: SmoothMotion, c: Condition) -> list[Condition] | None:
+    """What a condition comes to at its least values between all turns; None where these are not told."""
+    f = motion.field
+    try:
+        if len(motion.model.coordinates) > 1:
+            reached = motion.extent_of_sum(c.element, "", -1)
+            least, needs = [reached.at], reached.conditions
+        else:
+            (q,) = motion.model.coordinates
+            x = f.lowest_terms(_by_integrals(motion, q, c.element))
+            if _changing(x) - {q.index}:
+                return None
+            ends = motion.ends(q)
+            places = _places_of_least(motion, q, x, *ends)
+            if places is None:
+                return None
+            least, needs = [f.lowest_terms(f.follow(x, {q.index: place})) for place in places], []
+    except (_NotOne, CannotAnswer, NeverHappens, NotReached, ZeroDivisionError, ValueError):
+        return None
+    told = [require(x, c.relation, c.purpose)[0] for x in least] + [require(x, r, c.purpose)[0] for x, r in needs]
+    return [condition for condition in told if condition is not None]
 
 
 def _moves(x: Ratio) -> bool:

@@ -145,7 +145,7 @@ def _sum(field: Field, terms: Terms) -> Sign:
         found = _terms(field, variant)
         if found is not Sign.UNKNOWN:
             return found
-    for way in (_number, _amplitudes, _function):
+    for way in (_number, _acute_angles, _amplitudes, _function):
         found = way(field, terms)
         if found is not Sign.UNKNOWN:
             return found
@@ -177,8 +177,14 @@ def _function(field: Field, terms: Terms) -> Sign:
         zero, u = _RISING[name], field.arguments[used[0]][1]
         if rest.is_zero() and zero is not None:
             return times(sign_of(slope), sign_of(u - zero))
-        turns = (-rest / (slope * field.pi)).fraction()
-        return Sign.UNKNOWN if turns is None or name == "log" else times(sign_of(slope), _arc(name, u, turns))
+        against = field.lowest_terms(-rest / slope)
+        turns = (against / field.pi).fraction()
+        if name == "log":
+            return Sign.UNKNOWN
+        if turns is None and (edge := acute_argument(name, against)) is not None:
+            found = times(sign_of(slope), sign_of(u - edge))
+            return -found if name in _FALLING else found
+        return Sign.UNKNOWN if turns is None else times(sign_of(slope), _arc(name, u, turns))
     below = rest.coefficients(used[1])
     if len(below) != 2 or not below[0].is_zero() or not (below[1] + slope).is_zero():
         return Sign.UNKNOWN
@@ -200,6 +206,36 @@ def arc_argument(name: str, field: Field, part: Fraction) -> Ratio | None:
     cos, sin = cos_sin(field, field.pi * part.numerator / part.denominator)
     edge = {"asin": sin, "acos": cos}.get(name)
     return sin / cos if edge is None else edge
+
+
+def acute_argument(name: str, angle: Ratio) -> Ratio | None:
+    """Where asin, acos or atan is an acute angle that is given; None of any other."""
+    field = angle.field
+    if len(angle.generators()) != 1 or not all(field.acute(g) for g in angle.generators()):
+        return None
+    if angle != field.variable(min(angle.generators())):
+        return None
+    cos, sin = cos_sin(field, angle)
+    return {"asin": sin, "acos": cos, "atan": sin / cos}.get(name)
+
+
+def _acute_angles(field: Field, terms: Terms) -> Sign:
+    """A sum of acute angles and right ones, by the ends of its range: pi/2 - a, 2 a - pi, pi - a - b."""
+    low = high = Fraction(0)  # in right angles; neither end is reached
+    is_open = False
+    for monomial, coefficient in terms.items():
+        if len(monomial) != 1 or monomial[0][1] != 1:
+            return Sign.UNKNOWN
+        ((g, _power),) = monomial
+        if g == field.index(field.pi):
+            low, high = low + 2 * coefficient, high + 2 * coefficient
+        elif field.acute(g):
+            low, high, is_open = low + min(coefficient, 0), high + max(coefficient, 0), True
+        else:
+            return Sign.UNKNOWN
+    if is_open and low >= 0:
+        return Sign.POSITIVE
+    return Sign.NEGATIVE if is_open and high <= 0 else Sign.UNKNOWN
 
 
 def _arc(name: str, u: Ratio, part: Fraction) -> Sign:

@@ -7,11 +7,12 @@ sines and cosines of different angles are turned into functions of sums and diff
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Set
+from enum import Enum, auto
 from fractions import Fraction
 from typing import Any
 
-from freebody.language.expression import Call, Expr, add, divide, multiply, n_operations, negate, number, power
+from freebody.language.expression import Call, Expr, Sum, add, divide, multiply, n_operations, negate, number, power
 from freebody.symbolic.field import Field, Ratio
 from freebody.symbolic.polynomials import Poly, declaration_order, has_lonely_symbol, primitive
 from freebody.symbolic.signs import Sign, sign_is_negative, sign_is_positive, sign_of
@@ -39,6 +40,14 @@ _PLACE = {
 }
 _EXPANDED_TERMS = 12  # larger sums are always shorter collected
 _FACTOR_TERMS = 600  # larger polynomials are not factored
+
+
+class Gathers(Enum):
+    """Which angles are gathered in sines and cosines of their sums."""
+
+    NONE = auto()
+    MOVING = auto()  # those that move
+    ALL = auto()  # given ones, too: sin(b - a) for cos(a) sin(b) - sin(a) cos(b)
 
 
 def tidy(x: Ratio) -> Expr:
@@ -198,7 +207,11 @@ def _sum(field: Field, poly: Poly) -> Expr:
         return _monomials(field, base)
     best: Expr | None = None
     for terms in square_variants(field, base):
-        variants: list[Expr | None] = [_collected(field, terms, gather=False), _collected(field, terms, gather=True)]
+        variants: list[Expr | None] = [
+            _collected(field, terms, Gathers.NONE),
+            _collected(field, terms, Gathers.MOVING),
+            _collected(field, terms, Gathers.ALL),
+        ]
         if len(terms) <= _EXPANDED_TERMS:
             variants.append(_monomials(field, terms))
         for e in variants:
@@ -243,6 +256,8 @@ def shown(field: Field, index: int) -> Expr:
     if index in field.arcs:
         name, x = field.arcs[index]
         return multiply(number(2), Call("atan", tidy(x))) if name == "half" else Call(name, tidy(x))
+    if isinstance(generator.display, Call) and generator.display.function == name:
+        return Call(name, tidy(x))
     return generator.display
 
 
@@ -255,23 +270,27 @@ def _as_power(field: Field, x: Ratio) -> Expr | None:
     return None if exponent is None else power(tidy(field.arguments[logs[0]][1]), number(exponent))
 
 
-def _collected(field: Field, terms: Mapping[Monomial, int], *, gather: bool) -> Expr | None:
-    """Collected by what moves; to `gather` is to write sines and cosines as functions of sums of angles in
+def _collected(field: Field, terms: Mapping[Monomial, int], gathers: Gathers) -> Expr | None:
+    """Collected by what moves; to gather is to write sines and cosines as functions of sums of angles in
     every group of terms in which functions of different angles are multiplied."""
+
+    def is_fixed(g: int) -> bool:
+        return _is_fixed(field, g) and not (gathers is Gathers.ALL and field.generators[g].kind in ("cos", "sin"))
+
     mixed: set[Monomial] = set()
-    if gather:
+    if gathers is not Gathers.NONE:
         for monomial in terms:
-            angles = {min(p) for p in field.pairs(g for g, _e in monomial if not _is_fixed(field, g))}
+            angles = {min(p) for p in field.pairs(g for g, _e in monomial if not is_fixed(g))}
             if len(angles) > 1:
                 mixed.add(_plain(field, monomial))
-        if not mixed:
-            return None  # nothing to gather
+        if not mixed or (gathers is Gathers.ALL and not _has_given_angle(field, terms, mixed)):
+            return None  # nothing to gather, or nothing more than what moves
     groups: dict[Any, Terms] = {}
     pieces: dict[Any, Expr] = {}
     for monomial, coefficient in terms.items():
-        fixed = tuple(i for i in monomial if _is_fixed(field, i[0]))
-        moving = tuple(i for i in monomial if not _is_fixed(field, i[0]))
-        if not gather or _plain(field, monomial) not in mixed:
+        fixed = tuple(i for i in monomial if is_fixed(i[0]))
+        moving = tuple(i for i in monomial if not is_fixed(i[0]))
+        if gathers is Gathers.NONE or _plain(field, monomial) not in mixed:
             pieces[moving] = _monomial(field, moving, 1)
             group = groups.setdefault(moving, {})
             group[fixed] = group.get(fixed, 0) + coefficient
@@ -289,18 +308,61 @@ def _collected(field: Field, terms: Mapping[Monomial, int], *, gather: bool) -> 
         for share in group.values():
             common = math.lcm(common, Fraction(share).denominator)
     whole = {key: {m: int(Fraction(c) * common) for m, c in group.items() if c} for key, group in groups.items()}
+    if gathers is not Gathers.NONE:
+        _squares_gathered(field, whole, pieces)
     for group in whole.values():
         content = math.gcd(content, *group.values())
     if content == 0:
         return number(0)
     shown_terms: list[Expr] = []
-    for key, group in whole.items():
+    for key, group in sorted(whole.items(), key=lambda item: _has_root(field, item[0])):
         if group:
-            coefficient = _factored(field, {m: c // content for m, c in group.items()})
-            shown_terms.append(multiply(*factors_of(coefficient), *factors_of(pieces[key])))
+            coefficient, piece = {m: c // content for m, c in group.items()}, pieces[key]
+            is_negative = gathers is Gathers.ALL and all(c < 0 for c in coefficient.values())
+            if is_negative and isinstance(piece, Call) and piece.function == "sin":
+                coefficient, piece = {m: -c for m, c in coefficient.items()}, _turned(piece)
+            shown_terms.append(multiply(*factors_of(_factored(field, coefficient)), *factors_of(piece)))
     ratio = Fraction(content, common)
     total = multiply(number(ratio.numerator), *factors_of(positive_first(shown_terms)))
     return fraction_shown(total, number(ratio.denominator))
+
+
+def _has_root(field: Field, key: Any) -> bool:
+    """Whether a root stands in what moves: a sum ends with its roots."""
+    plain = key[0] if len(key) == 3 and isinstance(key[1], bool) else key
+    return any(field.generators[g].kind == "root" for g, _e in plain)
+
+
+def _has_given_angle(field: Field, terms: Mapping[Monomial, int], mixed: Set[Monomial]) -> bool:
+    """Whether a function of a given angle stands in one of the groups that are gathered."""
+    return any(
+        _plain(field, m) in mixed
+        and any(field.generators[g].kind in ("cos", "sin") and _is_fixed(field, g) for g, _e in m)
+        for m in terms
+    )
+
+
+def _squares_gathered(field: Field, groups: dict[Any, dict[Monomial, int]], pieces: dict[Any, Expr]) -> None:
+    """1 - cos(2 u) as 2 sin(u)^2, 1 + cos(2 u) as 2 cos(u)^2, in place."""
+    for key in [k for k in groups if len(k) == 3 and k[2] and not k[1] and all(n % 2 == 0 for _a, n in k[2])]:
+        plain, _is_sine, frequencies = key
+        constant = next((k for k in ((plain, False, ()), plain) if groups.get(k)), None)
+        if constant is None:
+            continue
+        is_same = groups[key] == groups[constant]
+        if not is_same and groups[key] != {m: -c for m, c in groups[constant].items()}:
+            continue
+        half = tuple((angle, n // 2) for angle, n in frequencies)
+        pieces[key] = multiply(_monomial(field, plain, 1), power(_wave(field, not is_same, half), number(2)))
+        groups[key] = {m: 2 * c for m, c in groups.pop(constant).items()}
+
+
+def _turned(sine: Call) -> Expr:
+    """-sin(a - b) = sin(b - a), where that is as short."""
+    inside = sine.argument
+    if not isinstance(inside, Sum):
+        return negate(sine)
+    return Call("sin", positive_first([negate(t) for t in inside.terms]))
 
 
 def _is_fixed(field: Field, g: int) -> bool:

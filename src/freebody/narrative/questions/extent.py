@@ -39,7 +39,7 @@ def _told(
         raise CannotAnswer(Message("there is no closed form"))
     refuse(method, ("energy",), Message("how far it gets"))
     with setup.motion.on_one_side():
-        c, found, x = turn_of(setup, measure, side)
+        c, found, x = turn_of(setup, measure, side, str(getattr(quantity, "name", "")))
     if len(setup.model.coordinates) > 1:
         raise CannotAnswer(Message("energy and momentum of several freedoms are told without a derivation here"))
     if found.time is not None:

@@ -308,7 +308,7 @@ class QuestionSolver:
     def _extent(self, q: Extent) -> Finding:
         from freebody.study.answering.extent import find
 
-        return find(self.setup, self.question.text, q.measure, q.side)
+        return find(self.setup, self.question.text, q.measure, q.side, q.name)
 
     @_found.register(ExtremeOfMotion)
     def _extreme(self, q: ExtremeOfMotion) -> Finding:

@@ -17,7 +17,7 @@ from freebody.study.answering.crosscheck import (
 )
 from freebody.study.answering.draws import Draw
 from freebody.study.answering.finding import Finding, NotHere
-from freebody.study.answering.repeated import checked, coordinate_of
+from freebody.study.answering.repeated import checked, coordinate_of, taken_throughout
 from freebody.study.answering.witness import least_rate, run, snapshots
 from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition, insisted
@@ -31,13 +31,13 @@ _N_STEPS = 65  # to the last of the turns
 _N_TURNS = 2  # of a motion that goes to and fro: both sides
 
 
-def find(setup: Setup, question: str, measure: Measure, side: int) -> Finding:
+def find(setup: Setup, question: str, measure: Measure, side: int, name: str) -> Finding:
     """The closed form. side: +1 for the greatest value, -1 for the least."""
-    _c, found, x = turn_of(setup, measure, side)
+    _c, found, x = turn_of(setup, measure, side, name)
     conditions = insisted(
         (Condition(part, relation, Message("it turns")) for part, relation in found.conditions),
         NeverHappens(Message("it does not turn")),
-    )
+    ) + taken_throughout(setup)
     check = CrossCheck(question, Message("numerical integration until it has turned on both sides"), MOTION_TOLERANCE)
     evidence = checked(setup, check, x, conditions, lambda draw: extent_in_numbers(draw, measure, side))
     if evidence is None:
@@ -46,10 +46,14 @@ def find(setup: Setup, question: str, measure: Measure, side: int) -> Finding:
     return Finding(x, evidence, conditions, list(found.notes), list(found.says))
 
 
-def turn_of(setup: Setup, measure: Measure, side: int) -> tuple[Coordinate, Reached, Ratio]:
+def turn_of(setup: Setup, measure: Measure, side: int, name: str) -> tuple[Coordinate, Reached, Ratio]:
     """The coordinate of a measure, the turn on that side, and the measure there."""
-    f, c = setup.model.field, coordinate_of(setup, measure)
-    value = setup.model.value_of(measure)
+    f, value = setup.model.field, setup.model.value_of(measure)
+    several = [c for c in setup.model.coordinates if c.index in f.ingredients(value)]
+    if len(several) > 1:
+        found = setup.motion.extent_of_sum(value, name, side)
+        return several[0], found, f.lowest_terms(found.at)
+    c = coordinate_of(setup, measure)
     slope = sign_of(f.partial(value, c.index))
     if not slope.is_strict:
         raise CannotAnswer(Message("which way the measure grows depends on the parameter values"))
@@ -64,10 +68,11 @@ def extent_in_numbers(draw: Draw, measure: Measure, side: int) -> float:
     engine, course = run(reference, start, np.array([start.t, start.t + LONGEST]), watches)
     turns = [h.time for h in course.events if h.kind in ("rising", "falling") and h.time > start.t][:_N_TURNS]
     goes_on = course.status in (Status.FINISHED, Status.TOO_LONG)
-    if not turns and not (goes_on and start.rate(measure) == 0.0):
+    if not turns:  # it only goes away from there
+        last = snapshots(reference, engine, course, start)[-1] if goes_on else None
+        if last is not None and side * (last.value(measure) - start.value(measure)) <= 0.0:
+            return start.value(measure)
         raise SaysNothing(Message("the motion has not turned until t = {t:.6g} s", t=course.t_end))
-    if not turns:
-        return start.value(measure)
     # in small steps, so that an angle of a line is counted on through more than half a turn; turns are among them
     engine, course = run(reference, start, np.linspace(start.t, turns[-1], _N_STEPS), watches)
     values = [side * s.value(measure) for s in snapshots(reference, engine, course, start)]

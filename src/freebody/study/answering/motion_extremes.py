@@ -23,17 +23,13 @@ from freebody.language.sentences import Message
 from freebody.model.elements import ConstraintRow
 from freebody.model.state import State
 from freebody.questions.base import Described, Quantity
-from freebody.study.answering.crosscheck import (
-    MIN_DRAWS,
-    MOTION_TOLERANCE,
-    CrossCheck,
-    broken,
-    element_at,
-    holds,
-)
+from freebody.study.answering.crosscheck import MOTION_TOLERANCE, CrossCheck, broken
 from freebody.study.answering.draws import Draw
 from freebody.study.answering.finding import Finding, NotHere
+from freebody.study.answering.linear_extremes import find as find_linear
+from freebody.study.answering.linear_extremes import measure_followed
 from freebody.study.answering.motion_values import extremes_over_cycle
+from freebody.study.answering.repeated import checked, taken_throughout
 from freebody.study.setup import Setup
 from freebody.symbolic.closure import explicit
 from freebody.symbolic.conditions import Condition, closed, require
@@ -298,30 +294,30 @@ def _by_parity(x: Ratio, c: Coordinate, square: Ratio) -> tuple[Ratio, Ratio]:
 
 def find(setup: Setup, question: str, of: Quantity, sides: Sequence[int]) -> Finding:
     """The closed form. sides: -1 for the least value, +1 for the greatest, in the order in which they are wanted."""
+    followed = measure_followed(setup, of)
+    if followed is not None:
+        return find_linear(setup, question, of, followed, sides)
     seen = along(setup, of)
     seen.add_needs()
     found = seen.candidates()
     chosen = [seen.best(found, side) for side in sides]
-    kept = _kept(setup)
-    conditions = [*seen.conditions, *kept]
+    conditions = [*seen.conditions, *_kept(setup), *taken_throughout(setup)]
     values = tuple(seen.value_of(s) for s in chosen)
     check = CrossCheck(question, Message("numerical integration over a cycle of the motion"), MOTION_TOLERANCE)
     measure = setup.model.measure_of(seen.c)
 
-    def compare(draw: Draw) -> None:
-        exact = element_at(setup, values, draw, draw.start())
-        if all(holds(setup, condition, draw, draw.start()) for condition in conditions):
-            low, high = extremes_over_cycle(setup, draw, measure, of)
-            check.compare(draw, exact, tuple(low if side < 0 else high for side in sides))
+    def numbers(draw: Draw) -> tuple[float, ...]:
+        low, high = extremes_over_cycle(setup, draw, measure, of)
+        return tuple(low if side < 0 else high for side in sides)
 
-    check.gather(setup.draw_stream(), compare)
-    if len(check.pairs) < MIN_DRAWS and setup.has_values and (missed := broken(setup, conditions)):
-        needs = ", ".join(missed)
+    evidence = checked(setup, check, values, conditions, numbers)
+    if evidence is None:
+        needs = ", ".join(broken(setup, conditions))
         raise NotHere(Message("the motion is another one at the model's own values: that needs {x}", x=needs))
     words = {-1: Message("least"), 1: Message("largest")}
     notes = [seen.where(words[side], s) for side, s in zip(sides, chosen, strict=True)]
     element = values if len(values) > 1 else next(iter(values))
-    return Finding(element, check.evidence(), conditions, notes, list(seen.span.says))
+    return Finding(element, evidence, conditions, notes, list(seen.span.says))
 
 
 def _kept(setup: Setup) -> list[Condition]:

@@ -29,10 +29,12 @@ from freebody.study.answering.draws import Draw
 from freebody.study.answering.finding import Finding, NotHere
 from freebody.study.answering.witness import least_rate, run
 from freebody.study.setup import Setup
-from freebody.symbolic.conditions import Condition, insisted
+from freebody.symbolic.conditions import Condition, insisted, require
 from freebody.symbolic.field import Ratio
+from freebody.symbolic.on_the_way import kept_throughout
 from freebody.symbolic.reached import Reached
 from freebody.symbolic.unknowns import Coordinate
+from freebody.symbolic.validity import TAKEN
 
 LONGEST = 60.0  # [s] in which a motion without a closed form has to repeat itself
 _MARGIN = 1.6  # periods that are followed: three turns are among them
@@ -43,16 +45,15 @@ _SAME = 1e-6  # relative: a state that is taken up again
 def find(setup: Setup, question: str, measure: Measure | None) -> Finding:
     """The closed form. Raises NeverHappens where the motion is proved not to repeat itself, CannotAnswer where none was
     found."""
-    c = coordinate_of(setup, measure)
-    found = setup.motion.period(c)
+    found, watched = period_of(setup, measure)
     period = found.time
     assert period is not None
     conditions = insisted(
         (Condition(x, relation, Message("the motion repeats itself")) for x, relation in found.conditions),
         NeverHappens(Message("the motion does not repeat itself")),
-    )
+    ) + taken_throughout(setup)
     check = CrossCheck(question, Message("numerical integration over more than one period"), MOTION_TOLERANCE)
-    evidence = checked(setup, check, period, conditions, lambda draw: followed(setup, measure, c, draw, found))
+    evidence = checked(setup, check, period, conditions, lambda draw: followed(setup, watched, draw, found))
     if evidence is None:
         needs = ", ".join(broken(setup, conditions))
         raise NotHere(
@@ -61,18 +62,37 @@ def find(setup: Setup, question: str, measure: Measure | None) -> Finding:
     return Finding(period, evidence, conditions, list(found.notes), list(found.says))
 
 
+def period_of(setup: Setup, measure: Measure | None) -> tuple[Reached, Measure]:
+    """The period of a coordinate, or of a measure in several that moves by itself, and what is watched for it."""
+    model = setup.model
+    if measure is not None:
+        value = model.value_of(measure)
+        if sum(c.index in model.field.ingredients(value) for c in model.coordinates) > 1:
+            return setup.motion.period_of_sum(value, "it"), measure
+    c = coordinate_of(setup, measure)
+    return setup.motion.period(c), _watched(setup, measure, c)
+
+
+def taken_throughout(setup: Setup) -> list[Condition]:
+    """Signs that the formulas take as they are at the start, which must be so in all of a motion that comes back."""
+    state = setup.state
+    taken = [Condition(state.here(setup.model.express(x)), ">", TAKEN) for x in setup.model.samples.assumed]
+    needed = [condition for c in taken if (condition := require(c.element, c.relation, c.purpose)[0]) is not None]
+    return kept_throughout(setup.motion, needed)
+
+
 def checked(
     setup: Setup,
     check: CrossCheck,
-    x: Ratio,
+    x: Ratio | tuple[Ratio, ...],
     conditions: Sequence[Condition],
-    number: Callable[[Draw], float],
+    number: Callable[[Draw], float | tuple[float, ...]],
 ) -> Evidence | None:
-    """An element against what a motion in numbers shows, at draws that satisfy conditions. None where too little was
-    compared because the model's own values break them."""
+    """One or several elements against what a motion in numbers shows, at draws that satisfy conditions. None where too
+    little was compared because the model's own values break them."""
 
     def compare(draw: Draw) -> None:
-        (exact,) = element_at(setup, (x,), draw, draw.start())
+        exact = element_at(setup, x, draw, draw.start())
         if all(holds(setup, condition, draw, draw.start()) for condition in conditions):
             check.compare(draw, exact, number(draw))
 
@@ -105,11 +125,11 @@ def _watched(setup: Setup, measure: Measure | None, c: Coordinate) -> Measure:
     return measure
 
 
-def followed(setup: Setup, measure: Measure | None, c: Coordinate, draw: Draw, found: Reached) -> float:
+def followed(setup: Setup, watched: Measure, draw: Draw, found: Reached) -> float:
     """The period in numbers, where a formula tells how long to follow the motion."""
     assert found.time is not None
     (exact,) = element_at(setup, (found.time,), draw, draw.start())
-    return period_in_numbers(draw, _watched(setup, measure, c), _MARGIN * exact, is_exact=False)
+    return period_in_numbers(draw, watched, _MARGIN * exact, is_exact=False)
 
 
 def number(measure: Measure | None, setup: Setup, draw: Draw) -> float:

@@ -5,9 +5,9 @@ from __future__ import annotations
 from importlib import import_module
 from pkgutil import iter_modules
 
-from freebody.symbolic.laws.base import FirstInstant, Freely, LawInstant, Limit, MotionLaw, first
+from freebody.symbolic.laws.base import Farthest, FirstInstant, Freely, LawInstant, Limit, MotionLaw, first
 
-__all__ = ["FirstInstant", "Freely", "LawInstant", "Limit", "MotionLaw", "first", "law_of"]
+__all__ = ["Farthest", "FirstInstant", "Freely", "LawInstant", "Limit", "MotionLaw", "first", "law_of"]
 
 for _module in iter_modules(__path__):
     import_module(f"{__name__}.{_module.name}")

@@ -101,6 +101,16 @@ class Freely:
 
 
 @dataclass(frozen=True)
+class Farthest:
+    """The end of a motion on one side, and what must be positive (or not negative) for it to be that. place: where that
+    is; None: where it turns first."""
+
+    place: Ratio | None
+    needs: tuple[Need, ...] = ()
+    is_boundless: bool = False
+
+
+@dataclass(frozen=True)
 class MotionLaw:
     """What all laws know: the model, and the value and rate at the start."""
 
@@ -166,6 +176,22 @@ class MotionLaw:
     def rates(self, value: Ratio) -> Instants:
         """The instants at which its rate has a value, likewise."""
         return None
+
+    def extent(self, side: int) -> Farthest | None:
+        """How far it gets above (side > 0) or below; None where the law does not tell."""
+        return None
+
+    def at_first_turn(self, side: int) -> Farthest | None:
+        """Of what is damped or resisted: it does not get beyond its first turn, nor back beyond its start at rest."""
+        sense = sign_of(self.u0)
+        return Farthest(None) if sense.is_strict and (sense is Sign.POSITIVE) == (side > 0) else None
+
+    def side_of(self, x: Ratio) -> tuple[int, tuple[Need, ...]]:
+        """+1 or -1 by the sign of what is not zero; where it is open, as it is at the first sample, which is then
+        needed."""
+        known = sign_of(x)
+        way = -1 if self.is_negative(x) else 1
+        return way, () if known.is_strict else ((way * x, ">"),)
 
     @property
     def limit(self) -> Limit | None:

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from typing import Self
 
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.laws.base import SETTLED, Freely, Instants, LawInstant, Limit, MotionLaw, Need
+from freebody.symbolic.laws.base import SETTLED, Farthest, Freely, Instants, LawInstant, Limit, MotionLaw, Need
 from freebody.symbolic.laws.turns import wave_zeros
 from freebody.symbolic.signs import Sign
 
@@ -45,6 +45,9 @@ class Damped(MotionLaw):
             return None
         center = f.lowest_terms(-alpha / beta)
         return cls(moving.model, moving.q0, moving.u0, center, f.lowest_terms(-gamma / 2), -beta)
+
+    def extent(self, side: int) -> Farthest | None:
+        return None if self.is_negative(self.delta) else self.at_first_turn(side)
 
     @property
     def first_acceleration(self) -> Ratio:

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Self
 
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.laws.base import Freely, Instants, LawInstant, Limit, MotionLaw
+from freebody.symbolic.laws.base import Farthest, Freely, Instants, LawInstant, Limit, MotionLaw
 from freebody.symbolic.laws.turns import wave_turns
 from freebody.symbolic.signs import Sign
 
@@ -54,6 +54,15 @@ class Oscillation(MotionLaw):
         waves, needs = wave_turns(self, self.u0, -w * (self.q0 - self.center), value)
         found = [LawInstant(tau / w, self.center - slope / w, value, key, self.period) for tau, slope, key in waves]
         return found, needs
+
+    def extent(self, side: int) -> Farthest:
+        # it reaches c - A and c + A, and A^2 = x0^2 + (u0/w)^2
+        x0 = self.q0 - self.center
+        if self.u0.is_zero() or x0.is_zero():
+            size = x0 if self.u0.is_zero() else self.u0 / self.w
+            way, needs = self.side_of(size)
+            return Farthest(self.center + side * way * size, needs)
+        return Farthest(self.center + side * self.root(x0 * x0 + self.u0 * self.u0 / self.square))
 
     @property
     def period(self) -> Ratio:

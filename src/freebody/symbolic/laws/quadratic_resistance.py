@@ -17,7 +17,7 @@ from typing import Self
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.laws.base import SETTLED, Freely, Instants, LawInstant, Limit, MotionLaw, Need
+from freebody.symbolic.laws.base import SETTLED, Farthest, Freely, Instants, LawInstant, Limit, MotionLaw, Need
 from freebody.symbolic.laws.turns import growth_turns
 from freebody.symbolic.signs import Sign
 
@@ -31,6 +31,9 @@ class Resisted(MotionLaw):
     a: Ratio
     k: Ratio
     sense: int
+
+    def extent(self, side: int) -> Farthest | None:
+        return self.at_first_turn(side)
 
     @property
     def first_acceleration(self) -> Ratio:

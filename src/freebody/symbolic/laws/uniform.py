@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Self
 
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.laws.base import Freely, Instants, LawInstant, Limit, MotionLaw
+from freebody.symbolic.laws.base import Farthest, Freely, Instants, LawInstant, Limit, MotionLaw
 
 
 @dataclass(frozen=True)
@@ -36,6 +36,17 @@ class UniformLaw(MotionLaw):
             return [], []
         t = (value - self.u0) / self.a
         return [LawInstant(t, self.at(t)[0], value, t)], []
+
+    def extent(self, side: int) -> Farthest:
+        drive = self.u0 if self.a.is_zero() else self.a
+        way, needs = self.side_of(drive)
+        if way == side:
+            return Farthest(None, needs, is_boundless=True)
+        if self.u0.is_zero() or self.a.is_zero():  # it leaves at once on the other side
+            return Farthest(self.q0, needs)
+        sense, more = self.side_of(self.u0)
+        turn = self.q0 - self.u0 * self.u0 / (2 * self.a)
+        return Farthest(turn if sense == side else self.q0, (*needs, *more))
 
     @property
     def limit(self) -> Limit | None:
