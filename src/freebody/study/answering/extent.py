@@ -69,8 +69,8 @@ def extent_in_numbers(draw: Draw, measure: Measure, side: int) -> float:
     turns = [h.time for h in course.events if h.kind in ("rising", "falling") and h.time > start.t][:_N_TURNS]
     goes_on = course.status in (Status.FINISHED, Status.TOO_LONG)
     if not turns:  # it only goes away from there
-        last = snapshots(reference, engine, course, start)[-1] if goes_on else None
-        if last is not None and side * (last.value(measure) - start.value(measure)) <= 0.0:
+        seen = list(snapshots(reference, engine, course, start)) if goes_on else []
+        if seen and side * (seen[-1].value(measure) - start.value(measure)) <= 0.0:
             return start.value(measure)
         raise SaysNothing(Message("the motion has not turned until t = {t:.6g} s", t=course.t_end))
     # in small steps, so that an angle of a line is counted on through more than half a turn; turns are among them
