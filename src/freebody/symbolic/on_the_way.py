@@ -64,7 +64,7 @@ def _least_of_all(motion: SmoothMotion, c: Condition) -> list[Condition] | None:
             reached = motion.extent_of_sum(c.element, "", -1)
             least, needs = [reached.at], reached.conditions
         else:
-            (q,) = motion.model.coordinates
+            q = motion.model.coordinates[0]
             x = f.lowest_terms(_by_integrals(motion, q, c.element))
             if _changing(x) - {q.index}:
                 return None

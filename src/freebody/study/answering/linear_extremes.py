@@ -75,4 +75,4 @@ def find(setup: Setup, question: str, of: Quantity, followed: FollowedMeasure, s
     if evidence is None:
         needs = ", ".join(broken(setup, conditions))
         raise NotHere(Message("the motion is another one at the model's own values: that needs {x}", x=needs))
-    return Finding(values if len(values) > 1 else values[0], evidence, conditions)
+    return Finding(values if len(values) > 1 else next(iter(values)), evidence, conditions)
