@@ -26,6 +26,7 @@ from freebody.present.report.results import Result
 from freebody.progress import busy_with
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
+from freebody.study.answering.places_of_quantities import placed
 from freebody.study.answering.solve import solve
 from freebody.study.worded import in_words
 from freebody.system.system import System
@@ -87,7 +88,8 @@ def explain(
             )
         )
     asked = system.questions if question is None else (known.get(question) or system.question(question),)
-    system = system if question is None else replace(system, questions=asked)
+    asked = tuple(placed(system, asked)[0])
+    system = system if asked == system.questions else replace(system, questions=asked)
     context = Context(system)
     # the setup of a motion in phases is that of its first one, with too few draws to check an answer
     shared = None if has_phases(system) else context.setup

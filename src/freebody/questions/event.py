@@ -1,4 +1,4 @@
-"""Events of measures and of the clock, as words state them: x = h, velocity of x = 0, t = T."""
+"""Events of measures, of other quantities and of the clock, in words: x = h, tension of rope = m*g, t = T."""
 
 from __future__ import annotations
 
@@ -6,12 +6,12 @@ import re
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
-from freebody.language.expression import ZERO, Expr
+from freebody.language.expression import ZERO, Expr, Symbol
 from freebody.language.sentences import Message
 from freebody.language.units import TIME
 from freebody.measures.base import Measure
-from freebody.model.phrases import measure_of
-from freebody.questions.base import Path
+from freebody.model.phrases import PHRASES, measure_of
+from freebody.questions.base import FORMS, Path, Quantity
 from freebody.questions.clock import ENDLESS, Clock, time_asked
 
 if TYPE_CHECKING:
@@ -26,6 +26,24 @@ class QuestionEvent:
     order: Literal[0, 1]
     value: Expr
     text: str
+
+
+@dataclass(frozen=True)
+class OfQuantity(QuestionEvent):
+    """A quantity of the state reaches a value: a force, a speed, an energy. `measure` and `value` are the place at
+    which it does."""
+
+    quantity: Quantity
+    target: Expr
+
+
+@dataclass(frozen=True)
+class QuantityEvent(OfQuantity):
+    """The same as it is asked, before a place is found (`study/answering/places_of_quantities.py`): `measure` and
+    `value` mean nothing yet. phrase, value_text: the quantity and the value in the words of the question."""
+
+    phrase: str
+    value_text: str
 
 
 AskedEvent = QuestionEvent | Clock
@@ -53,8 +71,26 @@ def read_event(names: Names, text: str, path: Path) -> AskedEvent | None:
         if inner and what not in names.measures:
             order, what = 1, inner[1].strip()
             break
+    if (of := _quantity(names, what, found["what"].strip(), path)) is not None:
+        target, measure = found["value"].strip(), next(iter(names.measures.values()), None)
+        if measure is None:
+            names.problem(Message("give the place of the motion a name among the measures first"), *path)
+            return None
+        value = names.formula(target, of.dimension, *path)
+        return QuantityEvent(measure, 0, Symbol(""), text, of, value, found["what"].strip(), target)
     measure = measure_of(names, what, *path)
     if measure is None:
         return None
     dimension = measure.dimension / TIME**order
     return QuestionEvent(measure, order, names.formula(found["value"].strip(), dimension, *path), text)
+
+
+def _quantity(names: Names, measure: str, phrase: str, path: Path) -> Quantity | None:
+    """The quantity of an instant that a phrase names, where what it is of is no measure."""
+    if measure in names.measures or measure in names.broken or any(p.pattern.match(measure) for p in PHRASES):
+        return None
+    for form in FORMS:
+        if found := form.pattern.match(phrase):
+            quantity = form.read(names, found.groupdict(), path)
+            return quantity.sized(space=names.space) if quantity is not None and quantity.scope == "instant" else None
+    return None

@@ -8,8 +8,8 @@ from freebody.language.sentences import Message
 from freebody.narrative.lines.script import Argument, ready
 from freebody.narrative.principles.sides import positive_first
 from freebody.narrative.questions.event_way import TIME, EventWay, at_start, event_means
+from freebody.questions.event import OfQuantity, QuestionEvent
 from freebody.questions.motion import rates_of
-from freebody.questions.reading import QuestionEvent
 from freebody.symbolic.coupled import CoupledMotion
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.laws.decay import Decay
@@ -117,7 +117,10 @@ def place_line(way: EventWay) -> int:
     is_of_loops = event.order == 0 and not model.field.ingredients(model.value_of(event.measure)) <= {c.index}
     uses = tuple(event_means(way)) if is_of_loops else ()
     args: dict[str, Argument] = {"event": f"@{event.text}"}
-    return way.script.line(symbol, tidy(value), why="course.event", args=args, uses=uses, when="event")
+    why = "course.event"
+    if isinstance(event, OfQuantity) and (of := event.quantity.sentence(way.context.system)) is not None:
+        args, why = args | {"what": of, "value": event.target}, "course.place_of_quantity"
+    return way.script.line(symbol, tidy(value), why=why, args=args, uses=uses, when="event")
 
 
 def _time_lines(way: EventWay, x_line: int, u_line: int, square: int | None, at: int, t: Ratio) -> None:

@@ -10,6 +10,7 @@ from freebody.language.sentences import NOTHING, Argument, Sentence
 from freebody.questions.base import Quantity
 from freebody.questions.clock import Clock
 from freebody.questions.conservation import Conserved
+from freebody.questions.event import OfQuantity
 from freebody.questions.reading import Question
 from freebody.system.system import System
 
@@ -24,7 +25,7 @@ def _asking(q: Quantity, system: System, question: Question) -> Sentence:
     of = q.sentence(system)
     if of is None:
         return Sentence("ask.any", {"text": question.text})
-    return Sentence("ask.find", {"what": of, "when": _when(question)})
+    return Sentence("ask.find", {"what": of, "when": _when(system, question)})
 
 
 @_asking.register(Conserved)
@@ -37,10 +38,10 @@ def headline(system: System, question: Question) -> Sentence:
     of = question.quantity.sentence(system)
     if of is None:
         return Sentence("ask.quoted", {"text": question.text})
-    return Sentence("ask.headline", {"what": of, "when": _when(question)})
+    return Sentence("ask.headline", {"what": of, "when": _when(system, question)})
 
 
-def _when(question: Question) -> Argument:
+def _when(system: System, question: Question) -> Argument:
     """At which instant it is meant."""
     q = question.quantity
     word = "time" if q.is_of_event else "until" if q.scope == "course" else "when"
@@ -53,6 +54,10 @@ def _when(question: Question) -> Argument:
     if isinstance(question.event, Clock):
         time = question.event.time
         return Sentence("ask.endless") if time is None else Sentence("ask.clock", {"time": time})
+    if isinstance(question.event, OfQuantity):
+        of = question.event.quantity.sentence(system)
+        if of is not None:
+            return Sentence(f"ask.{word}_quantity", {"what": of, "value": question.event.target})
     left, equals, _right = question.event.text.partition("=")
     try:
         if equals:

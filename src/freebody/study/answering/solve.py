@@ -21,6 +21,7 @@ from freebody.study.answering.closed_form import QuestionSolver
 from freebody.study.answering.finding import NO_FORM, answered
 from freebody.study.answering.numbers import number_of
 from freebody.study.answering.parts import part_for
+from freebody.study.answering.places_of_quantities import placed, with_place
 from freebody.study.answering.solution import Solution
 from freebody.study.setup import Setup, independent_measures
 from freebody.study.worded import in_words
@@ -34,8 +35,11 @@ def solve(system: System, question: str | None = None, *, setup: Setup | None = 
 
     Raises ModelError if the system cannot be assembled or the question cannot be read. A question without a closed
     form, or one whose closed form fails its check, has an Answer that says why and shows no formula."""
-    found = _solved(system, system.questions if question is None else (system.question(question),), setup)
-    return replace(found, answers=tuple(_without_gaps(system, a) for a in found.answers))
+    questions, no_place = placed(system, system.questions if question is None else (system.question(question),))
+    found = _solved(system, [q for q in questions if q.id not in no_place], setup)
+    answers = {a.id: a for a in found.answers}
+    told = (with_place(q, answers[q.id]) if q.id in answers else refused(q, no_place[q.id]) for q in questions)
+    return replace(found, answers=tuple(_without_gaps(system, a) for a in told))
 
 
 def _without_gaps(system: System, answer: Answer) -> Answer:

@@ -1,0 +1,156 @@
+"""Events at which a quantity has a value (`when tension of rope = m*g`), as places of the one coordinate that moves.
+
+The place p is asked for as a parameter: `value of p for which QUANTITY = VALUE when q = p`. What is asked at the event
+is then asked when q = p(parameters), by everything that events of measures have: formulas, evidence, derivation. That p
+is the first such place is seen in numbers, at the model's own values and at other draws.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from freebody.errors import CannotAnswer, ModelError
+from freebody.language.expression import FLOAT_FUNCTIONS, Expr, Symbol, evaluate
+from freebody.language.notation import compared, reworded
+from freebody.language.sentences import Message
+from freebody.language.units import DIMENSIONLESS
+from freebody.measures.base import Measure
+from freebody.questions.event import OfQuantity, QuantityEvent
+from freebody.questions.reading import Question
+from freebody.study.answering.answer import Answer
+from freebody.study.answering.draws import Draw
+from freebody.study.answering.witness import states_at
+from freebody.study.setup import Setup
+from freebody.system.system import System
+
+_SPANS = (0.0625, 0.25, 1.0, 4.0, 16.0, 60.0)  # [s] of a motion in which the event is looked for, one after the other
+_N_STEPS = 192
+_ROUNDS = 4
+_SAME = 1e-5  # relative: a place found in numbers, and a formula
+_N_DRAWS = 4  # other than the model's own values, at which the first place is compared
+_FOR_ALL = "for all "
+
+
+@dataclass(frozen=True)
+class PlacedEvent(OfQuantity):
+    """An event of a quantity, by the place at which it is. conditions: under which it is there."""
+
+    conditions: tuple[str, ...] = ()
+    told: str = ""
+
+
+def placed(system: System, questions: Sequence[Question]) -> tuple[list[Question], dict[str, str]]:
+    """The questions with events of measures for those of quantities; and why that was not possible, by their ids."""
+    found, refused = list[Question](), dict[str, str]()
+    for q in questions:
+        if isinstance(q.event, QuantityEvent):
+            try:
+                q = replace(q, event=_place(system, q, q.event))
+            except (CannotAnswer, ModelError) as error:
+                refused[q.id] = str(error)
+        found.append(q)
+    return found, refused
+
+
+def with_place(question: Question, answer: Answer) -> Answer:
+    """An answer that says where its event is, and under which conditions that is so."""
+    event = question.event
+    if not isinstance(event, PlacedEvent) or answer.expression is None:
+        return answer
+    own = [c for c in answer.conditions if not (event.conditions and str(c).startswith(_FOR_ALL))]
+    conditions = tuple(dict.fromkeys((*own, *event.conditions))) or answer.conditions
+    is_place = answer.expression == event.value
+    return replace(answer, conditions=conditions, notes=answer.notes if is_place else (*answer.notes, event.told))
+
+
+def _place(system: System, question: Question, event: QuantityEvent) -> PlacedEvent:
+    """Raises CannotAnswer where there is no such place, or no formula for it."""
+    if system.bounds or system.dry_friction or system.blows:
+        raise CannotAnswer(Message("events of forces and speeds are told where no contact or friction changes the law"))
+    setup = Setup(system)
+    name, measure = _coordinate(setup, question)
+    own = _first_place(setup.draws[0], setup.system, event, measure)
+    asked = _asked_for_place(system, event, name, measure, own)
+    expressions = asked.expression
+    for e in expressions if isinstance(expressions, tuple) else (expressions,):
+        if e is not None and _is_first(setup, event, measure, e):
+            conditions = tuple(c for c in asked.conditions if not str(c).startswith(_FOR_ALL))
+            equation = compared(Symbol(name), "=", e)
+            told = reworded(Message("'{event}' is so at {place}", event=event.text, place=equation), equation)
+            return PlacedEvent(measure, 0, e, event.text, event.quantity, event.target, conditions, told)
+    number = Message(
+        "'{event}' has no formula; in numbers it is first at {x} = {p:.6g}", event=event.text, x=name, p=own
+    )
+    raise CannotAnswer(Message("{what}: {why}", what=number, why=asked.reason) if asked.reason else number)
+
+
+def _coordinate(setup: Setup, question: Question) -> tuple[str, Measure]:
+    """The named measure that tells the place of the one coordinate."""
+    coordinates = setup.model.coordinates
+    if len(coordinates) != 1:
+        raise CannotAnswer(Message("an event of a force or a speed is found where one coordinate tells the motion"))
+    c = coordinates[0]
+    for name, measure in setup.system.measures.items():
+        if setup.model.value_of(measure) == setup.model.field.variable(c.index):
+            return name, measure
+    raise CannotAnswer(Message("give {x} a name among the measures, so that the event has a place", x=c.name))
+
+
+def _asked_for_place(system: System, event: QuantityEvent, name: str, measure: Measure, own: float) -> Answer:
+    """The answer to: for which place has the quantity its value there?"""
+    from freebody.study.answering.solve import solve
+
+    p = _free_name(system)
+    unit = "rad" if measure.dimension == DIMENSIONLESS else str(measure.dimension)
+    document = system.document.with_value(("parameters", p), {"value": f"{own!r} {unit}", "sign": "any"})
+    text = f"value of {p} for which {event.phrase} = {event.value_text} when {name} = {p}"
+    document = document.with_value(("questions",), [{"find": text}])
+    return solve(System._read(document, system.file)).answers[0]  # pyright: ignore[reportPrivateUsage]
+
+
+def _free_name(system: System) -> str:
+    """A name that the model does not use."""
+    taken = {*system.parameters, *system.measures, *system.bodies}
+    return next(name for k in range(len(taken) + 1) if (name := f"place_{k}") not in taken)
+
+
+def _is_first(setup: Setup, event: QuantityEvent, measure: Measure, place: Expr) -> bool:
+    """Whether a formula is the first place in numbers: at the model's own values, and at all of some others at which
+    the event comes."""
+    for k, draw in zip(range(_N_DRAWS + 1), setup.draw_stream(), strict=False):
+        try:
+            seen = _first_place(draw, setup.system, event, measure)
+            told = float(evaluate(place, draw.values, FLOAT_FUNCTIONS))
+        except (CannotAnswer, ArithmeticError, ValueError):
+            if k == 0:
+                return False
+            continue
+        if not math.isclose(seen, told, rel_tol=_SAME, abs_tol=_SAME):
+            return False
+    return True
+
+
+def _first_place(draw: Draw, system: System, event: QuantityEvent, measure: Measure) -> float:
+    """Where the motion is when the quantity first has the value after the start, by an integration. Raises CannotAnswer
+    where that is not within a minute."""
+    start, target = draw.start(), draw.reference.number(event.target)
+    begin = start.t
+    for end in _SPANS:
+        times = np.linspace(begin, start.t + end, _N_STEPS + 1)
+        for _ in range(_ROUNDS):
+            seen = states_at(draw.reference, start, times)
+            gaps = [float(event.quantity.value(system, s)) - target for s in seen]
+            crossing = next((k for k in range(1, len(gaps)) if gaps[k - 1] * gaps[k] < 0.0 or gaps[k] == 0.0), None)
+            if crossing is None:
+                break
+            places = [s.value(measure) for s in seen]
+            times = np.linspace(times[crossing - 1], times[crossing], _N_STEPS + 1)
+        else:
+            share = gaps[crossing - 1] / (gaps[crossing - 1] - gaps[crossing]) if gaps[crossing] else 1.0
+            return places[crossing - 1] + share * (places[crossing] - places[crossing - 1])
+        begin = float(times[-1]) if crossing is None else begin
+    raise CannotAnswer(Message("'{event}' does not come within {t:g} s", event=event.text, t=_SPANS[-1]))

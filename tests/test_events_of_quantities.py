@@ -1,0 +1,97 @@
+"""Events at which a force, a speed or an energy has a value, told by the place at which it does.
+
+A rod let go at the angle a from the vertical: w^2 = 3 g (cos a - cos t)/L, so that the horizontal force of its hinge,
+3 m g sin t (3 cos t - 2 cos a)/4, vanishes at cos t = 2 cos a/3. A pendulum let go at a: S = m g (3 cos t - 2 cos a).
+A particle that leaves rest on a slope reaches the speed v after v^2/(2 g sin b).
+Problem families: Meriam & Kraige, Dynamics, 6/4 and 3/6; Beer & Johnston, Dynamics, 13.4 and 17.1.
+"""
+
+from __future__ import annotations
+
+import pytest
+
+import freebody as fb
+from freebody.api import System
+from freebody.errors import ModelError
+from posed import is_formula, posed
+
+ROD = """
+parameters: {m: 3 kg, L: 1.2 m, a: 20 deg, g: 9.81 m/s^2}
+bodies: {rod: {rod: {mass: m, length: L}}}
+connections: {hinge: {pin: [ground.O, rod.start]}}
+loads: {weight: {gravity: g}}
+measures: {th: {angle of rod from up clockwise}}
+start: {th: a}
+"""
+PENDULUM = """
+parameters: {m: 1.5 kg, L: 0.9 m, a: 60 deg, g: 9.81 m/s^2}
+bodies: {bob: {particle: {mass: m}}}
+connections: {rope: {link: [ground.O, bob, L]}}
+loads: {weight: {gravity: g}}
+measures: {theta: {angle of line from ground.O to bob from down}}
+start: {theta: a}
+"""
+SLOPE = """
+parameters: {m: 2 kg, b: 30 deg, v: 3 m/s, g: 9.81 m/s^2}
+ground: {lines: {slope: {along: -b}}}
+bodies: {block: {particle: {mass: m}}}
+connections: {guide: {slider: {body: block, along: slope}}}
+loads: {weight: {gravity: g}}
+measures: {s: {travel of block along slope}}
+start: {s: 0}
+"""
+CASES = {
+    "where a hinge pushes no longer sideways": (ROD, "th when horizontal reaction of hinge = 0", "acos(2*cos(a)/3)"),
+    "how fast it is there": (
+        ROD,
+        "velocity of th when horizontal reaction of hinge = 0",
+        "sqrt(g*cos(a)/L)",
+    ),
+    "at an energy": (ROD, "th when kinetic energy = m*g*L/4", "acos(cos(a) - 1/2)"),
+    "where a string pulls with the weight": (PENDULUM, "theta when tension of rope = m*g", "acos((1 + 2*cos(a))/3)"),
+    "speed there": (PENDULUM, "speed of bob when tension of rope = m*g", "sqrt(2*g*L*(1 - cos(a))/3)"),
+    "way to a speed": (SLOPE, "s when speed of block = v", "v^2/(2*g*sin(b))"),
+    "time to a speed": (SLOPE, "time when speed of block = v", "v/(g*sin(b))"),
+    "power at a speed": (SLOPE, "power of weight when kinetic energy = 5 J", "g*sin(b)*sqrt(2*m*5)"),
+}
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_an_event_of_a_quantity_has_the_place_of_a_textbook(name: str) -> None:
+    model, question, formula = CASES[name]
+    is_formula(model, question, formula, factors=(1.0, 1.02, 0.98))
+
+
+def test_the_place_is_said() -> None:
+    found = posed(PENDULUM, "speed of bob when tension of rope = m*g")
+    assert any("acos((2·cos(a) + 1)/3)" in str(note) for note in found.notes)
+
+
+def test_what_is_never_so_is_refused() -> None:
+    found = posed(PENDULUM, "theta when tension of rope = 5*m*g")
+    assert found.expression is None and "does not come" in str(found.reason)
+
+
+def test_the_first_of_several_places_is_meant() -> None:
+    # S = m g comes on the way down first, at the side of the start, and then on the other side
+    found = posed(PENDULUM, "theta when tension of rope = m*g")
+    assert isinstance(found.value, float) and found.value > 0
+
+
+def test_a_motion_of_several_freedoms_is_refused() -> None:
+    text = ROD.replace("connections: {hinge: {pin: [ground.O, rod.start]}}", "").replace("start: {th: a}", "")
+    found = posed(text, "th when kinetic energy = 2 J")
+    assert found.expression is None and "one coordinate" in str(found.reason)
+
+
+def test_the_unit_of_the_value_is_checked() -> None:
+    with pytest.raises(ModelError, match="tension|N"):
+        posed(PENDULUM, "theta when tension of rope = 2 m/s")
+
+
+def test_it_is_derived() -> None:
+    system = System.from_text(PENDULUM + "questions: [speed of bob when tension of rope = m*g]\n")
+    (derivation,) = fb.explain(system).derivations
+    assert derivation.stages and not derivation.reason
+    told = fb.explain(system, language="de").to_text()
+    assert "in dem Augenblick, in dem gilt" in told
