@@ -69,29 +69,33 @@ def test_the_place_is_said() -> None:
 
 def test_what_is_never_so_is_refused() -> None:
     found = posed(PENDULUM, "theta when tension of rope = 5*m*g")
-    assert found.expression is None and "does not come" in str(found.reason)
+    assert found.expression is None
+    assert "does not come" in str(found.reason)
 
 
 def test_the_first_of_several_places_is_meant() -> None:
     # S = m g comes on the way down first, at the side of the start, and then on the other side
     found = posed(PENDULUM, "theta when tension of rope = m*g")
-    assert isinstance(found.value, float) and found.value > 0
+    assert isinstance(found.value, float)
+    assert found.value > 0
 
 
 def test_a_motion_of_several_freedoms_is_refused() -> None:
     text = ROD.replace("connections: {hinge: {pin: [ground.O, rod.start]}}", "").replace("start: {th: a}", "")
     found = posed(text, "th when kinetic energy = 2 J")
-    assert found.expression is None and "one coordinate" in str(found.reason)
+    assert found.expression is None
+    assert "one coordinate" in str(found.reason)
 
 
 def test_the_unit_of_the_value_is_checked() -> None:
-    with pytest.raises(ModelError, match="tension|N"):
+    with pytest.raises(ModelError, match="tension"):
         posed(PENDULUM, "theta when tension of rope = 2 m/s")
 
 
 def test_it_is_derived() -> None:
     system = System.from_text(PENDULUM + "questions: [speed of bob when tension of rope = m*g]\n")
     (derivation,) = fb.explain(system).derivations
-    assert derivation.stages and not derivation.reason
+    assert derivation.stages
+    assert not derivation.reason
     told = fb.explain(system, language="de").to_text()
     assert "in dem Augenblick, in dem gilt" in told

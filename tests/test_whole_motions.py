@@ -2,7 +2,7 @@
 that formulas take as they are at the start, which must then be so all along.
 
 A ball thrown at the angle b over a slope of the angle a: along the normal v sin(b - a), against g cos a. Two carts on a
-spring: the relative motion has the mass m1 m2/(m1 + m2), so that the spring is shortened by v sqrt(m1 m2/((m1 + m2) k)).
+spring: their relative motion has the mass m1 m2/(m1 + m2), so the spring gets shorter by v sqrt(m1 m2/((m1 + m2) k)).
 Problem families: Meriam & Kraige, Dynamics, 2/4 and 3/9; Hibbeler, Dynamics, 12.6 and 22.1; Beer & Johnston, Dynamics,
 13.4 and 19.2.
 """
@@ -85,12 +85,14 @@ def test_what_holds_of_a_whole_motion_needs_its_signs_all_along(question: str) -
 
 def test_a_ball_that_is_thrown_down_the_slope_is_highest_at_the_start() -> None:
     found = posed(SLOPE.replace("b: 50 deg", "b: 10 deg"), "greatest n")
-    assert found.value == 0.0 and found.evidence is not None
+    assert found.value == 0.0
+    assert found.evidence is not None
 
 
 def test_what_is_driven_on_gets_farther_and_farther() -> None:
     found = posed(SLOPE, "least s")
-    assert found.never and "farther and farther" in str(found.reason)
+    assert found.never
+    assert "farther and farther" in str(found.reason)
 
 
 def test_the_greatest_range_on_a_slope_is_half_way_to_the_vertical() -> None:
@@ -155,4 +157,5 @@ def test_the_root_of_a_quotient_is_positive_where_its_divisor_is_written_negativ
     u = (2 - CA * CA) / (CA * SA)
     cosine = cos_sin(FIELD, F["atan"](u))[0]
     value = FIELD.evaluate(cosine, FIELD.complete({FIELD.index(A): 0.35, FIELD.index(B): 0.9}))
-    assert float(value) > 0 and (cosine * cosine * (1 + u * u)).fraction() == Fraction(1)
+    assert float(value) > 0
+    assert (cosine * cosine * (1 + u * u)).fraction() == Fraction(1)

@@ -60,11 +60,13 @@ def _least_of_all(motion: SmoothMotion, c: Condition) -> list[Condition] | None:
     """What a condition comes to at its least values between all turns; None where these are not told."""
     f = motion.field
     try:
+        q = next(iter(motion.model.coordinates), None)
+        if q is None:
+            return None
         if len(motion.model.coordinates) > 1:
             reached = motion.extent_of_sum(c.element, "", -1)
             least, needs = [reached.at], reached.conditions
         else:
-            q = motion.model.coordinates[0]
             x = f.lowest_terms(_by_integrals(motion, q, c.element))
             if _changing(x) - {q.index}:
                 return None

@@ -19,6 +19,7 @@ from freebody.language.notation import compared, reworded
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS
 from freebody.measures.base import Measure
+from freebody.numeric.jets import Array
 from freebody.questions.event import OfQuantity, QuantityEvent
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
@@ -138,19 +139,28 @@ def _first_place(draw: Draw, system: System, event: QuantityEvent, measure: Meas
     """Where the motion is when the quantity first has the value after the start, by an integration. Raises CannotAnswer
     where that is not within a minute."""
     start, target = draw.start(), draw.reference.number(event.target)
+
+    def gaps(times: Array) -> tuple[list[float], list[float]]:
+        seen = states_at(draw.reference, start, times)
+        return [float(event.quantity.value(system, s)) - target for s in seen], [s.value(measure) for s in seen]
+
     begin = start.t
     for end in _SPANS:
-        times = np.linspace(begin, start.t + end, _N_STEPS + 1)
+        times: Array = np.linspace(begin, start.t + end, _N_STEPS + 1)
+        values, places = gaps(times)
+        k = _crossing(values)
+        if k is None:
+            begin = start.t + end
+            continue
         for _ in range(_ROUNDS):
-            seen = states_at(draw.reference, start, times)
-            gaps = [float(event.quantity.value(system, s)) - target for s in seen]
-            crossing = next((k for k in range(1, len(gaps)) if gaps[k - 1] * gaps[k] < 0.0 or gaps[k] == 0.0), None)
-            if crossing is None:
-                break
-            places = [s.value(measure) for s in seen]
-            times = np.linspace(times[crossing - 1], times[crossing], _N_STEPS + 1)
-        else:
-            share = gaps[crossing - 1] / (gaps[crossing - 1] - gaps[crossing]) if gaps[crossing] else 1.0
-            return places[crossing - 1] + share * (places[crossing] - places[crossing - 1])
-        begin = float(times[-1]) if crossing is None else begin
+            times = np.linspace(float(times[k - 1]), float(times[k]), _N_STEPS + 1)
+            values, places = gaps(times)
+            k = _crossing(values) or _N_STEPS
+        share = values[k - 1] / (values[k - 1] - values[k]) if values[k - 1] != values[k] else 1.0
+        return places[k - 1] + share * (places[k] - places[k - 1])
     raise CannotAnswer(Message("'{event}' does not come within {t:g} s", event=event.text, t=_SPANS[-1]))
+
+
+def _crossing(values: Sequence[float]) -> int | None:
+    """The first interval, by its end, in which values change their sign or vanish at the end."""
+    return next((k for k in range(1, len(values)) if values[k - 1] * values[k] < 0.0 or values[k] == 0.0), None)
