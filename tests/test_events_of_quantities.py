@@ -88,7 +88,7 @@ def test_a_motion_of_several_freedoms_is_refused() -> None:
 
 
 def test_the_unit_of_the_value_is_checked() -> None:
-    with pytest.raises(ModelError, match="tension"):
+    with pytest.raises(ModelError, match="m/s"):
         posed(PENDULUM, "theta when tension of rope = 2 m/s")
 
 
