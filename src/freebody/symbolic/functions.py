@@ -265,14 +265,26 @@ def _of_acute(field: Field, name: str, x: Ratio) -> Ratio | None:
 
 
 def _arc_or_known(field: Field, name: str, x: Ratio, slope: Callable[[Ratio], Ratio]) -> Ratio:
-    """An inverse function: where it is known, else an atom of its own; of asin and atan, which are odd, that of an
-    argument that is not a sum of negative terms."""
+    """An inverse function: where it is known, else an atom of its own, that of an argument that is not a sum of
+    negative terms: asin and atan are odd, and acos(-x) = pi - acos(x)."""
     known = _known_arc(field, name, x)
     if known is not None:
         return known
-    if name != "acos" and all(c < 0 for c in field.terms(x.num).values()):
-        return -_arc(field, name, -x, slope)
+    if all(c < 0 for c in field.terms(x.num).values()):
+        return field.pi - _arc_or_known(field, name, -x, slope) if name == "acos" else -_arc(field, name, -x, slope)
+    if name == "acos" and (half := _half_cosine(field, x)) is not None:
+        return 2 * _arc_or_known(field, name, half, slope)
     return _arc(field, name, x, slope)
+
+
+def _half_cosine(field: Field, x: Ratio) -> Ratio | None:
+    """c with x = 2 c^2 - 1, if it is a quotient of parameters and not negative: acos(2 c^2 - 1) = 2 acos c."""
+    square = field.lowest_terms((1 + x) / 2)
+    if square.is_constant() and square.fraction() is None:
+        root = field.sqrt(square)
+        if all(field.generators[g].kind == "parameter" for g in root.generators()):
+            return root
+    return None
 
 
 def _without_logs(field: Field, x: Ratio, root: Callable[[Ratio], Ratio]) -> tuple[Ratio, Ratio]:
