@@ -36,6 +36,8 @@ class Connection(Spec):
     is_rigid: ClassVar[bool] = False
     lets_turn: ClassVar[bool] = False
     lets_hang: ClassVar[bool] = False
+    # its forces act where its bodies touch: people call the place "the contact point"
+    has_contact_point: ClassVar[bool] = False
 
     def __init_subclass__(cls, kind: str = "", **rest: Any) -> None:
         super().__init_subclass__(**rest)
