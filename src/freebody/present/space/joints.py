@@ -7,6 +7,7 @@ from itertools import pairwise
 
 import numpy as np
 
+from freebody.model.solids import NO_SOLID
 from freebody.present.figures import Array, Groove, Heading
 from freebody.present.scene import Scene
 from freebody.present.space.cuts import DEEP, Cuts
@@ -56,7 +57,7 @@ class Joints:
     def _thickness(self, joint: Joint) -> float:
         """[m] the radius of a shaft that ends in a joint, unless it is much thicker than a symbol."""
         forms = [self.cuts.forms.get(place.body) for place in (joint.first, joint.second)]
-        radii = [form.sizes[0] for form in forms if form is not None and form.solid == "cylinder"]
+        radii = [form.sizes[0] for form in forms if form is not None and form.solid.is_shaft]
         return max((radius for radius in radii if radius < 6 * self.u), default=0.0)
 
     def _cross(self, joint: Joint) -> Iterator[Piece]:
@@ -103,7 +104,7 @@ class Joints:
         radii: list[tuple[float, float]] = []  # where the middle is along the axis, and how far the rim is from there
         for place in (joint.first, joint.second):
             form = self.cuts.forms.get(place.body)
-            if form is None or form.solid != "ring" or form.axis is None:
+            if form is None or not form.solid.is_hoop or form.axis is None:
                 continue
             middle = self.poses.place(form.center, 0) - at
             is_across = abs(self.poses.heading(Heading(form.index, *form.axis), 0) @ along) < 0.5
@@ -168,7 +169,7 @@ class Joints:
             lines = (thread(0.4 * u, a, b, 0.9 * u) @ axes,) if joint.has_thread else ()
             yield Piece(bar.moved(axes), at, axis.body, "rail", lines=lines)
         form = self.cuts.forms.get(joint.second.body)
-        if joint.n_turns and form is not None and not form.solid and not form.is_particle:
+        if joint.n_turns and form is not None and form.solid is NO_SOLID and not form.is_particle:
             sleeve = prism(0.9 * u, -1.5 * u, 1.5 * u, 20) if joint.n_turns == 2 else box(1.6 * u, 1.6 * u, 3 * u)
             own = np.array(self.poses.turned_back(joint.second.body, self.poses.heading(axis, 0), 0))
             yield Piece(sleeve.moved(basis(own)), joint.second, joint.second.body, "joint")

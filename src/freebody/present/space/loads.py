@@ -136,6 +136,6 @@ class Loads:
             return Place(index, *self.poses.back(index, at + s * along, 0)), 2.2 * self.u
         form = self.cuts.forms.get(index)
         radius = 2.2 * self.u
-        if form is not None and form.solid in ("cylinder", "sphere") and form.sizes[0] < 6 * self.u:
+        if form is not None and form.solid.is_thick and form.sizes[0] < 6 * self.u:
             radius = max(radius, 1.3 * form.sizes[0])
         return Place(index, 0.0, 0.0, 0.0), radius

@@ -13,6 +13,7 @@ from itertools import pairwise
 
 import numpy as np
 
+from freebody.model.solids import NO_SOLID
 from freebody.present.figures import Array, Figure, Heading
 from freebody.present.scene import Scene
 from freebody.present.space.bodies import reach
@@ -180,7 +181,7 @@ def _is_thin(form: Figure, close: float) -> bool:
     """Whether a body has no form and all its points are one."""
     tips = [*(place.at for place in form.points.values()), (0.0, 0.0, 0.0)]
     far = max(float(np.linalg.norm(np.subtract(tip, form.center.at))) for tip in tips)
-    return not form.solid and not form.is_particle and far <= max(close, 1e-12)
+    return form.solid is NO_SOLID and not form.is_particle and far <= max(close, 1e-12)
 
 
 def _arc(a: Array, b: Array) -> Array:
