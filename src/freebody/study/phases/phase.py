@@ -18,7 +18,6 @@ from freebody.measures.displacement import Displacement
 from freebody.measures.distance import Distance
 from freebody.measures.lead import Lead
 from freebody.model.elements import ConstraintRow, DryFriction, Parameter, Start, UnilateralConstraint
-from freebody.numeric.reference import Reference
 from freebody.study.answering.draws import SEED, Draw
 from freebody.study.setup import Setup
 from freebody.symbolic.conditions import relation_text
@@ -95,8 +94,7 @@ class Given(Setup):
         for chosen in values:
             with suppress(CannotAnswer):
                 own = {name: value for name, value in chosen.items() if name in system.parameters}
-                reference = Reference(system, own)
-                self.draws.append(Draw(own, reference, reference.assemble()))
+                self.draws.append(Draw.of(system, own))
         if not self.draws:
             raise CannotAnswer(Message("the phase cannot be assembled at its start"))
         if model is not None:
