@@ -13,27 +13,24 @@ from __future__ import annotations
 from contextlib import suppress
 from functools import cached_property
 
-from freebody.errors import CannotAnswer, NeverHappens, NotReached
+from freebody.errors import CannotAnswer, NeverHappens
 from freebody.language.notation import compared, reworded
 from freebody.language.sentences import Message
 from freebody.questions.reading import QuestionEvent
 from freebody.symbolic.closure import Closure
 from freebody.symbolic.event_places import EventPlaces, Need, Variable
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.laws import Freely, LawInstant, first, law_of
-from freebody.symbolic.laws.damped import Damped
-from freebody.symbolic.laws.quadratic_resistance import Resisted
+from freebody.symbolic.laws import Freely, law_of
 from freebody.symbolic.laws.uniform import UniformLaw
-from freebody.symbolic.motion_laws import MotionLaws
+from freebody.symbolic.motion_cycles import MotionCycles
 from freebody.symbolic.reached import HOLDS_ALWAYS, HOLDS_ONCE, Reached
-from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.uniform_passage import passage_at
 from freebody.symbolic.unknowns import Coordinate
 from freebody.symbolic.zeros import solve_linear
 
 
-class SmoothMotion(MotionLaws):
+class SmoothMotion(MotionCycles):
     """The closed-form motion of a model from its start."""
 
     # -- the event ----------------------------------------------------------------------------
@@ -254,22 +251,6 @@ class SmoothMotion(MotionLaws):
         instants = law.rates(target) if order else law.places(target)
         return None if instants is None else self._first(None, text, *instants)
 
-    def _first(
-        self, c: Coordinate | None, name: str, instants: list[LawInstant], needs: list[tuple[Ratio, str]]
-    ) -> Reached:
-        found = first(self.model, instants)
-        if found is None:
-            if any(sign_of(x) is Sign.NEGATIVE for x, _relation in needs):
-                raise NeverHappens(Message("{x} does not get that far", x=name))
-            if instants and all(i.period is None and _is_past(i) for i in instants):
-                raise NeverHappens(Message("{x} does not get there after the start", x=name))
-            if all(i.time.is_zero() and i.period is None for i in instants):
-                raise NeverHappens(HOLDS_ONCE if instants else Message("{x} only tends to that", x=name))
-            raise NotReached(Message("{x} does not get there at any of the parameter values that were tried", x=name))
-        i = found.instant
-        lowest = self.field.lowest_terms
-        return Reached(lowest(i.time), c, lowest(i.place), lowest(i.rate), [], [*needs, *found.conditions])
-
     # -- a rate -------------------------------------------------------------------------------
     def _reach_rate(self, rate: Ratio, target: Ratio, place: Ratio, event: QuestionEvent) -> Reached:
         speeds = [c for c in self.model.coordinates if c.speed in rate.generators()]
@@ -323,55 +304,6 @@ class SmoothMotion(MotionLaws):
         reached.conditions += needs
         return reached
 
-    # -- a motion that repeats itself ---------------------------------------------------------
-    def period(self, c: Coordinate) -> Reached:
-        """After which time a coordinate is where it was at the start, and as fast. Raises NeverHappens where it does
-        not come back, CannotAnswer where no closed form is found."""
-        q0, u0 = self.start.of(c.index), self.start.of(c.speed)
-        if self.stands_still:
-            raise NeverHappens(Message("it starts at rest in an equilibrium, and stays there"))
-        law = self.law_of(c, takes_side=self._takes_side)
-        if law is not None:
-            if law.is_still or law.period is None:
-                raise NeverHappens(Message("the motion of {x} does not repeat itself", x=c.name))
-            notes: list[str] = (
-                []
-                if law.is_undamped
-                else [Message("of a damped motion it is the time from a turn to the next but one")]
-            )
-            return Reached(self.field.lowest_terms(law.period), c, q0, u0, notes)
-        way = self.way_of(c)
-        found = way.period()
-        if found is None:
-            raise CannotAnswer(
-                Message("no closed form was found for the period: the time is no elliptic integral of the first kind")
-            )
-        time, needs, says = found
-        return Reached(time, c, q0, u0, [], needs, says=says, integral=way.integral)
-
-    def extent(self, c: Coordinate, side: int) -> Reached:
-        """The farthest place of a coordinate above (side > 0) or below."""
-        q0 = self.start.of(c.index)
-        if self.stands_still:
-            return Reached(self.field.zero, c, q0, self.field.zero)
-        try:
-            self.integrals.speed_squared(c, self.field.variable(c.index))
-        except CannotAnswer:
-            return self._extent_by_law(c, side)
-        at, needs, says = self.way_of(c).extent(side)
-        return Reached(None, c, at, self.field.zero, [], needs, says=says)
-
-    def _extent_by_law(self, c: Coordinate, side: int) -> Reached:
-        """Of what is damped or resisted: it does not get beyond its first turn, nor back beyond its start at rest."""
-        law, u0 = self.law_of(c, takes_side=True), self.start.of(c.speed)
-        sense = sign_of(u0)
-        if not isinstance(law, Damped | Resisted) or not sense.is_strict or (sense is Sign.POSITIVE) != (side > 0):
-            raise CannotAnswer(Message("no closed form was found for how far it gets"))
-        instants = law.rates(self.field.zero)
-        if instants is None or (isinstance(law, Damped) and law.is_negative(law.delta)):
-            raise CannotAnswer(Message("no closed form was found for how far it gets"))
-        return self._first(c, c.name, *instants)
-
     # -- first integral -----------------------------------------------------------------------
     def _place_by_energy(self, c: Coordinate, at: Ratio, event: QuestionEvent) -> Reached:
         """The speed at a place, from M u^2/2 + V = const, with the sign of the way there."""
@@ -397,8 +329,3 @@ class SmoothMotion(MotionLaws):
             "speed; simulate the motion for a number"
         )
         return Reached(None, c, at, wanted, [], needs, why, says)
-
-
-def _is_past(instant: LawInstant) -> bool:
-    """Whether an instant is proved to be before the start."""
-    return instant.key is not None and not instant.key.is_zero() and sign_of(instant.key) is Sign.NEGATIVE

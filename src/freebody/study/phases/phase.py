@@ -23,7 +23,8 @@ from freebody.study.setup import Setup
 from freebody.symbolic.conditions import relation_text
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
-from freebody.symbolic.phases.course import ClosedFormMotion, course_of
+from freebody.symbolic.phases.course import ClosedFormMotion
+from freebody.symbolic.phases.energy_motion import course_of
 from freebody.symbolic.phases.friction import named_rows, resultant, solve_loads, with_loads
 from freebody.symbolic.start import StartState, start_from_bodies, start_state
 from freebody.symbolic.state import SymbolicState
