@@ -14,6 +14,8 @@ from pathlib import Path
 import numpy as np
 
 import freebody as fb
+from freebody.numeric.engine.engine import Engine
+from freebody.numeric.kernels import stepping
 from freebody.numeric.options import SimulationOptions
 from freebody.study.simulation.simulator import Simulator
 
@@ -31,6 +33,16 @@ NAMES = (
     "spinning_top",
     "two_masses_three_springs",
 )
+
+
+def largest_gaps(engine: Engine, y: np.ndarray, t: float) -> tuple[float, float]:
+    """How far a state is from what is held, at most: positions and velocities, by the size of the system."""
+    state = y.copy()
+    stepping.visit(engine.layout, engine.room, engine.idle, -1.0, state, t, np.zeros(engine.n_y), 0)
+    n = engine.n_coordinates
+    moved = np.abs(state - y)
+    turned = 2.0 * float(moved[2 * n + 1 :].max(initial=0.0))
+    return max(float((moved[:n] / engine.unit).max()), turned), float((moved[n : 2 * n] / engine.unit).max())
 
 
 def motion(name: str, until: float = 0.5) -> np.ndarray:

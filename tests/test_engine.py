@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import subprocess
 import sys
+import time
 from pathlib import Path
 
 import numpy as np
@@ -27,6 +28,7 @@ from freebody.numeric.kernels import tape
 from freebody.numeric.kernels.declaring import plain
 from freebody.numeric.reference import Reference
 from freebody.study.settled import settled, start_mode
+from kernel_runs import largest_gaps
 from mechanisms import chain, ladder, tree
 
 ROOT = Path(__file__).parents[1]
@@ -59,7 +61,7 @@ def assert_alike(system: fb.System) -> None:
             assert multipliers[k] == pytest.approx(snapshot.multiplier(row), abs=1e-8 * largest), row.name
         except fb.CannotAnswer:
             assert engine.non_unique()[k], row.name
-    assert max(engine.largest_gaps(y, 0.2)) < 1e-9
+    assert max(largest_gaps(engine, y, 0.2)) < 1e-9
 
 
 @pytest.mark.parametrize("name", EXAMPLES)
@@ -189,9 +191,14 @@ def test_an_expression_of_ten_operations_costs_less_than_200_ns() -> None:
         fb.System.from_text(torque + "loads: {m: {torque: {on: w, magnitude: T0*sin(w0*t) - k*phi^3/(1 + phi^2)}}}")
     )
 
-    def cost() -> float:
+    def seconds(simulator: fb.Simulator) -> float:
         n = 100_000
-        return min(loaded.time_accelerations(n) for _ in range(3)) - min(plain.time_accelerations(n) for _ in range(3))
+        began = time.perf_counter()
+        simulator.engine.evaluate(simulator.start, 0.0, n)
+        return (time.perf_counter() - began) / n
+
+    def cost() -> float:
+        return min(seconds(loaded) for _ in range(3)) - min(seconds(plain) for _ in range(3))
 
     # another process on the machine makes a run longer, never shorter
     assert any(cost() < 200e-9 for _ in range(10))

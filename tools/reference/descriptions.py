@@ -14,7 +14,7 @@ from freebody.errors import ModelError
 from freebody.language.units import ENERGY
 from freebody.loads.base import Load
 from freebody.model.shapes.base import Shape
-from freebody.model.spec import Formula, Heading, Spec
+from freebody.model.spec import FieldType, Spec
 from reference.page import NothingSaid, Page, block, code, joined, picture, table, words_of
 from reference.units import Units, listening, shown
 
@@ -115,7 +115,7 @@ def _section(family: Family, kind: str, spec: type[Spec], pictures: dict[str, st
 
 
 def _row(spec: type[Spec], name: str, info: FieldInfo, units: Units) -> tuple[str, ...]:
-    takes = _takes(name, info)
+    takes = _takes(name, info, spec.field_types()[name])
     unit = shown(units[name]) if name in units else ""
     if unit and "measure" in spec.model_fields and name != "restitution":
         unit = f"by the measure; here {unit}"
@@ -123,13 +123,11 @@ def _row(spec: type[Spec], name: str, info: FieldInfo, units: Units) -> tuple[st
     return code(info.alias or name), takes, unit, default
 
 
-def _takes(name: str, info: FieldInfo) -> str:
+def _takes(name: str, info: FieldInfo, of: FieldType) -> str:
     """What may stand in a field, of its type."""
     kind = str(info.annotation)
-    if info.annotation in (Heading, Heading | None):
-        return "direction"
-    if info.annotation in (Formula, Formula | None):
-        return "formula"
+    if of in ("direction", "formula"):
+        return of
     if name == "measure":
         return "measure"
     if "bool" in kind:

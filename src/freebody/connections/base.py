@@ -18,7 +18,7 @@ from freebody.measures.geometry import GROUND, RIGHT, UP, Direction, Point
 from freebody.model.elements import Attitude, ConstraintRow, DryFriction, UnilateralConstraint
 from freebody.model.glyphs import Glyph, Relation
 from freebody.model.kinds import Kinds
-from freebody.model.spec import Heading, Spec
+from freebody.model.spec import Spec
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -36,6 +36,8 @@ class Connection(Spec):
     is_rigid: ClassVar[bool] = False
     lets_turn: ClassVar[bool] = False
     lets_hang: ClassVar[bool] = False
+    # its forces act where its bodies touch: people call the place "the contact point"
+    has_contact_point: ClassVar[bool] = False
 
     def __init_subclass__(cls, kind: str = "", **rest: Any) -> None:
         super().__init_subclass__(**rest)
@@ -90,10 +92,10 @@ class Connection(Spec):
 
     def _named(self, names: Names) -> Iterator[tuple[str, str]]:
         """What its fields name of bodies: the body, and a point, a line or an axis of it, or nothing."""
-        for name, field in type(self).model_fields.items():
+        for name, kind in self.field_types().items():
             value = getattr(self, name)
             # `along: right` is a direction, also where a body is called right; `along: rod.x` is one of a body
-            is_direction = field.annotation in (Heading, Heading | None)
+            is_direction = kind == "direction"
             for text in cast("list[Any]", value) if isinstance(value, list) else [value]:
                 owner, dot, point = text.partition(".") if isinstance(text, str) else ("", "", "")
                 if owner in names.bodies and (dot or not is_direction):

@@ -48,6 +48,7 @@ class Contact(Connection, kind="contact"):
 
     spread = ("between",)
     in_plane = True
+    has_contact_point = True
     example = """
 ground: {lines: {floor: {along: right}}}
 bodies: {ball: {sphere: {mass: 1 kg, radius: 0.1 m}}}

@@ -35,6 +35,7 @@ class GearMesh(Connection, kind="gear_mesh"):
     second_radius: Formula | None = None
 
     in_plane = True
+    has_contact_point = True
     example = """
 bodies: {a: {disk: {mass: 1 kg, radius: 1 m}}, b: {disk: {mass: 1 kg, radius: 1 m}, at: [2 m, 0]}}
 ground: {points: {A: [0, 0], B: [2 m, 0]}}

@@ -38,6 +38,7 @@ class RackAndPinion(Connection, kind="rack_and_pinion"):
     radius: Formula | None = None
 
     in_plane = True
+    has_contact_point = True
     example = """
 bodies: {gear: {disk: {mass: 1 kg, radius: 1 m}}, bar: {rectangle: {mass: 1 kg, width: 4 m, height: 1 m}}}
 connections: {p: {pin: [ground.A, gear]}, g: {slider: {body: bar, along: right}},

@@ -42,6 +42,7 @@ class Rolling(Connection, kind="rolling"):
     below: bool = False
     radius: Formula | None = None
 
+    has_contact_point = True
     example = """
 ground: {lines: {floor: {along: right}}}
 bodies: {wheel: {disk: {mass: 1 kg, radius: 1 m}}}

@@ -116,6 +116,7 @@ class Slider(Connection, kind="slider"):
     friction: Formula | dict[str, Any] = 0
 
     in_plane = True
+    has_contact_point = True
     example = """
 bodies: {block: {rectangle: {mass: 1 kg, width: 1 m, height: 1 m}}}
 connections: {it: {slider: {body: block, along: right}}}

@@ -34,6 +34,7 @@ class Slot(Connection, kind="slot"):
     friction: Formula | dict[str, Any] = 0
 
     in_plane = True
+    has_contact_point = True
     example = """
 bodies: {rod: {rod: {mass: 1 kg, length: 1 m}}}
 connections: {it: {slot: {pin: rod.end, along: up}}}

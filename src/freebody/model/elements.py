@@ -15,6 +15,7 @@ from freebody.language.expression import Expr, Symbol
 from freebody.language.units import Dimension
 from freebody.measures.base import Measure
 from freebody.measures.geometry import GROUND, ZERO, Components, Direction, Geometry, Point, Scalar, Vector, unit
+from freebody.model.solids import NO_SOLID, SolidKind
 
 S = TypeVar("S", bound=Scalar)
 
@@ -133,8 +134,8 @@ class RigidBody:
     planes: dict[str, BodyPlane] = field(default_factory=dict[str, BodyPlane])
     chain: tuple[Rotation, ...] = ()  # from the axes of `frame` to its own, where the user named angles
     frame: str = GROUND
-    solid: str = ""  # its form, for pictures: "box", "cylinder", "cone", "sphere", "disk", "ring", "rod"
-    sizes: Components = ()  # of this form: lengths along x, y, z; radius, length; radius, height; radius; length
+    solid: SolidKind = NO_SOLID  # what it looks like, and its sizes
+    sizes: Components = ()
 
     def point(self, name: str | None = None) -> Point:
         chosen = name or self.default_point

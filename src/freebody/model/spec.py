@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from inspect import Parameter, Signature
-from typing import Any, ClassVar, cast, get_origin
+from typing import Any, ClassVar, Literal, cast, get_origin
 
 from pydantic import BaseModel, ConfigDict
 
@@ -18,6 +18,14 @@ from freebody.language.written import as_text
 Formula = str | int | float
 # What stands for a direction: right, left, up, down, an angle, components, or a line or axis of a body.
 Heading = str | int | float | list[Formula] | tuple[Formula, Formula]
+
+FieldType = Literal["direction", "formula", "text", "flag", "other"]
+_TYPES: tuple[tuple[Any, FieldType], ...] = (
+    (Heading, "direction"),
+    (Formula, "formula"),
+    (str, "text"),
+    (bool, "flag"),
+)
 
 
 # What people write for a field, whatever has it.
@@ -112,6 +120,11 @@ class Spec(BaseModel, metaclass=_Described):
         return [value] if is_one else value
 
     @classmethod
+    def field_types(cls) -> dict[str, FieldType]:
+        """What may stand in each field, or nothing: a direction, a formula, a text, true or false."""
+        return {name: _type_of(info.annotation) for name, info in cls.model_fields.items()}
+
+    @classmethod
     def meant(cls, key: str) -> tuple[str, ...]:
         """The fields that people mean by a word: all of `between`, else the first that there is."""
         known = [field.alias or name for name, field in cls.model_fields.items()]
@@ -135,3 +148,10 @@ class Spec(BaseModel, metaclass=_Described):
     def to_plain(self) -> dict[str, Any]:
         """The fields that differ from their defaults, as plain data."""
         return self.model_dump(exclude_defaults=True)
+
+
+def _type_of(annotation: Any) -> FieldType:
+    for known, of in _TYPES:
+        if annotation in (known, known | None):
+            return of
+    return "other"

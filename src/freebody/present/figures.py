@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from freebody.measures.turned import within
 from freebody.model import glyphs
+from freebody.model.solids import NO_SOLID, SolidKind
 
 Array = NDArray[np.float64]
 Pair = tuple[float, float]
@@ -97,7 +98,7 @@ class Figure:
     outside: tuple[str, ...] = ()  # what may touch it, by name: its rim from outside, its corners, its points
     inside: tuple[str, ...] = ()  # what may touch its rim from inside
     # in space
-    solid: str = ""  # empty for a body without a form
+    solid: SolidKind = NO_SOLID
     sizes: tuple[float, ...] = ()
     axis: Triple | None = None
 
@@ -125,7 +126,7 @@ Tip = glyphs.Tip[Place, float]
 Halt = glyphs.Halt[Place, Heading, float]
 TurnHalt = glyphs.TurnHalt[Heading, float]
 Drawn = glyphs.Sign[Place, Heading, float]
-Shown = glyphs.Shown[Place, Heading, float]
+ShownGlyph = glyphs.ShownGlyph[Place, Heading, float]
 
 
 @dataclass(frozen=True)

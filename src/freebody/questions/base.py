@@ -11,6 +11,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import TYPE_CHECKING, Any, ClassVar, Literal, Protocol, TypeVar
 
 from freebody.errors import CannotAnswer
@@ -354,6 +355,31 @@ class Form:
     pattern: re.Pattern[str]
     read: Reader
     rank: int
+
+    @cached_property
+    def openings(self) -> tuple[str, ...]:
+        """The words before `of`, as they are asked: kinetic energy, of the form kinetic | potential | total energy."""
+        words = [word.strip() for word in re.split(r"[|,;]", self._sides_of_of[0])]
+        last = words[-1].rpartition(" ")[2]
+        return tuple(
+            f"{word} {last}" if not self._takes(word) and self._takes(f"{word} {last}") else word
+            for word in words
+            if word and word.islower()
+        )
+
+    @property
+    def is_of_body(self) -> bool:
+        """Whether it asks for something of one body, or of a point of it, at an instant."""
+        is_of_body = re.match(r"(?:MEASURE, or of )?(?:BODY|POINT)\b", self._sides_of_of[-1])
+        return is_of_body is not None and "until" not in self.form
+
+    @property
+    def _sides_of_of(self) -> list[str]:
+        without_options = re.sub(r"\[(?!of )[^]]*\]", "", self.form)
+        return re.split(r" \[?of ", without_options, maxsplit=1)
+
+    def _takes(self, opening: str) -> bool:
+        return any(self.pattern.match(text) for text in (opening, f"{opening} of a"))
 
 
 FORMS: list[Form] = []  # in the order in which they are tried and listed

@@ -11,37 +11,11 @@ from freebody.language.units import FORCE, LENGTH, TORQUE, Dimension
 from freebody.model.elements import ConstraintRow, StringStretch
 from freebody.model.noting import did_you_mean
 from freebody.model.state import State
-from freebody.questions.base import NAME, PLACE, Described, Found, Path, Quantity, asked
+from freebody.questions.base import FORMS, NAME, PLACE, Described, Found, Path, Quantity, asked
 from freebody.questions.reactions import has_connection
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
-
-
-# what else can be asked of something: the nearest is proposed where the name of a reaction is misspelt
-_OPENINGS = (
-    "position",
-    "velocity",
-    "acceleration",
-    "angular velocity",
-    "angular acceleration",
-    "speed",
-    "instant centre",
-    "angle",
-    "reaction",
-    "moment",
-    "tension",
-    "normal force",
-    "friction force",
-    "kinetic energy",
-    "potential energy",
-    "total energy",
-    "linear momentum",
-    "angular momentum",
-    "power",
-    "work",
-    "equilibrium",
-)
 
 
 @dataclass(frozen=True)
@@ -144,17 +118,15 @@ def _is_misnamed(names: Names, what: str, of: str, path: Path) -> bool:
     """Whether something else was meant than a component of a reaction: another question, or something of a body."""
     if of in names.connections:
         return False
-    close = difflib.get_close_matches(what, _OPENINGS, n=1, cutoff=0.7)
+    close = difflib.get_close_matches(what, [word for form in FORMS for word in form.openings], n=1, cutoff=0.7)
     if close and close[0] != what:
         told = Message(
             "there is nothing called {what}. Did you mean: {close} of {of}", what=what, close=close[0], of=of
         )
     elif of in names.bodies:
-        known = ", ".join(_OPENINGS[:7])
+        known = listed([*dict.fromkeys(word for form in FORMS if form.is_of_body for word in form.openings)])
         told = Message(
-            "'{what}' is nothing that is found of a body; one can ask for its {known}, momenta and energies",
-            what=what,
-            known=known,
+            "'{what}' is nothing that is found of a body; one can ask for its {known}", what=what, known=known
         )
     else:
         return False

@@ -66,15 +66,15 @@ def read_quantity(names: Names, text: str, path: Path) -> Quantity | None:
         if found:
             return form.read(names, found.groupdict(), path)
     words = text.split(" of ", maxsplit=1)[0]
-    openings = {w: f.form for f in FORMS for w in re.split(r"[|,;]", f.form.split(" of ")[0])}
-    close = difflib.get_close_matches(words, [w.strip() for w in openings], n=1, cutoff=0.8)
+    openings = {opening: form.form for form in FORMS for opening in form.openings}
+    close = difflib.get_close_matches(words, openings, n=1, cutoff=0.8)
     if rate is not None and rate[1] in names.measures:
         names.problem(
             Message("cannot read '{text}'. Did you mean: velocity of {measure}", text=text, measure=rate[1]), *path
         )
     elif close:
-        form = next(f for w, f in openings.items() if w.strip() == close[0])
-        names.problem(Message("cannot read '{text}'. Did you mean: {form}", text=text, form=form), *path)
+        told = Message("cannot read '{text}'. Did you mean: {form}", text=text, form=openings[close[0]])
+        names.problem(told, *path)
     elif any(isinstance(p.message, Message) and "askable" in p.message.arguments for p in names.problems):
         names.problem(Message("cannot read '{text}'", text=text), *path)
     else:

@@ -13,26 +13,23 @@ from __future__ import annotations
 from contextlib import suppress
 from functools import cached_property
 
-from freebody.errors import CannotAnswer, NeverHappens, NotReached
+from freebody.errors import CannotAnswer, NeverHappens
 from freebody.language.notation import compared, reworded
 from freebody.language.sentences import Message
 from freebody.questions.reading import QuestionEvent
 from freebody.symbolic.closure import Closure
 from freebody.symbolic.event_places import EventPlaces, Need, Variable
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.law_ranges import extent_by_law, period_by_law
-from freebody.symbolic.laws import Freely, LawInstant, MotionLaw, first, law_of
 from freebody.symbolic.laws.uniform import UniformLaw
-from freebody.symbolic.motion_laws import MotionLaws
+from freebody.symbolic.motion_cycles import MotionCycles
 from freebody.symbolic.reached import HOLDS_ALWAYS, HOLDS_ONCE, Reached
-from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.uniform_passage import passage_at
 from freebody.symbolic.unknowns import Coordinate
 from freebody.symbolic.zeros import solve_linear
 
 
-class SmoothMotion(MotionLaws):
+class SmoothMotion(MotionCycles):
     """The closed-form motion of a model from its start."""
 
     # -- the event ----------------------------------------------------------------------------
@@ -225,53 +222,13 @@ class SmoothMotion(MotionLaws):
         self, value: Ratio, target: Ratio, found: list[Coordinate], text: str, order: int = 0
     ) -> Reached | None:
         """When a measure that is linear in several coordinates has a value, or its rate."""
-        law = self._law_together(value, found)
+        law = self.law_together(value, found)
         if isinstance(law, UniformLaw) and not order:
             return passage_at(text, law, target).of(None, target)
         if law is None or law.is_still:
             return None
         instants = law.rates(target) if order else law.places(target)
         return None if instants is None else self._first(None, text, *instants)
-
-    def _law_together(self, value: Ratio, found: list[Coordinate]) -> MotionLaw | None:
-        """The law of a measure that is linear in several coordinates, and whose acceleration depends on nothing that
-        moves but itself: the way between bodies that fall, or between two masses on a spring."""
-        f = self.field
-        slopes = [f.partial(value, c.index) for c in found]
-        rest = value
-        for slope, c in zip(slopes, found, strict=True):
-            rest = rest - slope * f.variable(c.index)
-        if not found or not all(x.is_constant() for x in (*slopes, rest)):
-            return None
-        q0, u0, a = rest, f.zero, f.zero
-        for slope, c in zip(slopes, found, strict=True):
-            q0, u0 = q0 + slope * self.start.of(c.index), u0 + slope * self.start.of(c.speed)
-            a = a + slope * self.acceleration(c)
-        # the measure takes the place of the first coordinate; its acceleration may depend on no other then
-        first, others = found[0], range(1, len(found))
-        own, rate = f.variable(first.index) - rest, f.variable(first.speed)
-        for k in others:
-            own = own - slopes[k] * f.variable(found[k].index)
-            rate = rate - slopes[k] * f.variable(found[k].speed)
-        a = f.lowest_terms(f.follow(a, {first.index: own / slopes[0], first.speed: rate / slopes[0]}))
-        moving = Freely(self.model, first, a, f.lowest_terms(q0), f.lowest_terms(u0), self._takes_side)
-        return law_of(moving) if moving.is_alone else None
-
-    def _first(
-        self, c: Coordinate | None, name: str, instants: list[LawInstant], needs: list[tuple[Ratio, str]]
-    ) -> Reached:
-        found = first(self.model, instants)
-        if found is None:
-            if any(sign_of(x) is Sign.NEGATIVE for x, _relation in needs):
-                raise NeverHappens(Message("{x} does not get that far", x=name))
-            if instants and all(i.period is None and _is_past(i) for i in instants):
-                raise NeverHappens(Message("{x} does not get there after the start", x=name))
-            if all(i.time.is_zero() and i.period is None for i in instants):
-                raise NeverHappens(HOLDS_ONCE if instants else Message("{x} only tends to that", x=name))
-            raise NotReached(Message("{x} does not get there at any of the parameter values that were tried", x=name))
-        i = found.instant
-        lowest = self.field.lowest_terms
-        return Reached(lowest(i.time), c, lowest(i.place), lowest(i.rate), [], [*needs, *found.conditions])
 
     # -- a rate -------------------------------------------------------------------------------
     def _reach_rate(self, rate: Ratio, target: Ratio, place: Ratio, event: QuestionEvent) -> Reached:
@@ -326,62 +283,6 @@ class SmoothMotion(MotionLaws):
         reached.conditions += needs
         return reached
 
-    # -- a motion that repeats itself ---------------------------------------------------------
-    def period(self, c: Coordinate) -> Reached:
-        """After which time a coordinate is where it was at the start, and as fast. Raises NeverHappens where it does
-        not come back, CannotAnswer where no closed form is found."""
-        q0, u0 = self.start.of(c.index), self.start.of(c.speed)
-        if self.stands_still:
-            raise NeverHappens(Message("it starts at rest in an equilibrium, and stays there"))
-        law = self.law_of(c, takes_side=self._takes_side)
-        if law is not None:
-            return period_by_law(law, c.name, c)
-        way = self.way_of(c)
-        found = way.period()
-        if found is None:
-            raise CannotAnswer(
-                Message("no closed form was found for the period: the time is no elliptic integral of the first kind")
-            )
-        time, needs, says = found
-        return Reached(time, c, q0, u0, [], needs, says=says, integral=way.integral)
-
-    def period_of_sum(self, value: Ratio, name: str) -> Reached:
-        """The same of a measure that is linear in several coordinates and moves by a law of its own."""
-        return period_by_law(self.law_of_sum(value), name)
-
-    def extent(self, c: Coordinate, side: int) -> Reached:
-        """The farthest place of a coordinate above (side > 0) or below."""
-        q0 = self.start.of(c.index)
-        if self.stands_still:
-            return Reached(self.field.zero, c, q0, self.field.zero)
-        try:
-            self.integrals.speed_squared(c, self.field.variable(c.index))
-        except CannotAnswer:
-            law = self.law_of(c, takes_side=True)
-            if law is None:
-                raise CannotAnswer(Message("no closed form was found for how far it gets")) from None
-            return extent_by_law(law, c.name, side, c)
-        at, needs, says = self.way_of(c).extent(side)
-        return Reached(None, c, at, self.field.zero, [], needs, says=says)
-
-    def ends(self, c: Coordinate) -> tuple[Ratio, Ratio]:
-        """The least and the greatest place of a coordinate. Raises CannotAnswer, NeverHappens or NotReached where it
-        has none, or none in closed form."""
-        low, high = (self.extent(c, side).at for side in (-1, 1))
-        return low, high
-
-    def extent_of_sum(self, value: Ratio, name: str, side: int) -> Reached:
-        """The same of a measure that is linear in several coordinates and moves by a law of its own."""
-        return extent_by_law(self.law_of_sum(value), name, side)
-
-    def law_of_sum(self, value: Ratio) -> MotionLaw:
-        """The law of a measure that is linear in several coordinates. Raises CannotAnswer where it has none."""
-        inside = self.field.ingredients(value)
-        law = self._law_together(value, [c for c in self.model.coordinates if c.index in inside])
-        if law is None:
-            raise CannotAnswer(Message("no closed form was found for that: it moves by no law of its own"))
-        return law
-
     # -- first integral -----------------------------------------------------------------------
     def _place_by_energy(self, c: Coordinate, at: Ratio, event: QuestionEvent) -> Reached:
         """The speed at a place, from M u^2/2 + V = const, with the sign of the way there."""
@@ -407,8 +308,3 @@ class SmoothMotion(MotionLaws):
             "speed; simulate the motion for a number"
         )
         return Reached(None, c, at, wanted, [], needs, why, says)
-
-
-def _is_past(instant: LawInstant) -> bool:
-    """Whether an instant is proved to be before the start."""
-    return instant.key is not None and not instant.key.is_zero() and sign_of(instant.key) is Sign.NEGATIVE

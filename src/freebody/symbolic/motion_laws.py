@@ -11,6 +11,7 @@ from contextlib import contextmanager
 from functools import cached_property
 
 from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
 from freebody.symbolic.coupled import CoupledMotion, coupled_with
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.first_integrals import FirstIntegrals, is_driven
@@ -74,6 +75,38 @@ class MotionLaws:
         what parameters decide may be as it is at the first sample; that is then assumed."""
         q0, u0 = self.start.of(c.index), self.start.of(c.speed)
         return law_of(Freely(self.model, c, self.acceleration(c), q0, u0, takes_side))
+
+    def law_of_sum(self, value: Ratio) -> MotionLaw:
+        """The law of a measure that is linear in several coordinates. Raises CannotAnswer where it has none."""
+        inside = self.field.ingredients(value)
+        law = self.law_together(value, [c for c in self.model.coordinates if c.index in inside])
+        if law is None:
+            raise CannotAnswer(Message("no closed form was found for that: it moves by no law of its own"))
+        return law
+
+    def law_together(self, value: Ratio, found: list[Coordinate]) -> MotionLaw | None:
+        """The law of a measure that is linear in several coordinates, and whose acceleration depends on nothing that
+        moves but itself: the way between bodies that fall, or between two masses on a spring."""
+        f = self.field
+        slopes = [f.partial(value, c.index) for c in found]
+        rest = value
+        for slope, c in zip(slopes, found, strict=True):
+            rest = rest - slope * f.variable(c.index)
+        if not found or not all(x.is_constant() for x in (*slopes, rest)):
+            return None
+        q0, u0, a = rest, f.zero, f.zero
+        for slope, c in zip(slopes, found, strict=True):
+            q0, u0 = q0 + slope * self.start.of(c.index), u0 + slope * self.start.of(c.speed)
+            a = a + slope * self.acceleration(c)
+        # the measure takes the place of the first coordinate; its acceleration may depend on no other then
+        first, others = found[0], range(1, len(found))
+        own, rate = f.variable(first.index) - rest, f.variable(first.speed)
+        for k in others:
+            own = own - slopes[k] * f.variable(found[k].index)
+            rate = rate - slopes[k] * f.variable(found[k].speed)
+        a = f.lowest_terms(f.follow(a, {first.index: own / slopes[0], first.speed: rate / slopes[0]}))
+        moving = Freely(self.model, first, a, f.lowest_terms(q0), f.lowest_terms(u0), self._takes_side)
+        return law_of(moving) if moving.is_alone else None
 
     @cached_property
     def _takes_side(self) -> bool:

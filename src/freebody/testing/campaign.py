@@ -22,7 +22,7 @@ from typing import IO, Any
 from freebody.api import System
 from freebody.errors import InputError
 from freebody.testing.models import maker
-from freebody.testing.outcomes import End, Outcome, OutOfWork, limited, run, untyped
+from freebody.testing.outcomes import Outcome, OutOfWork, StudyEnd, limited, run, untyped
 
 READ = "read"  # the study before all others: the model is drawn and read
 _MEMORY = 4 << 30  # bytes, of one process
@@ -38,7 +38,7 @@ questions: [{find: acceleration of p}]
 
 
 @dataclass(frozen=True)
-class Told:
+class TimedOutcome:
     """An outcome with the seed of its model and the processor time of its study [s]."""
 
     seed: int
@@ -55,7 +55,7 @@ class Told:
         return plain | {"place": o.place, "seconds": round(self.seconds, 3)}
 
 
-def campaign(seeds: Iterable[int], names: Sequence[str], seconds: float) -> Iterator[Told]:
+def campaign(seeds: Iterable[int], names: Sequence[str], seconds: float) -> Iterator[TimedOutcome]:
     """What comes of the studies of these names for the models of these seeds, each study with a limit of processor time
     [s]. Raises InputError where processes cannot be forked."""
     if not hasattr(os, "fork"):
@@ -74,7 +74,7 @@ def campaign(seeds: Iterable[int], names: Sequence[str], seconds: float) -> Iter
         gc.unfreeze()
 
 
-def _in_child(seed: int, names: list[str], seconds: float) -> tuple[list[Told], list[str]]:
+def _in_child(seed: int, names: list[str], seconds: float) -> tuple[list[TimedOutcome], list[str]]:
     """The studies in a process of their own, as far as it survives them; and the names of those that are left."""
     reading, writing = os.pipe()
     sys.stdout.flush()
@@ -87,27 +87,29 @@ def _in_child(seed: int, names: list[str], seconds: float) -> tuple[list[Told], 
         finally:
             os._exit(0)
     os.close(writing)
-    found: list[Told] = []
+    found: list[TimedOutcome] = []
     begun = names[0]
     with os.fdopen(reading, encoding="utf-8") as lines:
         for line in lines:
             begun, plain = json.loads(line)
             if plain:
-                outcome = Outcome(plain["study"], End(plain["end"]), plain["message"], plain["place"])
-                found.append(Told(seed, outcome, plain["seconds"]))
+                outcome = Outcome(plain["study"], StudyEnd(plain["end"]), plain["message"], plain["place"])
+                found.append(TimedOutcome(seed, outcome, plain["seconds"]))
     _pid, status = os.waitpid(child, 0)
     if not begun:
         return found, []
-    found.append(Told(seed, _of_death(begun, os.waitstatus_to_exitcode(status), seconds), 0.0))
+    found.append(TimedOutcome(seed, _of_death(begun, os.waitstatus_to_exitcode(status), seconds), 0.0))
     return found, [] if begun == READ else names[names.index(begun) + 1 :]
 
 
 def _of_death(study: str, code: int, seconds: float) -> Outcome:
     """What became of a study in which its process ended."""
     if code == -signal.SIGXCPU:
-        return Outcome(study, End.TOO_LONG, f"no end after {_GRACE:g} times {seconds:g} s in a call without an alarm")
+        return Outcome(
+            study, StudyEnd.TOO_LONG, f"no end after {_GRACE:g} times {seconds:g} s in a call without an alarm"
+        )
     return Outcome(
-        study, End.CRASHED, signal.strsignal(-code) or f"signal {-code}" if code < 0 else f"exit code {code}"
+        study, StudyEnd.CRASHED, signal.strsignal(-code) or f"signal {-code}" if code < 0 else f"exit code {code}"
     )
 
 
@@ -130,7 +132,7 @@ def _tell(seed: int, names: Sequence[str], seconds: float, out: IO[str]) -> None
         if name != READ and system is not None:
             found = run(name, system, seconds)
         for outcome in found:  # of reading, where that is what ends here
-            tell(name, Told(seed, outcome, time.process_time() - before).to_plain())
+            tell(name, TimedOutcome(seed, outcome, time.process_time() - before).to_plain())
         if system is None:
             break
     tell("")
@@ -143,10 +145,10 @@ def _read(seed: int, seconds: float) -> tuple[System | None, list[Outcome]]:
         with limited(_GRACE * seconds):
             system = System.from_data(one.model())
     except OutOfWork:
-        return None, [Outcome(READ, End.TOO_LONG, f"no end after {_GRACE * seconds:g} s of processor time")]
+        return None, [Outcome(READ, StudyEnd.TOO_LONG, f"no end after {_GRACE * seconds:g} s of processor time")]
     except Exception as error:
         return None, [untyped(READ, error)]
-    return system, [untyped(READ, error) for _data, error in one.faults] or [Outcome(READ, End.ANSWERED)]
+    return system, [untyped(READ, error) for _data, error in one.faults] or [Outcome(READ, StudyEnd.ANSWERED)]
 
 
 def _limit_process(seconds: float) -> None:
@@ -160,9 +162,9 @@ def _limit_process(seconds: float) -> None:
 
 
 # -- the command ------------------------------------------------------------------------------
-def report(told: Iterable[Told], file: IO[str] | None = None) -> Iterator[str]:
+def report(told: Iterable[TimedOutcome], file: IO[str] | None = None) -> Iterator[str]:
     """A line for each defect as it comes, at the end a table of counts: studies by ends."""
-    counts: Counter[tuple[str, End]] = Counter()
+    counts: Counter[tuple[str, StudyEnd]] = Counter()
     n_models = 0
     for one in told:
         o = one.outcome
@@ -176,9 +178,9 @@ def report(told: Iterable[Told], file: IO[str] | None = None) -> Iterator[str]:
     yield from table(counts, n_models)
 
 
-def table(counts: Mapping[tuple[str, End], int], n_models: int) -> Iterator[str]:
+def table(counts: Mapping[tuple[str, StudyEnd], int], n_models: int) -> Iterator[str]:
     """How often each study ended how."""
-    ends = [end for end in End if any(e is end for _study, e in counts)]
+    ends = [end for end in StudyEnd if any(e is end for _study, e in counts)]
     yield f"{n_models} models"
     yield "".join([f"{'':<12}", *(f"{end.value:>{len(end.value) + 3}}" for end in ends)]).rstrip()
     for study in dict.fromkeys(study for study, _end in counts):

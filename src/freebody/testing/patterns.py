@@ -18,12 +18,19 @@ from typing import Any, cast
 from freebody.errors import FreebodyError
 from freebody.language.document import Document
 from freebody.language.units import DIMENSIONLESS, LENGTH, Dimension, parse_quantity
-from freebody.model.spec import Formula, Heading, Spec
+from freebody.model.spec import FieldType, Spec
 
 Fill = Callable[[str], str]  # from the word of a place ("BODY") to a text for it
 _COMPASS = ("right", "left", "up", "down", "x", "y", "z")
 _PLACE = re.compile(r"\b[A-Z]{4,}\b")
 _OPTIONAL = re.compile(r"\[([^\[\]]*)\]")
+# what a place takes that an example leaves out, by the type of the field
+_SLOT_OF: Mapping[FieldType, str] = {
+    "flag": "flag",
+    "direction": "direction",
+    "text": "name",
+    "formula": "any quantity",
+}
 
 
 @dataclass(frozen=True)
@@ -55,18 +62,12 @@ def shape_fields(kind: type[Spec]) -> dict[str, Any]:
 
 def options_of(kind: type[Spec], given: Mapping[str, Any]) -> dict[str, Any]:
     """Slots for the fields that the example leaves out, by their types."""
+    types = kind.field_types()
     found: dict[str, Any] = {}
     for name, field in kind.model_fields.items():
-        if name in given or (field.alias or name) in given:
-            continue
-        if field.annotation is bool:
-            found[name] = PatternSlot("flag", field.default)
-        elif field.annotation in (Heading, Heading | None):
-            found[name] = PatternSlot("direction", "right")
-        elif str(field.annotation) in ("<class 'str'>", "str | None"):
-            found[name] = PatternSlot("name", field.default)
-        elif field.annotation in (Formula, Formula | None):
-            found[name] = PatternSlot("any quantity", field.default)
+        if name not in given and (field.alias or name) not in given and types[name] in _SLOT_OF:
+            default = "right" if types[name] == "direction" else field.default
+            found[name] = PatternSlot(_SLOT_OF[types[name]], default)
     return found
 
 

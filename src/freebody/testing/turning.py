@@ -13,8 +13,7 @@ from typing import Any, cast
 
 from freebody.connections.base import Connection
 from freebody.loads.base import Load
-from freebody.model.shapes.base import Shape
-from freebody.model.spec import Heading, Spec
+from freebody.model.spec import Spec
 from freebody.system.system import System
 from freebody.testing.documents import Data, section
 
@@ -132,9 +131,6 @@ def _body(entry: Data, turns: bool) -> Data:
         changed["angle"] = _heading(entry.get("angle", 0), set())
     elif turns:
         changed["near"] = {"angle": "pi/2"}
-    kind = next(k for k in entry if k in Shape.kinds)
-    if "radius" not in Shape.kinds[kind].model_fields and not turns:
-        return changed
     return changed
 
 
@@ -167,7 +163,7 @@ def _element(entry: Any, kinds: dict[str, type[Spec]], lines: set[str]) -> Any:
 
 
 def _headings(kind: type[Spec]) -> list[str]:
-    return [name for name, field in kind.model_fields.items() if field.annotation in (Heading, Heading | None)]
+    return [name for name, of in kind.field_types().items() if of == "direction"]
 
 
 def _measure(value: Any, lines: set[str]) -> Any:

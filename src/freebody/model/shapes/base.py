@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 from freebody.language.expression import Expr, divide, number, power
 from freebody.measures.geometry import ZERO, Components
 from freebody.model.kinds import Kinds
+from freebody.model.solids import NO_SOLID, SolidKind
 from freebody.model.spec import Spec
 
 if TYPE_CHECKING:
@@ -35,7 +36,7 @@ class Build:
     tensor: Components = ()  # about the mass centre: xx, yy, zz, xy, xz, yz
     round: str = ""
     axis: Components = ()
-    solid: str = ""
+    solid: SolidKind = NO_SOLID
     sizes: Components = ()
 
 

@@ -19,6 +19,7 @@ from freebody.language.sentences import Message
 from freebody.language.units import INERTIA, LENGTH, MASS
 from freebody.measures.geometry import ZERO, Components
 from freebody.model.shapes.base import Build, Shape, half, square
+from freebody.model.solids import CONE, CYLINDER, DISK, RING, SPHERE, SolidKind
 from freebody.model.spec import Formula, Heading
 
 if TYPE_CHECKING:
@@ -66,7 +67,7 @@ class Disk(Shape, kind="disk"):
 
     def build(self, names: Names) -> Build:
         m, r = names.positive(self, "mass", MASS), names.positive(self, "radius", LENGTH)
-        return _wheel(names, self, m, r, half(m * square(r)), "disk")
+        return _wheel(names, self, m, r, half(m * square(r)), DISK)
 
 
 class Ring(Shape, kind="ring"):
@@ -85,17 +86,18 @@ class Ring(Shape, kind="ring"):
 
     def build(self, names: Names) -> Build:
         m, r = names.positive(self, "mass", MASS), names.positive(self, "radius", LENGTH)
-        return _wheel(names, self, m, r, m * square(r), "ring")
+        return _wheel(names, self, m, r, m * square(r), RING)
 
 
-def _wheel(names: Names, spec: Disk | Ring, m: Expr, r: Expr, own: Expr, solid: str) -> Build:
+def _wheel(names: Names, spec: Disk | Ring, m: Expr, r: Expr, own: Expr, solid: SolidKind) -> Build:
     """A thin round body. own: its moment of inertia about its axis unless one is given; half of it about a diameter."""
     given = names.optional(spec, "inertia", INERTIA)
     inertia = own if given is None else given
     axis = _axis(names, spec)
     tensor = about_axis(axis, inertia, half(inertia)) if axis else ()
-    is_ring = solid == "ring"
-    return Build(m, inertia, radius=r, is_ring=is_ring, tensor=tensor, round="disk", axis=axis, solid=solid, sizes=(r,))
+    return Build(
+        m, inertia, radius=r, is_ring=solid.is_hoop, tensor=tensor, round="disk", axis=axis, solid=solid, sizes=(r,)
+    )
 
 
 class Sphere(Shape, kind="sphere"):
@@ -114,7 +116,7 @@ class Sphere(Shape, kind="sphere"):
         m, r = names.positive(self, "mass", MASS), names.positive(self, "radius", LENGTH)
         inertia = multiply(number(2), m, power(r, number(2))) / number(5)
         tensor = (inertia, inertia, inertia, ZERO, ZERO, ZERO) if names.space else ()
-        return Build(m, inertia, radius=r, tensor=tensor, round="sphere", solid="sphere", sizes=(r,))
+        return Build(m, inertia, radius=r, tensor=tensor, round="sphere", solid=SPHERE, sizes=(r,))
 
 
 class Cylinder(Shape, kind="cylinder"):
@@ -146,7 +148,7 @@ class Cylinder(Shape, kind="cylinder"):
             tensor=about_axis(axis, along, divide(m * (3 * square(r) + square(length)), number(12))),
             round="disk",
             axis=axis,
-            solid="cylinder",
+            solid=CYLINDER,
             sizes=(r, length),
         )
 
@@ -180,6 +182,6 @@ class Cone(Shape, kind="cone"):
             round="cone",
             axis=axis,
             default_point="apex",
-            solid="cone",
+            solid=CONE,
             sizes=(r, h),
         )

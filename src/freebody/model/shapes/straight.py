@@ -25,6 +25,7 @@ from freebody.language.sentences import Message
 from freebody.language.units import LENGTH, MASS
 from freebody.measures.geometry import ZERO, Components
 from freebody.model.shapes.base import Build, Shape, half, square
+from freebody.model.solids import BOX, PLATE, ROD
 from freebody.model.spec import Formula
 from freebody.tolerances import ROUNDED
 
@@ -72,7 +73,7 @@ class Rod(Shape, kind="rod"):
             points={"start": (negate(end), ZERO), "end": (end, ZERO)},
             corners=("start", "end"),
             tensor=(ZERO, inertia, inertia, ZERO, ZERO, ZERO) if names.space else (),
-            solid="rod",
+            solid=ROD,
             sizes=(length,),
         )
 
@@ -114,7 +115,7 @@ class Rectangle(Shape, kind="rectangle"):
             },
             corners=("bottom_left", "bottom_right", "top_right", "top_left"),
             tensor=_flat(m * square(h) / 12, m * square(w) / 12) if names.space else (),
-            solid="box",
+            solid=BOX,
             sizes=(w, h, ZERO),
         )
 
@@ -155,7 +156,7 @@ class Box(Shape, kind="box"):
                 "front": (ZERO, ZERO, z),
             },
             tensor=(Ix, Iy, Iz, ZERO, ZERO, ZERO),
-            solid="box",
+            solid=BOX,
             sizes=(a, b, c),
         )
 
@@ -210,7 +211,7 @@ class Polygon(Shape, kind="polygon"):
             default_point="origin",
             corners=tuple(f"corner{k}" for k in range(1, len(corners) + 1)),
             tensor=_flat(Ix, Iy, xy) if names.space else (),
-            solid="plate",
+            solid=PLATE,
         )
 
 

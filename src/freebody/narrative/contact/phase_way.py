@@ -19,10 +19,11 @@ from freebody.narrative.lines.script import Script, Sentence
 from freebody.narrative.principles.newton import Newton
 from freebody.questions.reading import Question
 from freebody.study.answering.finding import NO_FORM, why
+from freebody.study.phases.branch import AnswerBranch
 from freebody.study.phases.ends import FirstEvent
 from freebody.study.phases.nodes import PhaseNode
 from freebody.study.phases.phase import Phase
-from freebody.study.phases.pieces import AnswerBranch, pieces
+from freebody.study.phases.pieces import pieces
 from freebody.study.phases.tree import tree_of
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.relations import readable

@@ -20,11 +20,11 @@ from freebody.numeric.reference import Reference
 from freebody.numeric.snapshot import Snapshot
 from freebody.questions.reading import AskedEvent
 from freebody.study.answering.draws import Draw
+from freebody.study.phases.branch import AnswerBranch
 from freebody.study.phases.evidence import run as followed
 from freebody.study.phases.evidence import stage
 from freebody.study.phases.followed import begun, changed, follow
 from freebody.study.phases.nodes import PhaseNode
-from freebody.study.phases.pieces import AnswerBranch
 from freebody.study.phases.tree import PhaseTree
 from freebody.study.phases.witness import NumericMode, PhaseSnapshot
 

@@ -52,7 +52,7 @@ class MomentAxis:
     aim: Aim | None = None
 
 
-class Places(Protocol):
+class PrinciplePlaces(Protocol):
     """Where principles are worth writing."""
 
     def sizes(self, n: int) -> Iterable[int]:
@@ -84,13 +84,11 @@ class Places(Protocol):
         ...
 
 
-_OF_CONTACTS = ("normal force", "friction force", "tooth force", "radial force", "belt force")
-
-
 def contact_point(acting: Acting, connection: str) -> Sentence:
     """The contact point of a connection, which needs no name where it is the only one."""
-    in_contact = {row.connection for row in acting.rows.values() if row.reaction in _OF_CONTACTS}
-    if in_contact <= {connection}:
+    connections = acting.system.connections
+    acting_there = {row.connection for row in acting.rows.values()}
+    if not any(connections[other].has_contact_point for other in acting_there - {connection}):
         return Sentence("point.only_contact")
     return Sentence("point.contact", {"connection": connection})
 

@@ -25,8 +25,6 @@ from freebody.study.setup import Setup
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
 
-_NAMED_BY_KIND = ("tension", "friction force")  # connections that need no name where there is one of their kind
-
 
 class PlanarRates:
     """Writes what moves how in the plane, each symbol once in a derivation."""
@@ -210,10 +208,10 @@ class PlanarRates:
         shown = [term.expression for term in terms] + (
             [] if self.model.samples.vanishes(rest) else [negate(tidy(rest))]
         )
-        args: dict[str, Argument] = {"connection": held.connection, "component": held.component}
         alike = {row.connection for row in self.acting.rows.values() if row.reaction == held.reaction}
-        only = "_only" if held.reaction in _NAMED_BY_KIND and len(alike) == 1 else ""
-        key = f"constraint.{held.reaction.replace(' ', '_')}{only}"
+        # the only one of its kind needs no name
+        args: dict[str, Argument] = {"connection": held.connection, "component": held.component, "n": len(alike)}
+        key = f"constraint.{held.reaction.replace(' ', '_')}"
         return script.line(*balanced(add(*shown)), why=key, args=args)
 
     def _positions_of(self, script: Script, term: Term) -> tuple[int, ...]:

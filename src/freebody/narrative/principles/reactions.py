@@ -31,7 +31,8 @@ def words_of(acting: Acting, name: str) -> Sentence:
     row = acting.rows[name]
     args: dict[str, Argument] = {"reaction": f"@reaction.{row.reaction}", "connection": row.connection}
     alike = [r for r in acting.rows.values() if (r.connection, r.reaction) == (row.connection, row.reaction)]
-    if row.ends and len(alike) > 1 and row.reaction in CONTACT_FORCES and place_of(row) != row.connection:
+    has_contact_point = acting.system.connections[row.connection].has_contact_point
+    if row.ends and len(alike) > 1 and has_contact_point and place_of(row) != row.connection:
         return Sentence("symbol.reaction_at", {**args, "place": place_of(row)})
     axis = row.component.split()[-1]
     if axis in ("x", "y", "z"):
@@ -41,9 +42,6 @@ def words_of(acting: Acting, name: str) -> Sentence:
     if row.ends and len(alike) > 1:
         return Sentence("symbol.reaction_between", {**args, "ends": tuple(row.ends)})
     return Sentence("symbol.reaction", args)
-
-
-CONTACT_FORCES = ("normal force", "friction force")
 
 
 def place_of(row: ConstraintRow) -> str:

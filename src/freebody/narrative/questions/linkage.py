@@ -10,19 +10,19 @@ from functools import singledispatch
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Call, Expr, Symbol, add, multiply, negate, number, power
 from freebody.language.sentences import Message
-from freebody.measures.geometry import GROUND, position, unit
+from freebody.measures.geometry import GROUND
 from freebody.narrative.context import Context, Method, refuse
 from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.naming import fresh
 from freebody.narrative.lines.script import (
     Argument,
     DerivationStage,
-    FormulaTable,
     NumberedFormula,
     Script,
     Sentence,
     ready,
 )
+from freebody.narrative.questions.linkage_loop import introduce, tell_diagonal, tell_lengths
 from freebody.narrative.steady.extremes import by_the_drive
 from freebody.questions.at_dead_points import AtDeadPoints
 from freebody.questions.base import Quantity
@@ -42,7 +42,7 @@ from freebody.study.mobility.dead_points import (
     transmission_extreme,
 )
 from freebody.study.mobility.four_links import FourLinks
-from freebody.study.mobility.linkages import FourBar, LoopJoint, SliderCrank
+from freebody.study.mobility.linkages import FourBar, SliderCrank
 from freebody.study.mobility.loop_answers import (
     extreme_in_numbers,
     four_links,
@@ -52,7 +52,7 @@ from freebody.study.mobility.loop_answers import (
     transmission_in_numbers,
 )
 from freebody.study.steady.drive import followed
-from freebody.study.steady.round_turn import FullTurn as Turn
+from freebody.study.steady.round_turn import DrawnTurn
 from freebody.symbolic.closure import explicit
 from freebody.symbolic.conditions import Condition
 from freebody.symbolic.tidy import tidy
@@ -91,8 +91,8 @@ def _derived(q: Quantity, context: Context, question: Question, answer: Answer) 
     needs = _needs(question.quantity, links)
     script = Script(context.glossary.where(lambda world: _hold(links, needs, world)), context.next_number)
     with script.stage("linkage.loop", "linkage.loop_hint"):
-        _lengths(script, links)
-        line, distance = _diagonal(context, script, links)
+        tell_lengths(script, links)
+        line, distance = tell_diagonal(context, script, links)
     with script.stage("linkage.conclusion", "linkage.conclusion_hint"):
         _concluded(question.quantity, _Told(context, question, answer, links, script, line, distance))
     return script.stages
@@ -139,10 +139,10 @@ def _at_each(
     symbol = Symbol(fresh(context, "y", "y_crank"))
 
     def read(world: World) -> float:
-        return Turn(setup, world.draw, c, q.of).value(world.snapshot.q)
+        return DrawnTurn(setup, world.draw, c, q.of).value(world.snapshot.q)
 
     what = Sentence("steady.followed", {"name": Symbol(c.name)})
-    _introduce(script, Meaning(symbol, what, read, q.unit))
+    introduce(script, Meaning(symbol, what, read, q.unit))
     general = explicit(links.model, f.lowest_terms(f.element(followed(setup, q.of))))
     args: dict[str, Argument] = {"lines": used, "name": Symbol(c.name)}
     why = "steady.driven" if used else "steady.quantity"
@@ -151,13 +151,13 @@ def _at_each(
     for k, (point, value) in enumerate(found):
 
         def there(world: World, point: DeadPoint = point) -> float:
-            turn = Turn(setup, world.draw, c, q.of)
+            turn = DrawnTurn(setup, world.draw, c, q.of)
             (angle,) = element_at(setup, point.value, world.draw, turn.start)
             return turn.at(math.remainder(angle - turn.here, math.tau))
 
         name = _asked(context, question, k, len(found))
         told = Sentence("linkage.dead_symbol", {"name": question.text, "where": ready(point.where)})
-        _introduce(script, Meaning(name, told, there, q.unit))
+        introduce(script, Meaning(name, told, there, q.unit))
         given: dict[str, Argument] = {"lines": (first, last)}
         script.line(name, tidy(value), why="linkage.there", args=given, uses=(first, last), when="never")
 
@@ -208,91 +208,6 @@ def _hold(links: FourLinks, needs: list[Condition], world: World) -> bool:
     return all(element_at(links.setup, c.element, draw, draw.start())[0] >= 0 for c in needs)
 
 
-# -- the loop ---------------------------------------------------------------------------------
-def _lengths(script: Script, links: FourLinks) -> None:
-    loop = links.loop
-    header = (Sentence("linkage.table_link"), Sentence("linkage.table_length"))
-    rows: list[tuple[Sentence | Expr | str, ...]] = []
-    for link in loop.links:
-        is_offset = isinstance(loop, SliderCrank) and link == loop.guide
-        role = Sentence("linkage.offset") if is_offset else Sentence("linkage.ground") if link == GROUND else link
-        rows.append((role, tidy(links.lengths[link])))
-    script.add(FormulaTable(header, tuple(rows)))
-
-
-def _at(world: World, joint: LoopJoint) -> tuple[float, float]:
-    r = position(world.snapshot.geometry, joint.point)
-    return r.x.value, r.y.value
-
-
-def _angle_between(a: LoopJoint, b: LoopJoint, c: LoopJoint) -> Callable[[World], float]:
-    """From a to b, counted from the direction from a to c."""
-
-    def read(world: World) -> float:
-        p, q, r = (_at(world, joint) for joint in (a, b, c))
-        turned = math.atan2(q[1] - p[1], q[0] - p[0]) - math.atan2(r[1] - p[1], r[0] - p[0])
-        return math.remainder(turned, math.tau)
-
-    return read
-
-
-def _diagonal(context: Context, script: Script, links: FourLinks) -> tuple[int, Symbol]:
-    """The line for what the two links at the crank's pin leave between their ends, and its symbol."""
-    loop = links.loop
-    if isinstance(loop, SliderCrank) and loop.fixed == loop.guide:
-        return _height(context, script, links, loop)
-    if isinstance(loop, FourBar):
-        bars = bars_of(links)
-        pivot, pin, _far, other = bars.joints
-        a, d, crank = bars.a, bars.d, bars.crank
-    else:
-        P, B, W = loop.joints
-        pivot, pin, other = (B, W, P) if loop.fixed == loop.crank else (B, P, W)
-        a, d = links.lengths[loop.crank], links.lengths[loop.rod]
-        a, d, crank = (d, a, loop.rod) if loop.fixed == loop.crank else (a, d, loop.crank)
-    D, beta = Symbol(fresh(context, "D", "D_1")), Symbol(fresh(context, "beta", "beta_c", "beta_1"))
-    names: dict[str, Argument] = {"from": pin.name, "to": other.name}
-    _introduce(
-        script,
-        Meaning(D, Sentence("linkage.diagonal_symbol", names), lambda w: math.dist(_at(w, pin), _at(w, other)), "m"),
-        Meaning(beta, Sentence("linkage.angle_symbol", {"crank": crank}), _angle_between(pivot, pin, other), "rad"),
-    )
-    squares = add(power(tidy(a), _TWO), power(tidy(d), _TWO))
-    right = add(squares, negate(multiply(_TWO, tidy(a), tidy(d), Call("cos", beta))))
-    return script.line(power(D, _TWO), right, why="linkage.cosines"), D
-
-
-def _height(context: Context, script: Script, links: FourLinks, loop: SliderCrank) -> tuple[int, Symbol]:
-    """How far the crankpin is off the guide's line."""
-    P, B, W = loop.joints
-    y, beta = Symbol(fresh(context, "h", "h_B", "h_1")), Symbol(fresh(context, "beta", "beta_c", "beta_1"))
-
-    def off(world: World) -> float:
-        along = unit(world.snapshot.geometry, loop.along)
-        p, q = _at(world, B), _at(world, W)
-        return along.x.value * (p[1] - q[1]) - along.y.value * (p[0] - q[0])
-
-    def angle(world: World) -> float:
-        along = unit(world.snapshot.geometry, loop.along)
-        p, q = _at(world, P), _at(world, B)
-        return math.remainder(math.atan2(q[1] - p[1], q[0] - p[0]) - math.atan2(along.y.value, along.x.value), math.tau)
-
-    _introduce(
-        script,
-        Meaning(y, Sentence("linkage.height_symbol", {"joint": B.name}), off, "m"),
-        Meaning(beta, Sentence("linkage.guide_angle_symbol", {"crank": loop.crank}), angle, "rad"),
-    )
-    r, e = links.lengths[loop.crank], links.lengths[loop.guide]
-    right = add(multiply(tidy(r), Call("sin", beta)), negate(tidy(e)))
-    return script.line(y, right, why="linkage.height"), y
-
-
-def _introduce(script: Script, *meanings: Meaning) -> None:
-    for meaning in meanings:
-        script.glossary.redefine(meaning)
-    script.introduce(*meanings)
-
-
 # -- what follows -----------------------------------------------------------------------------
 @_concluded.register(Assembly)
 def _assembly(q: Assembly, told: _Told) -> None:
@@ -326,7 +241,7 @@ def _dead(q: DeadPoints, told: _Told) -> None:
     names = [_asked(told.context, told.question, k, len(found)) for k in range(len(found))]
     for name, point in zip(names, found, strict=True):
         what = Sentence("linkage.dead_symbol", {"name": q.name, "where": ready(point.where)})
-        _introduce(script, Meaning(name, what, _reader(links, q, point), q.unit))
+        introduce(script, Meaning(name, what, _reader(links, q, point), q.unit))
     for name, point in zip(names, found, strict=True):
         _triangle(script, links, point)
         script.line(name, tidy(point.value), why="linkage.from_triangle", when="never")
@@ -381,7 +296,7 @@ def _transmission(q: TransmissionAngle, told: _Told) -> None:
     def seen(world: World) -> float:
         return transmission_in_numbers(links, None, world.draw, world.snapshot.q)
 
-    _introduce(script, Meaning(mu, Sentence("linkage.transmission_symbol"), seen, "rad"))
+    introduce(script, Meaning(mu, Sentence("linkage.transmission_symbol"), seen, "rad"))
     if isinstance(loop, FourBar):
         bars = bars_of(links)
         b, c = tidy(bars.b), tidy(bars.c)
@@ -399,7 +314,7 @@ def _transmission(q: TransmissionAngle, told: _Told) -> None:
             return extreme_in_numbers(links, world.draw, is_least=q.end == "least")
         return transmission_in_numbers(links, event, world.draw, world.snapshot.q)
 
-    _introduce(script, Meaning(name, Sentence("symbol.asked"), asked, "rad"))
+    introduce(script, Meaning(name, Sentence("symbol.asked"), asked, "rad"))
     given: dict[str, Argument] = {"lines": (line, second)}
     why = f"linkage.{q.end}" if q.end else "linkage.solved"
     when = "start" if question.at_start else "never" if q.end or event is not None else "always"

@@ -7,28 +7,20 @@ With p the normal impulse, slip v, approach w (normal velocity) and friction dT 
 are constant until v = 0. Then the contact sticks, dT/dp = -A_tn/A_tt, if friction suffices for it, or slips on with the
 sign of A_tn. So everything is piecewise linear in p and is followed exactly. Compression ends where w returns to zero.
 It need not be a collision: where Painleve's paradox has no consistent force, w = 0 falls first (dw/dp < 0), slip
-stops, and w returns.
-Sources: Darboux 1880; J. B. Keller, J. Appl. Mech. 53 (1986) 1-4; Stronge, Impact Mechanics (2000), ch. 3.
+stops, and w returns. The restitution e compares the normal impulses of expansion and compression (Poisson).
+Sources: Darboux 1880; J. B. Keller, J. Appl. Mech. 53 (1986) 1-4.
 """
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
-from enum import Enum
 
 import numpy as np
 
 from freebody.numeric.contact.impulses import ImpactOutcome, impulsive, judged
 from freebody.numeric.contact.problem import Array, ContactProblem, FrictionProblemRow, OutcomeCount, RowState
 from freebody.numeric.contact.reduction import reduced
-
-
-class Restitution(Enum):
-    """What e compares."""
-
-    POISSON = "normal impulses of expansion and compression: e"
-    STRONGE = "work of the normal force in expansion and compression: e squared"
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,9 +37,7 @@ class _Phase:
     state: RowState
 
 
-def impact_without_collision(
-    problem: ContactProblem, restitution: float, kind: Restitution = Restitution.POISSON, *, slip: int = 0
-) -> ImpactOutcome:
+def impact_without_collision(problem: ContactProblem, restitution: float, *, slip: int = 0) -> ImpactOutcome:
     """Follows the impact of one contact.
 
     `problem.b`: velocities of all rows before, the normal one zero or approaching. `slip`: the sign of the slip rate,
@@ -69,7 +59,7 @@ def impact_without_collision(
     normal = problem.normals[0]
     mode[normal] = RowState.OPEN
     phases = _phases(system.A, system.b, _scaled_limits(followed, system.scale), slip) if system.is_consistent else []
-    end = _end(phases, restitution, kind) if phases else None
+    end = _end(phases, restitution) if phases else None
     if end is None:
         return judged(problem, OutcomeCount.NONE, tuple(mode), np.full(problem.n, np.nan), is_proven=True)
     # impulses of all rows (n,): those of the end of the phase in which it ends
@@ -144,39 +134,13 @@ def _from_rest(A: Array, limits: tuple[float, float], p: float, v: float, w: flo
     return _Phase(p, v, w, T, 0.0, float(A[0, 0]) + stuck * a_nt, stuck, RowState.STICKING)
 
 
-def _end(phases: list[_Phase], restitution: float, kind: Restitution) -> float | None:
-    """The final normal impulse, or None if compression never ends."""
+def _end(phases: list[_Phase], restitution: float) -> float | None:
+    """The final normal impulse, (1 + e) times that of compression; None if compression never ends."""
     if phases[0].w >= 0.0 and phases[0].dw > 0.0:
         return 0.0
     ends = [*(phase.p0 for phase in phases[1:]), math.inf]
-    compressed: float | None = None
-    work = 0.0  # of the normal force in compression, negative
     for phase, end in zip(phases, ends, strict=True):
         returns = phase.p0 - phase.w / phase.dw if phase.dw > 0.0 else math.inf
-        if phase.p0 <= returns <= end:
-            compressed = returns
-            work += phase.w * (returns - phase.p0) / 2.0
-            break
-        if not math.isfinite(end):
-            return None
-        work += (phase.w + phase.dw * (end - phase.p0) / 2.0) * (end - phase.p0)
-    if compressed is None:
-        return None
-    if kind is Restitution.POISSON:
-        return (1.0 + restitution) * compressed
-    return _released(phases, ends, compressed, -(restitution**2) * work)
-
-
-def _released(phases: list[_Phase], ends: list[float], compressed: float, work: float) -> float:
-    """The impulse at which expansion has done so much work: on each phase w (p - p0) + dw (p - p0)^2/2."""
-    for phase, end in zip(phases, ends, strict=True):
-        p0 = max(phase.p0, compressed)
-        if end <= p0:
-            continue
-        w = max(phase.w + phase.dw * (p0 - phase.p0), 0.0)
-        whole = w * (end - p0) + phase.dw * (end - p0) ** 2 / 2.0 if math.isfinite(end) else math.inf
-        if work <= whole:
-            root = math.sqrt(w * w + 2.0 * phase.dw * work)
-            return p0 + (2.0 * work / (w + root) if w + root > 0.0 else 0.0)
-        work -= whole
-    return math.inf
+        if phase.p0 <= returns <= end and math.isfinite(returns):
+            return (1.0 + restitution) * returns
+    return None

@@ -260,16 +260,6 @@ class Evaluator(Packed):
         plain(play)(begin, end, L.tape, L.tape_number, t, S.rows, S.registers)
         return float(S.registers[end - 1, 0])
 
-    def largest_gaps(self, y: Floats, t: float) -> tuple[float, float]:
-        """How far a state is from what is held, at most: positions and velocities, by the size of the system."""
-        own = self.idle
-        state = y.copy()
-        stepping.visit(self.layout, self.room, own, -1.0, state, t, np.zeros(self.n_y), 0)
-        n = self.n_coordinates
-        moved = np.abs(state - y)
-        turned = 2.0 * float(moved[2 * n + 1 :].max(initial=0.0))
-        return max(float((moved[:n] / self.unit).max()), turned), float((moved[n : 2 * n] / self.unit).max())
-
     def gradient_of(self, row: int) -> Floats:
         """(n_coordinates,) gradient of a row at the instant looked at last."""
         g = np.zeros((self.n_coordinates // 3, 3))

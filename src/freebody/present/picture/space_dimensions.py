@@ -70,7 +70,7 @@ class SpaceDimensions(Dimensioned):
             if self.is_new(formula(Symbol(bent.name))):
                 self._angle(bent)
         for figure in self.scene.figures:
-            if figure.solid in ("disk", "cylinder") and figure.axis is not None:
+            if figure.solid.has_flat_end and figure.axis is not None:
                 self._rim(figure, self.system.bodies[figure.name])
         for figure in self.scene.figures:
             self._lengths(figure, self.system.bodies[figure.name])
@@ -92,7 +92,7 @@ class SpaceDimensions(Dimensioned):
 
     def _along(self, figure: Figure, body: RigidBody) -> Sequence[str]:
         path = self.system.looks.paths.get(body.name, ())
-        if path or figure.solid in ("disk", "sphere", "ring"):
+        if path or not figure.solid.has_lengths:
             return path
         used = {place for joint in self.shells.joints for place in (joint.first, joint.second)}
         return [name for name, place in figure.points.items() if place in used]

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Callable, Collection, Iterator
 from itertools import pairwise
 
 import numpy as np
 
+from freebody.model import solids
+from freebody.model.solids import SolidKind
 from freebody.present.figures import Array, Figure, Place, Triple
 from freebody.present.space.pieces import Piece, ball
 from freebody.present.space.solids import Solid, band, basis, box, marked, marked_cone, plate, prism
@@ -19,26 +21,56 @@ _N_TEETH = 32
 
 def convex(form: Figure, u: float) -> Solid | None:
     """The solid of a body about its mass centre, for what is convex and no ball; u: [m] the size of symbols."""
-    sizes = form.sizes
-    axes = basis(form.axis or (0.0, 0.0, 1.0))
-    if form.solid == "box" and min(sizes) > 0.0:
-        return box(*sizes).moved(np.eye(3), form.center.at)
-    if form.solid == "box":
-        return plate(_middle_sheet(sizes)).moved(np.eye(3), form.center.at)
-    if form.solid == "plate" and len(form.corners) > 2:
-        return plate(np.array([corner.at for corner in form.corners]))
-    if form.solid == "cylinder":
-        radius, length = sizes
-        return marked(prism(radius, -0.5 * length, 0.5 * length)).moved(axes, form.center.at)
-    if form.solid == "cone":
-        return marked_cone(*sizes).moved(axes, form.center.at)
-    if form.solid == "disk":
-        half = (GEAR if form.is_toothed else THIN) * sizes[0]
-        return marked(prism(sizes[0], -half, half), _N_TEETH if form.is_toothed else 1).moved(axes, form.center.at)
-    if form.solid == "rod":
-        radius = min(0.55 * u, 0.1 * sizes[0])
-        return prism(radius, -0.5 * sizes[0], 0.5 * sizes[0], 12).moved(basis((1.0, 0.0, 0.0)), form.center.at)
-    return None
+    build = _CONVEX.get(form.solid)
+    return None if build is None else build(form, u)
+
+
+def _box(form: Figure, u: float) -> Solid:
+    thick = min(form.sizes) > 0.0
+    return (box(*form.sizes) if thick else plate(_middle_sheet(form.sizes))).moved(np.eye(3), form.center.at)
+
+
+def _plate(form: Figure, u: float) -> Solid | None:
+    return plate(np.array([corner.at for corner in form.corners])) if len(form.corners) > 2 else None
+
+
+def _cylinder(form: Figure, u: float) -> Solid:
+    radius, length = form.sizes
+    return marked(prism(radius, -0.5 * length, 0.5 * length)).moved(_own_axes(form), form.center.at)
+
+
+def _cone(form: Figure, u: float) -> Solid:
+    return marked_cone(*form.sizes).moved(_own_axes(form), form.center.at)
+
+
+def _disk(form: Figure, u: float) -> Solid:
+    """Thin; with teeth where it is a gear wheel."""
+    (radius,) = form.sizes
+    half = (GEAR if form.is_toothed else THIN) * radius
+    rim = prism(radius, -half, half)
+    return marked(rim, _N_TEETH if form.is_toothed else 1).moved(_own_axes(form), form.center.at)
+
+
+def _rod(form: Figure, u: float) -> Solid:
+    """Along its own x axis, thin beside its length and beside symbols."""
+    (length,) = form.sizes
+    radius = min(0.55 * u, 0.1 * length)
+    return prism(radius, -0.5 * length, 0.5 * length, 12).moved(basis((1.0, 0.0, 0.0)), form.center.at)
+
+
+_CONVEX: dict[SolidKind, Callable[[Figure, float], Solid | None]] = {
+    solids.BOX: _box,
+    solids.PLATE: _plate,
+    solids.CYLINDER: _cylinder,
+    solids.CONE: _cone,
+    solids.DISK: _disk,
+    solids.ROD: _rod,
+}
+
+
+def _own_axes(form: Figure) -> Array:
+    """(3, 3) with the axis of a round body as the third."""
+    return basis(form.axis or (0.0, 0.0, 1.0))
 
 
 def _middle_sheet(sizes: tuple[float, ...]) -> Array:
@@ -57,7 +89,7 @@ def reach(form: Figure) -> float:
     far = max((float(np.linalg.norm(p.at)) for p in form.points.values()), default=0.0)
     if solid is not None:
         far = max(far, float(np.linalg.norm(solid.points, axis=1).max()))
-    if form.solid in ("ring", "sphere"):
+    if form.solid.has_radius_from_center:
         far = max(far, float(np.linalg.norm(form.center.at)) + form.sizes[0])
     return far
 
@@ -69,11 +101,11 @@ def body_pieces(form: Figure, used: Collection[Triple], u: float, *, is_fixed: b
     solid = convex(form, u)
     if form.is_particle:
         yield ball(middle, 0.9 * u, "dot" if not is_fixed else look, color)
-    elif form.solid == "sphere":
+    elif form.solid.is_ball:
         yield ball(form.center, form.sizes[0], look, color, has_circles=True)
-    elif form.solid == "ring":
+    elif form.solid.is_hoop:
         radius = form.sizes[0]
-        axes = basis(form.axis or (0.0, 0.0, 1.0))
+        axes = _own_axes(form)
         hoop = "fixed hoop" if is_fixed else "hoop"
         for part in band(radius, HOOP[0] * radius, HOOP[1] * radius):
             yield Piece(part.moved(axes, form.center.at), middle, form.index, hoop, color)
@@ -116,14 +148,16 @@ def _arms(
     for tip in used:
         gap = _gap(form, solid, np.array(tip))
         if gap > 0.5 * u:
-            yield _bar(form, form.center.at if form.solid != "cone" else (0.0, 0.0, 0.0), tip, 0.5 * u, look, color)
+            yield _bar(
+                form, form.center.at if not form.solid.is_tapered else (0.0, 0.0, 0.0), tip, 0.5 * u, look, color
+            )
 
 
 def _gap(form: Figure, solid: Solid | None, tip: Array) -> float:
     """[m] how far a point is outside a body, about."""
-    if form.solid == "ring":
+    if form.solid.is_hoop:
         return float(np.linalg.norm(tip - form.center.at)) - form.sizes[0] if form.sizes else 0.0
-    if form.solid == "sphere":
+    if form.solid.is_ball:
         return float(np.linalg.norm(tip - form.center.at)) - form.sizes[0]
     if solid is None:
         return float(np.linalg.norm(tip))

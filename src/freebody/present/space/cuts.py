@@ -40,12 +40,12 @@ class Cuts:
 
 def _span(form: Figure, solid: Solid | None, at: Array, along: Array) -> tuple[float, float]:
     """Where a line is inside a body; (0, 0) if it is not. Source: Cyrus & Beck, Computers & Graphics 3 (1978) 23."""
-    if form.solid == "sphere":
+    if form.solid.is_ball:
         way = at - np.array(form.center.at)
         middle = -float(way @ along)
         square = form.sizes[0] ** 2 - float(way @ way) + middle**2
         return (middle - square**0.5, middle + square**0.5) if square > 0 else (0.0, 0.0)
-    if solid is None or form.solid == "plate":
+    if solid is None or form.solid.is_sheet:
         return 0.0, 0.0
     low, high = -np.inf, np.inf
     for normal, point in planes(solid):

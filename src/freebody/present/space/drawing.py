@@ -150,7 +150,7 @@ def _extent(scene: Scene, poses: Poses) -> tuple[Array, Array]:
     corners: list[Array] = [poses.way(place) for place in _used(scene)]
     for form in scene.figures:
         way = poses.centers[:, form.index]
-        if form.solid in ("ring", "sphere"):
+        if form.solid.has_radius_from_center:
             middle = poses.way(form.center)
             corners += [middle + form.sizes[0] * s for s in (-1.0, 1.0)]
         solid = convex(form, 0.0)

@@ -33,7 +33,7 @@ class Loads:
         for shown in sorted(self.scene.shown, key=lambda shown: _ORDER.get(type(shown.sign), 0)):
             yield from self.pieces_of(shown)
 
-    def pieces_of(self, shown: figures.Shown) -> Iterator[Piece]:
+    def pieces_of(self, shown: figures.ShownGlyph) -> Iterator[Piece]:
         match shown.sign:
             case Rod(first, second):
                 yield from self._rod(first, second)
@@ -136,6 +136,6 @@ class Loads:
             return Place(index, *self.poses.back(index, at + s * along, 0)), 2.2 * self.u
         form = self.cuts.forms.get(index)
         radius = 2.2 * self.u
-        if form is not None and form.solid in ("cylinder", "sphere") and form.sizes[0] < 6 * self.u:
+        if form is not None and form.solid.is_thick and form.sizes[0] < 6 * self.u:
             radius = max(radius, 1.3 * form.sizes[0])
         return Place(index, 0.0, 0.0, 0.0), radius

@@ -19,7 +19,6 @@ from freebody.present.view import AZIMUTH, ELEVATION, horizontals
 
 _PARALLEL = 1e-3  # sine of the angle between axes that are one
 _FLAT = 1e-6  # of the size of what lies in the plane
-_ROUND = frozenset(("disk", "cylinder", "ring", "cone"))
 
 
 def best_angles(scene: Scene, centers: Array, axes: Array) -> tuple[float, float]:
@@ -39,7 +38,7 @@ def _normal(scene: Scene, poses: Poses) -> Array | None:
     joints = list(joints_of(scene, poses))
     turned = [poses.heading(joint.axis, 0) for joint in joints if joint.axis is not None]
     turned += [poses.heading(arm, 0) for joint in joints for arm in joint.arms or ()]
-    own = [form for form in scene.figures if form.solid in _ROUND and form.axis is not None]
+    own = [form for form in scene.figures if form.solid.is_round and form.axis is not None]
     turned += [poses.axes[0, form.index] @ np.array(form.axis) for form in own]
     places = [poses.place(place, 0) for joint in joints for place in (joint.first, joint.second)]
     places += [poses.place(place, 0) for form in scene.figures for place in (form.center, *form.path)]

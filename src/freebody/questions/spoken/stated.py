@@ -24,7 +24,6 @@ _DESCRIBES = {  # verbs that only say what the instant is like
     "roll",
 }
 _PLACES = ("at the top", "at the bottom", "at the impact", "in the impact")
-_NEUTRAL = ("preposition", "pronoun", "updown", "mark")
 _SPEEDS = ("speed", "velocity")
 
 

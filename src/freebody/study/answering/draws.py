@@ -46,6 +46,12 @@ class Draw:
         default_factory=dict["Measure", "list[tuple[float, Array]]"]
     )
 
+    @classmethod
+    def of(cls, system: System, values: dict[str, float]) -> Draw:
+        """A system with these numbers. Raises CannotAnswer where it does not assemble."""
+        reference = Reference(system, values)
+        return cls(values, reference, reference.assemble())
+
     def start(self) -> Snapshot:
         """The start, with its velocities."""
         return self.reference.snapshot(self.q, self.reference.velocities(self.q))
@@ -164,11 +170,7 @@ def draws(system: System, n: int, *, seed: int = SEED, widest: float = 1.0, near
             try:
                 # on the same branch as the file's own numbers: near its pose, or not at all
                 branch = near or (found[0] if found else None)
-                if branch is None:
-                    reference = Reference(system, values)
-                    found.append(Draw(values, reference, reference.assemble()))
-                else:
-                    found.append(branch.with_values(values, system))
+                found.append(Draw.of(system, values) if branch is None else branch.with_values(values, system))
                 break
             except CannotAnswer as error:
                 if k == 0 and near is None and system.has_values:

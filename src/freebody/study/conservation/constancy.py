@@ -23,7 +23,7 @@ from freebody.language.sentences import Message
 from freebody.language.units import ANGULAR_MOMENTUM, ENERGY, MOMENTUM
 from freebody.numeric.jets import Array
 from freebody.numeric.potential import work_between
-from freebody.numeric.reference import Reference, Snapshot
+from freebody.numeric.reference import Snapshot
 from freebody.questions.base import Quantity
 from freebody.questions.energy import Energy
 from freebody.study.answering.crosscheck import element_at
@@ -223,8 +223,7 @@ def _in_case(setup: Setup, draw: Draw, case: VanishingCase) -> Draw:
             forms[name] = related
         elif isinstance(shown, Symbol) and shown.name in values:
             values[shown.name] = float(model.field.evaluate(model.field.element(element), numbers))
-    reference = Reference(_with_forms(system, forms) if forms else system, values)
-    return Draw(values, reference, reference.assemble(guess=draw.guess_for(reference)))
+    return draw.with_values(values, _with_forms(system, forms) if forms else system)
 
 
 def _is_number(system: System, shown: Expr) -> bool:

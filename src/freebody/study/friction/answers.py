@@ -12,7 +12,6 @@ from freebody.errors import CannotAnswer
 from freebody.language.expression import Symbol
 from freebody.language.notation import compared, joined, reworded, to_text
 from freebody.language.sentences import Message, in_turn
-from freebody.numeric.reference import Reference
 from freebody.questions.base import Quantity
 from freebody.questions.happening import FailsFirst
 from freebody.questions.reading import Question
@@ -21,7 +20,6 @@ from freebody.questions.turned_round import RangeForAtRest
 from freebody.study.answering.answer import Answer, AnswerCase, Evidence, made
 from freebody.study.answering.closed_form import QuestionSolver
 from freebody.study.answering.crosscheck import CrossCheck
-from freebody.study.answering.draws import Draw
 from freebody.study.answering.finding import answered, judged
 from freebody.study.answering.of_parameter import solved_for
 from freebody.study.answering.scope import for_all
@@ -127,8 +125,7 @@ class _Answerer:
         of, ends = q.of, self.rest.parameter(q.of.grows)
 
         def in_numbers(values: dict[str, float]) -> float:
-            reference = Reference(self.touching.held, values)
-            draw = Draw(values, reference, reference.assemble(guess=self.setup.draws[0].q))
+            draw = self.setup.draws[0].with_values(values, self.touching.held)
             edge = ends.edge(draw, 1, None)
             if edge is None or math.isinf(edge.value):
                 raise CannotAnswer(Message("{x} may grow without limit", x=of.grows))

@@ -19,12 +19,13 @@ from freebody.study.answering.finding import answered, judged
 from freebody.study.answering.loops import loops_in
 from freebody.study.answering.scope import for_all
 from freebody.study.answering.simulated_numbers import number_with_changes
+from freebody.study.phases.branch import AnswerBranch
 from freebody.study.phases.decide import NOTHING, as_test, cells
 from freebody.study.phases.evidence import compare
 from freebody.study.phases.kept import in_first_modes
 from freebody.study.phases.nodes import WayToPhase
 from freebody.study.phases.numbers import Chosen, holds
-from freebody.study.phases.pieces import AnswerBranch, at_turning_impacts, pieces
+from freebody.study.phases.pieces import at_turning_impacts, pieces
 from freebody.study.phases.result import relations
 from freebody.study.phases.tree import PhaseTree
 from freebody.study.phases.words import action, happening, in_phase

@@ -17,7 +17,8 @@ from freebody.study.phases.decide import NOTHING, Cell, cells
 from freebody.study.phases.ends import FirstEvent, PhaseOutcome, PossibleEnds
 from freebody.study.phases.numbers import Chosen, Sets
 from freebody.study.phases.phase import Phase, PhaseWatch
-from freebody.symbolic.phases.course import EnergyMotion, LawMotion, UniformMotion
+from freebody.symbolic.phases.course import LawMotion, UniformMotion
+from freebody.symbolic.phases.energy_motion import EnergyMotion
 from freebody.tolerances import ROUND_OFF
 
 

@@ -31,12 +31,12 @@ from freebody.study.answering.draws import SEED, Draw
 from freebody.study.answering.magnitude import magnitude
 from freebody.study.answering.passage import NumericPassage
 from freebody.study.answering.spread import disagreement
+from freebody.study.phases.branch import AnswerBranch
 from freebody.study.phases.changes_asked import is_before_impact
 from freebody.study.phases.followed import before_impact, begun, changed, follow
 from freebody.study.phases.in_blow import after_in_numbers
 from freebody.study.phases.nodes import PhaseNode
 from freebody.study.phases.phase import Phase
-from freebody.study.phases.pieces import AnswerBranch
 from freebody.study.phases.quantities import frictions, only_friction_takes_energy, plain, value_in_mode
 from freebody.study.phases.tree import PhaseTree
 from freebody.study.phases.witness import MAX_TIME, FollowedPhase, NumericMode, PhaseSnapshot

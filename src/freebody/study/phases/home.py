@@ -24,7 +24,7 @@ from freebody.numeric.reference import Reference
 from freebody.study.answering.draws import SEED, draw_parameters
 from freebody.study.phases.decide import Inequality
 from freebody.study.phases.numbers import Chosen, Sets
-from freebody.study.phases.phase import Phase, Placed
+from freebody.study.phases.phase import Phase, Placed, has_lines
 from freebody.study.setup import Setup, held_in_blow
 from freebody.symbolic.conditions import Condition, require
 from freebody.symbolic.field import Ratio
@@ -223,6 +223,30 @@ class Home:
                 shown(w) if body.turns else None,
             )
         return Placed(starts, self._since(phase, values), self.lengths)
+
+    def begun(self, mode: ContactMode, placed: Placed, left: Chosen) -> Phase:
+        """The phase of a mode from where it begins, in coordinates in which it is short. left: the parameter sets."""
+        phase = Phase.begun(self.system, mode, placed, self.sets.some(left, 3))
+        if placed.bodies is None and self._parts_too_early(phase):
+            placed = self.placed(self.home, self.home.start.values)
+            return Phase.begun(self.system, mode, placed, self.sets.some(left, 3))
+        if placed.bodies is None and has_lines(self.system):
+            with suppress(CannotAnswer):
+                _ = phase.course
+                return phase
+            # what is free from the start on may be simpler in other coordinates
+            with suppress(CannotAnswer):
+                return Phase.begun(
+                    self.system, mode, self.placed(self.home, self.home.start.values), self.sets.some(left, 3)
+                )
+        return phase
+
+    def _parts_too_early(self, phase: Phase) -> bool:
+        """Whether the rates that nobody gave move what touches apart: what opens does so from the start of all that
+        keeps touching."""
+        gone = self.closed - phase.mode.closed
+        rates = (phase.state.rate(self.bound_row(name).measure) for name in gone)
+        return any(not phase.start_instant.here(rate).is_zero() for rate in rates)
 
     @cached_property
     def lengths(self) -> dict[str, Expr]:

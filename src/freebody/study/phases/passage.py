@@ -19,7 +19,8 @@ from freebody.study.phases.phase import Phase
 from freebody.study.phases.quantities import frictions, only_friction_takes_energy, plain, value_in_mode
 from freebody.study.phases.tree import PhaseTree
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.phases.course import EnergyMotion, LawMotion
+from freebody.symbolic.phases.course import LawMotion
+from freebody.symbolic.phases.energy_motion import EnergyMotion
 from freebody.symbolic.state import SymbolicState
 
 _NO_TIME = Message(

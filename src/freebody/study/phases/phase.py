@@ -18,13 +18,13 @@ from freebody.measures.displacement import Displacement
 from freebody.measures.distance import Distance
 from freebody.measures.lead import Lead
 from freebody.model.elements import ConstraintRow, DryFriction, Parameter, Start, UnilateralConstraint
-from freebody.numeric.reference import Reference
 from freebody.study.answering.draws import SEED, Draw
 from freebody.study.setup import Setup
 from freebody.symbolic.conditions import relation_text
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
-from freebody.symbolic.phases.course import ClosedFormMotion, course_of
+from freebody.symbolic.phases.course import ClosedFormMotion
+from freebody.symbolic.phases.energy_motion import course_of
 from freebody.symbolic.phases.friction import named_rows, resultant, solve_loads, with_loads
 from freebody.symbolic.start import StartState, start_from_bodies, start_state
 from freebody.symbolic.state import SymbolicState
@@ -95,8 +95,7 @@ class Given(Setup):
         for chosen in values:
             with suppress(CannotAnswer):
                 own = {name: value for name, value in chosen.items() if name in system.parameters}
-                reference = Reference(system, own)
-                self.draws.append(Draw(own, reference, reference.assemble()))
+                self.draws.append(Draw.of(system, own))
         if not self.draws:
             raise CannotAnswer(Message("the phase cannot be assembled at its start"))
         if model is not None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import suppress
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from typing import Any, cast
 
 import numpy as np
@@ -17,6 +17,7 @@ from freebody.questions.reading import AskedEvent, Question
 from freebody.questions.reading_when import is_of_start
 from freebody.study.answering.conditions import as_written, at_instant, real
 from freebody.study.answering.finding import NO_FORM, Elements, why
+from freebody.study.phases.branch import AnswerBranch, branch_at, just_after, time_of
 from freebody.study.phases.changes_asked import (
     begins_with,
     comes_behind,
@@ -32,44 +33,14 @@ from freebody.study.phases.in_blow import after_in_formulas, not_struck
 from freebody.study.phases.nodes import PhaseNode, WayToPhase
 from freebody.study.phases.numbers import Chosen
 from freebody.study.phases.passage import elements_in, passage_of
-from freebody.study.phases.phase import Phase, PhaseWatch
+from freebody.study.phases.phase import PhaseWatch
 from freebody.study.phases.quantities import value_in_mode
-from freebody.study.phases.reached import STRIKES, pending, sides
+from freebody.study.phases.reached import pending, sides
 from freebody.study.phases.tree import PhaseTree
-from freebody.study.phases.words import happening, label
 from freebody.symbolic.conditions import Condition
-from freebody.symbolic.field import Ratio
-from freebody.symbolic.phases.course import EnergyMotion
 from freebody.symbolic.state import SymbolicState
 from freebody.system.modes import ideal_bounds
 from freebody.tolerances import ROUND_OFF
-
-
-@dataclass
-class AnswerBranch:
-    """An answer in one part of the space of parameters. With `is_home` its elements are of the parameters alone, in the
-    field that all phases share; else they are functions of the state in the field of the last phase."""
-
-    value: Elements
-    is_home: bool
-    nodes: list[PhaseNode]
-    first: FirstEvent | None
-    conditions: list[Condition]
-    sets: Chosen
-    time: Ratio | None = None  # of the event, since the start
-    notes: list[str] = field(default_factory=list[str])
-    after: PhaseNode | None = None  # the phase behind the impact that the event is: the value is that just after it
-    needs: list[Condition] = field(default_factory=list[Condition])  # without which it has no value, in the same field
-    in_blow: bool = False  # it is of the blow with which the last phase begins
-
-    @property
-    def phase(self) -> Phase:
-        return self.nodes[-1].phase if self.after is None else self.after.phase
-
-    @property
-    def at_start(self) -> bool:
-        """Whether what is asked for comes at the very start."""
-        return self.first is None and self.time is not None
 
 
 def pieces(tree: PhaseTree, question: Question) -> list[AnswerBranch]:
@@ -141,17 +112,8 @@ def _at_instant(tree: PhaseTree, question: Question, way: WayToPhase) -> AnswerB
     if is_home:
         homes = tuple(tree.to_home(phase, p) for p in parts)
         value = homes if isinstance(value, tuple) else homes[0]
-    notes = [_just_after(way.last)] if way.last.impact is not None and question.at_start else []
+    notes = [just_after(way.last)] if way.last.impact is not None and question.at_start else []
     return AnswerBranch(value, is_home, [way.last], None, list(way.conditions), way.last.sets, notes=notes)
-
-
-def _just_after(node: PhaseNode) -> str:
-    assert node.impact is not None
-    if node.impact.blow is not None:
-        return Message("just after: {blow}", blow=node.impact.words)
-    if node.depth == 0:
-        return Message("just after the impact of {contacts} at the start", contacts=node.impact.contacts)
-    return Message("just after the impact of {contacts}", contacts=node.impact.contacts)
 
 
 # -- events of contacts -----------------------------------------------------------------------
@@ -169,7 +131,7 @@ def _at_transition(
             if edge.first is None:
                 continue
             if is_meant(asked, edge.first.watch) and asked.kind != "rolls":
-                yield _piece(tree, question, way, edge.first, edge.conditions, edge.sets)
+                yield branch_at(tree, question, way, edge.first, edge.conditions, edge.sets)
                 continue
             for node in edge.nodes:
                 conditions = [*edge.conditions, *node.conditions]
@@ -177,7 +139,7 @@ def _at_transition(
                     yield from _at_transition(tree, question, asked, [way.on(edge, node)])
                 else:
                     after = node if asked.kind == "opens" and rebounds(node, asked) else None
-                    yield _piece(tree, question, way, edge.first, conditions, node.sets, after)
+                    yield branch_at(tree, question, way, edge.first, conditions, node.sets, after)
 
 
 def _beside_blow(
@@ -197,7 +159,7 @@ def _beside_blow(
                 assert edge.first is not None
                 conditions = [*edge.conditions, *after.conditions]
                 behind = after if asked.kind == "after" else None
-                yield _piece(tree, question, way, edge.first, conditions, after.sets, after=behind)
+                yield branch_at(tree, question, way, edge.first, conditions, after.sets, after=behind)
 
 
 def _beside_start(tree: PhaseTree, question: Question, asked: Transition, way: WayToPhase) -> AnswerBranch:
@@ -205,7 +167,7 @@ def _beside_start(tree: PhaseTree, question: Question, asked: Transition, way: W
     node, zero = way.last, tree.home.model.field.zero
     assert node.impact is not None
     if asked.kind == "after":
-        value, note = question.quantity.counted(passage_of(tree, way, zero, node.sets)), _just_after(node)
+        value, note = question.quantity.counted(passage_of(tree, way, zero, node.sets)), just_after(node)
     else:
         before = node.impact.before
         found = value_in_mode(question.quantity, tree.system, before.setup.system, before.now)
@@ -259,7 +221,7 @@ def _of_blow(
     value: Elements = homes if isinstance(found, tuple) else homes[0]
     assert node.impact is not None
     notes: list[str] = [Message("in: {event}", event=node.impact.words)]
-    time = tree.home.model.field.zero if first is None else _total(tree, way, first)
+    time = tree.home.model.field.zero if first is None else time_of(tree, way, first)
     after = None if first is None else node
     return AnswerBranch(value, True, list(way.nodes), first, conditions, node.sets, time, notes, after, in_blow=True)
 
@@ -268,7 +230,7 @@ def _at_the_start(tree: PhaseTree, question: Question, way: WayToPhase, why: str
     zero = tree.home.model.field.zero
     notes, is_given = [why], way.last.impact is None or is_before_impact(question)
     if not is_given:
-        notes.append(_just_after(way.last))
+        notes.append(just_after(way.last))
     if is_given and question.quantity.kinematic_order in (0, 1):
         # places and velocities are those of the start, as it is written there
         given: Any = question.quantity.value(tree.home.system, tree.home.start_instant)
@@ -320,7 +282,7 @@ def _in_phase(
     for outcome in outcomes:
         if outcome.first is not None and outcome.first.watch is watch:
             conditions = [*given, *outcome.given, *tree.outcome_conditions(node.phase, outcome)]
-            yield _piece(tree, question, way, outcome.first, conditions, outcome.sets)
+            yield branch_at(tree, question, way, outcome.first, conditions, outcome.sets)
     for edge in node.edges:
         mine = [o.sets for o in outcomes if edge.first and o.first and is_same(o.first.watch, edge.first.watch)]
         for after in edge.nodes:
@@ -358,46 +320,4 @@ def at_turning_impacts(
             after = side * tree.numbers(tree.to_home(node.phase, own))
             sets = node.sets[(before[node.sets] > 0) & (after[node.sets] <= ROUND_OFF * before[node.sets])]
             if len(sets):
-                yield _piece(tree, question, way, edge.first, [*edge.conditions, *node.conditions], sets)
-
-
-# -- the value there --------------------------------------------------------------------------
-def _piece(
-    tree: PhaseTree,
-    question: Question,
-    way: WayToPhase,
-    first: FirstEvent,
-    conditions: list[Condition],
-    sets: Chosen,
-    after: PhaseNode | None = None,
-) -> AnswerBranch:
-    notes: list[str] = []
-    time = _total(tree, way, first)
-    if isinstance(course := way.last.phase.course, EnergyMotion) and course.coordinate.speed not in first.zero.values:
-        notes.append(
-            Message("that it gets so far was checked at many parameter values; there is no short condition for it")
-        )
-    if after is not None:
-        notes.append(_just_after(after))
-    elif question.transition is not None and question.transition.kind == "before":
-        notes.append(Message("just before: {event}", event=happening(first.watch, None)))
-    elif is_before_impact(question) and question.quantity.kinematic_order == 1:
-        notes.append(Message("just before the impact of {contact}", contact=label(first.watch.name)))
-    elif hits := [other for other in first.together if other.kind == "touches" and first.watch.kind == "is reached"]:
-        notes.append(
-            Message("just before the impact of {contact}, which comes at the same instant", contact=label(hits[0].name))
-        )
-    elif first.watch.kind == "is reached" and any(other.kind == STRIKES for other in first.together):
-        notes.append(Message("just before the blow, which comes at the same instant"))
-    value = question.quantity.counted(passage_of(tree, way, time, sets, first, after))
-    return AnswerBranch(value, True, list(way.nodes), first, [*way.conditions, *conditions], sets, time, notes, after)
-
-
-def _total(tree: PhaseTree, way: WayToPhase, first: FirstEvent) -> Ratio | None:
-    """Time since the start: the phases before and the part of the last one."""
-    total = tree.home.model.field.zero
-    for edge in way.edges:
-        if edge.time is None:
-            return None
-        total = total + edge.time
-    return None if first.zero.time is None else total + tree.to_home(way.last.phase, first.zero.time)
+                yield branch_at(tree, question, way, edge.first, [*edge.conditions, *node.conditions], sets)

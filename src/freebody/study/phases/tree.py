@@ -7,7 +7,6 @@ random parameter sets (`Sets`), and the inequalities that told them apart are th
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from contextlib import suppress
 from dataclasses import replace
 from functools import lru_cache
 from typing import Any
@@ -15,7 +14,6 @@ from typing import Any
 import numpy as np
 
 from freebody.budgets import allowed
-from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message, in_turn
 from freebody.model.elements import UnilateralConstraint
 from freebody.study.answering.finding import NO_FORM, why
@@ -26,16 +24,16 @@ from freebody.study.phases.ends import PhaseOutcome, Proofs
 from freebody.study.phases.events import first_events
 from freebody.study.phases.handing_over import taking_over
 from freebody.study.phases.home import Home
-from freebody.study.phases.impact import Blow, ClosedFormCollision
+from freebody.study.phases.impact import ClosedFormCollision, CollisionOutcome
 from freebody.study.phases.nodes import PhaseEnd, PhaseImpact, PhaseNode, PhaseStart
 from freebody.study.phases.numbers import Chosen
-from freebody.study.phases.phase import Phase, Placed, has_lines
+from freebody.study.phases.phase import Phase, Placed
 from freebody.study.phases.reached import STRIKES, pending
 from freebody.symbolic.conditions import Condition
 from freebody.symbolic.decide import decide
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.state import SymbolicState
-from freebody.system.modes import ContactMode, ideal_bounds
+from freebody.system.modes import ideal_bounds
 from freebody.system.system import System
 from freebody.tolerances import ROUND_OFF, ROUNDED
 
@@ -152,12 +150,12 @@ class PhaseTree(Home):
             found += nodes
         return found
 
-    def _tested(self, collision: ClosedFormCollision, blow: Blow) -> tuple[list[Inequality], list[Test]]:
+    def _tested(self, collision: ClosedFormCollision, blow: CollisionOutcome) -> tuple[list[Inequality], list[Test]]:
         elements = [(self.to_home(collision.setup, x), relation, purpose) for x, relation, purpose in blow.conditions]
         return elements, [self._test(x, relation, purpose) for x, relation, purpose in elements]
 
     def _after_blow(
-        self, collision: ClosedFormCollision, blow: Blow, instant: PhaseStart, indices: Chosen, depth: int
+        self, collision: ClosedFormCollision, blow: CollisionOutcome, instant: PhaseStart, indices: Chosen, depth: int
     ) -> list[PhaseNode]:
         """A contact without rebound stays closed; what rebounds opens."""
         values = {**collision.start.values, **blow.speeds}
@@ -213,7 +211,7 @@ class PhaseTree(Home):
             if not len(left) or self.n_nodes >= allowed(MAX_NODES):
                 break
             try:
-                phase = self._phase(mode, instant.placed, left)
+                phase = self.begun(mode, instant.placed, left)
                 needed = [(self.to_home(phase, x), rel, purpose) for x, rel, purpose in checks(phase, instant)]
                 needed += without_slip(mode, instant)
                 own = [self._test(*check) for check in needed]
@@ -243,29 +241,6 @@ class PhaseTree(Home):
         for node in found:
             self._end(node)
         return found
-
-    def _phase(self, mode: ContactMode, placed: Placed, left: Chosen) -> Phase:
-        phase = Phase.begun(self.system, mode, placed, self.sets.some(left, 3))
-        if placed.bodies is None and self._parts_too_early(phase):
-            placed = self.placed(self.home, self.home.start.values)
-            return Phase.begun(self.system, mode, placed, self.sets.some(left, 3))
-        if placed.bodies is None and has_lines(self.system):
-            with suppress(CannotAnswer):
-                _ = phase.course
-                return phase
-            # what is free from the start on may be simpler in other coordinates
-            with suppress(CannotAnswer):
-                return Phase.begun(
-                    self.system, mode, self.placed(self.home, self.home.start.values), self.sets.some(left, 3)
-                )
-        return phase
-
-    def _parts_too_early(self, phase: Phase) -> bool:
-        """Whether the rates that nobody gave move what touches apart: what opens does so from the start of all that
-        keeps touching."""
-        gone = self.closed - phase.mode.closed
-        rates = (phase.state.rate(self.bound_row(name).measure) for name in gone)
-        return any(not phase.start_instant.here(rate).is_zero() for rate in rates)
 
     # -- how a phase ends -------------------------------------------------------------------------
     def _end(self, node: PhaseNode) -> None:

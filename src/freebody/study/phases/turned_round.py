@@ -15,10 +15,11 @@ from freebody.study.answering.closed_form import QuestionSolver
 from freebody.study.answering.of_parameter import solved_for
 from freebody.study.answering.simulated_numbers import number_with_changes
 from freebody.study.answering.turned_round import Formula, first_found
+from freebody.study.phases.branch import AnswerBranch
 from freebody.study.phases.evidence import compare
 from freebody.study.phases.happening import happening_cases
 from freebody.study.phases.happening_seen import is_seen
-from freebody.study.phases.pieces import AnswerBranch, pieces
+from freebody.study.phases.pieces import pieces
 from freebody.study.phases.tree import PhaseTree
 from freebody.symbolic.field import Ratio
 from freebody.system.system import System

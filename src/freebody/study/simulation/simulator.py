@@ -129,14 +129,6 @@ class Simulator:
             y, until, options, start=start, first_step=first_step, outputs=outputs, progress=progress
         )
 
-    def time_accelerations(self, n_calls: int) -> float:
-        """Seconds for one evaluation of all accelerations and multipliers, within the compiled loop."""
-        import time
-
-        began = time.perf_counter()
-        self.engine.evaluate(self.start, 0.0, n_calls)
-        return (time.perf_counter() - began) / n_calls
-
 
 def has_phases(system: System) -> bool:
     """Whether a motion may change its law on the way: something can part, touch, stick or slip."""

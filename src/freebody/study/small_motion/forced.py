@@ -12,7 +12,6 @@ import numpy as np
 from freebody.errors import CannotAnswer
 from freebody.language.notation import to_python
 from freebody.language.sentences import Message
-from freebody.numeric.reference import Reference
 from freebody.questions.base import Quantity
 from freebody.questions.reading import Question
 from freebody.questions.small_motion import PhaseLag, ResonanceFrequency, SteadyAmplitude, Transmissibility
@@ -318,9 +317,7 @@ def _to_vertex(told: _Forced, q: ResonanceFrequency, draw: Draw, name: str, x: f
 
 def _size_at(told: _Forced, q: ResonanceFrequency, draw: Draw, name: str, frequency: float) -> float:
     """The amplitude in numbers at another frequency."""
-    values = {**draw.values, name: frequency}
-    reference = Reference(draw.reference.system, values)
-    other = Draw(values, reference, reference.assemble())
+    other = Draw.of(draw.reference.system, {**draw.values, name: frequency})
     return abs(ForcedNumbers(told.setup.system, other, told.numbers(draw).places, frequency).of(q.of))
 
 

@@ -10,9 +10,7 @@ import numpy as np
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
-from freebody.numeric.reference import Reference
 from freebody.study.answering.answer import Evidence
-from freebody.study.answering.draws import Draw
 from freebody.study.answering.turned_round import Formula
 from freebody.study.setup import Setup
 from freebody.study.steady.linear import linear_at_start
@@ -32,8 +30,7 @@ def stability(setup: Setup, *, is_so: bool) -> list[Formula]:
     exists = [Condition(f.lowest_terms(f.follow(x, given)), ">=", "") for x in linear.exists]
 
     def in_numbers(values: dict[str, float]) -> float:
-        reference = Reference(setup.system, values)
-        draw = Draw(values, reference, reference.assemble(guess=setup.draws[0].q))
+        draw = setup.draws[0].with_values(values, setup.system)
         exponents = np.linalg.eigvals(About(setup, linear, draw, 1.0).matrix())
         size = float(np.abs(exponents).max(initial=0.0))
         return float((float(exponents.real.max()) <= CLEARLY_STABLE * size) == is_so)

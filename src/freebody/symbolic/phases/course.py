@@ -12,18 +12,15 @@ t is the time since the phase began.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from contextlib import suppress
 from dataclasses import dataclass
 from functools import cached_property
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.first_integrals import FirstIntegrals, is_driven
 from freebody.symbolic.laws.base import MotionLaw
 from freebody.symbolic.laws.uniform import UniformLaw
 from freebody.symbolic.model import SymbolicModel
-from freebody.symbolic.motion import SmoothMotion
 from freebody.symbolic.quadratic import roots
 from freebody.symbolic.start import StartState
 from freebody.symbolic.unknowns import Coordinate
@@ -225,117 +222,6 @@ class LawMotion(MotionInTime):
                 yield CourseZero(time, {**self.values(time), **own}, needs=(*needs, *after))
 
 
-class EnergyMotion(ClosedFormMotion):
-    """One coordinate by the first integral of energy; the speeds of others, on which nothing depends, by momenta."""
-
-    @property
-    def kind(self) -> str:
-        return "energy"
-
-    def __init__(self, model: SymbolicModel, start: StartState, coordinate: Coordinate) -> None:
-        super().__init__(model, start, {})
-        self.coordinate = coordinate
-        self._integrals, f = FirstIntegrals(model, start), model.field
-        integrals = self._integrals
-        # u^2 as a function of q
-        self.square = f.lowest_terms(integrals.speed_squared(coordinate, f.variable(coordinate.index)))
-        self._others = {k: x for k, x in integrals.speeds(coordinate).items() if k != coordinate.speed}
-
-    def _reduced(self, x: Ratio) -> Ratio:
-        """With the speeds that momenta give put in. Raises CannotAnswer where it depends on another coordinate."""
-        x = self.model.in_independent_speeds(x)
-        x = self.model.field.follow(x, {**self._others, **self._integrals.resting}) if self._others else x
-        inside = self.model.field.ingredients(x) if self._others else set[int]()
-        others = [c.name for c in self.model.coordinates if c is not self.coordinate and c.index in inside]
-        if others:
-            raise CannotAnswer(Message("it depends on {names} as well", names=", ".join(others)))
-        return x
-
-    def is_odd(self, x: Ratio) -> bool:
-        """Whether a function of the state changes its sign with the direction of the motion."""
-        parts = self._reduced(x).numerator().coefficients(self.coordinate.speed)
-        return all(part.is_zero() for part in parts[::2])
-
-    def as_function(self, x: Ratio) -> Ratio:
-        """A function of the state as one of the coordinate; one that is odd in the speed times the speed. Raises
-        CannotAnswer where it is neither odd nor even."""
-        f, speed = self.model.field, self.coordinate.speed
-        odd = int(self.is_odd(x))
-        x = self._reduced(x)
-        total = f.zero
-        for k, part in enumerate(x.numerator().coefficients(speed)):
-            if (k + odd) % 2 and not part.is_zero():
-                raise CannotAnswer(Message("it depends on the direction of the motion"))
-            if not part.is_zero():
-                total = total + part * self.square ** ((k + odd) // 2)
-        if speed in x.denominator().generators():
-            raise CannotAnswer(Message("it has the speed in a divisor"))
-        return f.lowest_terms(total / x.denominator())
-
-    def along(self, x: Ratio) -> list[Ratio]:
-        return [self.as_function(x)]
-
-    def zeros(self, x: Ratio) -> list[CourseZero]:
-        return [self.at(value, 1) for value in self.places(x)]
-
-    def places(self, x: Ratio) -> list[Ratio]:
-        """Values of the coordinate at which a function of the state vanishes."""
-        return self.zeros_of(self.as_function(x))
-
-    def zeros_of(self, x: Ratio) -> list[Ratio]:
-        """Values of the coordinate at which a function of it vanishes; of a polynomial up to the second degree."""
-        f, index = self.model.field, self.coordinate.index
-        x = without_root(x, index)
-        _unit, factors = f.factor(x.num)
-        found: list[Ratio] = []
-        for base, _exponent in factors:
-            parts = base.coefficients(index) if index in base.generators() else []
-            if len(parts) == 3 and not any(index in f.ingredients(p) for p in parts):
-                found += roots(parts, self.model.samples.is_negative) or []
-            elif index in f.ingredients(base):
-                found += zeros_of(self.model, base, self.coordinate)
-        return found
-
-    def at(self, value: Ratio, way: int) -> CourseZero:
-        """The state at a value of the coordinate, on a way on which it grows (+1) or falls (-1); not when."""
-        f, c = self.model.field, self.coordinate
-        if any(f.arguments[g][0] == "atan" for g in value.generators() if g in f.arguments):
-            return CourseZero(
-                None, {c.index: value}, value
-            )  # its cosine is made of nested roots: no form to go on from
-        square = f.lowest_terms(f.follow(self.square, {c.index: value}))
-        own = {c.index: value, c.speed: way * f.sqrt(square, self.model.samples.is_negative)}
-        others = {k: f.follow(x, own) for k, x in self._others.items()}
-        if self._others:
-            others |= self._integrals.places_at(c, value, None)
-        return CourseZero(None, {**others, **own}, value)
-
-    def reachable(self, zero: CourseZero) -> tuple[Ratio, ...]:
-        """What must be positive for the coordinate to get there, as far as it has a short form: the speed squared, and
-        what makes the place a real number."""
-        assert zero.at is not None
-        speed = zero.values.get(self.coordinate.speed)
-        found = (*reals(zero.at), *(() if speed is None else (speed**2,)))
-        return tuple(x for x in found if not x.is_zero())
-
-    @cached_property
-    def _law(self) -> MotionLaw | None:
-        return SmoothMotion(self.model, self.start).law_of(self.coordinate)
-
-    def instants(self, place: Ratio) -> list[tuple[Ratio, Ratio]]:
-        """Times at which the coordinate is at a place, with its rate then, as far as its own law tells them: all of
-        them within a period from the start on, and others. Without such a law none."""
-        law, found = self._law, list[tuple[Ratio, Ratio]]()
-        known = None if law is None else law.places(place)
-        for i in () if known is None else known[0]:
-            found.append((i.time, i.rate))
-            if i.period is not None:
-                found.append((i.time + i.period, i.rate))
-            if i.period is not None and law is not None and law.u0.is_zero():  # from rest it is even in the time
-                found.append((i.period - i.time, -i.rate))
-        return found
-
-
 def has_roots(c: Sequence[Ratio]) -> bool:
     """Whether a polynomial has roots in closed form here: one of the second degree at most, or one in the square of
     the unknown."""
@@ -359,48 +245,3 @@ def polynomial_roots(model: SymbolicModel, c: list[Ratio]) -> list[Ratio]:
     if found is None:
         raise CannotAnswer(Message("the time is a root of a polynomial of degree {n}", n=len(c) - 1))
     return found
-
-
-def course_of(model: SymbolicModel, start: StartState) -> ClosedFormMotion:
-    """The motion of a model in closed form. Raises CannotAnswer where there is none."""
-    f = model.field
-    resting = [c for c in model.dependent if model.samples.vanishes(model.dependent_speed(c))]
-    unknown = [c.name for c in resting if c.index not in start.values]
-    if unknown:
-        raise CannotAnswer(
-            Message("{name} at the start has no closed form: a loop decides it", name=", ".join(unknown))
-        )
-    still = {c.index: start.values[c.index] for c in resting}
-    moving = [c.name for c in model.dependent if c.index not in still]
-    if moving:
-        raise CannotAnswer(
-            Message("{names} follow from the others only through a closed loop", names=", ".join(moving))
-        )
-    still |= {c.speed: f.zero for c in model.dependent}
-    accelerations = [
-        f.lowest_terms(f.follow(model.dynamics.solved_accelerations[a], still)) for a in model.accelerations
-    ]
-    if all(a.is_constant() and f.index(f.time) not in f.ingredients(a) for a in accelerations):
-        return UniformMotion(model, start, still)
-    smooth = SmoothMotion(model, start)
-    # what is driven goes on by the time since the start of the model, not of the phase
-    free = not model.dependent and not is_driven(model)
-    laws = [law for c in model.coordinates if (law := smooth.law_of(c)) is not None and law.has_course] if free else []
-    has_laws = len(laws) == len(model.coordinates)
-    if len(model.coordinates) == 1:
-        try:
-            return EnergyMotion(model, start, model.coordinates[0])
-        except CannotAnswer:
-            if not has_laws:
-                raise
-    if has_laws:
-        return LawMotion(model, start, laws, smooth.integrals.resting)
-    for c in model.coordinates:
-        with suppress(CannotAnswer):
-            return EnergyMotion(model, start, c)
-    names = ", ".join(c.name for c in model.coordinates)
-    raise CannotAnswer(
-        Message(
-            "the accelerations of {names} are not constant, and energy alone gives the speed of one only", names=names
-        )
-    )
