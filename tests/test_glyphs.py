@@ -298,7 +298,7 @@ def test_every_sign_is_drawn_in_the_plane_and_in_space(sign: Any, space: bool) -
     )
     found = start_of(system, at_rest=True)
     bare = Scene.of(system, found.snapshot.reference.number)
-    shown = replace(bare, shown=(glyphs.Shown("it", _with(sign, bare.ground if space else GROUND)),))
+    shown = replace(bare, shown=(glyphs.ShownGlyph("it", _with(sign, bare.ground if space else GROUND)),))
     if space:
         n = [len(SpatialDrawing.of(scene, *poses_in_space(found)).pieces) for scene in (bare, shown)]
     else:

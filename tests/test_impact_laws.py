@@ -10,9 +10,9 @@ import pytest
 from freebody.numeric.contact.impacts import impact
 from freebody.numeric.contact.keller import impact_without_collision
 from freebody.numeric.contact.problem import ContactProblem, FrictionProblemRow, OutcomeCount, RowState
-from freebody.numeric.options import Law
+from freebody.numeric.options import ImpactLaw
 
-LAWS = list(Law)
+LAWS = list(ImpactLaw)
 
 
 def coulomb(row, normal, mu):
@@ -115,7 +115,7 @@ def test_row_of_three_balls_is_struck_at_once():
     J = [[-1, 1, 0], [0, -1, 1]]
     before = [1.0, 0.0, 0.0]
     problem = touching(J, [1.0, 1.0, 1.0], before, (0, 1))
-    newton, poisson = impact(problem, {0: 1.0, 1: 1.0}), impact(problem, {0: 1.0, 1: 1.0}, Law.POISSON)
+    newton, poisson = impact(problem, {0: 1.0, 1: 1.0}), impact(problem, {0: 1.0, 1: 1.0}, ImpactLaw.POISSON)
     np.testing.assert_allclose(newton.velocities, [1.0, 0.0], atol=1e-14)
     np.testing.assert_allclose(after(J, [1, 1, 1], before, newton), [-1 / 3, 2 / 3, 2 / 3], rtol=1e-12)
     # compression to the common velocity 1/3 by 2/3 and 1/3, and again: Glocker & Pfeiffer 1995 on Poisson's law
@@ -160,14 +160,14 @@ def test_brake_has_no_impulse_and_a_dry_slider_has():
 # energy
 
 
-@pytest.mark.parametrize("law", [Law.NEWTON, Law.POISSON])
+@pytest.mark.parametrize("law", [ImpactLaw.NEWTON, ImpactLaw.POISSON])
 @pytest.mark.parametrize("seed", range(25))
 def test_impacts_without_friction_never_gain_energy_with_one_coefficient(law, seed):
     print("seed", seed)
     rng = np.random.default_rng(seed)
     nq, n = int(rng.integers(2, 7)), int(rng.integers(1, 5))
     J, before = rng.normal(size=(n, nq)), rng.normal(size=nq)
-    if law is Law.NEWTON:
+    if law is ImpactLaw.NEWTON:
         J *= -np.sign(J @ before)[:, None]  # all contacts approach; where some part, Newton's law may gain or have none
     problem = touching(J, rng.uniform(0.1, 5.0, nq), before, range(n))
     e = float(rng.uniform(0.0, 1.0))
@@ -205,13 +205,13 @@ def test_newtons_law_makes_energy_of_kanes_double_pendulum_and_says_so_while_the
     assert newton.energy_grew
     assert newton.energy_change > 0.0
     assert newton.velocities[0] == pytest.approx(-0.7 * problem.b[0], rel=1e-12)
-    for law in (Law.POISSON, Law.KELLER):
+    for law in (ImpactLaw.POISSON, ImpactLaw.KELLER):
         other = impact(problem, {0: 0.7}, law)
         assert not other.energy_grew
         assert other.energy_change < 0.0
 
 
-@pytest.mark.parametrize("law", [Law.POISSON, Law.KELLER])
+@pytest.mark.parametrize("law", [ImpactLaw.POISSON, ImpactLaw.KELLER])
 def test_poisson_and_keller_lose_energy_on_random_double_pendulums(law):
     rng = np.random.default_rng(7)
     print("seed", 7)
@@ -286,7 +286,7 @@ def test_process_agrees_with_small_steps_of_the_impulse(seed):
 
 def test_poisson_and_keller_agree_where_slip_keeps_its_direction():
     _, problem = leaning_rod(1.0, 0.1, [5.0, -1.0, 0.0])
-    poisson, keller = impact(problem, {0: 0.6}, Law.POISSON), impact(problem, {0: 0.6}, Law.KELLER)
+    poisson, keller = impact(problem, {0: 0.6}, ImpactLaw.POISSON), impact(problem, {0: 0.6}, ImpactLaw.KELLER)
     np.testing.assert_allclose(poisson.impulses, keller.impulses, rtol=1e-12)
     assert keller.mode == (RowState.CLOSED, RowState.FORWARD)
 
@@ -310,6 +310,6 @@ def test_mirrored_impact_has_the_mirrored_impulses(law):
 
 def test_two_contacts_cannot_be_followed_and_restitution_above_one_is_refused():
     with pytest.raises(ValueError, match="one normal"):
-        impact(touching(np.eye(2), [1, 1], [-1, -1], (0, 1)), {}, Law.KELLER)
+        impact(touching(np.eye(2), [1, 1], [-1, -1], (0, 1)), {}, ImpactLaw.KELLER)
     with pytest.raises(ValueError, match="restitution"):
         impact(touching(np.eye(1), [1], [-1], (0,)), {0: 1.1})

@@ -10,7 +10,7 @@ import pytest
 from conftest import calls_of
 from freebody import CannotAnswer, System
 from freebody.numeric import jets, outward, placing, start
-from freebody.numeric.jets import Entries
+from freebody.numeric.jets import GradientEntries
 from freebody.numeric.reference import Reference
 from freebody.numeric.sparse import SparseRows
 from freebody.numeric.split import Split
@@ -141,7 +141,7 @@ def test_the_smallest_move_is_that_of_the_singular_values(seed: int):
     J = np.vstack([J, J[0] - 2.0 * J[1], J[2]])
     D = random.uniform(0.5, 2.0, 9)
     b = J @ random.standard_normal(9)
-    rows = SparseRows([Entries({k: float(x) for k, x in enumerate(row) if x}) for row in J], 9)
+    rows = SparseRows([GradientEntries({k: float(x) for k, x in enumerate(row) if x}) for row in J], 9)
     assert np.abs(rows.least(D, b) - Split(J, D).least(b)).max() < 1e-9
     assert np.array_equal(rows.whole, J)
     assert np.array_equal(rows.any(axis=0), J.any(axis=0))

@@ -13,7 +13,7 @@ from fractions import Fraction
 from typing import Any
 
 from freebody.assess.points import BALL_FUNCTIONS, EvaluationPoint, real
-from freebody.assess.reading import Option
+from freebody.assess.reading import OptionComponent
 from freebody.assess.setting import Setting
 from freebody.errors import CannotAnswer
 from freebody.language.expression import evaluate
@@ -30,7 +30,7 @@ _N_POINTS = 12
 class ComponentPair:
     """One component of an option and that of the answer."""
 
-    def __init__(self, setting: Setting, option: Option, answer: Ratio) -> None:
+    def __init__(self, setting: Setting, option: OptionComponent, answer: Ratio) -> None:
         self.setting = setting
         self.field = setting.field
         self.option = option

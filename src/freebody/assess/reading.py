@@ -39,7 +39,7 @@ MOST_TERMS = 20_000  # multiplied out; beyond, numbers decide
 
 
 @dataclass(frozen=True)
-class Option:
+class OptionComponent:
     """One component of an option: as written, and as an element where the field can say it."""
 
     expr: Expr
@@ -162,7 +162,7 @@ def _unsigned(term: Expr) -> Expr:
 
 
 # -- elements of the field --------------------------------------------------------------------
-def as_option(setting: Setting, expr: Expr) -> Option:
+def as_option(setting: Setting, expr: Expr) -> OptionComponent:
     """A component with its element. Raises Settled where it divides by zero."""
     conditions: dict[Ratio, None] = {}
     open_signs: list[Ratio] = []
@@ -189,7 +189,7 @@ def as_option(setting: Setting, expr: Expr) -> Option:
         pass
     except ZeroDivisionError:
         raise Settled("wrong", Message("divides by zero")) from None
-    return Option(expr, keys, found, tuple(conditions), bool(open_signs))
+    return OptionComponent(expr, keys, found, tuple(conditions), bool(open_signs))
 
 
 def _n_terms(expr: Expr) -> tuple[int, int]:

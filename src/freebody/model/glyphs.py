@@ -321,7 +321,7 @@ Glyph = Sign[Point, Direction, Expr]
 
 
 @dataclass(frozen=True)
-class Shown(Generic[P, D, N]):
+class ShownGlyph(Generic[P, D, N]):
     """A glyph with the connection or load whose it is."""
 
     owner: str
@@ -330,11 +330,11 @@ class Shown(Generic[P, D, N]):
 
 
 def in_numbers(
-    shown: Shown[Point, Direction, Expr],
+    shown: ShownGlyph[Point, Direction, Expr],
     place: Callable[[Point], Q],
     heading: Callable[[Direction], E],
     number: Callable[[Expr], M],
-) -> Shown[Q, E, M]:
+) -> ShownGlyph[Q, E, M]:
     """The same glyph with places, headings and numbers in it."""
 
     def changed(value: Any) -> Any:
@@ -352,4 +352,4 @@ def in_numbers(
             case _:
                 return value
 
-    return cast("Shown[Q, E, M]", changed(shown))
+    return cast("ShownGlyph[Q, E, M]", changed(shown))

@@ -19,7 +19,7 @@ from freebody.narrative.kinds import derivation_of
 from freebody.narrative.lines.script import DerivationStage, Item, Listing, NumberedFormula, Sentence
 from freebody.narrative.numbering import numbered
 from freebody.narrative.opening import opening
-from freebody.narrative.sharing import Told, lines_of, sentences_of
+from freebody.narrative.sharing import ToldSoFar, lines_of, sentences_of
 from freebody.narrative.telling.catalogue import Catalogue
 from freebody.narrative.telling.composing import plain_derivations, report_of
 from freebody.present.report.results import Result
@@ -93,7 +93,7 @@ def explain(
     shared = None if has_phases(system) else context.setup
     solution = solve(system, setup=shared)
     first = tuple(opening(context))
-    told = Told.of(first)
+    told = ToldSoFar.of(first)
     answers = {a.question: a for a in solution.answers}
     found = [_derived(context, told, q, answers.get(q.text), chosen, second) for q in asked]
     return Explanation(system, solution, *_numbered(first, found), language)
@@ -117,7 +117,7 @@ def _method(name: str) -> Method:
 
 
 def _derived(
-    context: Context, told: Told, question: Question, answer: Answer | None, method: Method, second: Method | None
+    context: Context, told: ToldSoFar, question: Question, answer: Answer | None, method: Method, second: Method | None
 ) -> Derivation:
     """The derivation of one question, without what has been told before."""
     assert answer is not None
@@ -129,7 +129,7 @@ def _derived(
     if second is not None and not reason:
         with here.as_if_alone():
             compared, trouble = _attempt(here, question, answer, second, derive)
-        compared, reason = Told.of(told.opening).shared(compared)[0], trouble
+        compared, reason = ToldSoFar.of(told.opening).shared(compared)[0], trouble
     ends: Sequence[DerivationStage] = ()
     if answer.is_answered and not reason:
         ends, reason = _attempt(here, question, answer, method, _closing)
@@ -145,7 +145,7 @@ def _derived(
     return Derivation(question, answer, tuple(new), method, reason, tuple(compared), second or "auto")
 
 
-def _with_result(new: list[DerivationStage], ends: Sequence[DerivationStage], told: Told) -> list[DerivationStage]:
+def _with_result(new: list[DerivationStage], ends: Sequence[DerivationStage], told: ToldSoFar) -> list[DerivationStage]:
     """A derivation with its end. A result that stands in the last line is not written again, and what an earlier
     derivation has found is named beside it; notes that were made on the way are not repeated."""
     if not ends:

@@ -89,7 +89,7 @@ def _key(line: NumberedFormula, when: TrueWhen) -> object:
 
 
 @dataclass
-class Told:
+class ToldSoFar:
     """What the derivations so far have told: lines, symbols with their meanings, and diagrams."""
 
     lines: dict[object, int] = field(default_factory=dict[object, int])
@@ -99,7 +99,7 @@ class Told:
     opening: Sequence[DerivationStage] = ()
 
     @classmethod
-    def of(cls, opening: Sequence[DerivationStage]) -> Told:
+    def of(cls, opening: Sequence[DerivationStage]) -> ToldSoFar:
         """Nothing but the opening is told."""
         told = cls(opening=opening)
         told.take(opening)

@@ -21,8 +21,8 @@ from freebody.numeric.jets import (
     LARGE,
     TIME,
     Array,
-    Entries,
     Gradient,
+    GradientEntries,
     Jet,
     arc_tangent,
     function_of,
@@ -104,7 +104,7 @@ class Frame:
 def entries_of(columns: Sequence[int], values: Array, n: int) -> Gradient:
     """A gradient of n entries with those of some coordinates."""
     if n > LARGE:
-        return Entries(dict(zip(columns, values.tolist(), strict=True)))
+        return GradientEntries(dict(zip(columns, values.tolist(), strict=True)))
     row = np.zeros(n)
     row[list(columns)] = values
     return row
@@ -190,7 +190,7 @@ class JetGeometry:
         return known
 
     def _unit_row(self, k: int) -> Gradient:
-        return Entries({k: 1.0}) if self._unit_rows is None else self._unit_rows[k]
+        return GradientEntries({k: 1.0}) if self._unit_rows is None else self._unit_rows[k]
 
     def lasting(self, what: Point | Direction, made: Callable[[], Vector[Jet]]) -> Vector[Jet]:
         """Of a fixed body what was made at an earlier instant, unless time is in it."""

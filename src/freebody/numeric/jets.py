@@ -23,12 +23,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
-Gradient: TypeAlias = "Array | Entries | None"
+Gradient: TypeAlias = "Array | GradientEntries | None"
 TIME = "t"
 LARGE = 400  # more coordinates than this: gradients by their entries, and sparse matrices of them
 
 
-class Entries:
+class GradientEntries:
     """A gradient of which few entries are not zero, by coordinate: what the jets of a large system carry."""
 
     __slots__ = ("of",)
@@ -37,23 +37,23 @@ class Entries:
     def __init__(self, of: dict[int, float]) -> None:
         self.of = of
 
-    def __add__(self, other: Entries) -> Entries:
+    def __add__(self, other: GradientEntries) -> GradientEntries:
         total = dict(self.of)
         for k, x in other.of.items():
             total[k] = total.get(k, 0.0) + x
-        return Entries(total)
+        return GradientEntries(total)
 
-    def __sub__(self, other: Entries) -> Entries:
+    def __sub__(self, other: GradientEntries) -> GradientEntries:
         total = dict(self.of)
         for k, x in other.of.items():
             total[k] = total.get(k, 0.0) - x
-        return Entries(total)
+        return GradientEntries(total)
 
-    def __neg__(self) -> Entries:
-        return Entries({k: -x for k, x in self.of.items()})
+    def __neg__(self) -> GradientEntries:
+        return GradientEntries({k: -x for k, x in self.of.items()})
 
-    def __rmul__(self, c: float) -> Entries:
-        return Entries({k: c * x for k, x in self.of.items()})
+    def __rmul__(self, c: float) -> GradientEntries:
+        return GradientEntries({k: c * x for k, x in self.of.items()})
 
     def row(self, n: int) -> Array:
         """All n entries."""
@@ -82,7 +82,7 @@ class Jet:
 
     def row(self, n: int) -> Array:
         """The gradient with n entries."""
-        if isinstance(self.gradient, Entries):
+        if isinstance(self.gradient, GradientEntries):
             return self.gradient.row(n)
         return np.zeros(n) if self.gradient is None else self.gradient
 

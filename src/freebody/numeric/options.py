@@ -26,7 +26,7 @@ def has_step(method: str) -> bool:
     return method == STEPPING or (method != "auto" and not integrator(method).is_adaptive)
 
 
-class Law(Enum):
+class ImpactLaw(Enum):
     """How an impact restores what it compresses."""
 
     NEWTON = "newton"
@@ -57,7 +57,7 @@ class SimulationOptions:
     max_seconds: float = math.inf
     max_steps: int = MOST_STEPS
     verify: bool = False
-    impact: str = Law.NEWTON.value
+    impact: str = ImpactLaw.NEWTON.value
     jams: bool = False
 
     def __post_init__(self) -> None:
@@ -84,12 +84,12 @@ class SimulationOptions:
                     method=self.method,
                 )
             )
-        if self.impact not in (law.value for law in Law):
+        if self.impact not in (law.value for law in ImpactLaw):
             raise InputError(
                 Message(
                     "there is no law of impact {impact}; take {names}",
                     impact=self.impact,
-                    names=", ".join(law.value for law in Law),
+                    names=", ".join(law.value for law in ImpactLaw),
                 )
             )
         if self.by_steps and self.verify:
@@ -126,8 +126,8 @@ class SimulationOptions:
         return replace(unlimited, tolerance=self.tolerance / 100.0, step=step)
 
     @property
-    def law(self) -> Law:
-        return Law(self.impact)
+    def law(self) -> ImpactLaw:
+        return ImpactLaw(self.impact)
 
     @property
     def longest(self) -> float:

@@ -19,7 +19,7 @@ from typing import Any, cast
 import numpy as np
 from numpy.typing import NDArray
 
-from freebody.numeric.jets import Array, Entries, Gradient
+from freebody.numeric.jets import Array, Gradient, GradientEntries
 from freebody.tolerances import ROUNDED
 
 _REGULARISING = 1e-12  # by the largest entry of the square, which is 1
@@ -98,7 +98,7 @@ def _sums(groups: NDArray[np.int64], values: Array, n: int) -> Array:
 
 
 def _entries(gradient: Gradient) -> dict[int, float]:
-    if gradient is None or isinstance(gradient, Entries):
+    if gradient is None or isinstance(gradient, GradientEntries):
         return {} if gradient is None else gradient.of
     return {int(k): float(gradient[k]) for k in np.flatnonzero(gradient)}
 

@@ -126,7 +126,7 @@ Tip = glyphs.Tip[Place, float]
 Halt = glyphs.Halt[Place, Heading, float]
 TurnHalt = glyphs.TurnHalt[Heading, float]
 Drawn = glyphs.Sign[Place, Heading, float]
-Shown = glyphs.Shown[Place, Heading, float]
+ShownGlyph = glyphs.ShownGlyph[Place, Heading, float]
 
 
 @dataclass(frozen=True)

@@ -34,7 +34,7 @@ from freebody.model.glyphs import (
     in_numbers,
 )
 from freebody.present import figures
-from freebody.present.figures import GROUND, Array, Drawn, Figure, Heading, Pair, Place, Shown, Wall
+from freebody.present.figures import GROUND, Array, Drawn, Figure, Heading, Pair, Place, ShownGlyph, Wall
 from freebody.present.places import Places
 from freebody.system.system import System
 
@@ -49,7 +49,7 @@ class Scene:
     title: str
     names: tuple[str, ...]  # of the moving bodies, in the order of the poses
     figures: tuple[Figure, ...]
-    shown: tuple[Shown, ...]
+    shown: tuple[ShownGlyph, ...]
     # of space: a point and the normal of each plane; the vertical (3,); centres (n, 3) and axes (n, 3, 3) of the bodies
     # that stand still, the ground last
     planes: tuple[tuple[Place, Heading], ...] = ()
@@ -195,7 +195,7 @@ class _Reader:
         up = np.array(self.places.vector(self.system.up))
         return Scene(self.system.title, names, found, self.shown, sheets, up, self.places.fixed)
 
-    def _shown(self) -> Iterator[Shown]:
+    def _shown(self) -> Iterator[ShownGlyph]:
         """Without strings that are slack in the mode of the system, and with rails that a particle cannot turn on."""
         taut = {row.connection for row in self.system.constraint_rows}
         for glyph in self.system.glyphs:

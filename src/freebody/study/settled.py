@@ -6,7 +6,7 @@ from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.numeric.contact.after import HELD_ALONE
 from freebody.numeric.contact.transition import InstantTransition
-from freebody.numeric.options import Law
+from freebody.numeric.options import ImpactLaw
 from freebody.study.answering.draws import SEED, draw_parameters
 from freebody.study.simulation.simulator import Simulator
 from freebody.system.modes import ContactMode, in_mode
@@ -59,7 +59,7 @@ def start_mode(system: System) -> ContactMode:
     simulator = Simulator(system, given)
     bounded = simulator.bounded
     assert bounded is not None
-    found = InstantTransition(bounded, Law.NEWTON).after(simulator.start, 0.0, simulator.engine.near(), None)
+    found = InstantTransition(bounded, ImpactLaw.NEWTON).after(simulator.start, 0.0, simulator.engine.near(), None)
     if found.mode is None:
         told = Message("no force is consistent at the start with {why}", why=found.why)
         raise CannotAnswer(told if found.why == HELD_ALONE else Message("{what} (Painleve's paradox)", what=told))

@@ -47,7 +47,7 @@ class Variable:
 
 
 @dataclass(frozen=True)
-class Place:
+class EventPlace:
     """A zero as a formula, and at every sample; nan where it is none there."""
 
     at: Ratio
@@ -129,7 +129,7 @@ class EventPlaces:
         return told.pop() if told else True
 
     def _nothing_before(
-        self, chosen: Place, places: Sequence[Place], start: Ratio, begins: Sequence[float], way: int
+        self, chosen: EventPlace, places: Sequence[EventPlace], start: Ratio, begins: Sequence[float], way: int
     ) -> Iterator[Need]:
         """start < chosen < all other places but those behind the start, as that is at the first sample; what is known
         of the nearest ones is known of all, for they repeat in the same order."""
@@ -154,9 +154,9 @@ class EventPlaces:
         return sign.is_strict or (sign is Sign.NONNEGATIVE and is_of_arc)
 
     # -- all of them --------------------------------------------------------------------------
-    def _places(self, begins: Sequence[float]) -> list[Place]:
+    def _places(self, begins: Sequence[float]) -> list[EventPlace]:
         """Zeros, and those by whole periods from them, where F vanishes itself."""
-        found: list[Place] = []
+        found: list[EventPlace] = []
         for zero in self._candidates():
             period = self._period()
             for n in _TURNS if period is not None else (0,):
@@ -166,7 +166,7 @@ class EventPlaces:
                     for s, x in enumerate(self.model.samples.at_starts(at))
                 )
                 if not all(map(math.isnan, numbers)) and all(p.numbers != numbers for p in found):
-                    found.append(Place(at, numbers))
+                    found.append(EventPlace(at, numbers))
         return found
 
     def _is_met(self, s: int, begin: float, at: float) -> bool:
@@ -245,7 +245,7 @@ class EventPlaces:
         return f.lowest_terms(2 * f.pi / slopes[0])
 
 
-def _next(places: Sequence[Place], s: int, begin: float, way: int) -> int | None:
+def _next(places: Sequence[EventPlace], s: int, begin: float, way: int) -> int | None:
     """Which place is next from a number on, at one sample."""
     ahead = [(way * (p.numbers[s] - begin), k) for k, p in enumerate(places) if way * (p.numbers[s] - begin) > _NEAR]
     return min(ahead)[1] if ahead else None

@@ -29,7 +29,7 @@ _N_STEPS = 64
 
 
 @dataclass(frozen=True)
-class Span:
+class PassedPlaces:
     """All places that a motion goes through again and again: between two turns, or (no ends) all round."""
 
     ends: tuple[Ratio, Ratio] | None
@@ -176,7 +176,7 @@ class EnergyPath:
         turn, others, words = back._turning
         return turn, [*needs, *more, *others], [*says, *words]
 
-    def span(self) -> Span:
+    def span(self) -> PassedPlaces:
         """All places that the motion goes through. Raises CannotAnswer where it does not come back."""
         f, turn = self.field, 2 * self.field.pi
         if self._is_periodic(self.square):
@@ -185,9 +185,9 @@ class EnergyPath:
             if all(self.model.samples.at_start_with(self.square, 0, {self.c.index: v}) > 0 for v in steps):
                 _way, needs = self._way
                 needs, says = self._over(self.q0, f.lowest_terms(self.q0 + turn), needs)
-                return Span(None, needs, says)
+                return PassedPlaces(None, needs, says)
         (low, below, some), (high, above, more) = (self.extent(side) for side in (-1, 1))
-        return Span((low, high), [*below, *(need for need in above if need not in below)], [*some, *more])
+        return PassedPlaces((low, high), [*below, *(need for need in above if need not in below)], [*some, *more])
 
     def round(self) -> tuple[list[Need], list[str]]:
         """What an angle needs to come all round, in formulas and in words."""

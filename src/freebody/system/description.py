@@ -24,7 +24,7 @@ from freebody.model.elements import (
     RigidBody,
     UnilateralConstraint,
 )
-from freebody.model.glyphs import Shown
+from freebody.model.glyphs import ShownGlyph
 from freebody.model.looks import Looks
 from freebody.model.names import Names
 from freebody.model.rotations import Columns
@@ -101,12 +101,14 @@ class SystemDescription:
         return (*self.constraint_rows, *bounded, *(row for blow in self.blows for row in blow.rows))
 
     @cached_property
-    def glyphs(self) -> tuple[Shown[Point, Direction, Expr], ...]:
+    def glyphs(self) -> tuple[ShownGlyph[Point, Direction, Expr], ...]:
         """What connections and loads look like, in the order of the model."""
         joined = [(name, it, False) for name, it in self.connections.items()]
         pushed = [(name, it, True) for name, it in self.loads.items()]
         return tuple(
-            Shown(name, glyph, is_load) for name, it, is_load in (*joined, *pushed) for glyph in it.glyphs(self.names)
+            ShownGlyph(name, glyph, is_load)
+            for name, it, is_load in (*joined, *pushed)
+            for glyph in it.glyphs(self.names)
         )
 
     @cached_property

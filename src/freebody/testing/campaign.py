@@ -38,7 +38,7 @@ questions: [{find: acceleration of p}]
 
 
 @dataclass(frozen=True)
-class Told:
+class TimedOutcome:
     """An outcome with the seed of its model and the processor time of its study [s]."""
 
     seed: int
@@ -55,7 +55,7 @@ class Told:
         return plain | {"place": o.place, "seconds": round(self.seconds, 3)}
 
 
-def campaign(seeds: Iterable[int], names: Sequence[str], seconds: float) -> Iterator[Told]:
+def campaign(seeds: Iterable[int], names: Sequence[str], seconds: float) -> Iterator[TimedOutcome]:
     """What comes of the studies of these names for the models of these seeds, each study with a limit of processor time
     [s]. Raises InputError where processes cannot be forked."""
     if not hasattr(os, "fork"):
@@ -74,7 +74,7 @@ def campaign(seeds: Iterable[int], names: Sequence[str], seconds: float) -> Iter
         gc.unfreeze()
 
 
-def _in_child(seed: int, names: list[str], seconds: float) -> tuple[list[Told], list[str]]:
+def _in_child(seed: int, names: list[str], seconds: float) -> tuple[list[TimedOutcome], list[str]]:
     """The studies in a process of their own, as far as it survives them; and the names of those that are left."""
     reading, writing = os.pipe()
     sys.stdout.flush()
@@ -87,18 +87,18 @@ def _in_child(seed: int, names: list[str], seconds: float) -> tuple[list[Told], 
         finally:
             os._exit(0)
     os.close(writing)
-    found: list[Told] = []
+    found: list[TimedOutcome] = []
     begun = names[0]
     with os.fdopen(reading, encoding="utf-8") as lines:
         for line in lines:
             begun, plain = json.loads(line)
             if plain:
                 outcome = Outcome(plain["study"], End(plain["end"]), plain["message"], plain["place"])
-                found.append(Told(seed, outcome, plain["seconds"]))
+                found.append(TimedOutcome(seed, outcome, plain["seconds"]))
     _pid, status = os.waitpid(child, 0)
     if not begun:
         return found, []
-    found.append(Told(seed, _of_death(begun, os.waitstatus_to_exitcode(status), seconds), 0.0))
+    found.append(TimedOutcome(seed, _of_death(begun, os.waitstatus_to_exitcode(status), seconds), 0.0))
     return found, [] if begun == READ else names[names.index(begun) + 1 :]
 
 
@@ -130,7 +130,7 @@ def _tell(seed: int, names: Sequence[str], seconds: float, out: IO[str]) -> None
         if name != READ and system is not None:
             found = run(name, system, seconds)
         for outcome in found:  # of reading, where that is what ends here
-            tell(name, Told(seed, outcome, time.process_time() - before).to_plain())
+            tell(name, TimedOutcome(seed, outcome, time.process_time() - before).to_plain())
         if system is None:
             break
     tell("")
@@ -160,7 +160,7 @@ def _limit_process(seconds: float) -> None:
 
 
 # -- the command ------------------------------------------------------------------------------
-def report(told: Iterable[Told], file: IO[str] | None = None) -> Iterator[str]:
+def report(told: Iterable[TimedOutcome], file: IO[str] | None = None) -> Iterator[str]:
     """A line for each defect as it comes, at the end a table of counts: studies by ends."""
     counts: Counter[tuple[str, End]] = Counter()
     n_models = 0

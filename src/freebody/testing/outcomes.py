@@ -198,7 +198,11 @@ def _write(system: System) -> list[Outcome]:
         path.write_text(system.to_yaml(), encoding="utf-8")
         is_same = System.load(path) == System.from_text(system.to_yaml(), str(path))
     return [
-        Outcome("", End.ANSWERED if is_same else End.DISAGREE, "" if is_same else "written back it is another model")
+        Outcome(
+            "",
+            End.ANSWERED if is_same else End.DISAGREE,
+            "" if is_same else "written back it is another model",
+        )
     ]
 
 

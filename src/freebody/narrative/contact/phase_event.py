@@ -6,7 +6,7 @@ from freebody.errors import CannotAnswer
 from freebody.language.expression import Call, Expr, ProductOf, Sum, Symbol
 from freebody.language.sentences import Message
 from freebody.narrative.contact.phase_contacts import slip_symbol
-from freebody.narrative.contact.phase_motion import Told, in_time, shown_in_home
+from freebody.narrative.contact.phase_motion import MotionLines, in_time, shown_in_home
 from freebody.narrative.contact.phase_way import PhaseSegment, PhaseSequence, on_the_way
 from freebody.narrative.lines.glossary import Glossary, Meaning, World
 from freebody.narrative.lines.script import Legend, Script, Sentence
@@ -26,7 +26,7 @@ _CLOCK = Symbol("t")
 
 
 def tell_event(
-    script: Script, way: PhaseSequence, leg: PhaseSegment, told: Told, lines: dict[str, int]
+    script: Script, way: PhaseSequence, leg: PhaseSegment, told: MotionLines, lines: dict[str, int]
 ) -> dict[str, int]:
     """The event that ends a phase, when or where it comes, and the coordinates and speeds there; returns the lines of
     the state, by "time", the name of a coordinate, or its rate as x'. lines: of forces and slips, by name."""
@@ -48,7 +48,7 @@ def tell_event(
             return {**found, **_state(script, way, leg, told, found)}
 
 
-def _lines_of(leg: PhaseSegment, told: Told, element: Ratio) -> tuple[int, ...]:
+def _lines_of(leg: PhaseSegment, told: MotionLines, element: Ratio) -> tuple[int, ...]:
     """The lines of the motion on which an element depends."""
     model = leg.phase.model
     used = model.field.ingredients(model.in_independent_speeds(element))
@@ -257,7 +257,9 @@ def solved_argument(at: Ratio) -> tuple[str, Ratio] | None:
 
 
 # -- the state there --------------------------------------------------------------------------
-def _state(script: Script, way: PhaseSequence, leg: PhaseSegment, told: Told, found: dict[str, int]) -> dict[str, int]:
+def _state(
+    script: Script, way: PhaseSequence, leg: PhaseSegment, told: MotionLines, found: dict[str, int]
+) -> dict[str, int]:
     """Coordinates and speeds at the event, as far as their motion was told."""
     assert leg.first is not None
     values, lines = leg.first.zero.values, dict[str, int]()

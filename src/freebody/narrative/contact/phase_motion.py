@@ -33,7 +33,7 @@ PARTS: tuple[Part, Part] = ("kinetic", "potential")
 
 
 @dataclass
-class Told:
+class MotionLines:
     """Lines of a motion: of the velocity and the place by coordinate, and of the speed squared."""
 
     velocities: dict[str, int] = field(default_factory=dict[str, int])
@@ -54,11 +54,11 @@ def tell_motion(
     before: tuple[int, ...],
     needed: set[str],
     places: set[str],
-) -> Told:
+) -> MotionLines:
     """The motion of the coordinates that are needed. accelerations: their lines; before: lines of the state in which
     the phase begins; places: coordinates of which not only the velocity is needed."""
     course = leg.phase.course
-    told = Told()
+    told = MotionLines()
     if isinstance(course, UniformMotion):
         with script.stage("stage.phase_motion", "hint.phase_motion", phase=f"@{leg.number}"):
             if leg.number > 1 and course.model.coordinates:
@@ -89,7 +89,7 @@ def _integrate(
     leg: PhaseSegment,
     c: Coordinate,
     course: UniformMotion,
-    told: Told,
+    told: MotionLines,
     uses: tuple[int, ...],
     place: bool,
 ) -> None:
@@ -167,7 +167,12 @@ def _reads_energy(leg: PhaseSegment, what: Part) -> Callable[[World], float]:
 
 
 def _energy_integral(
-    script: Script, way: PhaseSequence, leg: PhaseSegment, course: EnergyMotion, told: Told, before: tuple[int, ...]
+    script: Script,
+    way: PhaseSequence,
+    leg: PhaseSegment,
+    course: EnergyMotion,
+    told: MotionLines,
+    before: tuple[int, ...],
 ) -> None:
     """T + V is what it was, but for the work of friction; solved for the square of the speed."""
     f, c, phase = leg.phase.model.field, course.coordinate, leg.phase

@@ -52,7 +52,7 @@ class MomentAxis:
     aim: Aim | None = None
 
 
-class Places(Protocol):
+class PrinciplePlaces(Protocol):
     """Where principles are worth writing."""
 
     def sizes(self, n: int) -> Iterable[int]:

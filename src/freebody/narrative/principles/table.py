@@ -20,7 +20,7 @@ from itertools import combinations
 from typing import Literal
 
 from freebody.narrative.principles.acting import Acting, Slot
-from freebody.narrative.principles.places import Aim, MomentAxis, MomentCentre, Places, PlanarPlaces
+from freebody.narrative.principles.places import Aim, MomentAxis, MomentCentre, PlanarPlaces, PrinciplePlaces
 from freebody.narrative.principles.spatial_places import SpatialPlaces
 from freebody.symbolic.field import Ratio
 
@@ -45,7 +45,7 @@ class PrincipleTable:
     def __init__(self, acting: Acting) -> None:
         self.acting = acting
         self.model, self.system = acting.model, acting.system
-        self.places: Places = SpatialPlaces(acting) if self.system.space else PlanarPlaces(acting)
+        self.places: PrinciplePlaces = SpatialPlaces(acting) if self.system.space else PlanarPlaces(acting)
 
     def groups(self) -> Iterator[tuple[str, ...]]:
         """Each body, then those that connections join, up to the whole system."""

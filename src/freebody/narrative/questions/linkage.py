@@ -52,7 +52,7 @@ from freebody.study.mobility.loop_answers import (
     transmission_in_numbers,
 )
 from freebody.study.steady.drive import followed
-from freebody.study.steady.round_turn import FullTurn as Turn
+from freebody.study.steady.round_turn import DrawnTurn
 from freebody.symbolic.closure import explicit
 from freebody.symbolic.conditions import Condition
 from freebody.symbolic.tidy import tidy
@@ -139,7 +139,7 @@ def _at_each(
     symbol = Symbol(fresh(context, "y", "y_crank"))
 
     def read(world: World) -> float:
-        return Turn(setup, world.draw, c, q.of).value(world.snapshot.q)
+        return DrawnTurn(setup, world.draw, c, q.of).value(world.snapshot.q)
 
     what = Sentence("steady.followed", {"name": Symbol(c.name)})
     introduce(script, Meaning(symbol, what, read, q.unit))
@@ -151,7 +151,7 @@ def _at_each(
     for k, (point, value) in enumerate(found):
 
         def there(world: World, point: DeadPoint = point) -> float:
-            turn = Turn(setup, world.draw, c, q.of)
+            turn = DrawnTurn(setup, world.draw, c, q.of)
             (angle,) = element_at(setup, point.value, world.draw, turn.start)
             return turn.at(math.remainder(angle - turn.here, math.tau))
 

@@ -36,7 +36,7 @@ from freebody.study.steady.extremes import (
     is_of_motion,
     told,
 )
-from freebody.study.steady.round_turn import STEP, FullTurn
+from freebody.study.steady.round_turn import STEP, DrawnTurn
 from freebody.study.steady.turning import Extremum, TurningAngle
 from freebody.symbolic.closure import explicit
 from freebody.symbolic.field import Ratio
@@ -74,7 +74,7 @@ def tell_extremes(context: Context, question: Question, answer: Answer, q: Extre
         symbol = Symbol(fresh(context, "y", "y_turn"))
 
         def read(world: World) -> float:
-            return FullTurn(setup, world.draw, c, q.of).value(world.snapshot.q)
+            return DrawnTurn(setup, world.draw, c, q.of).value(world.snapshot.q)
 
         meaning = Meaning(symbol, Sentence("steady.followed", {"name": Symbol(c.name)}), read if is_driven else q.of)
         named(context, script, meaning)
@@ -159,7 +159,7 @@ class _Sweep:
 
     def __init__(self, context: Context, q: Extremes, c: Coordinate, search: ExtremaSearch) -> None:
         self.context, self.q, self.c, self.search = context, q, c, search
-        self._known: dict[int, tuple[World, FullTurn, list[tuple[float, float, Array]]]] = {}
+        self._known: dict[int, tuple[World, DrawnTurn, list[tuple[float, float, Array]]]] = {}
 
     def extreme(self, way: int) -> Callable[[World], float]:
         """Reads the least (way 1) or the largest value, by Brent's method about the best pose."""
@@ -187,10 +187,10 @@ class _Sweep:
         )
         return float(found.x), way * float(found.fun)
 
-    def _round(self, world: World) -> tuple[FullTurn, list[tuple[float, float, Array]]]:
+    def _round(self, world: World) -> tuple[DrawnTurn, list[tuple[float, float, Array]]]:
         """(value, angle from the start, pose) all round the turn."""
         if id(world) not in self._known:
-            turn = FullTurn(self.context.setup, world.draw, self.c, self.q.of)
+            turn = DrawnTurn(self.context.setup, world.draw, self.c, self.q.of)
             if not all(holds(self.context.setup, k, world.draw, turn.start) for k in self.search.conditions):
                 raise CannotAnswer(Message("these numbers do not meet the conditions of the answer"))
             poses = [(turn.value(pose), away, pose) for away, pose in turn.poses()]

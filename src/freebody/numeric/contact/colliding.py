@@ -17,7 +17,7 @@ from freebody.numeric.contact.impulses import ImpactOutcome
 from freebody.numeric.contact.problem import MOST_OTHERS
 from freebody.numeric.contact.rows import ContactInstant, RowProblem
 from freebody.numeric.kernels.arrays import Floats
-from freebody.numeric.options import Law
+from freebody.numeric.options import ImpactLaw
 
 TIED = 1e-9  # rates of approach that differ by less, relatively, are equal
 OPEN = 1e-12  # eigenvalues of rows that depend on each other, by the largest
@@ -27,7 +27,7 @@ _SEEN = 1e-6  # of a unit vector of forces that do nothing: less is no part in i
 class Collisions:
     """Those of one motion, by one law."""
 
-    def __init__(self, bounded: Bounded, law: Law) -> None:
+    def __init__(self, bounded: Bounded, law: ImpactLaw) -> None:
         self.bounded, self.law = bounded, law
         self.tied: dict[str, None] = {}  # contacts hit equally fast of which one had to come first
         self.is_replaced = False  # whether an impact did not obey the law, and another one took its place
@@ -44,8 +44,8 @@ class Collisions:
             restitution = {problem.row_of_barrier(k): b.barriers[k].restitution for k in closed}
             law = self._law(closed, drags)
             outcome = impact(problem.matrices, restitution, law, most_others=MOST_OTHERS)
-            if not outcome.is_found and law is Law.NEWTON:
-                outcome = impact(problem.matrices, restitution, Law.POISSON, most_others=MOST_OTHERS)
+            if not outcome.is_found and law is ImpactLaw.NEWTON:
+                outcome = impact(problem.matrices, restitution, ImpactLaw.POISSON, most_others=MOST_OTHERS)
                 self.is_replaced = self.is_replaced or outcome.is_found
             if not outcome.is_found:
                 return self._alone(now, closed, drags, rates)
@@ -59,14 +59,14 @@ class Collisions:
                 return outcome, problem
             closed = [k for k in closed if k not in loose]
 
-    def _law(self, closed: list[int], drags: dict[int, int]) -> Law:
+    def _law(self, closed: list[int], drags: dict[int, int]) -> ImpactLaw:
         """The law of an impact: Keller's follows one contact with the one friction that it loads, Poisson's takes over
         elsewhere."""
         is_single = len(closed) == 1 and len(drags) < 2 and all(self.bounded.drags[k].of in closed for k in drags)
-        if self.law is not Law.KELLER or is_single:
+        if self.law is not ImpactLaw.KELLER or is_single:
             return self.law
         self.is_replaced = True
-        return Law.POISSON
+        return ImpactLaw.POISSON
 
     def _alone(
         self, now: ContactInstant, closed: list[int], drags: dict[int, int], rates: dict[int, float]
@@ -81,7 +81,9 @@ class Collisions:
             self.tied |= dict.fromkeys(b.barriers[k].name for k in tied)
         own = {k: s for k, s in drags.items() if b.drags[k].of == hit}
         problem = b.problem(now, [hit], own, of_rates=True)
-        outcome = impact(problem.matrices, {problem.row_of_barrier(hit): b.barriers[hit].restitution}, Law.POISSON)
+        outcome = impact(
+            problem.matrices, {problem.row_of_barrier(hit): b.barriers[hit].restitution}, ImpactLaw.POISSON
+        )
         self.is_replaced = self.is_replaced or outcome.is_found
         return (outcome, problem) if outcome.is_found else None
 

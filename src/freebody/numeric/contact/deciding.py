@@ -9,12 +9,12 @@ from freebody.numeric.contact.bounded import Bounded
 from freebody.numeric.contact.forces import contact_forces, is_admissible
 from freebody.numeric.contact.problem import MOST_OTHERS, ForceOutcome, RowState
 from freebody.numeric.contact.rows import ContactInstant, ModeOf, RowProblem
-from freebody.numeric.contact.stillness import STILL, Stillness
+from freebody.numeric.contact.stillness import STILL, MotionSpeeds
 from freebody.numeric.kernels.arrays import Floats
 
 
 def decide(
-    still_at: Stillness,
+    still_at: MotionSpeeds,
     result: After,
     now: ContactInstant,
     touching: list[int],

@@ -23,13 +23,13 @@ from freebody.numeric.contact.forces import MOST_MODES, contact_forces
 from freebody.numeric.contact.impulses import ImpactOutcome, impulsive, judged
 from freebody.numeric.contact.keller import impact_without_collision
 from freebody.numeric.contact.problem import ContactProblem, OutcomeCount
-from freebody.numeric.options import Law
+from freebody.numeric.options import ImpactLaw
 
 
 def impact(
     problem: ContactProblem,
     restitution: Mapping[int, float],
-    law: Law = Law.NEWTON,
+    law: ImpactLaw = ImpactLaw.NEWTON,
     *,
     most_others: int = MOST_MODES,
 ) -> ImpactOutcome:
@@ -41,10 +41,10 @@ def impact(
     """
     if any(not 0.0 <= e <= 1.0 for e in restitution.values()):
         raise ValueError("restitution must lie in [0, 1]")
-    if law is Law.KELLER:
+    if law is ImpactLaw.KELLER:
         return impact_without_collision(problem, max(restitution.values(), default=0.0))
     smooth = replace(problem, dry_friction=impulsive(problem))
-    if law is Law.POISSON:
+    if law is ImpactLaw.POISSON:
         return _poisson(smooth, restitution, most_others)
     target = problem.b.copy()
     for row in problem.normals:

@@ -12,14 +12,14 @@ from freebody.numeric.contact.after import After
 from freebody.numeric.contact.colliding import push
 from freebody.numeric.contact.forces import contact_forces
 from freebody.numeric.contact.rows import ContactInstant
-from freebody.numeric.contact.stillness import STILL, Stillness
+from freebody.numeric.contact.stillness import STILL, MotionSpeeds
 from freebody.numeric.kernels.arrays import Floats
 from freebody.tolerances import ROUNDED
 
 REST = 1e-10  # gaps that do not come wider than this part of the system's size are none
 
 
-def settle(still: Stillness, result: After, now: ContactInstant, touching: list[int], near: Floats) -> None:
+def settle(still: MotionSpeeds, result: After, now: ContactInstant, touching: list[int], near: Floats) -> None:
     """Contacts that would open by less than can be seen stay closed."""
     b = still.bounded
     hit = {k for impact in result.impacts for k, rate in impact.before.items() if rate < 0.0}
@@ -45,7 +45,12 @@ def settle(still: Stillness, result: After, now: ContactInstant, touching: list[
 
 
 def _accelerations(
-    still: Stillness, now: ContactInstant, touching: list[int], rising: list[int], rates: dict[int, float], speed: float
+    still: MotionSpeeds,
+    now: ContactInstant,
+    touching: list[int],
+    rising: list[int],
+    rates: dict[int, float],
+    speed: float,
 ) -> dict[int, float] | None:
     """Accelerations of gaps that open, with all others that touch in contact."""
     b = still.bounded
@@ -63,7 +68,7 @@ def _accelerations(
 
 
 def _hold(
-    still: Stillness,
+    still: MotionSpeeds,
     result: After,
     now: ContactInstant,
     touching: list[int],

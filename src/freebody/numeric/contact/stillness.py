@@ -18,7 +18,7 @@ from freebody.tolerances import ROUNDED
 STILL = 1e-9  # rates below this part of the system's speed are none
 
 
-class Stillness:
+class MotionSpeeds:
     """The speeds of one motion."""
 
     def __init__(self, bounded: Bounded) -> None:

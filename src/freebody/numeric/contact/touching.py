@@ -8,7 +8,7 @@ import numpy as np
 
 from freebody.numeric.contact.bounded import TOUCHING, Bounded
 from freebody.numeric.contact.rows import ContactInstant
-from freebody.numeric.contact.stillness import STILL, Stillness
+from freebody.numeric.contact.stillness import STILL, MotionSpeeds
 from freebody.numeric.kernels.arrays import Floats
 from freebody.tolerances import ROUND_OFF
 
@@ -27,7 +27,7 @@ def touching_at(b: Bounded, now: ContactInstant, before: frozenset[int], touched
     return found
 
 
-def far_sides(still: Stillness, now: ContactInstant, touching: list[int], known: frozenset[int]) -> set[int]:
+def far_sides(still: MotionSpeeds, now: ContactInstant, touching: list[int], known: frozenset[int]) -> set[int]:
     """Of an edge with two sides, a rod, the side that a thing which touches it is not on: not the one at which it
     was, else that with the narrower gap or, between equal ones, that which moves away."""
     b = still.bounded

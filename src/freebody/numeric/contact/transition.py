@@ -22,10 +22,10 @@ from freebody.numeric.contact.keller import impact_without_collision
 from freebody.numeric.contact.problem import OutcomeCount
 from freebody.numeric.contact.rebounds import settle
 from freebody.numeric.contact.rows import ContactInstant, ModeOf
-from freebody.numeric.contact.stillness import STILL, Stillness
+from freebody.numeric.contact.stillness import STILL, MotionSpeeds
 from freebody.numeric.contact.touching import far_sides, touching_at
 from freebody.numeric.kernels.arrays import Floats
-from freebody.numeric.options import Law
+from freebody.numeric.options import ImpactLaw
 
 N_IMPACTS = 50
 
@@ -33,11 +33,11 @@ N_IMPACTS = 50
 class InstantTransition:
     """Decides what follows on an instant of one system."""
 
-    def __init__(self, bounded: Bounded, law: Law, *, jams: bool = False) -> None:
+    def __init__(self, bounded: Bounded, law: ImpactLaw, *, jams: bool = False) -> None:
         """jams: where no force is consistent, a contact may take an impulse without a collision."""
         self.bounded, self.jams = bounded, jams
         self.collisions = Collisions(bounded, law)
-        self.still = Stillness(bounded)
+        self.still = MotionSpeeds(bounded)
 
     def after(
         self,

@@ -27,7 +27,7 @@ ALL = slice(None)
 STILL = np.array([1.0, 0.0, 0.0, 0.0])  # the quaternion of no turn
 
 
-class Track(NamedTuple):
+class BodyTrack(NamedTuple):
     """Bodies along a motion, as a `Trajectory` has them."""
 
     poses: Floats
@@ -70,7 +70,7 @@ class Border(Protocol):
         """(n_times, n_coordinates) accelerations along a motion."""
         ...
 
-    def track(self, states: Floats, accelerations: Floats) -> Track:
+    def track(self, states: Floats, accelerations: Floats) -> BodyTrack:
         """States (n_times, n_y) and accelerations (n_times, n_coordinates) as a course has them."""
         ...
 
@@ -115,10 +115,10 @@ class PlaneBorder:
     def accelerations(self, course: Trajectory) -> Floats:
         return np.ascontiguousarray(course.accelerations.reshape(len(course.times), self.n_coordinates))
 
-    def track(self, states: Floats, accelerations: Floats) -> Track:
+    def track(self, states: Floats, accelerations: Floats) -> BodyTrack:
         n = self.n_coordinates
         shape = (len(states), n // 3, 3)
-        return Track(
+        return BodyTrack(
             states[:, :n].reshape(shape), states[:, n : 2 * n].reshape(shape), accelerations.reshape(shape), None
         )
 
@@ -181,7 +181,7 @@ class SpaceBorder:
         both = np.concatenate([course.accelerations, turning], axis=2)
         return np.ascontiguousarray(both.reshape(len(course.times), self.n_coordinates))
 
-    def track(self, states: Floats, accelerations: Floats) -> Track:
+    def track(self, states: Floats, accelerations: Floats) -> BodyTrack:
         n, n_times = self.n_coordinates, len(states)
         q, v = (x.reshape(n_times, -1, 6) for x in (states[:, :n], states[:, n : 2 * n]))
         a = accelerations.reshape(n_times, -1, 6)
@@ -193,7 +193,7 @@ class SpaceBorder:
             accelerations=turned(frames, a[:, :, 3:]),
             velocities_in_body=turned(self._own, v[:, :, 3:]),
         )
-        return Track(q[:, :, :3].copy(), v[:, :, :3].copy(), a[:, :, :3].copy(), rotation)
+        return BodyTrack(q[:, :, :3].copy(), v[:, :, :3].copy(), a[:, :, :3].copy(), rotation)
 
     def largest_turn(self, before: Floats, after: Floats, bodies: Sequence[int] | None = None) -> Floats:
         change = (after - before)[..., 2 * self.n_coordinates + 1 :]

@@ -21,7 +21,7 @@ from freebody.model.rotations import UNIT
 from freebody.numeric.described import axes_of
 from freebody.numeric.jets import Array
 from freebody.numeric.mobility.rank import CLEAR_CUT, scaled_rows
-from freebody.numeric.mobility.sparse_rows import LARGE, SparseRows
+from freebody.numeric.mobility.sparse_rows import LARGE, FactoredRows
 from freebody.numeric.system import NumericSystem
 from freebody.system.system import System
 
@@ -60,7 +60,7 @@ def _free(reference: NumericSystem, q: Array) -> tuple[int, Callable[[Array], Ar
     rows = reference.system.constraint_rows
     if LARGE < len(rows) <= len(q):
         try:
-            sparse = SparseRows(scaled_rows(reference, q, rows))
+            sparse = FactoredRows(scaled_rows(reference, q, rows))
             if sparse.smallest() > CLEAR_CUT:
                 return len(q) - len(rows), sparse.across
         except ValueError:

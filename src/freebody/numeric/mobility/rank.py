@@ -29,7 +29,7 @@ from freebody.numeric.jets import Array
 from freebody.numeric.mobility.balls import BallRows, refined, row_lengths
 from freebody.numeric.mobility.elimination import CircuitElimination, Unclear, unit_rows
 from freebody.numeric.mobility.exact import BITS, precision
-from freebody.numeric.mobility.sparse_rows import LARGE, SparseRows
+from freebody.numeric.mobility.sparse_rows import LARGE, FactoredRows
 from freebody.numeric.split import RANK_CUT, stack
 from freebody.numeric.system import NumericSystem
 
@@ -159,7 +159,7 @@ def _independent(J: Array) -> float | None:
         return None
     if len(J) > LARGE:
         try:
-            smallest = SparseRows(J).smallest()
+            smallest = FactoredRows(J).smallest()
         except ValueError:
             return None
         return smallest if smallest > _MARGIN * CLEAR_CUT else None

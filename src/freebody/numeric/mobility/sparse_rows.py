@@ -22,7 +22,7 @@ LARGE = 120  # rows, from which on the sparse factor is the quicker one
 _N_ITERATIONS = 12
 
 
-class SparseRows:
+class FactoredRows:
     """Rows J of unit length, factored."""
 
     def __init__(self, J: Array) -> None:

@@ -29,7 +29,7 @@ from freebody.present.picture.whole import Whole
 from freebody.present.places import Places
 from freebody.present.scene import Scene
 from freebody.present.space.drawing import SpatialDrawing, shells_of
-from freebody.present.space.figures import Joint, Poses, joints_of
+from freebody.present.space.figures import DrawnJoint, Poses, joints_of
 from freebody.present.space.looks import OF_BODIES
 from freebody.present.space.painter import Shot, paint, painted_shot, shots
 from freebody.present.space.shells import Shells
@@ -231,7 +231,7 @@ class WholeInSpace(Whole):
         places = tuple((spot, sign * across(way)) for spot in (tip, (start + tip) / 2) for sign in (1.0, -1.0))
         self.sketch.wish(Wish(self._rate(called), places, 10.5, Ink("velocity"), weight=4.0))
 
-    def _is_about(self, joint: Joint, body: int, axis: Array) -> bool:
+    def _is_about(self, joint: DrawnJoint, body: int, axis: Array) -> bool:
         if body not in (joint.first.body, joint.second.body) or joint.axis is None:
             return False
         return abs(float(self.poses.heading(joint.axis, 0) @ axis)) > 1.0 - 1e-9

@@ -15,7 +15,7 @@ _TURNS = {"not": 3, "about": 2, "rolls": 2, "freely": 0}  # components of a turn
 
 
 @dataclass(frozen=True)
-class Joint:
+class DrawnJoint:
     """What one connection keeps: how many components of the way between two places, and of the turn between their
     bodies.
 
@@ -79,24 +79,24 @@ def poses_of(scene: Scene, centers: Array, axes: Array) -> Poses:
     return Poses(np.concatenate((centers, still[0]), axis=1), np.concatenate((axes, still[1]), axis=1))
 
 
-def joints_of(scene: Scene, poses: Poses) -> Iterator[Joint]:
+def joints_of(scene: Scene, poses: Poses) -> Iterator[DrawnJoint]:
     """The joints of a scene; poses: by which a rail is found that goes through where its point is at the start."""
     for sign in scene.signs:
         match sign:
             case Pin(first, second, axis):
-                yield Joint(first, second, 3, 2, upright(scene, axis))
+                yield DrawnJoint(first, second, 3, 2, upright(scene, axis))
             case Weld(first, second):
-                yield Joint(first, second, 3, 3)
+                yield DrawnJoint(first, second, 3, 3)
             case Ball(first, second, passes_turn):
-                yield Joint(first, second, 3, int(passes_turn))
+                yield DrawnJoint(first, second, 3, int(passes_turn))
             case Cross(first, second, arms):
-                yield Joint(first, second, 3, 1, arms=arms)
+                yield DrawnJoint(first, second, 3, 1, arms=arms)
             case Rail(through, point, along, turning, has_thread):
                 if through is None:
                     through = Place(along.body, *poses.back(along.body, poses.place(point, 0), 0))
-                yield Joint(through, point, 2, _TURNS[turning], along, has_thread=has_thread)
+                yield DrawnJoint(through, point, 2, _TURNS[turning], along, has_thread=has_thread)
             case Face(through, point, normal, turning):
-                yield Joint(through, point, 1, _TURNS[turning], normal)
+                yield DrawnJoint(through, point, 1, _TURNS[turning], normal)
             case _:
                 pass
 

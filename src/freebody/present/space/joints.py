@@ -11,7 +11,7 @@ from freebody.model.solids import NO_SOLID
 from freebody.present.figures import Array, Groove, Heading
 from freebody.present.scene import Scene
 from freebody.present.space.cuts import DEEP, Cuts
-from freebody.present.space.figures import Joint, Poses
+from freebody.present.space.figures import DrawnJoint, Poses
 from freebody.present.space.pieces import Piece, ball
 from freebody.present.space.shells import Shells
 from freebody.present.space.solids import Solid, basis, box, prism, tube
@@ -34,7 +34,7 @@ class Joints:
         for groove in self.scene.grooves:
             yield from self._groove(groove)
 
-    def _joint(self, joint: Joint) -> Iterator[Piece]:
+    def _joint(self, joint: DrawnJoint) -> Iterator[Piece]:
         """The sign of a joint by what it holds."""
         if joint.arms is not None:
             yield from self._cross(joint)
@@ -54,13 +54,13 @@ class Joints:
         if joint.n_places < 3 and joint.n_turns == 0 and not (form is not None and form.is_particle):
             yield ball(joint.second, BALL * self.u, "joint")
 
-    def _thickness(self, joint: Joint) -> float:
+    def _thickness(self, joint: DrawnJoint) -> float:
         """[m] the radius of a shaft that ends in a joint, unless it is much thicker than a symbol."""
         forms = [self.cuts.forms.get(place.body) for place in (joint.first, joint.second)]
         radii = [form.sizes[0] for form in forms if form is not None and form.solid.is_shaft]
         return max((radius for radius in radii if radius < 6 * self.u), default=0.0)
 
-    def _cross(self, joint: Joint) -> Iterator[Piece]:
+    def _cross(self, joint: DrawnJoint) -> Iterator[Piece]:
         """Two arms, one in each yoke."""
         assert joint.arms is not None
         for place, arm in zip((joint.first, joint.second), joint.arms, strict=True):
@@ -75,7 +75,7 @@ class Joints:
         if self.scene.is_fixed(joint.first.body) or self.scene.is_fixed(joint.second.body):
             yield from self.stands.held(joint.first, joint.second)
 
-    def _hinge(self, joint: Joint, axis: Heading) -> Iterator[Piece]:
+    def _hinge(self, joint: DrawnJoint, axis: Heading) -> Iterator[Piece]:
         """An axle along the axis, out of both bodies; through the rim of a ring."""
         along = self.poses.heading(axis, 0)
         tip = self.shells.tip(joint)
@@ -91,14 +91,14 @@ class Joints:
                 yield Piece(part, joint.second, joint.second.body, "joint")
         yield from self._bearing(joint, along, [end for ends in parts for end in (ends[0], ends[-1])])
 
-    def _shell_part(self, joint: Joint, along: Array, tip: float) -> list[float]:
+    def _shell_part(self, joint: DrawnJoint, along: Array, tip: float) -> list[float]:
         """From where to where an axle runs on a sphere of bodies without extent: out of the solid inside it, if any."""
         low, high = self.cuts.inside((joint.first, joint.second), along)
         is_alone = low == high == 0.0
         start = tip - np.sign(tip) * 0.9 * self.u if is_alone else high if tip > 0 else low
         return sorted((float(start), tip + float(np.sign(tip)) * 0.9 * self.u))
 
-    def _rim_parts(self, joint: Joint, along: Array) -> list[list[float]]:
+    def _rim_parts(self, joint: DrawnJoint, along: Array) -> list[list[float]]:
         """From where to where an axle runs between a ring and what is inside it or outside; empty without a ring."""
         at = self.poses.place(joint.second, 0)
         radii: list[tuple[float, float]] = []  # where the middle is along the axis, and how far the rim is from there
@@ -121,7 +121,7 @@ class Joints:
         inner, outer = reach[0], reach[-1] + 0.6 * self.u
         return [[middle + inner, middle + outer], [middle - outer, middle - inner]]
 
-    def _bearing(self, joint: Joint, along: Array, ends: Iterable[float]) -> Iterator[Piece]:
+    def _bearing(self, joint: DrawnJoint, along: Array, ends: Iterable[float]) -> Iterator[Piece]:
         """A stand for an axle on the ground: under its lower end, or under the end away from the body."""
         fixed = [place for place in (joint.first, joint.second) if place.body == self.scene.ground]
         if len(fixed) != 1:
@@ -146,7 +146,7 @@ class Joints:
             yield Piece(part, groove.center, groove.center.body, "rail")
         yield ball(groove.point, BALL * self.u, "joint")
 
-    def _rail(self, joint: Joint, axis: Heading) -> Iterator[Piece]:
+    def _rail(self, joint: DrawnJoint, axis: Heading) -> Iterator[Piece]:
         """A bar along which the second body moves: square where it does not turn, with a thread on a screw."""
         u = self.u
         between = self.poses.way(joint.second) - self.poses.way(joint.first)

@@ -33,7 +33,7 @@ class Loads:
         for shown in sorted(self.scene.shown, key=lambda shown: _ORDER.get(type(shown.sign), 0)):
             yield from self.pieces_of(shown)
 
-    def pieces_of(self, shown: figures.Shown) -> Iterator[Piece]:
+    def pieces_of(self, shown: figures.ShownGlyph) -> Iterator[Piece]:
         match shown.sign:
             case Rod(first, second):
                 yield from self._rod(first, second)

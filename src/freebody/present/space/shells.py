@@ -17,7 +17,7 @@ from freebody.model.solids import NO_SOLID
 from freebody.present.figures import Array, Figure, Heading
 from freebody.present.scene import Scene
 from freebody.present.space.bodies import reach
-from freebody.present.space.figures import Joint, Poses, joints_of
+from freebody.present.space.figures import DrawnJoint, Poses, joints_of
 from freebody.present.space.pieces import Piece, ball
 from freebody.present.space.solids import basis, marked, prism, tube
 
@@ -48,7 +48,7 @@ class Shells:
         self.radius = max(_SHARE * size, _ROOM * max(near, default=0.0)) or 1.0
         self.joints = tuple(joints_of(scene, poses))
         self.crosses, self.forks = self._universal()
-        self._tips: dict[Joint, float] = {}
+        self._tips: dict[DrawnJoint, float] = {}
         taken: list[Array] = []
         for joint in self.joints:
             if joint.axis is None or not self._bodies(joint):
@@ -66,9 +66,9 @@ class Shells:
         single = [index for index in self.forms if len(self._axes(index)) == 1]
         self._places = {index: _ASIDE * self.radius if len(single) > 1 else 0.0 for index in single}
 
-    def _universal(self) -> tuple[set[int], dict[int, Joint]]:
+    def _universal(self) -> tuple[set[int], dict[int, DrawnJoint]]:
         """Bodies that are a cross, and the joints that bear shafts with a fork, by shaft."""
-        of: dict[int, list[Joint]] = {index: [] for index in self.forms}
+        of: dict[int, list[DrawnJoint]] = {index: [] for index in self.forms}
         for joint in self.joints:
             for place in (joint.first, joint.second):
                 if place.body in of:
@@ -81,7 +81,7 @@ class Shells:
             if len(joints) == 2 and all(_other(joint, index) in shafts for joint in joints) and self._is_square(joints)
         }
 
-        def is_yoke(joint: Joint, index: int) -> bool:
+        def is_yoke(joint: DrawnJoint, index: int) -> bool:
             other = _other(joint, index)
             return other in crosses or (joint.arms is not None and other in shafts)
 
@@ -92,23 +92,23 @@ class Shells:
         }
         return {index for index in crosses if all(_other(j, index) in forks for j in of[index])}, forks
 
-    def _is_held(self, joint: Joint) -> bool:
+    def _is_held(self, joint: DrawnJoint) -> bool:
         return self.scene.is_fixed(joint.first.body) or self.scene.is_fixed(joint.second.body)
 
-    def _is_square(self, joints: Sequence[Joint]) -> bool:
+    def _is_square(self, joints: Sequence[DrawnJoint]) -> bool:
         """Whether two joints have axes at right angles."""
         axes = [self.poses.heading(joint.axis, 0) for joint in joints if joint.axis is not None]
         return len(axes) == 2 and abs(float(axes[0] @ axes[1])) < 1e-6
 
-    def is_in_fork(self, joint: Joint) -> bool:
+    def is_in_fork(self, joint: DrawnJoint) -> bool:
         """Whether a joint is that of a cross in a fork."""
         return joint.first.body in self.crosses or joint.second.body in self.crosses
 
-    def tip(self, joint: Joint) -> float:
+    def tip(self, joint: DrawnJoint) -> float:
         """[m] where along its axis a joint of a body without extent is drawn; 0 for other joints."""
         return self._tips.get(joint, 0.0)
 
-    def _bodies(self, joint: Joint) -> list[int]:
+    def _bodies(self, joint: DrawnJoint) -> list[int]:
         return [place.body for place in (joint.first, joint.second) if place.body in self.forms]
 
     def _axes(self, index: int) -> list[Array]:
@@ -162,7 +162,7 @@ class Shells:
         bar = prism(0.5 * u, 0.0, length, 16).moved(basis(shaft), deep)
         yield Piece(bar, form.center, form.index, look, color)
 
-    def _arms_of(self, index: int) -> Iterator[tuple[Joint, Array]]:
+    def _arms_of(self, index: int) -> Iterator[tuple[DrawnJoint, Array]]:
         """The joints of a body and their axes on its side, unit vectors along its own axes."""
         for joint in self.joints:
             if index in (joint.first.body, joint.second.body):
@@ -172,7 +172,7 @@ class Shells:
                     yield joint, np.array(self.poses.turned_back(index, self.poses.heading(arm, 0), 0))
 
 
-def _other(joint: Joint, index: int) -> int:
+def _other(joint: DrawnJoint, index: int) -> int:
     """The body on the other side of a joint."""
     return joint.second.body if joint.first.body == index else joint.first.body
 

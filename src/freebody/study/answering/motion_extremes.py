@@ -42,7 +42,7 @@ from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.unknowns import Coordinate
-from freebody.symbolic.way import EnergyPath, Span
+from freebody.symbolic.way import EnergyPath, PassedPlaces
 from freebody.symbolic.zeros import reals
 
 _NO_FORM = CannotAnswer(Message("where its slope along the motion vanishes has no closed form"))
@@ -67,7 +67,7 @@ class Along:
     setup: Setup
     c: Coordinate
     way: EnergyPath
-    span: Span
+    span: PassedPlaces
     even: Ratio
     odd: Ratio
     is_root: bool

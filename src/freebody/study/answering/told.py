@@ -30,7 +30,7 @@ class _Case(Protocol):
     def what(self) -> str: ...
 
 
-class Told(Protocol):
+class ShownAnswer(Protocol):
     """An answer, as far as it is shown."""
 
     @property
@@ -65,11 +65,11 @@ class Told(Protocol):
     def evidence(self) -> _Evidence | None: ...
 
 
-def answer_section(answer: Told) -> Section:
+def answer_section(answer: ShownAnswer) -> Section:
     return Section(question_title(answer.id, answer.question), tuple(answer_blocks(answer)))
 
 
-def answer_blocks(answer: Told) -> Iterator[Block]:
+def answer_blocks(answer: ShownAnswer) -> Iterator[Block]:
     if answer.understood not in ("", answer.question):
         yield from entries(entry("understood", answer.understood))
     if answer.expression is None:
@@ -85,14 +85,14 @@ def answer_blocks(answer: Told) -> Iterator[Block]:
     yield from entries(*_value(answer, "value"), *_said(answer))
 
 
-def _value(answer: Told, label: str) -> Iterator[Entry]:
+def _value(answer: ShownAnswer, label: str) -> Iterator[Entry]:
     if answer.value is not None:
         values = answer.value if isinstance(answer.value, tuple) else None
         text = number_text(answer.value) if values is None else f"({', '.join(map(number_text, values))})"  # type: ignore[arg-type]
         yield entry(label, text + ("" if answer.unit == "1" else f" {answer.unit}"))
 
 
-def _said(answer: Told) -> Iterator[Entry]:
+def _said(answer: ShownAnswer) -> Iterator[Entry]:
     yield entry("valid", *answer.conditions)
     yield entry("cases", *(_case(case.expression, case.conditions, case.what) for case in answer.cases))
     yield entry("note", *answer.notes)

@@ -24,7 +24,7 @@ from freebody.study.mobility.dead_points import DeadPoint, dead_points, needs_of
 from freebody.study.mobility.four_links import FourLinks
 from freebody.study.setup import Setup
 from freebody.study.steady.drive import FreeToTurn, followed, without_drive
-from freebody.study.steady.round_turn import FullTurn
+from freebody.study.steady.round_turn import DrawnTurn
 from freebody.symbolic.closure import explicit
 from freebody.symbolic.field import Ratio
 
@@ -94,7 +94,7 @@ def find(links: FourLinks, question: Question, q: AtDeadPoints) -> Finding:
 
 def _there(links: FourLinks, q: AtDeadPoints, draw: Draw, points: Sequence[DeadPoint]) -> tuple[float, ...]:
     """The quantity by the numeric route in the poses of the dead points."""
-    turn = FullTurn(links.setup, draw, links.model.coordinates[0], q.of)
+    turn = DrawnTurn(links.setup, draw, links.model.coordinates[0], q.of)
     angles = element_at(links.setup, tuple(point.value for point in points), draw, turn.start)
     return tuple(turn.at(math.remainder(angle - turn.here, math.tau)) for angle in angles)
 

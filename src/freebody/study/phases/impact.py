@@ -43,7 +43,7 @@ from freebody.system.system import System
 
 
 @dataclass(frozen=True)
-class Blow:
+class CollisionOutcome:
     """One outcome of an impact. Elements are of the field of the collision; `speeds` of the coordinates after it, by
     generator; `conditions` make it the one that follows."""
 
@@ -110,7 +110,7 @@ class ClosedFormCollision:
         """How a quantity grows with each impulse."""
         return {name: self.here(self.model.field.partial(x, column)) for name, column in self.columns.items()}
 
-    def blows(self) -> Iterator[Blow]:
+    def blows(self) -> Iterator[CollisionOutcome]:
         """The outcomes that may follow."""
         f = self.model.field
         table = {row.name: self.slopes(self.now_acceleration(row)) for row in self.struck}
@@ -171,7 +171,7 @@ class ClosedFormCollision:
         zero = self.model.field.zero
         return {k: self.model.field.lowest_terms(solved.pivots[columns[k]].get(RHS, zero)) for k in wanted}
 
-    def _blow(self, impulses: dict[str, Ratio], checks: Sequence[Inequality]) -> Blow:
+    def _blow(self, impulses: dict[str, Ratio], checks: Sequence[Inequality]) -> CollisionOutcome:
         model, f = self.model, self.model.field
         speeds: dict[int, Ratio] = {}
         for c, a in zip(model.coordinates, model.accelerations, strict=True):
@@ -188,7 +188,7 @@ class ClosedFormCollision:
                     )
                 )
         conditions += self._kept_touching(impulses)
-        return Blow(impulses, speeds, tuple(conditions))
+        return CollisionOutcome(impulses, speeds, tuple(conditions))
 
     def total(self, x: Ratio, impulses: Mapping[str, Ratio]) -> Ratio:
         """How much impulses make of what grows with forces along the same rows."""

@@ -24,7 +24,7 @@ from freebody.study.phases.ends import PhaseOutcome, Proofs
 from freebody.study.phases.events import first_events
 from freebody.study.phases.handing_over import taking_over
 from freebody.study.phases.home import Home
-from freebody.study.phases.impact import Blow, ClosedFormCollision
+from freebody.study.phases.impact import ClosedFormCollision, CollisionOutcome
 from freebody.study.phases.nodes import PhaseEnd, PhaseImpact, PhaseNode, PhaseStart
 from freebody.study.phases.numbers import Chosen
 from freebody.study.phases.phase import Phase, Placed
@@ -150,12 +150,12 @@ class PhaseTree(Home):
             found += nodes
         return found
 
-    def _tested(self, collision: ClosedFormCollision, blow: Blow) -> tuple[list[Inequality], list[Test]]:
+    def _tested(self, collision: ClosedFormCollision, blow: CollisionOutcome) -> tuple[list[Inequality], list[Test]]:
         elements = [(self.to_home(collision.setup, x), relation, purpose) for x, relation, purpose in blow.conditions]
         return elements, [self._test(x, relation, purpose) for x, relation, purpose in elements]
 
     def _after_blow(
-        self, collision: ClosedFormCollision, blow: Blow, instant: PhaseStart, indices: Chosen, depth: int
+        self, collision: ClosedFormCollision, blow: CollisionOutcome, instant: PhaseStart, indices: Chosen, depth: int
     ) -> list[PhaseNode]:
         """A contact without rebound stays closed; what rebounds opens."""
         values = {**collision.start.values, **blow.speeds}

@@ -13,7 +13,7 @@ from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import Direction, Point, position
 from freebody.measures.lead import Lead
 from freebody.model.elements import ConstraintRow
-from freebody.model.glyphs import Rope, Shown, in_numbers
+from freebody.model.glyphs import Rope, ShownGlyph, in_numbers
 from freebody.numeric.jets import Array
 from freebody.numeric.snapshot import Snapshot
 from freebody.numeric.system import NumericSystem
@@ -22,7 +22,7 @@ from freebody.present.layout import headings
 from freebody.present.places import Places
 from freebody.system.system import System
 
-Glyph = Shown[Point, Direction, Expr]
+Glyph = ShownGlyph[Point, Direction, Expr]
 Pull = tuple[str, str, Array, Array]  # body, the body at the other end, where, pull per unit of tension
 
 

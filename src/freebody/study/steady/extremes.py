@@ -24,7 +24,7 @@ from freebody.study.answering.motion_extremes import along, is_size
 from freebody.study.answering.motion_extremes import find as over_motion
 from freebody.study.setup import Setup
 from freebody.study.steady.drive import FreeToTurn, followed
-from freebody.study.steady.round_turn import FullTurn, over_a_turn
+from freebody.study.steady.round_turn import DrawnTurn, over_a_turn
 from freebody.study.steady.turning import Extremum, TurningAngle, TurnPose
 from freebody.symbolic.closure import explicit
 from freebody.symbolic.conditions import Condition, require
@@ -108,7 +108,7 @@ def elsewhere(setup: Setup, c: Coordinate, quantity: Quantity) -> list[dict[int,
     found: list[dict[int, Any]] = []
     for draw in setup.draws[known:]:
         with suppress(CannotAnswer):
-            FullTurn(setup, draw, c, quantity).poses()
+            DrawnTurn(setup, draw, c, quantity).poses()
             found.append(setup.model.samples.numbers(draw.sample()))
     return found
 

@@ -48,7 +48,7 @@ def over_a_turn(
     between = CrossCheck(question, route, INSTANT_TOLERANCE)
 
     def compare(draw: Draw) -> None:
-        turn = FullTurn(setup, draw, c, quantity)
+        turn = DrawnTurn(setup, draw, c, quantity)
         if not all(holds(setup, k, draw, turn.start) for k in conditions):
             return
         low, high = element_at(setup, (least.value, largest.value), draw, turn.start)
@@ -62,7 +62,7 @@ def over_a_turn(
     return reached.evidence()
 
 
-class FullTurn:
+class DrawnTurn:
     """A full turn of one draw, the other coordinates as at its start."""
 
     def __init__(self, setup: Setup, draw: Draw, c: Coordinate, quantity: Quantity) -> None:
@@ -139,7 +139,7 @@ class FullTurn:
         return reference.snapshot(q, reference.velocities(q, (), t, with_start=False), t)
 
 
-def extremes_in_numbers(turn: FullTurn) -> tuple[float, float]:
+def extremes_in_numbers(turn: DrawnTurn) -> tuple[float, float]:
     """The least and the largest value round a turn by the numeric route alone: the best of the poses on the way, and
     between its neighbours the golden section."""
     poses = [(away, q, turn.value(q)) for away, q in sorted(turn.poses(), key=lambda pose: pose[0])]
