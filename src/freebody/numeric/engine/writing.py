@@ -6,7 +6,7 @@ All rows are written once; which of them are held, and along which of them frict
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -22,6 +22,7 @@ from freebody.numeric.engine.ordering import elimination_order
 from freebody.numeric.engine.packed import Composition, Where
 from freebody.numeric.engine.packing import Packing
 from freebody.numeric.engine.programs import Writer
+from freebody.numeric.engine.rows_written import MeasurePlaces, RowSlots
 from freebody.numeric.engine.tapes import Tapes
 from freebody.numeric.kernels import solving
 from freebody.numeric.kernels.arrays import ModelArrays, floats, ints, pointers
@@ -55,74 +56,26 @@ class ArrayBuilder:
         self._tapes = Tapes(packing.numbers.values)
         self._writer = Writer(packing.numbers, packing.bearing_of)
         self._programs: dict[tuple[int, int, float], Program] = {}
+        self._places = MeasurePlaces(packing)
         self._write()
 
     # -- everything but what is held ----------------------------------------------------------
     def _write(self) -> None:
-        p, tapes = self.packing, self._tapes
-        known = p.measures
-        order = sorted(range(len(p.pieces)), key=lambda k: p.pieces[k][0])
-        new_place = {old: new for new, old in enumerate(order)}
-        counts = [sum(1 for index, _ in p.pieces if index == i) for i in range(len(known.kinds))]
-        kinds = np.concatenate(([0], np.cumsum(counts)))
-        sizes = [3 * self.width * k.n_bodies for k in known.kinds]
-        starts = np.concatenate(([0], np.cumsum([n * c for n, c in zip(sizes, counts, strict=True)])))
-        n_entries = int(starts[-1])
-        measure_bodies = np.zeros((len(order), known.max_bodies))
-        measure_numbers = np.zeros((len(order), known.max_numbers))
-        for new, old in enumerate(order):
-            _index, (bodies, numbers) = p.pieces[old]
-            measure_bodies[new, : len(bodies)] = bodies
-            measure_numbers[new, : len(numbers)] = numbers
-        begins = [
-            int(starts[p.pieces[old][0]]) + sizes[p.pieces[old][0]] * (new_place[old] - int(kinds[p.pieces[old][0]]))
-            for old in range(len(p.pieces))
-        ]
-        self._unchanging: dict[int, float] = {}
-        for old, (index, key) in enumerate(p.pieces):
-            gradient = p.constant_gradient(index, key)
-            self._unchanging |= {begins[old] + int(j): float(gradient[j]) for j in np.flatnonzero(~np.isnan(gradient))}
-
-        def slots_of_measure(old: int) -> list[tuple[int, int]]:
-            """Cells that a measure depends on, and where their gradient begins."""
-            _index, (bodies, _numbers) = p.pieces[old]
-            listed = [
-                (self.width * b + c, begins[old] + 3 * (self.width * j + c))
-                for j, b in enumerate(bodies)
-                for c in range(self.width)
-                if b != self.n_bodies
-            ]
-            return [(cell, o) for cell, o in listed if any(self._unchanging.get(o + i) != 0.0 for i in range(3))]
-
-        rows = _Rows(n_entries)
+        p, places, tapes = self.packing, self._places, self._tapes
+        rows = RowSlots(places.n_entries)
         for base in p.bases:
-            rows.add_base([(b, o, c) for k, c in base.terms for b, o in slots_of_measure(k)])
+            rows.add_base([(b, o, c) for k, c in base.terms for b, o in places.slots(k)])
         self._number: dict[Where, int] = {("base", k): k for k in range(len(p.bases))}
-        products: list[tuple[int, int, int]] = []
-        composed: list[tuple[int, int]] = []
-        rated: set[int] = set()
-        for k, other in enumerate(p.other):
-            if isinstance(other, Composition):
-                r = self._number["other", k] = len(rows.slots)
-                used = sorted(set(other.inputs.values()))
-                rated |= set(used)
-                tape = tapes.write(other.expr, {n: (row, 0.0) for n, row in other.inputs.items()})
-                rows.add_composed(len(composed), used)
-                composed.append((r, tape))
-        for k, other in enumerate(p.other):
-            if not isinstance(other, Composition):
-                r = self._number["other", k] = len(rows.slots)
-                terms = [(self._number[c], self._number[m]) for c, m in other.terms]
-                rated |= {x for pair in terms for x in pair}
-                rows.add_product([(len(products) + j, m) for j, (_c, m) in enumerate(terms)])
-                products += [(r, c, m) for c, m in terms]
-        rated |= {self._number[where] for where in p.watched}
+        composed, read = self._compositions(rows)
+        products, multiplied = self._products(rows)
+        # whose rates are asked for: what expressions and products read, and what is watched
+        rated = {*read, *multiplied, *(self._number[where] for where in p.watched)}
         applied_loads = self._pushes(rated)
         self._held = [self._hold(k) for k in range(len(p.held))]
         self._held_slots: list[list[tuple[int, int]]] = [rows.slots[held["row"]] for held in self._held]
         self._limits = [self._limit(slide.friction) for slide in p.dry_friction]
-        self._masses = self._masses_of(self._driven(slots_of_measure))
-        base_terms = [[(new_place[k], c) for k, c in base.terms] for base in p.bases]
+        self._masses = self._masses_of(self._driven())
+        base_terms = [[(places.new[k], c) for k, c in base.terms] for base in p.bases]
         self.rows = {measure: self._number[where] for measure, where in p.by_measure.items()}
         self._measures = {row: measure for measure, row in self.rows.items()}
         for entry, held in zip(p.held, self._held, strict=True):
@@ -130,10 +83,10 @@ class ArrayBuilder:
         self._fixed: dict[str, Any] = {
             **self._masses,
             "constant_force": p.constant_force.ravel().copy(),
-            "kinds": ints(kinds),
-            "starts": ints(starts[:-1]),
-            "measure_bodies": ints(measure_bodies, 2),
-            "measure_numbers": floats(measure_numbers),
+            "kinds": ints(places.kinds),
+            "starts": ints(places.starts[:-1]),
+            "measure_bodies": ints(places.bodies, 2),
+            "measure_numbers": floats(places.numbers),
             "term_ptr": pointers(base_terms),
             "term_measure": ints([k for terms in base_terms for k, _c in terms]),
             "term_coefficient": floats([c for terms in base_terms for _k, c in terms]),
@@ -155,14 +108,42 @@ class ArrayBuilder:
             "load_law": floats(np.array([load["law"] for load in applied_loads]).reshape(-1, 3)),
         }
 
-    def _driven(self, slots_of_measure: Callable[[int], list[tuple[int, int]]]) -> set[int]:
+    def _compositions(self, rows: RowSlots) -> tuple[list[tuple[int, int]], set[int]]:
+        """Rows that are expressions, as (row, tape), and the rows that they read."""
+        composed: list[tuple[int, int]] = []
+        read: set[int] = set()
+        for k, other in enumerate(self.packing.other):
+            if isinstance(other, Composition):
+                r = self._number["other", k] = len(rows.slots)
+                used = sorted(set(other.inputs.values()))
+                read |= set(used)
+                tape = self._tapes.write(other.expr, {n: (row, 0.0) for n, row in other.inputs.items()})
+                rows.add_composed(len(composed), used)
+                composed.append((r, tape))
+        return composed, read
+
+    def _products(self, rows: RowSlots) -> tuple[list[tuple[int, int, int]], set[int]]:
+        """Products of a coefficient and the rate of a measure, as (row of the sum, coefficient, measure), and the rows
+        that they read."""
+        products: list[tuple[int, int, int]] = []
+        read: set[int] = set()
+        for k, other in enumerate(self.packing.other):
+            if not isinstance(other, Composition):
+                r = self._number["other", k] = len(rows.slots)
+                terms = [(self._number[c], self._number[m]) for c, m in other.terms]
+                read |= {x for pair in terms for x in pair}
+                rows.add_product([(len(products) + j, m) for j, (_c, m) in enumerate(terms)])
+                products += [(r, c, m) for c, m in terms]
+        return products, read
+
+    def _driven(self) -> set[int]:
         """Coordinates on which a row that may be held, or a load, can act."""
         p = self.packing
         wheres = [held.where for held in p.held] + [applied[0] for applied in p.applied_loads]
         pieces = {k for where in wheres for k in p.pieces_of(where)}
-        entries = [(3 * cell + i, o + i) for k in pieces for cell, o in slots_of_measure(k) for i in range(3)]
+        entries = [(3 * cell + i, o + i) for k in pieces for cell, o in self._places.slots(k) for i in range(3)]
         constant = np.flatnonzero(p.constant_force)
-        return {c for c, o in entries if self._unchanging.get(o) != 0.0} | set(constant.tolist())
+        return {c for c, o in entries if self._places.unchanging.get(o) != 0.0} | set(constant.tolist())
 
     def _masses_of(self, driven: set[int]) -> dict[str, Any]:
         """Inverse masses, and what is lent where a body has none: but not to the spin of a thin rod that nothing turns
@@ -253,7 +234,8 @@ class ArrayBuilder:
         sorted_held = [held[k] for k in sequence]
         place = {k: n for n, k in enumerate(sorted_held)}
         entries = [
-            held_entries(self._held_slots[k], self._unchanging, self._masses["inverse_mass"]) for k in sorted_held
+            held_entries(self._held_slots[k], self._places.unchanging, self._masses["inverse_mass"])
+            for k in sorted_held
         ]
         rows = [self._held[k] for k in sorted_held]
         slides = [self._slide(friction, direction, place) for friction, direction in sliding]
@@ -336,47 +318,3 @@ class ArrayBuilder:
             up,
             float(kind),
         )
-
-
-class _Rows:
-    """The slots of rows, and what must be added up to fill them."""
-
-    def __init__(self, n_entries: int) -> None:
-        self.n_entries = n_entries
-        self.slots: list[list[tuple[int, int]]] = []
-        self.cleared: list[int] = []
-        self.mix: list[tuple[int, int, float]] = []
-        self.product_mix: list[tuple[int, int, int]] = []
-        self.composed_mix: list[tuple[int, int, int, int]] = []
-
-    def _own(self, cells: Iterable[int]) -> dict[int, int]:
-        """Entries of its own for a row, three for each cell."""
-        own: dict[int, int] = {}
-        for cell in cells:
-            if cell not in own:
-                own[cell] = self.n_entries
-                self.cleared.append(self.n_entries)
-                self.n_entries += 3
-        self.slots.append(list(own.items()))
-        return own
-
-    def add_base(self, pieces: Sequence[tuple[int, int, float]]) -> None:
-        """A row of measures: (cell, entries, coefficient). A single measure lends it its own entries."""
-        cells = [b for b, _o, _c in pieces]
-        if len(set(cells)) == len(cells) and all(c == 1.0 for _b, _o, c in pieces):
-            self.slots.append([(b, o) for b, o, _c in pieces])
-            return
-        own = self._own(cells)
-        self.mix += [(own[b], o, c) for b, o, c in pieces]
-
-    def add_product(self, terms: Sequence[tuple[int, int]]) -> None:
-        """A row of products: (product, measure row)."""
-        own = self._own(b for _p, m in terms for b, _o in self.slots[m])
-        self.product_mix += [(own[b], p, o) for p, m in terms for b, o in self.slots[m]]
-
-    def add_composed(self, k: int, used: Sequence[int]) -> None:
-        """A row that is an expression in the rows `used`."""
-        own = self._own(b for m in used for b, _o in self.slots[m])
-        for m in used:
-            pieces = [(own[b], k, o, m) for b, o in self.slots[m]]
-            self.composed_mix += pieces or [(0, k, -1, m)]
