@@ -14,8 +14,6 @@ from typing import Any
 
 import numpy as np
 
-from freebody.errors import CannotAnswer
-from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, LENGTH
 from freebody.measures.base import Measure
 from freebody.measures.distance import Distance
@@ -29,6 +27,7 @@ from freebody.numeric.contact.rows import (
     ModeOf,
     RowProblem,
     UnilateralRow,
+    insist_on_few_places,
     within,
 )
 from freebody.numeric.engine.engine import Engine
@@ -39,10 +38,10 @@ from freebody.numeric.kernels.arrays import Floats
 from freebody.numeric.numbers import Numbers
 from freebody.questions.clock import Clock
 from freebody.system.blows import BlowEvent
+from freebody.system.description import SystemDescription
 
 LENT = 1e-6  # part of the mass lent to massless bodies that they keep in contact problems
 _SAME_SLIP = 1e-11  # relative, of gradients: drags along one line slip together
-MOST_BOUNDS = 6000
 TOUCHING = 1e-10  # gaps below this part of the system's size are none; so far a foot may be beyond the end of its edge
 
 
@@ -53,30 +52,29 @@ class Bounded:
         self, numbers: Numbers, watches: Sequence[EngineWatch] = (), tracked: Sequence[Measure | NonholonomicForm] = ()
     ) -> None:
         system = numbers.system
-        n_sites = sum(len(p.first.rounds) * (len(p.second.straights) + 1) for p in system.contacts)
-        if n_sites > MOST_BOUNDS:
-            way_out = (
-                Message("Take fewer bodies")
-                if system.space
-                else Message("Use time stepping: method moreau, with a step")
-            )
-            raise CannotAnswer(
-                Message(
-                    "{n} pairs can touch at more than {most} places; events of so many are not "
-                    "followed one by one. {way_out}",
-                    n=len(system.contacts),
-                    most=MOST_BOUNDS,
-                    way_out=way_out,
-                )
-            )
+        insist_on_few_places(system)
         self.numbers, self.watches, self.tracked = numbers, tuple(watches), tuple(tracked)
-        self._packing = packing = packed(numbers, watches, tracked)
         self.rows = system.rows
         places = {row.name: k for k, row in enumerate(self.rows)}
         ideal = [UnilateralConstraint(row) for row in system.constraint_rows if row.unilateral]
+        self._packing = packed(numbers, watches, tracked)
+        self._enter(system, ideal, places)
+        self.written = ArrayBuilder(self._packing)
+        self.blows = [self._blow(blow, places) for blow in system.blows]
+        self.past = frozenset[int]()  # the blows that have happened in the motion under way
+        self.bilateral = tuple(k for k, row in enumerate(system.constraint_rows) if not (row.unilateral or row.needs))
         # in the order of their names: where several outcomes are alike, none in the file chooses one
         bounds = sorted([*ideal, *system.bounds], key=lambda bound: bound.name)
-        dry_friction = sorted(enumerate(system.dry_friction), key=lambda numbered: numbered[1].name)
+        grips = {bound.name: _grips(system, bound) for bound in ideal}
+        self.barriers = [self._barrier(b, places[b.name], grips.get(b.name, ()), b in ideal) for b in bounds]
+        self.drags = self._drags(system, places)
+        self._engines: dict[ModeOf, tuple[Engine, tuple[Guard, ...], list[tuple[str, int]]]] = {}
+
+    def _enter(
+        self, system: SystemDescription, ideal: Sequence[UnilateralConstraint], places: Mapping[str, int]
+    ) -> None:
+        """What may be held or pressed, and what is watched for it, is entered in the packing."""
+        packing = self._packing
         for bound in ideal:
             packing.watched.append(packing.held[places[bound.name]].where)
         for bound in system.bounds:
@@ -89,35 +87,24 @@ class Bounded:
                 packing.watch(blow.event.measure)
             for row in blow.rows:
                 packing.closing(row)
-        self.written = ArrayBuilder(packing)
-        self.blows = [self._blow(blow, places) for blow in system.blows]
-        self.past = frozenset[int]()  # the blows that have happened in the motion under way
-        self.bilateral = tuple(k for k, row in enumerate(system.constraint_rows) if not (row.unilateral or row.needs))
-        grips = {
-            bound.name: tuple(
-                k
-                for k, row in enumerate(system.constraint_rows)
-                if row.needs and f"{row.connection}.{row.needs}" == bound.name
-            )
-            for bound in ideal
-        }
-        self.barriers = [self._barrier(b, places[b.name], grips.get(b.name, ()), b in ideal) for b in bounds]
+
+    def _drags(self, system: SystemDescription, places: Mapping[str, int]) -> list[FrictionRow]:
+        """Dry friction in the order of its names, each with the barrier without which there is none."""
         number = {barrier.name: k for k, barrier in enumerate(self.barriers)}
-        self.drags = [
+        return [
             FrictionRow(
                 rub.name,
                 (rub.row.ends[0], rub.row.ends[1]) if len(rub.row.ends) > 1 else (rub.row.connection, ""),
                 self.written.row_of_friction(k),
                 places[rub.name],
                 number.get(rub.of, -1),
-                packing.dry_friction[k].loads,
-                packing.dry_friction[k].sign,
+                self._packing.dry_friction[k].loads,
+                self._packing.dry_friction[k].sign,
                 rub,
                 k,
             )
-            for k, rub in dry_friction
+            for k, rub in sorted(enumerate(system.dry_friction), key=lambda numbered: numbered[1].name)
         ]
-        self._engines: dict[ModeOf, tuple[Engine, tuple[Guard, ...], list[tuple[str, int]]]] = {}
 
     def _blow(self, blow: BlowEvent, places: Mapping[str, int]) -> BlowRow:
         own = tuple(places[row.name] for row in blow.rows)
@@ -387,3 +374,10 @@ class Bounded:
     def keep(self, drag: int, now: ContactInstant) -> None:
         """The slip of a drag is kept from now on where it is."""
         self.written.keep(self.drags[drag].packed, float(self.free.room.rows[self.drags[drag].row, kinematics.VALUE]))
+
+
+def _grips(system: SystemDescription, bound: UnilateralConstraint) -> tuple[int, ...]:
+    """The rows that are held only while an ideal contact is closed."""
+    return tuple(
+        k for k, row in enumerate(system.constraint_rows) if row.needs and f"{row.connection}.{row.needs}" == bound.name
+    )

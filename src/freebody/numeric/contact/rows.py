@@ -6,12 +6,17 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
 from freebody.model.elements import DryFriction as RubElement
 from freebody.model.elements import UnilateralConstraint
 from freebody.numeric.contact.problem import ContactProblem
 from freebody.numeric.engine.evaluator import EngineWatch
 from freebody.numeric.kernels import kinematics
 from freebody.numeric.kernels.arrays import Floats
+from freebody.system.description import SystemDescription
+
+MOST_PLACES = 6000  # at which bodies can touch, each of them followed
 
 
 @dataclass(frozen=True)
@@ -113,3 +118,21 @@ class RowProblem:
 def within(barrier: UnilateralRow, rows: Floats, slack: float = 0.0) -> bool:
     """Whether a barrier exists, by the rows of an engine at the instant that it looked at last."""
     return all(low - slack <= rows[row, kinematics.VALUE] <= high + slack for row, low, high in barrier.within)
+
+
+def insist_on_few_places(system: SystemDescription) -> None:
+    """Raises CannotAnswer where bodies can touch at more places than are followed one by one."""
+    n_sites = sum(len(p.first.rounds) * (len(p.second.straights) + 1) for p in system.contacts)
+    if n_sites > MOST_PLACES:
+        way_out = (
+            Message("Take fewer bodies") if system.space else Message("Use time stepping: method moreau, with a step")
+        )
+        raise CannotAnswer(
+            Message(
+                "{n} pairs can touch at more than {most} places; events of so many are not "
+                "followed one by one. {way_out}",
+                n=len(system.contacts),
+                most=MOST_PLACES,
+                way_out=way_out,
+            )
+        )

@@ -70,20 +70,9 @@ class InstantTransition:
         touching = [k for k in touching_at(b, now, before, touched) if k != left]
         result.behind = far_sides(self.still, now, touching, before.union(touched))
         touching = [k for k in touching if k not in result.behind]
-        # impacts, one after another, until nothing that touches approaches
-        for _ in range(N_IMPACTS):
-            now = b.instant(y, t, near)
-            speed = self.still.speed(y, now)
-            rates = {k: b.barriers[k].sign * float(now.rates[b.barriers[k].place]) for k in touching}
-            if not any(rate < -STILL * speed for rate in rates.values()):
-                break
-            collision = self.collisions.impulses(now, touching, rates)
-            if collision is None:
-                result.status, result.why = OutcomeCount.NONE, Message("the impact")
-                return result
-            outcome, problem = collision
-            change = push(b, y, problem.weighted, outcome.impulses)
-            result.impacts.append(recorded(t, problem, outcome, rates, change))
+        now = self._impacts(result, t, near, touching)
+        if result.status is OutcomeCount.NONE:
+            return result
         # rebounds too small to be followed end at once; then accelerations decide on the mode
         settle(self.still, result, now, touching, near)
         now = b.instant(y, t, near)
@@ -91,13 +80,36 @@ class InstantTransition:
         if self.jams and outcome.status is OutcomeCount.NONE and self._jam(result, now, touching):
             now = b.instant(y, t, near)
             outcome = decide(self.still, result, now, touching, None, forbidden)
-        # an edge that ends may hand its contact over to the next one of the same outlines
         result.status = outcome.status
         if left is not None and result.mode is not None and not result.impacts:
-            family = b.barriers[left].family
-            taken = {k for k in result.mode.closed - before if b.barriers[k].family == family}
-            result.handed = taken | {left} if taken else set()
+            result.handed = self._handed(result.mode, before, left)
         return result
+
+    def _impacts(self, result: After, t: float, near: Floats, touching: list[int]) -> ContactInstant:
+        """Impacts, one after another, until nothing that touches approaches; and the instant after them. Without a
+        consistent impulse the status says so."""
+        b = self.bounded
+        now = b.instant(result.y, t, near)
+        for _ in range(N_IMPACTS):
+            now = b.instant(result.y, t, near)
+            speed = self.still.speed(result.y, now)
+            rates = {k: b.barriers[k].sign * float(now.rates[b.barriers[k].place]) for k in touching}
+            if not any(rate < -STILL * speed for rate in rates.values()):
+                break
+            collision = self.collisions.impulses(now, touching, rates)
+            if collision is None:
+                result.status, result.why = OutcomeCount.NONE, Message("the impact")
+                break
+            outcome, problem = collision
+            change = push(b, result.y, problem.weighted, outcome.impulses)
+            result.impacts.append(recorded(t, problem, outcome, rates, change))
+        return now
+
+    def _handed(self, mode: ModeOf, before: frozenset[int], left: int) -> set[int]:
+        """An edge that ends may hand its contact over to the next one of the same outlines: both."""
+        barriers = self.bounded.barriers
+        taken = {k for k in mode.closed - before if barriers[k].family == barriers[left].family}
+        return taken | {left} if taken else set[int]()
 
     def _jam(self, result: After, now: ContactInstant, touching: list[int]) -> bool:
         """An impulse of a sliding contact without a collision, which ends its slip; False if there is none, or several
