@@ -93,7 +93,7 @@ def _in_child(seed: int, names: list[str], seconds: float) -> tuple[list[TimedOu
         for line in lines:
             begun, plain = json.loads(line)
             if plain:
-                outcome = Outcome(plain["study"], StudyEnd(plain["end"]), plain["message"], plain["place"])
+                outcome = Outcome(plain["study"], End(plain["end"]), plain["message"], plain["place"])
                 found.append(TimedOutcome(seed, outcome, plain["seconds"]))
     _pid, status = os.waitpid(child, 0)
     if not begun:

@@ -202,7 +202,7 @@ def _write(system: System) -> list[Outcome]:
     return [
         Outcome(
             "",
-            StudyEnd.ANSWERED if is_same else StudyEnd.DISAGREE,
+            End.ANSWERED if is_same else End.DISAGREE,
             "" if is_same else "written back it is another model",
         )
     ]

@@ -30,7 +30,7 @@ def struck(
     """The velocities just after a collision, by the contact problem in velocities (`numeric/contact`). Raises
     CannotAnswer where it has no solution."""
     from freebody.numeric.contact.transition import InstantTransition
-    from freebody.numeric.options import Law
+    from freebody.numeric.options import ImpactLaw
     from freebody.study.simulation.simulator import Simulator
 
     simulator = Simulator(base, {n: x for n, x in values.items() if n in base.parameters})
@@ -39,7 +39,7 @@ def struck(
     y = bounded.free.state(*simulator.reference.by_body(q, v))
     bounded.hold_past(past)
     touched = [k for k, barrier in enumerate(bounded.barriers) if barrier.name in hits]
-    after = InstantTransition(bounded, Law.NEWTON).after(y, time, simulator.engine.near(), None, touched)
+    after = InstantTransition(bounded, ImpactLaw.NEWTON).after(y, time, simulator.engine.near(), None, touched)
     if not after.impacts:
         raise CannotAnswer(Message("the impact has no solution in numbers"))
     return simulator.reference.by_column(bounded.free.coordinates(after.y)[1])

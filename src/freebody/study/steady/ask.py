@@ -43,7 +43,7 @@ def number(q: Quantity, setup: Setup, question: Question) -> Value:
 def _number_of_turn(q: Extremes, setup: Setup, question: Question) -> Value:
     from freebody.study.steady.drive import FreeToTurn, followed, turned_by_drive
     from freebody.study.steady.extremes import angle_of
-    from freebody.study.steady.round_turn import FullTurn, extremes_in_numbers
+    from freebody.study.steady.round_turn import DrawnTurn, extremes_in_numbers
     from freebody.symbolic.closure import explicit
 
     if q.what == "time ratio" or question.at_start:
@@ -56,7 +56,7 @@ def _number_of_turn(q: Extremes, setup: Setup, question: Question) -> Value:
         x = followed(setup, q.of)
         refuse_vectors((x,))
         c = angle_of(setup.model, q, explicit(setup.model, setup.model.field.element(x)))
-    turn = FullTurn(setup, setup.draws[0], c, q.of)
+    turn = DrawnTurn(setup, setup.draws[0], c, q.of)
     refuse_vectors((turn.quantity_at(setup.draws[0].q),))
     least, largest = extremes_in_numbers(turn)
     match q.what:
