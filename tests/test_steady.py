@@ -262,6 +262,37 @@ def test_given_angles_are_derived() -> None:
     assert system.explain().derivations[0].reason == ""
 
 
+def test_a_conical_pendulum_has_its_angles_below_the_horizontal(agrees: Agree) -> None:
+    # S cos(beta) = m g with S > 0: whatever holds for all angles does so up to 90 deg only; S > F from acos(m g/F) on
+    given = CONICAL.replace("l: 0.5 m}", "l: 0.5 m, beta: 40 deg, F: 12 N}")
+    steady = "of top in steady motion when theta = beta"
+    assert "every acute angle beta" in the(ask(given, f"range of beta for which size of reaction {steady} > 0")).reason
+    solution = ask(given, f"range of beta for which size of reaction {steady} > F")
+    agrees(solution, the(solution).id, "acos(m*g/F)")
+    assert "so for β > acos(g·m/F) and β < π/2" in the(solution).notes
+    assert "F > g·m (beta is positive)" in the(solution).conditions
+
+
+def test_speeds_at_which_a_bead_stands_above_an_angle(agrees: Agree) -> None:
+    # cos(theta) = g/(R Omega^2) < cos(30 deg); at the bottom and at the top it may stay at any speed
+    solution = ask(HOOP, "range of Omega for which theta in steady motion > 30 deg")
+    agrees(solution, the(solution).id, "sqrt(2*g/(sqrt(3)*R))")
+    assert "the value 0 does not depend on Omega and is left aside" in the(solution).notes
+
+
+def test_a_range_asks_for_no_number_with_which_there_is_the_motion(agrees: Agree) -> None:
+    # at w = 3 rad/s the pendulum hangs down: g/(l w^2) > 1
+    given = CONICAL.replace("l: 0.5 m}", "l: 0.5 m, beta: 40 deg, w: 3 rad/s}")
+    solution = ask(given, "range of l for which theta in steady motion when rate(psi) = w > beta")
+    agrees(solution, the(solution).id, "g/(w**2*cos(beta))")
+
+
+def test_what_one_of_several_values_needs_is_no_condition_of_the_others(agrees: Agree) -> None:
+    given = CONICAL.replace("l: 0.5 m}", "l: 0.5 m, w: 6 rad/s}")
+    solution = ask(given, "speed of bob in steady motion when rate(psi) = w")
+    assert [c for c in the(solution).conditions if "for [3]" in c] == ["l·w² ≥ g (for [3])"]
+
+
 def test_options_are_judged_on_both_roots() -> None:
     system = fb.System.from_text(
         CONICAL

@@ -170,8 +170,12 @@ class QuestionSolver:
             formula = QuestionSolver(setup, asked)
             found = formula._find()
             roots = _roots(q.of, found.element)
-            needed = [[] if isinstance(x, Fraction) else formula._completion().conditions(found, x) for x in roots]
-            formulas = [Formula(x, n, lambda: found.evidence) for x, n in zip(roots, needed, strict=True)]
+            needs = formula._completion().conditions
+            needed = [[] if isinstance(x, Fraction) else needs(found, x, k) for k, x in enumerate(roots)]
+            in_place = q.of.scope != "steady motion"  # a steady motion is looked for by its own route
+            formulas = [
+                Formula(x, n, lambda: found.evidence, is_put_back=in_place) for x, n in zip(roots, needed, strict=True)
+            ]
             answer = solved_for(setup, self.question, formulas)
             self.setup, self.model, self.system = setup, setup.model, system
             return answer

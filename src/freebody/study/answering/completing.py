@@ -82,12 +82,14 @@ class AnswerCompletion:
             evidence=found.evidence,
         )
 
-    def conditions(self, found: Finding, element: Elements) -> list[Condition]:
-        """Everything without which the answer is not true."""
+    def conditions(self, found: Finding, element: Elements, root: int | None = None) -> list[Condition]:
+        """Everything without which the answer is not true. root: which of several values the element is, where it is
+        one of them."""
         if found.is_complete:
             return found.conditions
         q = self.question.quantity
-        conditions = [*found.conditions]
+        own = found.of_root if root is None else found.of_root[root : root + 1]
+        conditions = [*found.conditions, *(c for needed in own for c in needed)]
         if not found.may_be_complex:
             conditions += real(element)
         at_start = self.question.at_start

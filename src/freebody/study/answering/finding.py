@@ -49,6 +49,7 @@ class Finding:
     unit: str | None = None  # where it is not that of the quantity
     has_value: bool = True  # at the model's own numbers and start
     is_complete: bool = False  # whether its conditions are all there are
+    of_root: Sequence[Sequence[Condition]] = ()  # of several values: what each needs for itself
 
 
 def answered(
