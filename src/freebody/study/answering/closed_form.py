@@ -76,9 +76,6 @@ class QuestionSolver:
         from freebody.study.conservation.judge import Judge
 
         found = Judge(self.setup).answer(self.question)
-        answer = Message("conserved for every motion") if found.is_conserved else Message("not conserved")
-        if found.is_conserved is None:
-            answer = found.verdict
         c, blow = found.confirmation, list[str]()
         if self.system.is_struck:
             blow.append(
@@ -93,7 +90,7 @@ class QuestionSolver:
             self.question,
             found.rate,
             0.0 if is_zero else None,
-            conditions=() if found.reason else (answer,),
+            conditions=() if found.reason else (found.verdict,),
             notes=(*notes, *found.notes),
             reason=found.reason or (further(*found.notes) if found.rate is None else ""),
             judgement=Judgement(found.choice, found.options, found.author_notes),
