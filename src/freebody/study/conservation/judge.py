@@ -118,7 +118,9 @@ class Judge:
         if any(found.is_conserved is False for found in findings):
             return ()
         coefficients = [c for claim in claims for c in claim.coefficients]
-        cases = cases_where_zero(coefficients, self.rates.may_vanish) if coefficients else (ALWAYS,)
+        cases: tuple[VanishingCase, ...] = (ALWAYS,)
+        if coefficients:
+            cases = cases_where_zero(coefficients, self.rates.may_vanish)
         for found in findings:
             if not found.is_proved and found.is_conserved is None:
                 cases = tuple(one.with_more(other) for one in cases for other in found.cases)

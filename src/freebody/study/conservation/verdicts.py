@@ -45,8 +45,8 @@ class Verdicts:
 
     @property
     def when(self) -> str:
-        """For which motions, or under which conditions, it is conserved, in words: whether only then is said where it is
-        known."""
+        """For which motions, or under which conditions, it is conserved, in words: whether only then is said where
+        it is known."""
         if self.is_conserved is not None:
             return ("for every motion" if self.is_proved else EVERY_SIMULATED) if self.is_conserved else "no"
         word = "if and only if" if self.is_exact else "if"
