@@ -2,7 +2,8 @@
 
 Energy, and momenta that stay, give all speeds of a motion in its one coordinate q (u^2 = W(q)), and a drive gives
 everything in the time. So f >= 0 on the state becomes f(q) >= 0 from where the motion begins to where it ends, and that
-is so if and only if the least value is not negative: at an end, or where f'(q) = 0 between them.
+is so if and only if the least value is not negative: at an end, or where f'(q) = 0 between them. A loop that just
+closes between the ends has a change point there, from which it goes on in one of two ways: past it f stays positive.
 """
 
 from __future__ import annotations
@@ -36,12 +37,14 @@ class _Time:
         self.index = index
 
 
-def kept_until(motion: SmoothMotion, reached: Reached, conditions: Sequence[Condition]) -> list[Condition]:
+def kept_until(
+    motion: SmoothMotion, reached: Reached, conditions: Sequence[Condition], *, closing: bool = False
+) -> list[Condition]:
     """Conditions on the state from the start to an event, on parameters where the least value on the way is told; the
-    others as they are."""
+    others as they are. closing: that loops close, which between the ends must not only just be so."""
     found: list[Condition] = []
     for c in conditions:
-        on_parameters = _least(motion, reached, c) if _moves(c.element) else None
+        on_parameters = _least(motion, reached, c, is_strict=closing) if _moves(c.element) else None
         found += [c] if on_parameters is None else on_parameters
     return found
 
@@ -50,8 +53,9 @@ def _moves(x: Ratio) -> bool:
     return any(x.field.generators[g].kind in MOVING for g in x.field.ingredients(x))
 
 
-def _least(motion: SmoothMotion, reached: Reached, c: Condition) -> list[Condition] | None:
-    """What a condition comes to at its least values on the way; None where these are not told."""
+def _least(motion: SmoothMotion, reached: Reached, c: Condition, *, is_strict: bool) -> list[Condition] | None:
+    """What a condition comes to at its least values on the way; None where these are not told. is_strict: whether zero is
+    too small between the ends."""
     if c.relation == "!=" or reached.limits is not None:
         return None
     try:
@@ -63,7 +67,9 @@ def _least(motion: SmoothMotion, reached: Reached, c: Condition) -> list[Conditi
         least = [f.lowest_terms(f.follow(x, {variable.index: place})) for place in places]
     except (_NotOne, CannotAnswer, ZeroDivisionError):
         return None
-    told = [condition for value in least if (condition := require(value, c.relation, c.purpose)[0]) is not None]
+    relations = [c.relation] * 2 + [">" if is_strict else c.relation] * (len(least) - 2)
+    needed = [require(value, relation, c.purpose)[0] for value, relation in zip(least, relations, strict=True)]
+    told = [condition for condition in needed if condition is not None]
     return told if _is_all(motion, variable, x, ends, told) else None
 
 
@@ -100,8 +106,8 @@ def _changing(x: Ratio) -> set[int]:
 
 
 def _places_of_least(motion: SmoothMotion, variable: Indexed, x: Ratio, begin: Ratio, end: Ratio) -> list[Ratio] | None:
-    """The ends of a way, and the places between them at which the slope vanishes; None where the order of these depends
-    on the parameters."""
+    """The two ends of a way, then the places between them at which the slope vanishes; None where the order of these
+    depends on the parameters."""
     f = motion.field
     slope, span = f.derivative(x, variable.index), end - begin
     turn = 2 * f.pi

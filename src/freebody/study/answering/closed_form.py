@@ -237,9 +237,10 @@ class QuestionSolver:
         # there is a place but no velocity
         closing = [c for c in self.setup.closing(there) if not self._is_untold(c.element)]
         # on the way there, too
-        everywhere = kept_until(self.setup.motion, reached, self.setup.closing(self.setup.state))
+        everywhere = kept_until(self.setup.motion, reached, self.setup.closing(self.setup.state), closing=True)
         closing += [c for c in everywhere if not c.element.field.ingredients(c.element) & self.model.moving]
-        conditions += closing if q.kinematic_order == 0 else [replace(c, relation=">") for c in closing]
+        is_of_pose = q.kinematic_order == 0 and not (isinstance(event, QuestionEvent) and event.order)
+        conditions += closing if is_of_pose else [replace(c, relation=">") for c in closing]
         evidence = proof.along_motion(
             self.setup,
             self.question.text,

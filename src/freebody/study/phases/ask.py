@@ -31,7 +31,6 @@ from freebody.study.phases.words import action, happening, in_phase
 from freebody.symbolic.conditions import Condition, both, relation_text
 from freebody.symbolic.relations import SolvedRelation, readable
 from freebody.symbolic.validity import texts, validity
-from freebody.tolerances import ROUNDED
 
 
 def answer(tree: PhaseTree, question: Question) -> Answer:
@@ -229,8 +228,8 @@ def _broken(tree: PhaseTree, region: _Region) -> str:
     is_taken = 0 in region.sets
     needs = [n for n in region.piece.needs if region.piece.is_home] if is_taken else region.relations
     for r in needs:
-        x = tree.numbers(r.element)
-        if np.isfinite(x[0]) and not holds(r, np.where(np.abs(x) < ROUNDED, 0.0, x))[0]:
+        x = tree.numbers(r.element)[:1]
+        if np.isfinite(x[0]) and not holds(r, np.zeros(1) if tree.vanishes(r.element) else x)[0]:
             text = relation_text(readable(r.element), r.relation) if isinstance(r, Condition) else r.text()
             return reworded(Message("{condition} is not true there", condition=text), text)
     return "" if is_taken else Message("the model takes another way there")
@@ -247,5 +246,5 @@ def _value(tree: PhaseTree, piece: AnswerBranch) -> Value:
         value = float(tree.numbers(part)[0])
         if not np.isfinite(value):
             return None
-        values.append(0.0 if abs(value) < ROUNDED else value)
+        values.append(0.0 if tree.vanishes(part) else value)
     return tuple(values) if isinstance(piece.value, tuple) else values[0]
