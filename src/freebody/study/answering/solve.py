@@ -20,6 +20,7 @@ from freebody.study.answering.assumed import assumed_at_start
 from freebody.study.answering.closed_form import QuestionSolver
 from freebody.study.answering.finding import NO_FORM, answered
 from freebody.study.answering.numbers import number_of
+from freebody.study.answering.other_turns import with_other_turns
 from freebody.study.answering.parts import part_for
 from freebody.study.answering.solution import Solution
 from freebody.study.setup import Setup, independent_measures
@@ -34,8 +35,15 @@ def solve(system: System, question: str | None = None, *, setup: Setup | None = 
 
     Raises ModelError if the system cannot be assembled or the question cannot be read. A question without a closed
     form, or one whose closed form fails its check, has an Answer that says why and shows no formula."""
-    found = _solved(system, system.questions if question is None else (system.question(question),), setup)
-    return replace(found, answers=tuple(_without_gaps(system, a) for a in found.answers))
+    questions = system.questions if question is None else (system.question(question),)
+    found = _solved(system, questions, setup)
+    one = partial(_one, system)
+    answers = (with_other_turns(q, a, one) for q, a in zip(questions, found.answers, strict=True))
+    return replace(found, answers=tuple(_without_gaps(system, a) for a in answers))
+
+
+def _one(system: System, question: Question) -> Answer:
+    return _solved(system, (question,), None).answers[0]
 
 
 def _without_gaps(system: System, answer: Answer) -> Answer:

@@ -16,7 +16,7 @@ from freebody.questions.course import Transition
 from freebody.questions.reading import AskedEvent, Question
 from freebody.questions.reading_when import is_of_start
 from freebody.study.answering.conditions import as_written, at_instant, real
-from freebody.study.answering.finding import NO_FORM, Elements, why
+from freebody.study.answering.finding import NO_FORM, Elements, NotHere, why
 from freebody.study.phases.changes_asked import (
     begins_with,
     comes_behind,
@@ -87,7 +87,7 @@ def pieces(tree: PhaseTree, question: Question) -> list[AnswerBranch]:
     else:
         found = [_at_instant(tree, question, way) for way in roots]
     if not found:
-        raise CannotAnswer(_not_found(tree, question, met))
+        raise NotHere(_not_found(tree, question, met))
     found.sort(key=lambda p: int(p.sets[0]))
     return [replace(piece, needs=_needs(tree, question, piece)) for piece in found]
 
