@@ -1,4 +1,4 @@
-"""An angle that does not come, while the motion passes the same direction in another turn: 30 deg, 390 deg, -330 deg."""
+"""An angle that does not come, while the motion passes the same direction in another turn: 390 deg for 30 deg."""
 
 from __future__ import annotations
 

@@ -54,8 +54,8 @@ def _moves(x: Ratio) -> bool:
 
 
 def _least(motion: SmoothMotion, reached: Reached, c: Condition, *, is_strict: bool) -> list[Condition] | None:
-    """What a condition comes to at its least values on the way; None where these are not told. is_strict: whether zero is
-    too small between the ends."""
+    """What a condition comes to at its least values on the way; None where these are not told. is_strict: whether zero
+    is too small between the ends."""
     if c.relation == "!=" or reached.limits is not None:
         return None
     try:

@@ -141,7 +141,7 @@ class _Tell:
 
     @answer.register(EnergyLost)
     def _lost(self, q: EnergyLost) -> None:
-        if not all(only_friction_takes_energy(leg.phase.system) for leg in self.way.legs):
+        if q.of or not all(only_friction_takes_energy(leg.phase.system) for leg in self.way.legs):
             raise CannotAnswer(
                 Message("other loads do work as well, and the heat of friction is derived from no line here")
             )

@@ -1,5 +1,7 @@
-"""An event of an angle that does not come, while the motion passes the same direction in another turn: angles are counted
-on, so that 30 deg, 390 deg and -330 deg are three events of one direction."""
+"""An event of an angle that does not come, while the motion passes the same direction in another turn.
+
+Angles are counted on, so that 30 deg, 390 deg and -330 deg are three events of one direction.
+"""
 
 from __future__ import annotations
 

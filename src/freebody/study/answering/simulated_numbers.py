@@ -18,7 +18,7 @@ from freebody.study.answering.crosscheck import as_parts
 from freebody.study.answering.numbers import LONGEST
 from freebody.study.answering.passage import NumericPassage
 from freebody.study.answering.witness import TOLERANCE
-from freebody.study.phases.quantities import only_friction_takes_energy, value_in_mode
+from freebody.study.phases.quantities import only_friction_takes_energy, taking_energy, value_in_mode
 from freebody.study.simulation.instant import SimulatedInstant, with_all_held
 from freebody.study.simulation.motion import SimulatedMotion
 from freebody.study.simulation.observed import observed
@@ -59,8 +59,8 @@ def number_with_changes(system: System, question: Question) -> Value:
     begin = reference.snapshot(q, v)
     now, held = SimulatedInstant(motion, k), with_all_held(system)
 
-    def lost() -> float:
-        if not only_friction_takes_energy(system):
+    def lost(of: str) -> float:
+        if not only_friction_takes_energy(system) or (of and taking_energy(system) != {of}):
             raise CannotAnswer(Message("other loads do work as well, and the heat of friction is not counted apart"))
         before, after = (float(Energy("total").value(system, s)) for s in (begin, now))
         return before - after
