@@ -75,7 +75,9 @@ def _passage(base: System, world: World) -> NumericPassage:
     def there(quantity: Quantity, state: Snapshot = now) -> Any:
         return value_in_mode(quantity, base, state.reference.system, state)
 
-    def lost() -> float:
+    def lost(of: str) -> float:
+        if of:
+            raise CannotAnswer(Message("what is counted on the way is derived from no line here"))
         before, after = (there(EnergyOf("total"), s) for s in (begin, now))
         return before - after
 
