@@ -29,6 +29,7 @@ from freebody.study.phases.result import relations
 from freebody.study.phases.tree import PhaseTree
 from freebody.study.phases.words import action, happening, in_phase
 from freebody.symbolic.conditions import Condition, both, relation_text
+from freebody.symbolic.field import Ratio
 from freebody.symbolic.relations import SolvedRelation, readable
 from freebody.symbolic.validity import texts, validity
 
@@ -95,6 +96,9 @@ def _at_first_turn(tree: PhaseTree, question: Question) -> Answer:
     way = WayToPhase((root,), (), (*tree.assumed, *root.conditions))
     take(struck, at_turning_impacts(tree, struck, event.measure, side, way))
     own = next(((q, p) for q, p in found if 0 in p.sets or not tree.system.has_values), None)
+    is_plain = question.event is None and question.transition is None
+    if own is None and is_plain and tree.system.has_values and side * tree.numbers(rate)[0] < 0.0:
+        return _at_start_of_way(tree, replace(question, quantity=of, at_start=True), side * rate)
     if own is None:
         raise CannotAnswer(Message("no turn on that side was found among the phases of the motion"))
     answer = _of_branches(tree, own[0], [p for q, p in found if q is own[0]])
@@ -105,6 +109,22 @@ def _at_first_turn(tree: PhaseTree, question: Question) -> Answer:
             Message("there it first turns on that side; whether it gets farther later was not looked at"),
         ),
     )
+
+
+def _at_start_of_way(tree: PhaseTree, question: Question, rate: Ratio) -> Answer:
+    """What sets out to the other side (a negative rate, or acceleration from rest) has been farthest at the start."""
+    away, branches = np.flatnonzero(tree.numbers(rate) < 0), list[AnswerBranch]()
+    for piece in pieces(tree, question):
+        sets = np.intersect1d(piece.sets, away)
+        if len(sets):
+            needed = tree.conditions([(-rate, ">", "")], sets)
+            branches.append(replace(piece, sets=sets, conditions=[*piece.conditions, *needed]))
+    answer = _of_branches(tree, question, branches)
+    note = Message(
+        "that is at the start, from where it sets out to the other side; whether it gets farther later was not "
+        "looked at"
+    )
+    return replace(answer, notes=(*answer.notes, note))
 
 
 def _of_branches(tree: PhaseTree, question: Question, found: list[AnswerBranch]) -> Answer:
