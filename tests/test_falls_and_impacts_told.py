@@ -1,4 +1,4 @@
-"""What is said of falls, bounces and strings that come taut: how far, what an impact takes, and where it is not told."""
+"""What is said of falls, bounces and strings that come taut: how far, and what an impact takes."""
 
 from __future__ import annotations
 

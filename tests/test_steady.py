@@ -293,6 +293,46 @@ def test_what_one_of_several_values_needs_is_no_condition_of_the_others(agrees: 
     assert [c for c in the(solution).conditions if "for [3]" in c] == ["l·w² ≥ g (for [3])"]
 
 
+GOVERNOR = """
+space: {up: z}
+parameters: {g: 9.81 m/s^2, m: 1 kg, l: 0.5 m, a: 0.1 m, Omega: 8 rad/s}
+bodies:
+  hub: {body: {inertia: 0.1 kg m^2}, points: {O: [0, 0, 0], A: [0, a, 0]}}
+  bob: {body: {mass: m, inertia: [0, 0, 0]}, points: {top: [0, 0, l]}}
+connections:
+  bearing: {revolute: {first: ground.O, second: hub, about: z}}
+  hinge: {revolute: {first: hub.A, second: bob.top, about: x}}
+  motor: {driver: {measure: psi, follows: Omega*t}}
+loads: {weight: {gravity: g}}
+measures: {psi: angle of hub about z, theta: angle of bob about hub.x relative to hub}
+start: {theta: 0}
+"""
+
+
+@pytest.mark.parametrize(
+    ("question", "formula"),
+    [
+        # S cos(theta) = m g, S sin(theta) = m Omega^2 (a + l sin(theta)): theta itself has no closed form
+        ("value of Omega for which theta = 45 deg in steady motion", "sqrt(g/(a + l/sqrt(2)))"),
+        ("value of Omega for which theta = 30 deg in steady motion", "sqrt(g/(sqrt(3)*(a + l/2)))"),
+        # inwards, and beyond the axis
+        ("value of Omega for which theta = -45 deg in steady motion", "sqrt(g/(l/sqrt(2) - a))"),
+        ("value of l for which theta = 45 deg in steady motion", "sqrt(2)*(g/Omega**2 - a)"),
+        ("value of a for which theta = 45 deg in steady motion", "g/Omega**2 - l/sqrt(2)"),
+    ],
+)
+def test_an_arm_hinged_off_the_axis_stands_at_an_angle(agrees: Agree, question: str, formula: str) -> None:
+    solution = ask(GOVERNOR, question)
+    agrees(solution, the(solution).id, formula)
+
+
+def test_an_arm_that_turns_freely_is_asked_with_its_rate(agrees: Agree) -> None:
+    free = GOVERNOR.replace("  motor: {driver: {measure: psi, follows: Omega*t}}\n", "")
+    free = free.replace("start: {theta: 0}", "start: {theta: 30 deg, rate(psi): Omega}")
+    solution = ask(free, "value of Omega for which theta = 45 deg in steady motion when rate(psi) = Omega")
+    agrees(solution, the(solution).id, "sqrt(g/(a + l/sqrt(2)))")
+
+
 def test_options_are_judged_on_both_roots() -> None:
     system = fb.System.from_text(
         CONICAL

@@ -22,7 +22,7 @@ from freebody.questions.happening import StableEquilibrium, StableSteadyMotion
 from freebody.questions.period import Period
 from freebody.questions.reading import AskedEvent, Question, QuestionEvent
 from freebody.questions.small_motion import Equilibrium, OfSmallMotion, SmallOscillations
-from freebody.questions.steady import Extremes
+from freebody.questions.steady import Extremes, SteadyValue
 from freebody.study.answering import about_rest, loops
 from freebody.study.answering import evidence as proof
 from freebody.study.answering.answer import Answer, Evidence, Value, made
@@ -161,6 +161,12 @@ class QuestionSolver:
             from freebody.study.steady.stable_for import stability as steady_stability
 
             return solved_for(self.setup, self.question, steady_stability(self.setup, is_so=q.of.is_so))
+
+        if isinstance(q.of, SteadyValue):
+            from freebody.study.steady.place_for import at_place
+
+            if formulas := at_place(self.setup, self.question):
+                return solved_for(self.setup, self.question, formulas)
 
         def attempt(system: System) -> Finding:
             setup = self.setup if system is self.system else Setup(system)

@@ -265,7 +265,9 @@ class _Turned:
     def evidence(self, candidate: _Candidate) -> Evidence:
         """The quantity by the numeric route, with the value put in for the parameter; else that of the formula."""
         of, event = self.quantity.of, self.question.event
-        if not (of.is_of_state and self.formula.is_put_back):
+        is_steady = of.scope == "steady motion" and self.formula.in_numbers is not None
+        event = None if is_steady else event  # there it says what the motion keeps
+        if not (is_steady or (of.is_of_state and self.formula.is_put_back)):
             return self.formula.evidence()
         route = (
             Message("the value put in for the parameter, floating-point solve of all bodies and constraints")
