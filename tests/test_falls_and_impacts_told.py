@@ -113,3 +113,37 @@ start: {phi: phi0}
     assert answer.expression is not None
     assert not isinstance(answer.expression, tuple)
     assert to_text(answer.expression) == "asin(10·cos(φ₀)/17)"
+
+
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        (
+            DROP.replace("sphere: {mass: m, radius: r}}", "sphere: {mass: m, radius: r}, at: [0, 0.06 m]}").split(
+                "start:"
+            )[0],
+            "at the start ball is 0.04 m inside floor (touch). Move them apart",
+        ),
+        (
+            DROP.replace(", touching: false", "").replace("y: h,", "y: 0.06 m,"),
+            "as it is given, ball is 0.04 m inside floor (touch). Give a start in which they touch or are apart",
+        ),
+        (
+            FALL.format(rate=0).replace("along: up}}}", "along: up}}, catch: {stop: {measure: y, max: 1.5 m}}}"),
+            "at the start y is beyond its max by 0.5 m (catch). Start within the limits, or change them",
+        ),
+        (
+            """
+bodies: {rod: {rod: {mass: 1 kg, length: 1 m}}}
+connections: {p: {pin: [ground.O, rod.start]}, catch: {stop: {measure: th, max: 30 deg}}}
+measures: {th: angle of rod}
+start: {th: 50 deg}
+""",
+            "th is beyond its max by 20° (catch)",
+        ),
+    ],
+)
+def test_an_impossible_start_is_named_with_the_bodies_the_depth_and_the_cure(text: str, told: str) -> None:
+    with pytest.raises(fb.FreebodyError) as refused:
+        fb.System.from_text(text).simulate(0.1)
+    assert told in str(refused.value)
