@@ -147,3 +147,61 @@ def test_an_impossible_start_is_named_with_the_bodies_the_depth_and_the_cure(tex
     with pytest.raises(fb.FreebodyError) as refused:
         fb.System.from_text(text).simulate(0.1)
     assert told in str(refused.value)
+
+
+# -- what numbers and reasons say ----------------------------------------------------------------
+def test_the_work_on_a_way_out_and_back_is_that_of_a_constant_force() -> None:
+    """Nothing from x = 0 to x = 0, F d from there to -d; the turn between is an instant among those that are summed."""
+    cart = """
+parameters: {m: 1 kg, F: 4 N, v: 3 m/s}
+bodies: {c: {particle: {mass: m}}}
+connections: {t: {slider: {body: c, along: right}}}
+loads: {pull: {force: {at: c, along: left, magnitude: F}}}
+measures: {x: x of c}
+start: {x: 0, rate(x): v}
+"""
+    assert asked(cart, "work of pull until x = 0").value == 0.0
+    assert asked(cart, "work of pull until x = -1 m").value == pytest.approx(4)
+
+
+def test_a_string_at_the_top_is_taut_by_conditions_on_parameters() -> None:
+    # T = m v0^2/L - 5 m g at the top is the least of the way up, also where no sample gets there
+    text = """
+parameters: {m: 0.5 kg, L: 1 m, v0: 6.5 m/s, g: 9.81 m/s^2}
+bodies: {b: {particle: {mass: m}}}
+connections: {s: {string: {from: ground.O, to: b, swings: true}}}
+loads: {weight: {gravity: g}}
+measures: {th: angle of line from ground.O to b from down, r: distance from ground.O to b}
+start: {r: L, th: 0, rate(th): v0/L}
+"""
+    answer = asked(text, "tension of s when th = 180 deg")
+    assert answer.conditions == ("v₀² ≥ 5·L·g (s stays taut)",)
+    assert answer.value is None
+    assert asked(text, "range of v0 for which tension of s > 0 when th = 180 deg").conditions == (
+        "for all positive parameters",
+    )
+
+
+def test_masses_in_balance_are_told_what_an_event_needs() -> None:
+    text = """
+parameters: {m1: 3 kg, m2: 3 kg, g: 9.81 m/s^2}
+ground: {points: {C: [0, 1 m]}}
+bodies: {a: {particle: {mass: m1}}, b: {particle: {mass: m2}}, pulley: {disk: {mass: 1 kg, radius: 0.1 m}}}
+connections: {p: {pin: [ground.C, pulley]}, rope: {string: {from: a, over: [pulley], to: b}}}
+loads: {weight: {gravity: g}}
+measures: {x: drop of a}
+"""
+    assert asked(text, "velocity of x when x = 1 m").reason.endswith("that needs m₁ > m₂")
+
+
+def test_a_number_is_never_that_of_another_equilibrium() -> None:
+    text = """
+parameters: {m: 1 kg, l: 0.5 m, g: 9.81 m/s^2}
+bodies: {a: {rod: {mass: m, length: l}}, b: {rod: {mass: m, length: l}}}
+connections: {r1: {pin: [ground.O, a.start]}, r2: {pin: [a.end, b.start]}}
+loads: {weight: {gravity: g}}
+measures: {p: angle of a from down, q: angle of b from down}
+start: {p: 10 deg, q: 0}
+"""
+    answer = asked(text, "stability of the equilibrium p = 180 deg")
+    assert answer.value is None  # upside down it is unstable, near the start it is not

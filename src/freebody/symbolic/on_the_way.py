@@ -70,7 +70,7 @@ def _least(motion: SmoothMotion, reached: Reached, c: Condition, *, is_strict: b
     relations = [c.relation] * 2 + [">" if is_strict else c.relation] * (len(least) - 2)
     needed = [require(value, relation, c.purpose)[0] for value, relation in zip(least, relations, strict=True)]
     told = [condition for condition in needed if condition is not None]
-    return told if _is_all(motion, variable, x, ends, told) else None
+    return told if _is_all(motion, variable, x, ends, told, least) else None
 
 
 def _on_one_variable(motion: SmoothMotion, reached: Reached, x: Ratio) -> tuple[Indexed, Ratio, tuple[Ratio, Ratio]]:
@@ -126,19 +126,32 @@ def _places_of_least(motion: SmoothMotion, variable: Indexed, x: Ratio, begin: R
 
 
 def _is_all(
-    motion: SmoothMotion, variable: Indexed, x: Ratio, ends: tuple[Ratio, Ratio], told: Sequence[Condition]
+    motion: SmoothMotion,
+    variable: Indexed,
+    x: Ratio,
+    ends: tuple[Ratio, Ratio],
+    told: Sequence[Condition],
+    least: Sequence[Ratio],
 ) -> bool:
-    """Whether at every sample at which the conditions hold the element is nowhere lower on the way."""
+    """Whether at every sample at which the conditions hold the element is nowhere negative on the way; where there is
+    no such sample, whether it is nowhere below its least values."""
     samples = motion.model.samples
     begins, stops = (samples.at_starts(e) for e in ends)
     held = [samples.at_starts(c.element) for c in told]
-    is_seen = False
+    lowest = [samples.at_starts(value) for value in least]
+    is_seen, is_above = False, False
     for s, (a, b) in enumerate(zip(begins, stops, strict=True)):
-        if math.isnan(a) or math.isnan(b) or not all(values[s] >= 0 for values in held):
+        if math.isnan(a) or math.isnan(b):
             continue
         steps = [a + (b - a) * k / _N_STEPS for k in range(_N_STEPS + 1)]
         heights = [samples.at_start_with(x, s, {variable.index: v}) for v in steps]
-        if not all(h >= -_ROUND_OFF * max(map(abs, heights)) for h in heights):
-            return False
-        is_seen = True
-    return is_seen
+        room = _ROUND_OFF * max(map(abs, heights))
+        if all(values[s] >= 0 for values in held):
+            if not all(h >= -room for h in heights):
+                return False
+            is_seen = True
+        elif not is_seen:
+            is_above = min(heights) >= min(values[s] for values in lowest) - room
+            if not is_above:
+                return False
+    return is_seen or is_above

@@ -111,6 +111,8 @@ class QuestionSolver:
             return number_of_loop(q.quantity, self.setup)
         if not self.setup.has_values or q.quantity.scope == "steady motion" or q.quantity.wanted is not None:
             return None
+        if q.event is not None and not q.quantity.is_of_state:
+            return None  # it says of which equilibrium it is asked
         return number_of(self.setup, q.quantity, q.event)
 
     def _find(self) -> Finding:

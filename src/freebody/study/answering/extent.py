@@ -64,9 +64,10 @@ def extent_in_numbers(draw: Draw, measure: Measure, side: int) -> float:
     engine, course = run(reference, start, np.array([start.t, start.t + LONGEST]), watches)
     turns = [h.time for h in course.events if h.kind in ("rising", "falling") and h.time > start.t][:_N_TURNS]
     goes_on = course.status in (Status.FINISHED, Status.TOO_LONG)
-    if not turns and not (goes_on and side * start.rate(measure) <= 0.0):
-        raise SaysNothing(Message("the motion has not turned until t = {t:.6g} s", t=course.t_end))
     if not turns:
+        *_before, last = snapshots(reference, engine, course, start)
+        if not goes_on or side * (last.value(measure) - start.value(measure)) > 0.0:
+            raise SaysNothing(Message("the motion has not turned until t = {t:.6g} s", t=course.t_end))
         return start.value(measure)
     # in small steps, so that an angle of a line is counted on through more than half a turn; turns are among them
     engine, course = run(reference, start, np.linspace(start.t, turns[-1], _N_STEPS), watches)
