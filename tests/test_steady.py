@@ -170,6 +170,13 @@ def test_coin_rolls_in_a_circle(agrees: Agree) -> None:
         assert 6 * 0.1 * 20 * psi * c == pytest.approx(5 * 0.1 * psi**2 * s * c + 4 * 9.81 * s)
 
 
+def test_what_is_given_is_no_condition_of_the_answer() -> None:
+    # at 30 deg: 27 R^2 phi'^2 >= 10 sqrt(3) g R for a real root, and nothing is left to be said of theta
+    answer = the(ask(COIN, "rate of psi in steady motion when theta = 30 deg"))
+    assert not any("cos(θ)" in c for c in answer.conditions)
+    assert any("27·R·φ'² ≥ 10·g·√(3)" in c for c in answer.conditions)
+
+
 def test_floor_carries_the_weight_of_a_coin_in_steady_motion(agrees: Agree) -> None:
     solution = ask(COIN, "normal force of floor in steady motion")
     agrees(solution, the(solution).id, "m*g")
@@ -331,6 +338,13 @@ def test_an_arm_that_turns_freely_is_asked_with_its_rate(agrees: Agree) -> None:
     free = free.replace("start: {theta: 0}", "start: {theta: 30 deg, rate(psi): Omega}")
     solution = ask(free, "value of Omega for which theta = 45 deg in steady motion when rate(psi) = Omega")
     agrees(solution, the(solution).id, "sqrt(g/(a + l/sqrt(2)))")
+
+
+def test_a_parameter_of_the_start_is_none_of_all_steady_motions() -> None:
+    # real for (C phi')^2 >= 4 (A + m l^2 - C) cos(theta) m g l only: phi' is a rate here, s what the file starts with
+    text = TOP.replace("l: 0.1 m}", "l: 0.1 m, s: 200 rad/s}").replace("rate(phi): 200 rad/s", "rate(phi): s")
+    reason = the(ask(text, "range of s for which rate of psi in steady motion when theta = 60 deg > 0")).reason
+    assert reason == "that does not depend on s"
 
 
 def test_options_are_judged_on_both_roots() -> None:

@@ -188,9 +188,10 @@ class RangeSearch(TruthInNumbers):
 
     # -- the answer ---------------------------------------------------------------------------
     def finding(self) -> Finding:
-        own = self.setup.draws[0]
+        own, name = self.setup.draws[0], self.parameter.name
+        if self._is_of_motion_alone():
+            raise CannotAnswer(Message("that does not depend on {name}", name=name))
         found = self.intervals(own)
-        name = self.parameter.name
         if not found:
             raise NoneFound(Message("no value of {name} within its range was found for which that is so", name=name))
         if len(found) == 1 and found[0][0].value is None and found[0][1].value is None:
@@ -210,6 +211,13 @@ class RangeSearch(TruthInNumbers):
             notes.append(Message("the number that the file gives for {name} is left out", name=name))
         evidence = RangeEvidence(self, self.intervals).of(found, conditions)
         return Finding(element, evidence, conditions, notes, has_value=self.setup.has_values, is_complete=True)
+
+    def _is_of_motion_alone(self) -> bool:
+        """Whether what moves stands in the formulas, and the parameter in none: it may be one of the start, which then
+        says nothing of other motions."""
+        elements = [x for t in self.truths for x in (t.element, *(c.element for c in t.conditions)) if x is not None]
+        inside = set[int]().union(*map(self.field.ingredients, elements))
+        return self.index not in inside and bool(inside & self.model.moving)
 
     def _asked(self, found: Sequence[Interval]) -> Ratio | tuple[Ratio, ...]:
         """All ends, or the one that is asked for."""

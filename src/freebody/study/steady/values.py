@@ -40,7 +40,8 @@ def steady_value(setup: Setup, question: Question, q: SteadyValue) -> Finding:
         reworded(Message("every rate is steady where {zero}", zero=zero), zero) for zero in always
     ]
     roots = tuple(_at_start(setup, question, x, solutions) for x in solutions.roots)
-    conditions = setup.holding(steady.state) + setup.clearances(steady.state, ">=")
+    needed = setup.holding(steady.state) + setup.clearances(steady.state, ">=")
+    conditions = [replace(c, element=steady.put_in(c.element)) for c in needed]
     element = roots[0] if len(roots) == 1 else roots
     return Finding(element, evidence, conditions, notes=notes, of_root=_ranges(roots))
 
