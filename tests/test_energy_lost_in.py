@@ -73,3 +73,10 @@ def test_a_floor_and_a_wall_take_their_own_shares() -> None:
 def test_an_unknown_name_is_refused_with_those_there_are() -> None:
     with pytest.raises(fb.ModelError, match="there is no connection or load brak"):
         asked(WHEEL, "energy lost in brak until rate(theta) = 0")
+
+
+def test_nothing_is_lost_where_the_event_is_the_start() -> None:
+    rest = WHEEL.replace("w: 30 rad/s", "w: {value: 0 rad/s, sign: nonnegative}")
+    for where in ("", " in brake"):
+        answer = asked(rest, f"energy lost{where} until wheel stops")
+        assert answer.value in (0.0, None), where

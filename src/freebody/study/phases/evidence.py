@@ -173,7 +173,7 @@ def _since_the_start(tree: PhaseTree, question: Question, piece: AnswerBranch) -
         before = now = mode.snapshot(q, v, 0.0)
         if node.impact is not None:
             before, _q, _v = before_impact(tree.system, node.impact.kept, values)
-        counted = question.quantity.counted(_passage(tree, [], mode, before, now))
+        counted = question.quantity.counted(_passage(tree, piece, [], mode, before, now))
         check.compare(Draw(mode.values, mode.references[0], q), _home_numbers(tree, piece, k), counted)
 
     return check.gather(_numbered(piece), compare).evidence()
@@ -326,7 +326,8 @@ def _passage(
         is_all = takers <= {of} and all(strikes[k] for k, n in enumerate(piece.nodes) if n.impact)
         if all(only_friction_takes_energy(s.mode.system) for s in seen) and (not of or is_all):
             return _energy(begin, mode.system) - _energy(now, mode.system)
-        return sum(_heat(s, of) for s in seen) + _taken_by_impacts(seen, begin, now, strikes)
+        struck = _taken_by_impacts(seen, begin, now, strikes) if seen and any(strikes) else 0.0
+        return sum(_heat(s, of) for s in seen) + struck
 
     def instants(one: PhaseSnapshot) -> Sequence[Snapshot]:
         return [one.begin, *(one.mode.references[0].snapshot(*at) for at in one.looks), one.snapshot()]
