@@ -16,6 +16,7 @@ from freebody.errors import ModelError
 from freebody.language.expression import evaluate
 from freebody.language.parser import parse
 from freebody.study.conservation.conserved import Conservation, Verdicts, conserved
+from freebody.study.conservation.judge import _along
 from freebody.study.settled import start_mode
 from goldens import assert_golden
 
@@ -564,3 +565,91 @@ def test_moments_are_taken_about_points_that_are_called_so() -> None:
     assert searched is not None
     named = [v.question for v in searched.quantities]
     assert len(named) == len(set(named))
+
+
+# -- what simulations show is no proof -----------------------------------------------------------
+ROTOR_ON_A_LINKAGE = """
+parameters: {m: 1 kg, J: 0.02 kg m^2, g: 9.81 m/s^2}
+ground: {points: {A: [0, 0], D: [0.5 m, 0]}}
+bodies:
+  crank: {rod: {mass: m, length: 0.2 m}, near: {angle: 60 deg}}
+  coupler: {rod: {mass: m, length: 0.5 m}}
+  rocker: {rod: {mass: m, length: 0.4 m}}
+  rotor: {body: {mass: m, inertia: J}}
+connections:
+  A: {pin: [ground.A, crank.start]}
+  B: {pin: [crank.end, coupler.start]}
+  C: {pin: [coupler.end, rocker.end]}
+  D: {pin: [ground.D, rocker.start]}
+  E: {pin: [coupler.center, rotor]}
+loads: {weight: {gravity: g}}
+measures: {e: distance from ground.A to crank.end, chi: angle of rotor}
+"""
+
+
+def test_what_only_simulations_show_is_not_said_of_every_motion() -> None:
+    """A rotor pinned at its mass centre keeps its spin; the loop that carries it leaves that without a formula."""
+    question = "angular momentum of rotor about its mass center"
+    verdict = judged(ROTOR_ON_A_LINKAGE, question)
+    assert (verdict.is_conserved, verdict.is_proved, verdict.rate) == (True, False, None)
+    assert verdict.when == verdict.verdict == "constant in every simulated motion"
+    answer = fb.System.from_text(ROTOR_ON_A_LINKAGE).solve(f"is {question} conserved").answers[0]
+    assert answer.conditions == ("constant in every simulated motion",)
+    assert answer.expression is None
+    assert "every motion" not in found(ROTOR_ON_A_LINKAGE, question).to_text()
+    assert _along("x", verdict) == "along x: constant in every simulated motion"
+
+
+def test_options_are_not_told_more_than_simulations_show() -> None:
+    text = ROTOR_ON_A_LINKAGE + (
+        "questions: [{find: is angular momentum of rotor about its mass center conserved, options: {a: always}}]"
+    )
+    option = found(text).quantities[0].options["a"]
+    assert (option.verdict, option.reason) == ("right", "it is constant in every simulated motion")
+
+
+def test_what_geometry_keeps_in_a_closed_loop_is_proved() -> None:
+    # the crank's end stays 0.2 m from its bearing
+    verdict = judged(ROTOR_ON_A_LINKAGE, "e")
+    assert (verdict.is_conserved, verdict.is_proved) == (True, True)
+
+
+def test_a_floating_loop_keeps_its_momentum_by_the_principle() -> None:
+    # nothing acts from outside: dP/dt = 0 and dH/dt = 0 about the mass centre
+    text = """
+bodies:
+  one: {rod: {mass: 1 kg, length: 0.2 m}, near: {angle: 60 deg}}
+  two: {rod: {mass: 1 kg, length: 0.5 m}, near: {angle: 20 deg}}
+  three: {rod: {mass: 1 kg, length: 0.4 m}, near: {angle: 100 deg}}
+  four: {rod: {mass: 1 kg, length: 0.3 m}, near: {angle: 0 deg}}
+connections:
+  A: {pin: [four.start, one.start]}
+  B: {pin: [one.end, two.start]}
+  C: {pin: [two.end, three.end]}
+  D: {pin: [four.end, three.start]}
+loads: {spring: {spring: {first: one.start, second: two.end, stiffness: 20 N/m, length: 0.2 m}}}
+"""
+    for question in ("linear momentum", "angular momentum about its mass center"):
+        verdict = judged(text, question)
+        assert (verdict.is_conserved, verdict.is_proved) == (True, True), question
+
+
+def test_an_angle_that_stays_zero_is_compared_with_a_radian() -> None:
+    """The coupler of a parallelogram linkage stays parallel to the ground: 0, and in numbers round-off."""
+    text = """
+parameters: {r: 0.2 m, d: 0.5 m}
+ground: {points: {A: [0, 0], B: [d, 0]}}
+bodies:
+  left: {rod: {mass: 1 kg, length: r}, near: {angle: 60 deg}}
+  right: {rod: {mass: 1 kg, length: r}, near: {angle: 60 deg}}
+  coupler: {rod: {mass: 1 kg, length: d}, near: {angle: 0 deg}}
+connections:
+  a: {pin: [ground.A, left.start]}
+  b: {pin: [ground.B, right.start]}
+  c: {pin: [left.end, coupler.start]}
+  e: {pin: [right.end, coupler.end]}
+measures: {psi: angle of left, phi: angle of coupler}
+start: {psi: 60 deg}
+"""
+    verdict = judged(text, "phi")
+    assert (verdict.is_conserved, verdict.reason) == (True, "")

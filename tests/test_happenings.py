@@ -195,7 +195,7 @@ def test_what_does_not_happen_is_the_opposite_of_what_does() -> None:
 def test_a_border_between_two_cases_in_both_of_which_it_is_so_is_none() -> None:
     """Faster than sqrt(g R) the bead leaves at once, which is before 30 degrees too."""
     assert " or " not in _told(posed(DOME, "range of v0 for which contact opens before phi = 30 deg"))
-    assert "for every value" in posed(BALL, "range of v0 for which x reaches d").reason
+    assert "for every positive value" in posed(BALL, "range of v0 for which x reaches d").reason
 
 
 def test_rest_is_asked_for_in_the_same_words() -> None:

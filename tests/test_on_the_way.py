@@ -78,7 +78,35 @@ def test_a_bob_on_its_way_back_has_been_where_it_turns() -> None:
 
 def test_a_loop_needs_to_close_up_to_the_event_only() -> None:
     assert asked(CRANK, "velocity of x when theta = 60 deg").conditions == ("4·l² > 3·r² (can be assembled)",)
-    assert asked(CRANK, "x when theta = 150 deg").conditions == ("l ≥ r (can be assembled)",)
+    assert asked(CRANK, "x when theta = 90 deg").conditions == ("l ≥ r (can be assembled)",)
+
+
+@pytest.mark.parametrize(
+    "question", ["x when theta = 150 deg", "velocity of x when theta = 120 deg", "x when rate(x) = 0"]
+)
+def test_a_loop_passes_no_pose_in_which_it_just_closes(question: str) -> None:
+    """With l = r the rod stands across the guide at 90 deg, and the piston may stay there or go on."""
+    assert asked(CRANK, question).conditions == ("l > r (can be assembled)",)
+    answer = asked(CRANK.replace("l: 0.4 m", "l: 0.1 m"), question)
+    assert answer.value is None
+    assert "Not valid for the given numbers: l > r (can be assembled)" in answer.notes
+
+
+def test_an_event_of_a_rate_needs_the_loop_to_close_with_room() -> None:
+    # the rod is slowest where the crank is upright, if it does not get upright itself: there it turns on with l = r
+    text = CRANK.replace("theta: angle of crank", "theta: angle of crank, phi: angle of rod")
+    assert "l > r (can be assembled)" in asked(text, "x when rate(phi) = 0").conditions
+
+
+def test_what_is_but_round_off_of_its_terms_is_zero() -> None:
+    """0.1 m + 0.7 m is less than 0.8 m in doubles: as written the rod is as long as the crank."""
+    assert 0.8 - 0.1 - 0.7 > 0.0
+    text = CRANK.replace("r: 0.1 m, l: 0.4 m", "r1: 0.1 m, r2: 0.7 m, l: 0.8 m").replace(
+        "length: r}", "length: r1 + r2}"
+    )
+    answer = asked(text, "velocity of x when theta = 120 deg")
+    assert answer.value is None
+    assert any("Not valid for the given numbers: l > r₁ + r₂" in note for note in answer.notes)
 
 
 def test_the_limit_of_a_damped_oscillation_is_that_of_all_dampings() -> None:

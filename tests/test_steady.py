@@ -170,6 +170,13 @@ def test_coin_rolls_in_a_circle(agrees: Agree) -> None:
         assert 6 * 0.1 * 20 * psi * c == pytest.approx(5 * 0.1 * psi**2 * s * c + 4 * 9.81 * s)
 
 
+def test_what_is_given_is_no_condition_of_the_answer() -> None:
+    # at 30 deg: 27 R^2 phi'^2 >= 10 sqrt(3) g R for a real root, and nothing is left to be said of theta
+    answer = the(ask(COIN, "rate of psi in steady motion when theta = 30 deg"))
+    assert not any("cos(θ)" in c for c in answer.conditions)
+    assert any("27·R·φ'² ≥ 10·g·√(3)" in c for c in answer.conditions)
+
+
 def test_floor_carries_the_weight_of_a_coin_in_steady_motion(agrees: Agree) -> None:
     solution = ask(COIN, "normal force of floor in steady motion")
     agrees(solution, the(solution).id, "m*g")
@@ -260,6 +267,84 @@ def test_given_angles_are_derived() -> None:
     assert [d.reason for d in system.explain().derivations] == ["", ""]
     system = fb.System.from_text(HOOP + "questions: [{find: value of Omega for which theta = 30 deg in steady motion}]")
     assert system.explain().derivations[0].reason == ""
+
+
+def test_a_conical_pendulum_has_its_angles_below_the_horizontal(agrees: Agree) -> None:
+    # S cos(beta) = m g with S > 0: whatever holds for all angles does so up to 90 deg only; S > F from acos(m g/F) on
+    given = CONICAL.replace("l: 0.5 m}", "l: 0.5 m, beta: 40 deg, F: 12 N}")
+    steady = "of top in steady motion when theta = beta"
+    assert "every acute angle beta" in the(ask(given, f"range of beta for which size of reaction {steady} > 0")).reason
+    solution = ask(given, f"range of beta for which size of reaction {steady} > F")
+    agrees(solution, the(solution).id, "acos(m*g/F)")
+    assert "so for β > acos(g·m/F) and β < π/2" in the(solution).notes
+    assert "F > g·m (beta is positive)" in the(solution).conditions
+
+
+def test_speeds_at_which_a_bead_stands_above_an_angle(agrees: Agree) -> None:
+    # cos(theta) = g/(R Omega^2) < cos(30 deg); at the bottom and at the top it may stay at any speed
+    solution = ask(HOOP, "range of Omega for which theta in steady motion > 30 deg")
+    agrees(solution, the(solution).id, "sqrt(2*g/(sqrt(3)*R))")
+    assert "the value 0 does not depend on Omega and is left aside" in the(solution).notes
+
+
+def test_a_range_asks_for_no_number_with_which_there_is_the_motion(agrees: Agree) -> None:
+    # at w = 3 rad/s the pendulum hangs down: g/(l w^2) > 1
+    given = CONICAL.replace("l: 0.5 m}", "l: 0.5 m, beta: 40 deg, w: 3 rad/s}")
+    solution = ask(given, "range of l for which theta in steady motion when rate(psi) = w > beta")
+    agrees(solution, the(solution).id, "g/(w**2*cos(beta))")
+
+
+def test_what_one_of_several_values_needs_is_no_condition_of_the_others(agrees: Agree) -> None:
+    given = CONICAL.replace("l: 0.5 m}", "l: 0.5 m, w: 6 rad/s}")
+    solution = ask(given, "speed of bob in steady motion when rate(psi) = w")
+    assert [c for c in the(solution).conditions if "for [3]" in c] == ["l·w² ≥ g (for [3])"]
+
+
+GOVERNOR = """
+space: {up: z}
+parameters: {g: 9.81 m/s^2, m: 1 kg, l: 0.5 m, a: 0.1 m, Omega: 8 rad/s}
+bodies:
+  hub: {body: {inertia: 0.1 kg m^2}, points: {O: [0, 0, 0], A: [0, a, 0]}}
+  bob: {body: {mass: m, inertia: [0, 0, 0]}, points: {top: [0, 0, l]}}
+connections:
+  bearing: {revolute: {first: ground.O, second: hub, about: z}}
+  hinge: {revolute: {first: hub.A, second: bob.top, about: x}}
+  motor: {driver: {measure: psi, follows: Omega*t}}
+loads: {weight: {gravity: g}}
+measures: {psi: angle of hub about z, theta: angle of bob about hub.x relative to hub}
+start: {theta: 0}
+"""
+
+
+@pytest.mark.parametrize(
+    ("question", "formula"),
+    [
+        # S cos(theta) = m g, S sin(theta) = m Omega^2 (a + l sin(theta)): theta itself has no closed form
+        ("value of Omega for which theta = 45 deg in steady motion", "sqrt(g/(a + l/sqrt(2)))"),
+        ("value of Omega for which theta = 30 deg in steady motion", "sqrt(g/(sqrt(3)*(a + l/2)))"),
+        # inwards, and beyond the axis
+        ("value of Omega for which theta = -45 deg in steady motion", "sqrt(g/(l/sqrt(2) - a))"),
+        ("value of l for which theta = 45 deg in steady motion", "sqrt(2)*(g/Omega**2 - a)"),
+        ("value of a for which theta = 45 deg in steady motion", "g/Omega**2 - l/sqrt(2)"),
+    ],
+)
+def test_an_arm_hinged_off_the_axis_stands_at_an_angle(agrees: Agree, question: str, formula: str) -> None:
+    solution = ask(GOVERNOR, question)
+    agrees(solution, the(solution).id, formula)
+
+
+def test_an_arm_that_turns_freely_is_asked_with_its_rate(agrees: Agree) -> None:
+    free = GOVERNOR.replace("  motor: {driver: {measure: psi, follows: Omega*t}}\n", "")
+    free = free.replace("start: {theta: 0}", "start: {theta: 30 deg, rate(psi): Omega}")
+    solution = ask(free, "value of Omega for which theta = 45 deg in steady motion when rate(psi) = Omega")
+    agrees(solution, the(solution).id, "sqrt(g/(a + l/sqrt(2)))")
+
+
+def test_a_parameter_of_the_start_is_none_of_all_steady_motions() -> None:
+    # real for (C phi')^2 >= 4 (A + m l^2 - C) cos(theta) m g l only: phi' is a rate here, s what the file starts with
+    text = TOP.replace("l: 0.1 m}", "l: 0.1 m, s: 200 rad/s}").replace("rate(phi): 200 rad/s", "rate(phi): s")
+    reason = the(ask(text, "range of s for which rate of psi in steady motion when theta = 60 deg > 0")).reason
+    assert reason == "that does not depend on s"
 
 
 def test_options_are_judged_on_both_roots() -> None:

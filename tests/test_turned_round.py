@@ -233,7 +233,7 @@ def test_a_root_has_the_side_of_the_equation() -> None:
 @pytest.mark.parametrize(
     ("find", "words"),
     [
-        ("value of m for which acceleration of y = -g", "that is so for every value of m"),
+        ("value of m for which acceleration of y = -g", "that is so for every positive value of m"),
         ("value of m for which acceleration of y = -g/2", "that does not depend on m"),
         ("value of s for which velocity of x = v0 at start", "that does not depend on s"),
     ],

@@ -54,6 +54,7 @@ class Claim:
     rates: tuple[Ratio, ...]  # of a vector one for each component; none where there is no formula
     is_parameter: Callable[[int], bool]
     is_exact: bool  # False: there may be more cases
+    is_proved: bool = True  # False: in the cases it is constant in all simulated motions, without a formula
 
     @property
     def is_always(self) -> bool:
@@ -109,7 +110,7 @@ def _verdict(statement: OptionStatement, claim: Claim) -> tuple[Verdict, bool]:
     derived = _any_of(claim.cases) or Message("always")
     if is_sufficient and is_necessary and (claim.is_exact or claim.is_always):
         if not statement.equalities:
-            return Verdict("right", Message("the rate vanishes for every motion")), False
+            return Verdict("right", _always(claim)), False
         return Verdict("right", Message("equivalent to the derived condition {case}", case=derived)), False
     if is_sufficient:
         why = _only_sufficient(_case_text(uncovered)) if uncovered else Message("is sufficient")
@@ -158,6 +159,12 @@ def _by_simulation(statement: OptionStatement, claim: Claim) -> Verdict:
     )
 
 
+def _always(claim: Claim) -> str:
+    if claim.is_proved:
+        return Message("the rate vanishes for every motion")
+    return Message("it is constant in every simulated motion")
+
+
 def _rates(claim: Claim) -> str:
     return in_turn([_shown(rate) for rate in claim.rates], "{first} and {second}") or Message("not zero")
 
@@ -172,7 +179,7 @@ def _never(claim: Claim) -> tuple[Verdict, bool]:
             "right", Message("the rate is {rate} and vanishes under no condition", rate=_rates(claim))
         ), False
     if claim.is_always:
-        return Verdict("wrong", Message("the rate vanishes for every motion")), False
+        return Verdict("wrong", _always(claim)), False
     return Verdict("wrong", Message("it is conserved for {case}", case=_any_of(claim.cases))), False
 
 

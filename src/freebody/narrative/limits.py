@@ -5,17 +5,21 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterator
+from contextlib import suppress
 
 from freebody.assess.cases import LimitingCase
 from freebody.errors import CannotAnswer, ExpressionError
-from freebody.language.expression import Call, Expr, Symbol, evaluate, free_symbols, n_operations, rate_key
-from freebody.language.parser import parse
+from freebody.language.expression import Call, Expr, Symbol, free_symbols, n_operations, rate_key
+from freebody.language.notation import Stated
+from freebody.language.truth import is_true
 from freebody.language.units import DIMENSIONLESS, INERTIA, MASS, Dimension
 from freebody.measures.geometry import ZERO
 from freebody.narrative.context import Context
 from freebody.narrative.lines.script import Item, Listing, Sentence
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
+from freebody.study.answering.draws import Draw
+from freebody.study.phases.numbers import coefficients_of_restitution
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
 from freebody.tolerances import ROUND_OFF
@@ -23,8 +27,7 @@ from freebody.tolerances import ROUND_OFF
 MOST = 4  # cases that are told
 SHORT = 9  # operations of a value that stands within a line
 SMALL = 1e-6  # of its own value: a parameter in place of zero, and one over it in place of infinity
-_PURPOSE = re.compile(r" \([a-z][a-z ]*\)$")  # what an inequality is needed for
-_INEQUALITY = re.compile(r"(?P<left>[^<>≤≥≠]+) (?P<relation>[<>≤≥]) (?P<right>[^<>≤≥≠]+)")
+_WORD = re.compile(r"[A-Za-z_]\w*")
 
 
 def limiting_cases(context: Context, question: Question, answer: Answer) -> list[Item]:
@@ -90,34 +93,42 @@ def _is_possible(context: Context, kind: str, p: Expr) -> bool:
 
 
 def _is_admissible(context: Context, answer: Answer, names: tuple[str, Expr, Expr]) -> bool:
-    """Whether the conditions of an answer hold near a special case, at all draws of the other parameters."""
+    """Whether the conditions of an answer hold near a special case, wherever they hold at the draws."""
     kind, p, q = names
     if not _is_possible(context, kind, p):
         return False
+    if kind == "grows" and rate_key(p) in coefficients_of_restitution(context.system):
+        return False  # they are at most 1
+    conditions = [c.expression for c in answer.conditions if isinstance(c, Stated)]
+    own, inside = rate_key(q if kind == "equal" else p), 0
     for draw in context.setup.draws:
-        values = dict(draw.values)
-        own = rate_key(q if kind == "equal" else p)
+        values = _values(context, draw)
+        if not all(_may_hold(c, values, own) for c in conditions):
+            continue
+        inside += 1
         own_value = values.get(own, 1.0)
         near = {"equal": values.get(rate_key(p), 1.0), "zero": SMALL * own_value, "grows": own_value / SMALL}
         values[own] = near.get(kind, math.pi / 2 - SMALL)
-        if not all(_holds(condition, values) for condition in answer.conditions):
+        if not all(_may_hold(c, values, own) for c in conditions):
             return False
-    return True
+    return inside > 0
 
 
-def _holds(condition: str, values: dict[str, float]) -> bool:
-    """An inequality in numbers; what is none, or cannot be evaluated, is no obstacle."""
-    found = _INEQUALITY.fullmatch(_PURPOSE.sub("", condition))
-    if found is None:
-        return True
-    try:
-        left, right = (float(evaluate(parse(found[k]), values)) for k in ("left", "right"))
-    except (ExpressionError, ValueError, ArithmeticError):
-        return True
-    room = ROUND_OFF * max(abs(left), abs(right))
-    return {">": left > right, "≥": left >= right - room, "<": left < right, "≤": left <= right + room}[
-        found["relation"]
-    ]
+def _may_hold(condition: str, values: dict[str, float], own: str) -> bool:
+    """What cannot be told is no obstacle, unless it is about the parameter of the case."""
+    found = is_true(condition, values, round_off=ROUND_OFF)
+    return found if found is not None else own not in _WORD.findall(condition)
+
+
+def _values(context: Context, draw: Draw) -> dict[str, float]:
+    """The parameters, and what moves as it is at the start, by the names of formulas."""
+    model, values = context.setup.model, dict(draw.values)
+    with suppress(CannotAnswer, ArithmeticError, ValueError):
+        numbers = model.samples.numbers(draw.sample(draw.start()))
+        for index, generator in model.field.generators.items():
+            if generator.kind in ("coordinate", "speed") and index in numbers:
+                values[rate_key(generator.display)] = float(numbers[index])
+    return values
 
 
 def _coordinates(context: Context) -> dict[str, Ratio]:

@@ -88,8 +88,8 @@ class Passage(Protocol[S_co]):
         """What a load has done."""
         ...
 
-    def heat(self) -> S_co:
-        """The energy that dry friction and impacts have taken."""
+    def heat(self, of: str) -> S_co:
+        """The energy that dry friction and impacts have taken; of: in one connection, else in all."""
         ...
 
     def travelled(self, measure: Measure) -> S_co:

@@ -26,6 +26,7 @@ if TYPE_CHECKING:
 
 TransitionKind = Literal["rolls", "slip ends", "slips", "opens", "touches", "before", "after"]
 RANK = 90
+_RANK_OF_ONE = 55  # below that of what is lost in a blow
 
 
 @dataclass(frozen=True)
@@ -68,7 +69,10 @@ questions: {it: time when y = -5 m}
 
 @dataclass(frozen=True)
 class EnergyLost(Counted, kind="energy lost"):
-    """What dry friction has turned into heat since the start."""
+    """What dry friction has turned into heat since the start; of: in one connection, or what one load has taken."""
+
+    of: str = ""
+    is_load: bool = False
 
     example = """
 ground: {lines: {floor: {along: right}}}
@@ -90,10 +94,10 @@ questions: {it: energy lost until rolling begins}
         return True
 
     def counted(self, passage: Passage[Any]) -> Any:
-        return passage.heat()
+        return -passage.work(self.of) if self.is_load else passage.heat(self.of)
 
     def sentence(self, system: Described) -> Sentence:
-        return Sentence("what.lost")
+        return Sentence("what.lost_in", {"of": self.of}) if self.of else Sentence("what.lost")
 
 
 @dataclass(frozen=True)
@@ -306,6 +310,24 @@ def _place(names: Names) -> str | None:
 )
 def _lost(names: Names, found: Found, path: Path) -> Quantity | None:
     return EnergyLost()
+
+
+@asked(
+    "energy lost in CONNECTION | LOAD until EVENT",
+    r"(?:energy (?:lost|dissipated)|loss of (?:mechanical )?energy|heat)"
+    rf" (?:in|by|at|through|to) (?:the )?{_NAME}",
+    rank=_RANK_OF_ONE,
+)
+def _lost_in(names: Names, found: Found, path: Path) -> Quantity | None:
+    of = str(found["of"])
+    if of in names.loads:
+        return EnergyLost(of, is_load=True)
+    if of in names.connections:
+        return EnergyLost(of)
+    known = [*names.connections, *names.loads]
+    told = Message("there is no connection or load {name}.{hint}", name=of, hint=did_you_mean(of, known))
+    names.unknown(of, told, *path)
+    return None
 
 
 @asked("turns of BODY until EVENT", rf"(?:number of )?(?:turns|revolutions|rotations) of (?:the )?{_NAME}", rank=RANK)

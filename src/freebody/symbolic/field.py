@@ -625,6 +625,11 @@ class Field(PolynomialRing):
         sizes = (math.prod((size(k) ** e for k, e in monomial), start=abs(float(c))) for monomial, c in terms)
         return math.fsum(parts), math.fsum(sizes)
 
+    def vanishes_at(self, x: Ratio, values: Mapping[int, float], share: float) -> bool:
+        """Whether no more than a share of the terms is left of their sum, which is round-off then."""
+        total, size = self.numerator_and_size(x, values)
+        return abs(total) <= share * size
+
     def expression(self, x: Ratio) -> Expr:
         """The plain expression, expanded; see `tidy` for the form people read."""
         top = self.poly_expression(x.num)

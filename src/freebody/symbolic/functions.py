@@ -266,15 +266,34 @@ def _of_acute(field: Field, name: str, x: Ratio) -> Ratio | None:
 
 def _arc_or_known(field: Field, name: str, x: Ratio, slope: Callable[[Ratio], Ratio]) -> Ratio:
     """An inverse function: where it is known, else an atom of its own, that of an argument that is not a sum of
-    negative terms: asin and atan are odd, and acos(-x) = pi - acos(x)."""
+    negative terms: asin and atan are odd, and acos(-x) = pi - acos(x); since asin u + acos u = pi/2, both have one
+    atom."""
     known = _known_arc(field, name, x)
     if known is not None:
         return known
+    if name != "atan" and (other := _by_complement(field, name, x)) is not None:
+        return other
     if all(c < 0 for c in field.terms(x.num).values()):
         return field.pi - _arc_or_known(field, name, -x, slope) if name == "acos" else -_arc(field, name, -x, slope)
     if name == "acos" and (half := _half_cosine(field, x)) is not None:
         return 2 * _arc_or_known(field, name, half, slope)
     return _arc(field, name, x, slope)
+
+
+def _by_complement(field: Field, name: str, x: Ratio) -> Ratio | None:
+    """asin or acos by an atom of the other one, or of the opposite argument, where there is one."""
+    for g, (known, u) in field.arguments.items():
+        is_opposite = known in ("asin", "acos") and u == -x
+        if not is_opposite and (known not in ("asin", "acos") or u != x):
+            continue
+        if known == name and not is_opposite:
+            return field.variable(g)
+        upright = field.pi / 2 - field.variable(g)  # of the other name at u
+        if is_opposite:
+            at_u = field.variable(g) if known == name else upright
+            return -at_u if name == "asin" else field.pi - at_u
+        return upright
+    return None
 
 
 def _half_cosine(field: Field, x: Ratio) -> Ratio | None:

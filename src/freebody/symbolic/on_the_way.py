@@ -2,7 +2,8 @@
 
 Energy, and momenta that stay, give all speeds of a motion in its one coordinate q (u^2 = W(q)), and a drive gives
 everything in the time. So f >= 0 on the state becomes f(q) >= 0 from where the motion begins to where it ends, and that
-is so if and only if the least value is not negative: at an end, or where f'(q) = 0 between them.
+is so if and only if the least value is not negative: at an end, or where f'(q) = 0 between them. A loop that just
+closes between the ends has a change point there, from which it goes on in one of two ways: past it f stays positive.
 """
 
 from __future__ import annotations
@@ -36,12 +37,14 @@ class _Time:
         self.index = index
 
 
-def kept_until(motion: SmoothMotion, reached: Reached, conditions: Sequence[Condition]) -> list[Condition]:
+def kept_until(
+    motion: SmoothMotion, reached: Reached, conditions: Sequence[Condition], *, closing: bool = False
+) -> list[Condition]:
     """Conditions on the state from the start to an event, on parameters where the least value on the way is told; the
-    others as they are."""
+    others as they are. closing: that loops close, which between the ends must not only just be so."""
     found: list[Condition] = []
     for c in conditions:
-        on_parameters = _least(motion, reached, c) if _moves(c.element) else None
+        on_parameters = _least(motion, reached, c, is_strict=closing) if _moves(c.element) else None
         found += [c] if on_parameters is None else on_parameters
     return found
 
@@ -85,8 +88,9 @@ def _moves(x: Ratio) -> bool:
     return any(x.field.generators[g].kind in MOVING for g in x.field.ingredients(x))
 
 
-def _least(motion: SmoothMotion, reached: Reached, c: Condition) -> list[Condition] | None:
-    """What a condition comes to at its least values on the way; None where these are not told."""
+def _least(motion: SmoothMotion, reached: Reached, c: Condition, *, is_strict: bool) -> list[Condition] | None:
+    """What a condition comes to at its least values on the way; None where these are not told. is_strict: whether zero
+    is too small between the ends."""
     if c.relation == "!=" or reached.limits is not None:
         return None
     try:
@@ -98,8 +102,10 @@ def _least(motion: SmoothMotion, reached: Reached, c: Condition) -> list[Conditi
         least = [f.lowest_terms(f.follow(x, {variable.index: place})) for place in places]
     except (_NotOne, CannotAnswer, ZeroDivisionError):
         return None
-    told = [condition for value in least if (condition := require(value, c.relation, c.purpose)[0]) is not None]
-    return told if _is_all(motion, variable, x, ends, told) else None
+    relations = [c.relation] * 2 + [">" if is_strict else c.relation] * (len(least) - 2)
+    needed = [require(value, relation, c.purpose)[0] for value, relation in zip(least, relations, strict=True)]
+    told = [condition for condition in needed if condition is not None]
+    return told if _is_all(motion, variable, x, ends, told, least) else None
 
 
 def _on_one_variable(motion: SmoothMotion, reached: Reached, x: Ratio) -> tuple[Indexed, Ratio, tuple[Ratio, Ratio]]:
@@ -135,8 +141,8 @@ def _changing(x: Ratio) -> set[int]:
 
 
 def _places_of_least(motion: SmoothMotion, variable: Indexed, x: Ratio, begin: Ratio, end: Ratio) -> list[Ratio] | None:
-    """The ends of a way, and the places between them at which the slope vanishes; None where the order of these depends
-    on the parameters."""
+    """The two ends of a way, then the places between them at which the slope vanishes; None where the order of these
+    depends on the parameters."""
     f = motion.field
     slope, span = f.derivative(x, variable.index), end - begin
     turn = 2 * f.pi
@@ -155,19 +161,32 @@ def _places_of_least(motion: SmoothMotion, variable: Indexed, x: Ratio, begin: R
 
 
 def _is_all(
-    motion: SmoothMotion, variable: Indexed, x: Ratio, ends: tuple[Ratio, Ratio], told: Sequence[Condition]
+    motion: SmoothMotion,
+    variable: Indexed,
+    x: Ratio,
+    ends: tuple[Ratio, Ratio],
+    told: Sequence[Condition],
+    least: Sequence[Ratio],
 ) -> bool:
-    """Whether at every sample at which the conditions hold the element is nowhere lower on the way."""
+    """Whether at every sample at which the conditions hold the element is nowhere negative on the way; where there is
+    no such sample, whether it is nowhere below its least values."""
     samples = motion.model.samples
     begins, stops = (samples.at_starts(e) for e in ends)
     held = [samples.at_starts(c.element) for c in told]
-    is_seen = False
+    lowest = [samples.at_starts(value) for value in least]
+    is_seen, is_above = False, False
     for s, (a, b) in enumerate(zip(begins, stops, strict=True)):
-        if math.isnan(a) or math.isnan(b) or not all(values[s] >= 0 for values in held):
+        if math.isnan(a) or math.isnan(b):
             continue
         steps = [a + (b - a) * k / _N_STEPS for k in range(_N_STEPS + 1)]
         heights = [samples.at_start_with(x, s, {variable.index: v}) for v in steps]
-        if not all(h >= -_ROUND_OFF * max(map(abs, heights)) for h in heights):
-            return False
-        is_seen = True
-    return is_seen
+        room = _ROUND_OFF * max(map(abs, heights))
+        if all(values[s] >= 0 for values in held):
+            if not all(h >= -room for h in heights):
+                return False
+            is_seen = True
+        elif not is_seen:
+            is_above = min(heights) >= min(values[s] for values in lowest) - room
+            if not is_above:
+                return False
+    return is_seen or is_above

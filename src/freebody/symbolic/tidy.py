@@ -39,6 +39,7 @@ _PLACE = {
     "root": 6,
 }
 _EXPANDED_TERMS = 12  # larger sums are always shorter collected
+_COMPLEMENTS = {"asin": "acos", "acos": "asin"}
 _FACTOR_TERMS = 600  # larger polynomials are not factored
 
 
@@ -55,7 +56,7 @@ def tidy(x: Ratio) -> Expr:
     x = _root_on_top(_without_numeric_roots(x.field.lowest_terms(x)))
     if x.den is not None and sign_is_negative(x.denominator()):
         x = Ratio(x.field, -x.num, -x.den)
-    shorter = _root_of_a_quotient(x) or _over_a_root(x)
+    shorter = _root_of_a_quotient(x) or _over_a_root(x) or _complement(x)
     if shorter is not None:
         return shorter
     top = _poly(x.field, x.num)
@@ -94,6 +95,18 @@ def _root_of_a_quotient(x: Ratio) -> Expr | None:
         return divide(front, root_shown(tidy(upside_down)))
     root = root_shown(tidy(inside))
     return root if front == number(1) else multiply(*factors_of(front), root)
+
+
+def _complement(x: Ratio) -> Expr | None:
+    """pi/2 - acos u is asin u, and pi/2 - asin u is acos u."""
+    f = x.field
+    arcs = [g for g in x.generators() if f.arguments.get(g, ("", x))[0] in _COMPLEMENTS]
+    if len(arcs) != 1 or x.denominator().generators():
+        return None
+    name, u = f.arguments[arcs[0]]
+    rest = f.pi / 2 - f.variable(arcs[0])
+    other = Call(_COMPLEMENTS[name], tidy(u))
+    return other if x == rest else negate(other) if x == -rest else None
 
 
 def _over_a_root(x: Ratio) -> Expr | None:

@@ -162,19 +162,35 @@ class EnergyPath:
 
     def extent(self, side: int) -> tuple[Ratio, list[Need], list[str]]:
         """The farthest place on one side, and what it needs: from rest the start, which energy lets it reach again and
-        no more; else where it turns, also where it comes back to after the turn on the other side."""
+        no more; else where it turns, also where it comes back to after the turn on the other side. What sets out from
+        there and never turns has been farthest at the start."""
         way, needs = self._way
         if side == way:
-            turn, more, says = self._turning
+            turn, more, says = self._turning_to(side)
             return turn, [*needs, *more], says
         if self.u0.is_zero():
             return self.q0, needs, []
-        _turn, more, says = self._turning
+        try:
+            _turn, more, says = self._turning
+        except NotReached:
+            return self.q0, needs, []
         back = EnergyPath(
             self.model, self.c, self.square, (self.q0, -self.u0, -self._drive), takes_side=self._takes_side
         )
-        turn, others, words = back._turning
+        turn, others, words = back._turning_to(side)
         return turn, [*needs, *more, *others], [*says, *words]
+
+    def _turning_to(self, side: int) -> tuple[Ratio, list[Need], list[str]]:
+        """Where it turns on the side to which it sets out. Raises NotReached where it goes on."""
+        try:
+            return self._turning
+        except NotReached:
+            why = (
+                Message("{x} grows without end at all parameter values that were tried", x=self.c.name)
+                if side > 0
+                else Message("{x} falls without end at all parameter values that were tried", x=self.c.name)
+            )
+            raise NotReached(why) from None
 
     def span(self) -> PassedPlaces:
         """All places that the motion goes through. Raises CannotAnswer where it does not come back."""
@@ -238,6 +254,8 @@ class EnergyPath:
     def _turning(self) -> tuple[Ratio, list[Need], list[str]]:
         """The place at which the coordinate turns first, and what that needs."""
         way, _needs = self._way
+        if self._never_stops:
+            raise NotReached(Message("{x} never turns", x=self.c.name))
         turn = self._nearest(self.places(self.square), self.numbers(self.q0), way)
         needs, says = self._over(self.q0, turn, [(x, ">") for x in (*reals(turn), *self._ahead(turn))])
         return turn, needs, says

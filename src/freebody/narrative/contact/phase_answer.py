@@ -75,7 +75,9 @@ def _passage(base: System, world: World) -> NumericPassage:
     def there(quantity: Quantity, state: Snapshot = now) -> Any:
         return value_in_mode(quantity, base, state.reference.system, state)
 
-    def lost() -> float:
+    def lost(of: str) -> float:
+        if of:
+            raise CannotAnswer(Message("what is counted on the way is derived from no line here"))
         before, after = (there(EnergyOf("total"), s) for s in (begin, now))
         return before - after
 
@@ -141,7 +143,7 @@ class _Tell:
 
     @answer.register(EnergyLost)
     def _lost(self, q: EnergyLost) -> None:
-        if not all(only_friction_takes_energy(leg.phase.system) for leg in self.way.legs):
+        if q.of or not all(only_friction_takes_energy(leg.phase.system) for leg in self.way.legs):
             raise CannotAnswer(
                 Message("other loads do work as well, and the heat of friction is derived from no line here")
             )

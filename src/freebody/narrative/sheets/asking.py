@@ -45,7 +45,7 @@ def _when(system: System, question: Question) -> Argument:
     """At which instant it is meant."""
     q = question.quantity
     word = "time" if q.is_of_event else "until" if q.scope == "course" else "when"
-    if question.at_start:
+    if question.at_start and not question.quantity.is_of_start:  # an impact says itself when it is
         return Sentence("ask.at_start")
     if question.transition is not None:
         return Sentence(f"ask.{word}_transition", {"text": question.transition.text})

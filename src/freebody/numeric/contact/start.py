@@ -49,14 +49,24 @@ def assembled_touching(reference: Reference) -> Array:
         try:
             q = _placed(reference, closed, turning)
         except CannotAnswer as error:
-            raise CannotAnswer(_apart(added)) from error
+            raise CannotAnswer(_apart(reference, q, added)) from error
     _refuse_penetration(reference, q, bounds)
     return q
 
 
-def _apart(bound: UnilateralConstraint) -> str:
-    """That two bodies cannot touch at the start, as they do where nobody says where they are."""
+def _apart(reference: Reference, q: Array, bound: UnilateralConstraint) -> str:
+    """That two bodies cannot touch at the start, as they do where nobody says where they are; and where they are."""
     a, b = bound.row.ends[2:4] if len(bound.row.ends) > 3 else (*bound.row.ends, bound.row.connection)[:2]
+    gap = gap_of(reference, reference.geometry(q, np.zeros_like(q), 0.0), bound)
+    if gap < -PENETRATION * reference.sizes.length:
+        return Message(
+            "{a} and {b} cannot touch at the start ({contact}): as it is given, {what}. Give a start in which they "
+            "touch or are apart",
+            a=a,
+            b=b,
+            contact=bound.row.connection,
+            what=_said(reference, bound, -gap),
+        )
     return Message(
         "{a} and {b} cannot touch at the start ({contact}). If they start apart, write touching: false in the contact, "
         "or say where they are (at)",
@@ -238,17 +248,20 @@ def _refuse_penetration(reference: Reference, q: Array, bounds: tuple[Unilateral
     may without a corner inside."""
     g = reference.geometry(q, np.zeros_like(q), 0.0)
     faced: dict[str, list[tuple[float, UnilateralConstraint]]] = {}
-    found: list[str] = []
+    found, stopped = list[str](), list[str]()
     for bound in bounds:
         gap = gap_of(reference, g, bound)
         if bound.obstacle:
             faced.setdefault(f"{bound.family} {bound.obstacle}", []).append((gap, bound))
         elif gap < -PENETRATION * reference.sizes.length and is_within(reference, g, bound):
-            found.append(_said(bound, -gap))
+            (stopped if _is_stop(bound) else found).append(_said(reference, bound, -gap))
     for places in faced.values():
         gap, bound = max(places, key=lambda place: place[0])
         if gap < -PENETRATION * reference.sizes.length and is_within(reference, g, bound):
-            found.append(_said(bound, -gap))
+            found.append(_said(reference, bound, -gap))
+    if stopped:
+        what = further(*found, *stopped)
+        raise CannotAnswer(Message("at the start {what}. Start within the limits, or change them", what=what))
     if not found:
         found = _overlaps(reference, g, bounds)
     if found:
@@ -277,14 +290,32 @@ def _overlaps(reference: Reference, g: JetGeometry, bounds: tuple[UnilateralCons
     for family, gaps in edges.items():
         apart = max(gaps.values())
         if apart < -PENETRATION * reference.sizes.length:
-            found.append(f"{pairs[family][0]} is {-apart:.6g} m inside {pairs[family][1]} ({family.partition(':')[0]})")
+            a, b = pairs[family]
+            found.append(_inside(a, b, f"{-apart:.6g} m", family.partition(":")[0]))
     return found
 
 
-def _said(bound: UnilateralConstraint, depth: float) -> str:
+def _is_stop(bound: UnilateralConstraint) -> bool:
+    return bound.row.reaction.startswith("stop")
+
+
+def _said(reference: Reference, bound: UnilateralConstraint, depth: float) -> str:
     row = bound.row
-    unit = {LENGTH: "m", DIMENSIONLESS: "rad"}.get(row.measure.dimension, "")
-    if row.reaction.startswith("stop"):
-        return f"{row.connection} is beyond its {row.component} by {depth:.6g} {unit}"
+    size = f"{depth:.6g} m" if row.measure.dimension == LENGTH else f"{depth:.6g}"
+    if row.measure.dimension == DIMENSIONLESS:
+        size = f"{math.degrees(depth):.6g}°"
+    if _is_stop(bound):
+        names = (name for name, measure in reference.system.measures.items() if measure == row.measure)
+        return Message(
+            "{measure} is beyond its {limit} by {size} ({stop})",
+            measure=next(names, row.connection),
+            limit=row.component,
+            size=size,
+            stop=row.connection,
+        )
     a, b = row.ends[:2] if len(row.ends) > 1 else (row.connection, row.component)
-    return f"{a} is {depth:.6g} {unit} inside {b} ({row.connection})"
+    return _inside(a, b, size, row.connection)
+
+
+def _inside(a: str, b: str, depth: str, contact: str) -> Message:
+    return Message("{a} is {depth} inside {b} ({contact})", a=a, b=b, depth=depth, contact=contact)

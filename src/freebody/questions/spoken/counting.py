@@ -124,11 +124,11 @@ def _heads_counted(names: Names, sentence: Sentence) -> Groups:
     elif main.has("ask", "many") and verbs == {"turn_back"} and not asked:  # how often does it turn round
         yield [f"turns of {name}" for name in ([who] if who else lookup.started(names) or lookup.turning(names))]
     elif asked == ["energy lost"] or (asked == ["energy"] and verbs == {"lost"}):
-        yield (
-            ["energy lost"]
-            if not of or lookup.is_all_that_moves(names, who) or lookup.is_all_that_rubs(names, who)
-            else []
-        )
+        if who in names.connections or who in names.loads:
+            yield [] if main.has("instant", "in the impact") else [f"energy lost in {who}"]
+        else:
+            is_all = not of or lookup.is_all_that_moves(names, who) or lookup.is_all_that_rubs(names, who)
+            yield ["energy lost"] if is_all else []
     elif (main.has("ask", "far", "much", "high", "large") and not asked and goes) or (
         asked in (["distance"], ["displacement"], ["distance travelled"], ["horizontal range"]) and (goes or not verbs)
     ):

@@ -195,8 +195,11 @@ def _conserved(names: Names, sentence: Sentence) -> Groups:
     others = [clause for mark, clause in sentence.others if not is_throughout(names, mark, clause)]
     if (main.has("ask") and not asks_when) or others:
         return
-    kept = Clause(
-        [w for w in main.words if w.kind not in ("ask",) and w not in (Word("verb", "conserved"), Word("verb", "move"))]
-    )
+    in_blow = [w for w in main.words if w in (Word("instant", "in the impact"), Word("instant", "at the impact"))]
+    struck = [w for w in main.words if in_blow and w.kind == "name" and w.what in names.connections][-1:]
+    silent = (Word("verb", "conserved"), Word("verb", "move"), *in_blow, *struck)
+    kept = Clause([w for w in main.words if w.kind not in ("ask",) and w not in silent])
+    when = "".join(f" of {w.what}" for w in struck)
+    when = f" in the blow{when}" if in_blow else ""
     for group in quantities(names, kept):
-        yield [f"{'when is' if asks_when else 'is'} {text} conserved" for text in group]
+        yield [f"{'when is' if asks_when and not in_blow else 'is'} {text} conserved{when}" for text in group]

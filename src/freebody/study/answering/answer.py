@@ -66,6 +66,7 @@ class Answer(Result):
     why_no_value: str = ""  # of an answer with an expression
     never: bool = False  # it is proved that the event does not happen after the start; `reason` says why
     understood: str = ""  # the question in the words of the grammar
+    is_missed: bool = False  # the event does not come in the motion, as far as that is known
 
     @property
     def report(self) -> Report:
@@ -160,9 +161,11 @@ def made(
     )
 
 
-def refused(question: Question, reason: str, value: Value = None, *, never: bool = False) -> Answer:
+def refused(
+    question: Question, reason: str, value: Value = None, *, never: bool = False, is_missed: bool = False
+) -> Answer:
     """Why there is no closed form, with the number of the numeric route where there is one. never: it is proved that
-    the event does not happen."""
+    the event does not happen; is_missed: it does not, as far as that is known."""
     return Answer(
         question.id,
         question.text,
@@ -172,4 +175,5 @@ def refused(question: Question, reason: str, value: Value = None, *, never: bool
         reason=reason,
         never=never,
         understood=question.understood,
+        is_missed=is_missed or never,
     )

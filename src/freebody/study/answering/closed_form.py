@@ -22,7 +22,7 @@ from freebody.questions.happening import StableEquilibrium, StableSteadyMotion
 from freebody.questions.period import Period
 from freebody.questions.reading import AskedEvent, Question, QuestionEvent
 from freebody.questions.small_motion import Equilibrium, OfSmallMotion, SmallOscillations
-from freebody.questions.steady import Extremes
+from freebody.questions.steady import Extremes, SteadyValue
 from freebody.study.answering import about_rest, loops
 from freebody.study.answering import evidence as proof
 from freebody.study.answering.answer import Answer, Evidence, Value, made
@@ -76,9 +76,6 @@ class QuestionSolver:
         from freebody.study.conservation.judge import Judge
 
         found = Judge(self.setup).answer(self.question)
-        answer = Message("conserved for every motion") if found.is_conserved else Message("not conserved")
-        if found.is_conserved is None:
-            answer = found.verdict
         c, blow = found.confirmation, list[str]()
         if self.system.is_struck:
             blow.append(
@@ -93,7 +90,7 @@ class QuestionSolver:
             self.question,
             found.rate,
             0.0 if is_zero else None,
-            conditions=() if found.reason else (answer,),
+            conditions=() if found.reason else (found.verdict,),
             notes=(*notes, *found.notes),
             reason=found.reason or (further(*found.notes) if found.rate is None else ""),
             judgement=Judgement(found.choice, found.options, found.author_notes),
@@ -114,6 +111,8 @@ class QuestionSolver:
             return number_of_loop(q.quantity, self.setup)
         if not self.setup.has_values or q.quantity.scope == "steady motion" or q.quantity.wanted is not None:
             return None
+        if q.event is not None and not q.quantity.is_of_state:
+            return None  # it says of which equilibrium it is asked
         return number_of(self.setup, q.quantity, q.event)
 
     def _find(self) -> Finding:
@@ -165,13 +164,23 @@ class QuestionSolver:
 
             return solved_for(self.setup, self.question, steady_stability(self.setup, is_so=q.of.is_so))
 
+        if isinstance(q.of, SteadyValue):
+            from freebody.study.steady.place_for import at_place
+
+            if formulas := at_place(self.setup, self.question):
+                return solved_for(self.setup, self.question, formulas)
+
         def attempt(system: System) -> Finding:
             setup = self.setup if system is self.system else Setup(system)
             formula = QuestionSolver(setup, asked)
             found = formula._find()
             roots = _roots(q.of, found.element)
-            needed = [[] if isinstance(x, Fraction) else formula._completion().conditions(found, x) for x in roots]
-            formulas = [Formula(x, n, lambda: found.evidence) for x, n in zip(roots, needed, strict=True)]
+            needs = formula._completion().conditions
+            needed = [[] if isinstance(x, Fraction) else needs(found, x, k) for k, x in enumerate(roots)]
+            in_place = q.of.scope != "steady motion"  # a steady motion is looked for by its own route
+            formulas = [
+                Formula(x, n, lambda: found.evidence, is_put_back=in_place) for x, n in zip(roots, needed, strict=True)
+            ]
             answer = solved_for(setup, self.question, formulas)
             self.setup, self.model, self.system = setup, setup.model, system
             return answer
@@ -236,9 +245,10 @@ class QuestionSolver:
         # there is a place but no velocity
         closing = [c for c in self.setup.closing(there) if not self._is_untold(c.element)]
         # on the way there, too
-        everywhere = kept_until(self.setup.motion, reached, self.setup.closing(self.setup.state))
+        everywhere = kept_until(self.setup.motion, reached, self.setup.closing(self.setup.state), closing=True)
         closing += [c for c in everywhere if not c.element.field.ingredients(c.element) & self.model.moving]
-        conditions += closing if q.kinematic_order == 0 else [replace(c, relation=">") for c in closing]
+        is_of_pose = q.kinematic_order == 0 and not (isinstance(event, QuestionEvent) and event.order)
+        conditions += closing if is_of_pose else [replace(c, relation=">") for c in closing]
         evidence = proof.along_motion(
             self.setup,
             self.question.text,

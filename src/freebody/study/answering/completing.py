@@ -82,12 +82,14 @@ class AnswerCompletion:
             evidence=found.evidence,
         )
 
-    def conditions(self, found: Finding, element: Elements) -> list[Condition]:
-        """Everything without which the answer is not true."""
+    def conditions(self, found: Finding, element: Elements, root: int | None = None) -> list[Condition]:
+        """Everything without which the answer is not true. root: which of several values the element is, where it is
+        one of them."""
         if found.is_complete:
             return found.conditions
         q = self.question.quantity
-        conditions = [*found.conditions]
+        own = found.of_root if root is None else found.of_root[root : root + 1]
+        conditions = [*found.conditions, *(c for needed in own for c in needed)]
         if not found.may_be_complex:
             conditions += real(element)
         at_start = self.question.at_start
@@ -96,14 +98,22 @@ class AnswerCompletion:
             judges_contacts = bool(self.setup.system.applied_loads) or not is_kinematic(self.setup, q)
             needed = at_instant(self.setup, self.question, state, with_contacts=judges_contacts)
             if self.reached is not None:
-                free = self.setup.in_free_coordinates(needed, state)
-                needed = kept_until(self.setup.motion, self.reached, free)
+                needed = self._on_the_way(self.reached, needed, state)
             conditions += needed
             if not judges_contacts and any(row.unilateral for row in self.setup.system.constraint_rows):
                 found.notes.append(Message("no load acts, so it is not judged whether contacts and strings hold"))
         else:
             conditions += as_written(self.setup, self.question, state)
         return self.setup.in_free_coordinates(conditions, state)
+
+    def _on_the_way(self, reached: Reached, needed: Sequence[Condition], state: SymbolicState) -> list[Condition]:
+        """What conditions on the state come to from the start to the event."""
+        closing = [c for c in needed if c in self.setup.closing(state)]
+        found: list[Condition] = []
+        for group in (closing, [c for c in needed if c not in closing]):
+            free = self.setup.in_free_coordinates(group, state)
+            found += kept_until(self.setup.motion, reached, free, closing=group is closing)
+        return found
 
     def _violated(self, conditions: list[Condition]) -> list[str]:
         """Conditions that the model's own numbers break at the start; the answer is not true of that model."""

@@ -19,7 +19,7 @@ from freebody.study.answering.spread import disagreement
 from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition, merged
 from freebody.symbolic.field import Ratio
-from freebody.tolerances import LEAST
+from freebody.tolerances import LEAST, ROUNDED
 
 T = TypeVar("T")
 INSTANT_TOLERANCE = 1e-8
@@ -130,7 +130,10 @@ def element_at(
     setup: Setup, x: Ratio | tuple[Ratio, ...], draw: Draw, snapshot: Snapshot, begin: Snapshot | None = None
 ) -> tuple[float, ...]:
     """A closed form in numbers at a snapshot. begin: the start, where it is not that of the draw."""
-    numbers = setup.model.samples.numbers(draw.sample(snapshot), draw.sample(begin))
+    return _at(x, setup.model.samples.numbers(draw.sample(snapshot), draw.sample(begin)))
+
+
+def _at(x: Ratio | tuple[Ratio, ...], numbers: Mapping[int, float]) -> tuple[float, ...]:
     parts = x if isinstance(x, tuple) else (x,)
     try:
         return tuple(_value(p, numbers) for p in parts)
@@ -152,8 +155,12 @@ def _value(x: Ratio, numbers: Mapping[int, float]) -> float:
 
 
 def holds(setup: Setup, condition: Condition, draw: Draw, snapshot: Snapshot, *, round_off: float = 0.0) -> bool:
-    """True where an inequality is satisfied in numbers; `>=` may miss by the round-off. Raises NotReal."""
-    (value,) = element_at(setup, (condition.element,), draw, snapshot)
+    """True where an inequality is satisfied in numbers; what is but round-off of its terms counts as zero, and `>=` may
+    miss by `round_off` besides. Raises NotReal."""
+    x, numbers = condition.element, setup.model.samples.numbers(draw.sample(snapshot), draw.sample())
+    (value,) = _at(x, numbers)
+    if x.field.vanishes_at(x, numbers, ROUNDED):
+        value = 0.0
     if condition.relation == ">=":
         return value >= -round_off
     return value > 0 if condition.relation == ">" else value != 0

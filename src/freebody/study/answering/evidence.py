@@ -96,7 +96,13 @@ def along_motion(
 
     check.gather(setup.draw_stream(), compare)
     is_short = len(check.pairs) < MIN_DRAWS and setup.has_values
-    if is_short and (missed := broken(setup, signs)):
+    of_parameters = [c for c in signs if not c.element.field.ingredients(c.element) & setup.model.moving]
+    if is_short and not broken(setup, conditions) and (missed := broken(setup, of_parameters)):
+        needs = ", ".join(missed)
+        raise NotHere(
+            Message("a formula is found only for {needs}, and the given numbers do not keep to it", needs=needs)
+        )
+    if is_short and not broken(setup, of_parameters) and (missed := broken(setup, signs)):
         raise NotHere(
             Message(
                 "a formula is found only for motions that keep to {needs}, as at the start; this one does not do so "

@@ -49,6 +49,7 @@ class Finding:
     unit: str | None = None  # where it is not that of the quantity
     has_value: bool = True  # at the model's own numbers and start
     is_complete: bool = False  # whether its conditions are all there are
+    of_root: Sequence[Sequence[Condition]] = ()  # of several values: what each needs for itself
 
 
 def answered(
@@ -69,12 +70,13 @@ def answered(
         return refused(question, str(error))
     except NotReached as error:  # at the model's own values either: a number would be one of round-off
         found = None if otherwise is None else otherwise()
-        return refused(question, str(error)) if found is None else found
+        return refused(question, str(error), is_missed=True) if found is None else found
     except NO_FORM as error:
         if otherwise is not None and not isinstance(error, NotHere) and (found := otherwise()) is not None:
             return found
         value, unfinished = (None, ()) if instead is None else _number(instead)
-        return refused(question, further(why(system, error), *unfinished), value)
+        reason, is_missed = further(why(system, error), *unfinished), isinstance(error, NotHere) and value is None
+        return refused(question, reason, value, is_missed=is_missed)
 
 
 def _number(instead: Instead) -> tuple[Value, tuple[str, ...]]:

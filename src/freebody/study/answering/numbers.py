@@ -41,7 +41,8 @@ def work_until(setup: Setup, load: str, draw: Draw, event: AskedEvent, end: floa
     centers = start.t + half * (2.0 * np.arange(N_PANELS) + 1.0)
     times = (centers[:, None] + half * nodes).ravel()
     found = motion_to(draw.reference, start, end + half, event, times)
-    power = [float(Power(load).value(setup.system, s)) for s in found.links[: len(times)]]
+    wanted = set(times.tolist())  # where the motion turns there are states as well
+    power = [float(Power(load).value(setup.system, s)) for s in found.links if s.t in wanted]
     return half * float(np.tile(weights, N_PANELS) @ np.array(power))
 
 

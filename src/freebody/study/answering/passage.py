@@ -36,6 +36,10 @@ _TURNED = 1e-12  # rad: less is round-off
 _ROUND_OFF = 1e-9  # of the product of two rates
 
 
+def _no_load(name: str) -> Message:
+    return Message("{load} is no load; the work of a constraint is asked as power", load=name)
+
+
 @dataclass(frozen=True)
 class FormulaPhase:
     """One law of motion, from `begin` to `end`. told: takes an element of its field into that of the answer."""
@@ -82,7 +86,7 @@ class FormulaPassage:
         """Of a load that is a function of its own measure: minus the change of its potential."""
         applied_loads = [p for p in self.system.applied_loads if p.load == load]
         if not applied_loads:
-            raise CannotAnswer(Message("{load} is no load; the work of a constraint is asked as power", load=load))
+            raise CannotAnswer(_no_load(load))
         first, last = self.phases[0], self.phases[-1]
         parts: list[Ratio] = []
         for push in applied_loads:
@@ -90,7 +94,7 @@ class FormulaPassage:
             parts.append(first.told(first.begin.potential(push)) - last.told(last.end.potential(push)))
         return parts[0].field.lowest_terms(sum(parts[1:], parts[0]))
 
-    def heat(self) -> Ratio:
+    def heat(self, of: str) -> Ratio:
         raise CannotAnswer(_WORK_INSTEAD)
 
     def revolutions(self, body: str) -> Ratio:
@@ -167,14 +171,15 @@ def both_ways(body: str) -> CannotAnswer:
 @dataclass(frozen=True)
 class NumericPassage:
     """A motion in numbers, whatever its phases. begin, now: the instants at its ends, before an impact with which it
-    begins. at_end, at_begin: a quantity at its ends; lost: [J] what dry friction and impacts have taken; work_done: [J]
-    of a load, else what its potential has lost; ways: instants on the way, phase by phase."""
+    begins. at_end, at_begin: a quantity at its ends; lost: [J] what dry friction and impacts have taken, in one
+    connection or (no name) in all; work_done: [J] of a load, else what its potential has lost; ways: instants on the
+    way, phase by phase."""
 
     system: Described
     begin: Snapshot
     now: Snapshot
     at_end: Callable[[Quantity], Any]
-    lost: Callable[[], float]
+    lost: Callable[[str], float]
     work_done: Callable[[str], float] | None = None
     ways: Callable[[], Iterable[Sequence[Snapshot]]] | None = None
     at_begin: Callable[[Quantity], Any] | None = None
@@ -186,12 +191,14 @@ class NumericPassage:
         return self.now.value(measure) - self.begin.value(measure)
 
     def work(self, load: str) -> float:
+        if load not in self.system.loads:
+            raise CannotAnswer(_no_load(load))
         if self.work_done is not None:
             return self.work_done(load)
         return sum(self.begin.potential(p) - self.now.potential(p) for p in self.system.applied_loads if p.load == load)
 
-    def heat(self) -> float:
-        return self.lost()
+    def heat(self, of: str) -> float:
+        return self.lost(of)
 
     def revolutions(self, body: str) -> float:
         if self.ways is None:
@@ -216,7 +223,7 @@ def smooth_numbers(
 ) -> NumericPassage:
     """A motion of one phase. work: the integral of the power of a load up to the event; links: instants on the way."""
 
-    def lost() -> float:
+    def lost(of: str) -> float:
         raise CannotAnswer(_WORK_INSTEAD)
 
     def at_end(quantity: Quantity) -> Any:

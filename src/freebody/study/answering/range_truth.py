@@ -61,7 +61,8 @@ class TruthInNumbers:
         self.model, self.field = setup.model, setup.model.field
         self.parameter: Parameter = setup.system.parameters[wanted.parameter]
         self.index = self.field.index(self.model.geometry.scalar(Symbol(wanted.parameter)))
-        self.truths = [self._truth(formula) for formula in formulas]
+        self.left_aside: Sequence[Formula] = ()
+        self.truths = [self._truth(formula) for formula in self._changing(formulas)]
         of = wanted.of  # what is to come before something else comes with it at the ends
         self.is_open = isinstance(of, FailsFirst) or (isinstance(of, Happening) and of.before is not None)
 
@@ -72,6 +73,16 @@ class TruthInNumbers:
             raise CannotAnswer(Message("one number must have a value here, and that is none in closed form"))
         element = self.field.lowest_terms(formula.element - self.model.geometry.scalar(self.wanted.target))
         return Truth(formula, element, self.wanted.relation)
+
+    def _changing(self, formulas: Sequence[Formula]) -> Sequence[Formula]:
+        """Of several values of one quantity those that the parameter changes, if there are some: a bead may stay at
+        the bottom of a hoop at any speed, and is not asked about."""
+        if not self.wanted.of.is_any_of_several:
+            return formulas
+        f = self.field
+        changing = [x for x in formulas if isinstance(x.element, Ratio) and self.index in f.ingredients(x.element)]
+        self.left_aside = [x for x in formulas if x not in changing] if changing else []
+        return changing or formulas
 
     # -- in numbers ---------------------------------------------------------------------------
     def numbers_of(self, draw: Draw) -> dict[int, Any]:

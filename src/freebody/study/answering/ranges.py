@@ -17,7 +17,7 @@ from typing import Any
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Symbol
-from freebody.language.notation import compared, joined, reworded
+from freebody.language.notation import compared, joined, reworded, to_text
 from freebody.language.sentences import Message
 from freebody.questions.base import Wanted
 from freebody.questions.reading import Question
@@ -32,6 +32,7 @@ from freebody.study.answering.turned_round import (
     NoneFound,
     above,
     domain_of,
+    for_every,
     without_roots,
 )
 from freebody.study.setup import Setup
@@ -187,16 +188,21 @@ class RangeSearch(TruthInNumbers):
 
     # -- the answer ---------------------------------------------------------------------------
     def finding(self) -> Finding:
-        own = self.setup.draws[0]
+        own, name = self.setup.draws[0], self.parameter.name
+        if self._is_of_motion_alone():
+            raise CannotAnswer(Message("that does not depend on {name}", name=name))
         found = self.intervals(own)
-        name = self.parameter.name
         if not found:
             raise NoneFound(Message("no value of {name} within its range was found for which that is so", name=name))
         if len(found) == 1 and found[0][0].value is None and found[0][1].value is None:
-            raise CannotAnswer(Message("that is so for every value of {name}", name=name))
+            raise CannotAnswer(for_every(self.parameter))
         conditions, element, notes = self._order(found, own), self._asked(found), list[str]()
         told = joined([self._told(interval) for interval in found], " or ")
         notes.append(reworded(Message("so for {range}", range=told), told))
+        for formula in self.left_aside:
+            shown = to_text(tidy(self.field.element(formula.element)))  # type: ignore[arg-type]
+            told = Message("the value {value} does not depend on {name} and is left aside", value=shown, name=name)
+            notes.append(reworded(told, shown))
         if any(truth.formula.in_numbers is not None for truth in self.truths) and any(
             end.value is not None and not end.is_in for interval in found for end in interval
         ):
@@ -206,21 +212,30 @@ class RangeSearch(TruthInNumbers):
         evidence = RangeEvidence(self, self.intervals).of(found, conditions)
         return Finding(element, evidence, conditions, notes, has_value=self.setup.has_values, is_complete=True)
 
+    def _is_of_motion_alone(self) -> bool:
+        """Whether what moves stands in the formulas, and the parameter in none: it may be one of the start, which then
+        says nothing of other motions."""
+        elements = [x for t in self.truths for x in (t.element, *(c.element for c in t.conditions)) if x is not None]
+        inside = set[int]().union(*map(self.field.ingredients, elements))
+        return self.index not in inside and bool(inside & self.model.moving)
+
     def _asked(self, found: Sequence[Interval]) -> Ratio | tuple[Ratio, ...]:
         """All ends, or the one that is asked for."""
         if self.wanted.end:
             end = found[0][0] if self.wanted.end == "least" else found[-1][1]
             if end.value is None:
-                why = (
-                    Message("there is no least value: it is so for all small ones")
-                    if self.wanted.end == "least"
-                    else Message("there is no largest value: it is so for all large ones")
-                )
-                raise CannotAnswer(why)
+                raise CannotAnswer(self._without_end())
             return end.value
         ends = [end.value for interval in found for end in interval if end.value is not None]
         ends = [x for k, x in enumerate(ends) if all(x != other for other in ends[:k])]
         return ends[0] if len(ends) == 1 else tuple(ends)
+
+    def _without_end(self) -> str:
+        if self.wanted.end == "least":
+            return Message("there is no least value: it is so for all small ones")
+        if self.parameter.acute:
+            return Message("there is no largest value: it is so for all acute angles up to 90°")
+        return Message("there is no largest value: it is so for all large ones")
 
     def _told(self, interval: Interval) -> str:
         """An interval as inequalities of the parameter."""
@@ -232,6 +247,8 @@ class RangeSearch(TruthInNumbers):
             sides.append(compared(name, ">=" if low.is_in else ">", tidy(low.value)))
         if high.value is not None:
             sides.append(compared(name, "<=" if high.is_in else "<", tidy(high.value)))
+        elif self.parameter.acute:
+            sides.append(compared(name, "<", tidy(self.field.pi / 2)))
         return joined(sides)
 
     def _order(self, found: Sequence[Interval], own: Draw) -> list[Condition]:

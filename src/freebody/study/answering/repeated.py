@@ -109,6 +109,8 @@ def coordinate_of(setup: Setup, measure: Measure | None) -> Coordinate:
         if len(model.coordinates) != 1:
             raise CannotAnswer(Message("say of which measure: period of x"))
         return model.coordinates[0]
+    if not model.coordinates:
+        raise CannotAnswer(Message("there is no degree of freedom: nothing goes to and fro"))
     value = model.value_of(measure)
     inside = f.ingredients(value)
     found = [c for c in (*model.coordinates, *model.dependent) if c.index in inside]

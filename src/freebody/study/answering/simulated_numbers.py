@@ -7,6 +7,7 @@ import numpy as np
 from freebody.budgets import allowed
 from freebody.errors import BudgetExhausted, CannotAnswer
 from freebody.language.sentences import Message
+from freebody.measures.base import Measure
 from freebody.numeric.engine.course import Status
 from freebody.numeric.options import SimulationOptions
 from freebody.questions.clock import Clock
@@ -18,7 +19,7 @@ from freebody.study.answering.crosscheck import as_parts
 from freebody.study.answering.numbers import LONGEST
 from freebody.study.answering.passage import NumericPassage
 from freebody.study.answering.witness import TOLERANCE
-from freebody.study.phases.quantities import only_friction_takes_energy, value_in_mode
+from freebody.study.phases.quantities import only_friction_takes_energy, taking_energy, value_in_mode
 from freebody.study.simulation.instant import SimulatedInstant, with_all_held
 from freebody.study.simulation.motion import SimulatedMotion
 from freebody.study.simulation.observed import observed
@@ -26,6 +27,7 @@ from freebody.study.simulation.simulator import Simulator
 from freebody.system.system import System
 
 _STEPS = 20_000  # of a motion in which contacts change
+_N_SEEN = 1201  # instants of a motion at which it is looked how far it gets
 _SOON = 1e-9  # [s] of a motion that is looked at where it begins
 
 
@@ -59,8 +61,8 @@ def number_with_changes(system: System, question: Question) -> Value:
     begin = reference.snapshot(q, v)
     now, held = SimulatedInstant(motion, k), with_all_held(system)
 
-    def lost() -> float:
-        if not only_friction_takes_energy(system):
+    def lost(of: str) -> float:
+        if not only_friction_takes_energy(system) or (of and taking_energy(system) != {of}):
             raise CannotAnswer(Message("other loads do work as well, and the heat of friction is not counted apart"))
         before, after = (float(Energy("total").value(system, s)) for s in (begin, now))
         return before - after
@@ -68,3 +70,13 @@ def number_with_changes(system: System, question: Question) -> Value:
     passage = NumericPassage(system, begin, now, lambda q: value_in_mode(q, system, held, now), lost)
     values = as_parts(quantity.counted(passage))
     return values[0] if len(values) == 1 else values
+
+
+def farthest(system: System, measure: Measure, side: int) -> tuple[float, float]:
+    """How far a measure gets on one side in a simulated motion, and until when that was followed: a minute, or to where
+    the motion cannot be followed further."""
+    simulator = Simulator(system)
+    options = SimulationOptions(method="dop853", tolerance=TOLERANCE, max_steps=allowed(_STEPS))
+    course = simulator.run(LONGEST, options, outputs=np.linspace(0.0, LONGEST, _N_SEEN))
+    seen = observed(SimulatedMotion(system, simulator, course, options), {"it": measure})["it"][0]
+    return side * float((side * seen).max()), float(course.times[-1])

@@ -20,6 +20,7 @@ from freebody.study.answering.assumed import assumed_at_start
 from freebody.study.answering.closed_form import QuestionSolver
 from freebody.study.answering.finding import NO_FORM, answered
 from freebody.study.answering.numbers import number_of
+from freebody.study.answering.other_turns import with_other_turns
 from freebody.study.answering.parts import part_for
 from freebody.study.answering.places_of_quantities import placed, with_place
 from freebody.study.answering.solution import Solution
@@ -37,9 +38,16 @@ def solve(system: System, question: str | None = None, *, setup: Setup | None = 
     form, or one whose closed form fails its check, has an Answer that says why and shows no formula."""
     questions, no_place = placed(system, system.questions if question is None else (system.question(question),))
     found = _solved(system, [q for q in questions if q.id not in no_place], setup)
-    answers = {a.id: a for a in found.answers}
-    told = (with_place(q, answers[q.id]) if q.id in answers else refused(q, no_place[q.id]) for q in questions)
+    answers, one = {a.id: a for a in found.answers}, partial(_one, system)
+    told = [
+        with_place(q, with_other_turns(q, answers[q.id], one)) if q.id in answers else refused(q, no_place[q.id])
+        for q in questions
+    ]
     return replace(found, answers=tuple(_without_gaps(system, a) for a in told))
+
+
+def _one(system: System, question: Question) -> Answer:
+    return _solved(system, (question,), None).answers[0]
 
 
 def _without_gaps(system: System, answer: Answer) -> Answer:

@@ -31,13 +31,14 @@ from freebody.study.answering.crosscheck import (
     MIN_DRAWS,
     MOTION_TOLERANCE,
     CrossCheck,
+    TooLittleCompared,
     element_at,
     holds,
 )
 from freebody.study.answering.draws import SEED, Draw, draws
 from freebody.study.answering.finding import Elements, Finding, NotHere
 from freebody.study.answering.magnitude import magnitude
-from freebody.study.answering.numbers import LONGEST, at_event
+from freebody.study.answering.numbers import LONGEST, at_event, number_at
 from freebody.study.setup import N_DRAWS, Setup
 from freebody.symbolic.conditions import Condition, merged, require
 from freebody.symbolic.field import Ratio
@@ -122,7 +123,7 @@ def first_found(system: System, name: str, attempt: Callable[[System], T]) -> T:
     for other in with_others(system, name):
         try:
             return attempt(other)
-        except (NeverHappens, NotHere, NotReached, NoneFound) as error:
+        except (NeverHappens, NotHere, NotReached, NoneFound, TooLittleCompared) as error:
             first = first or error
     assert first is not None
     raise first
@@ -173,7 +174,7 @@ def _turned(setup: Setup, question: Question, quantity: Wanted, formula: Formula
     element = formula.element - model.geometry.scalar(quantity.target)
     index = model.field.index(model.geometry.scalar(Symbol(name)))
     if element.is_zero():
-        raise CannotAnswer(Message("that is so for every value of {name}", name=name))
+        raise CannotAnswer(for_every(setup.system.parameters[name]))
     if index not in model.field.ingredients(element):
         raise CannotAnswer(Message("that does not depend on {name}", name=name))
     return _Turned(setup, question, quantity, setup.system.parameters[name], index, element, formula)
@@ -264,7 +265,9 @@ class _Turned:
     def evidence(self, candidate: _Candidate) -> Evidence:
         """The quantity by the numeric route, with the value put in for the parameter; else that of the formula."""
         of, event = self.quantity.of, self.question.event
-        if not (of.is_of_state and self.formula.is_put_back):
+        is_steady = of.scope == "steady motion" and self.formula.in_numbers is not None
+        event = None if is_steady else event  # there it says what the motion keeps
+        if not (is_steady or (of.is_of_state and self.formula.is_put_back)):
             return self.formula.evidence()
         route = (
             Message("the value put in for the parameter, floating-point solve of all bodies and constraints")
@@ -286,6 +289,8 @@ def quantity_with(setup: Setup, question: Question, of: Quantity, formula: Formu
     draw = made.draw
     if formula.in_numbers is not None:
         return formula.in_numbers(draw.values)
+    if not of.is_of_state:
+        return number_at(setup, of, question.event, draw)
     if question.event is not None:
         return at_event(setup, of, draw, draw.start(), _until(setup, question.event, draw), question.event)
     here = draw.start() if question.at_start else draw.anywhere(SEED + made.number, TIME, 0.1)
@@ -374,6 +379,16 @@ def above(x: Ratio) -> Ratio:
     wave = {"asin": "sin", "acos": "cos", "atan": "tan"}[name]
     beyond = argument - fn[wave](edge.numerator * field.pi / edge.denominator)
     return beyond if (factor > 0) == (name != "acos") else -beyond
+
+
+def for_every(parameter: Parameter) -> str:
+    """That something is so wherever a parameter may be."""
+    name = parameter.name
+    if parameter.acute:
+        return Message("that is so for every acute angle {name}", name=name)
+    if parameter.sign == "positive":
+        return Message("that is so for every positive value of {name}", name=name)
+    return Message("that is so for every value of {name}", name=name)
 
 
 def is_within(parameter: Parameter, number: float) -> bool:

@@ -147,11 +147,13 @@ class RateBalance:
     @cached_property
     def rate(self) -> Ratio:
         """By differentiation, the accelerations put in. Where closed loops bind the coordinates these have no short
-        form: then by the principle, as far as that needs none of them (energy). Raises CannotAnswer otherwise."""
+        form: then by the principle, as far as that needs none of them (energy, and momentum that no connection passes
+        on). Raises CannotAnswer otherwise."""
         m = self.model
         has_potential = self.quantity.is_up_to_constant
-        if m.loops or (has_potential and self.unwritten):
-            principle = self.by_principle() if has_potential else None
+        is_of_pose = self.quantity.kinematic_order == 0
+        if (m.loops and not is_of_pose) or (has_potential and self.unwritten):
+            principle = self.by_principle() if has_potential or self._is_isolated(self.quantity) else None
             if principle is None:
                 raise CannotAnswer(Message("closed loops bind the coordinates, so its rate has no short form"))
             return m.field.lowest_terms(principle.total(m.field.zero))
@@ -159,6 +161,16 @@ class RateBalance:
         if rate.generators() & set(m.accelerations):
             rate = m.in_independent_speeds(m.field.substitute(rate, m.dynamics.solved_accelerations))
         return m.field.lowest_terms(rate)
+
+    @singledispatchmethod
+    def _is_isolated(self, q: Quantity) -> bool:
+        """Whether no connection reaches from outside to the bodies of a momentum."""
+        return False
+
+    @_is_isolated.register(Momentum)
+    @_is_isolated.register(AngularMomentum)
+    def _no_row_reaches(self, q: Momentum | AngularMomentum) -> bool:
+        return not any(self.reaches_outside(row, q.body) for row in self.system.constraint_rows)
 
     def by_principle(self) -> RatePrinciple | None:
         """By the principle; None for a quantity without one of its own. Raises CannotAnswer where a reaction that

@@ -65,9 +65,11 @@ class Conservation(Result):
 def _search(quantities: tuple[Verdicts, ...]) -> Iterator[Block]:
     different = [v for v in quantities if not v.same_as]
     groups = {
-        "Conserved for every motion": [v for v in different if v.is_conserved],
+        "Conserved for every motion": [v for v in different if v.is_conserved and v.is_proved],
         "Conserved under a condition": [v for v in different if v.is_answered and v.is_conserved is None],
     }
+    if seen := [v for v in different if v.is_conserved and not v.is_proved]:
+        groups["Constant in every simulated motion, without a proof"] = seen
     for heading, verdicts in groups.items():
         lines = [each for verdict in verdicts for each in _found(verdict, quantities)]
         yield Section((heading,), tuple(lines or [line("nothing that was looked for")]))
@@ -90,7 +92,7 @@ def _found(verdict: Verdicts, quantities: tuple[Verdicts, ...]) -> Iterator[Para
     """What is conserved, with what else is the same, and notes."""
     condition = " or ".join(verdict.conditions)
     if condition:
-        yield line(f"{verdict.question}: if {condition}")
+        yield line(f"{verdict.question}: {'' if verdict.is_proved else 'in every simulated motion '}if {condition}")
     else:
         yield _with_formula(verdict, " = ", verdict.value)
     yield from (remark(f"it is the {v.question} as well") for v in quantities if v.same_as == verdict.question)
@@ -119,8 +121,7 @@ def _said(verdict: Verdicts) -> Iterator[Entry]:
         yield entry("principle", verdict.principle, *((f"{name}: ", Formula((part,))) for name, part in verdict.parts))
     if verdict.rate is not None:
         yield entry("rate", (Formula((verdict.rate,)),))
-    told = {True: "for every motion", False: "no"}
-    yield entry("conserved", verdict.when if verdict.is_conserved is None else told[verdict.is_conserved])
+    yield entry("conserved", verdict.when)
     yield from notes(verdict.notes)
     yield from options(verdict.choice, verdict.options)
     yield from notes(verdict.author_notes, "to author")

@@ -28,6 +28,7 @@ from freebody.questions.base import Quantity
 from freebody.questions.energy import Energy
 from freebody.study.answering.crosscheck import element_at
 from freebody.study.answering.draws import SEED, Draw
+from freebody.study.answering.magnitude import magnitude
 from freebody.study.conservation.balance import RateBalance
 from freebody.study.setup import Setup
 from freebody.symbolic.vanishing import VanishingCase, is_given_function
@@ -101,7 +102,7 @@ def confirm(
                 if motion.drift > TOLERANCE:
                     raise RoutesDisagree(
                         Message(
-                            "the {name} should stay constant, and changes by {drift:.2g} of its size in a "
+                            "{name} should stay constant, and changes by {drift:.2g} of its size in a "
                             "simulation. No answer is shown. This is a defect of freebody; please report the model",
                             name=name,
                             drift=motion.drift,
@@ -315,7 +316,7 @@ def _size(snapshot: Snapshot, balance: RateBalance) -> float:
     if dimension == ANGULAR_MOMENTUM:
         return momentum * sizes.length + spin
     if dimension != ENERGY:
-        return 0.0
+        return magnitude(dimension, snapshot)
     loads = sum(abs(snapshot.law(push)) for push in balance.storing)
     return float(shares @ speeds) / 2 + _SLOW * loads * sizes.length
 

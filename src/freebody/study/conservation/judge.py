@@ -26,11 +26,12 @@ from freebody.study.conservation.constancy import (
     confirm,
 )
 from freebody.study.conservation.vanishing_rates import ConservationFinding, VanishingRates
-from freebody.study.conservation.verdicts import Verdicts
+from freebody.study.conservation.verdicts import EVERY_SIMULATED, Verdicts
 from freebody.study.setup import Setup
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.vanishing import (
+    ALWAYS,
     VanishingCase,
     cases_where_zero,
     motion_coefficients,
@@ -77,12 +78,8 @@ class Judge:
             for found, axis in zip(findings, labels, strict=True)
         ]
         claims = [self._claim(found) for found in findings]
-        cases: tuple[VanishingCase, ...] = (VanishingCase((), {}),)
-        if not all(v.is_conserved for v in verdicts):
-            is_refuted = any(v.is_conserved is False for v in verdicts)
-            coefficients = [c for claim in claims for c in claim.coefficients]
-            cases = () if is_refuted else cases_where_zero(coefficients, self.rates.may_vanish)
-        open_ = next((k for k, v in enumerate(verdicts) if v.is_conserved is not True), 0)
+        cases = self._of_all(findings, claims)
+        open_ = next((k for k, v in enumerate(verdicts) if v.is_conserved is not True or not v.is_proved), 0)
         judgement: Judgement | None = None
         if question.options:
             from freebody.assess.statements import judge_statements
@@ -90,7 +87,15 @@ class Judge:
             coefficients = [c for claim in claims for c in claim.coefficients]
             exact = all(claim.is_exact for claim in claims)
             rates = tuple(r for claim in claims for r in claim.rates)
-            claim = replace(claims[open_], coefficients=coefficients, cases=cases, rates=rates, is_exact=exact)
+            proved = all(claim.is_proved for claim in claims)
+            claim = replace(
+                claims[open_],
+                coefficients=coefficients,
+                cases=cases,
+                rates=rates if proved else (),
+                is_exact=exact,
+                is_proved=proved,
+            )
             judgement = judge_statements(question, claim, self.model, self.system)
         is_conserved = True if any(not c.equalities for c in cases) else None if cases else False
         notes = [_along(axis, v) for v, axis in zip(verdicts, labels, strict=True)]
@@ -100,11 +105,26 @@ class Judge:
             is_conserved=is_conserved,
             conditions=texts_of(cases) if is_conserved is None else (),
             value=None,
+            is_proved=all(v.is_proved for v in verdicts),
             notes=(*notes, *verdicts[open_].notes),
             choice=None if judgement is None else judgement.choice,
             options={} if judgement is None else judgement.options,
             author_notes=() if judgement is None else judgement.notes,
         )
+
+    def _of_all(self, findings: Sequence[ConservationFinding], claims: Sequence[Any]) -> tuple[VanishingCase, ...]:
+        """The cases in which all components stay: what formulas ask for, with what simulations have shown of those
+        without one."""
+        if any(found.is_conserved is False for found in findings):
+            return ()
+        coefficients = [c for claim in claims for c in claim.coefficients]
+        cases: tuple[VanishingCase, ...] = (ALWAYS,)
+        if coefficients:
+            cases = cases_where_zero(coefficients, self.rates.may_vanish)
+        for found in findings:
+            if not found.is_proved and found.is_conserved is None:
+                cases = tuple(one.with_more(other) for one in cases for other in found.cases)
+        return cases
 
     def look(self, id: str, quantity: Quantity, name: str) -> Verdicts:
         """The verdict on a quantity."""
@@ -124,13 +144,15 @@ class Judge:
     def _claim(self, found: ConservationFinding) -> Any:
         from freebody.assess.statements import Claim
 
-        rate = None if self.model.loops and found.principle is None else found.balance.rate
+        has_rate = found.is_proved and not (self.model.loops and found.principle is None)
+        rate = found.balance.rate if has_rate else None
         return Claim(
             [] if rate is None or found.is_conserved is True else motion_coefficients(rate, self.rates.is_parameter),
             found.cases,
             () if rate is None else (rate,),
             self.rates.is_parameter,
             found.is_exact,
+            found.is_proved,
         )
 
     # -- the verdict --------------------------------------------------------------------------
@@ -166,14 +188,17 @@ class Judge:
             options={} if judgement is None else judgement.options,
             author_notes=() if judgement is None else judgement.notes,
             is_exact=found.is_exact,
+            is_proved=found.is_proved or is_conserved is False,
             provided=self.rates.provided(found) if is_conserved is None else (),
         )
 
     def _shown(self, found: ConservationFinding) -> tuple[Expr | None, Expr | None]:
         """The quantity and its rate; nothing longer than anybody reads."""
         zero, balance = self.model.field.zero, found.balance
-        if found.is_conserved is True:
-            rate: Ratio | None = zero
+        if not found.is_proved:
+            rate: Ratio | None = None
+        elif found.is_conserved is True:
+            rate = zero
         else:
             rate = None if self.model.loops and found.principle is None else balance.rate
         return self._tidied(lambda: balance.value), self._tidied(lambda: rate)
@@ -237,9 +262,12 @@ class Judge:
 
 def _along(axis: str, v: Verdicts) -> str:
     """The verdict on one component."""
-    if v.is_conserved:
+    if v.is_conserved and v.is_proved:
         return Message("along {axis}: conserved", axis=axis)
     when = joined(v.conditions, " or ")
+    if not v.is_proved:
+        seen = Message("constant in every simulated motion if {case}", case=when) if when else EVERY_SIMULATED
+        return reworded(Message("along {axis}: {seen}", axis=axis, seen=seen), when)
     told = (
         Message("along {axis}: if {case}", axis=axis, case=when)
         if when

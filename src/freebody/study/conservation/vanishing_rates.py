@@ -42,6 +42,7 @@ class ConservationFinding:
     is_exact: bool  # the cases are all there are
     principle: RatePrinciple | None
     notes: tuple[str, ...]
+    is_proved: bool = True  # False: in the cases no simulated motion changes it, which is all that is known
 
     @property
     def is_conserved(self) -> bool | None:
@@ -128,13 +129,13 @@ class VanishingRates:
             note = further(why, Message("found by simulation"))
             if cases:
                 note = further(note, Message("there may be more conditions"))
-            return ConservationFinding(balance, cases, False, None, (note,))
+            return ConservationFinding(balance, cases, False, None, (note,), is_proved=False)
         if max(drifts) > TOLERANCE:
             raise CannotAnswer(
                 Message("{why}, and in simulations it changes by {share:.1g} of its size", why=why, share=max(drifts))
             )
         note = Message("{why}; it is constant in {n} simulated motions, which is no proof", why=why, n=len(drifts))
-        return ConservationFinding(balance, (VanishingCase((), {}),), False, None, (note,))
+        return ConservationFinding(balance, (VanishingCase((), {}),), False, None, (note,), is_proved=False)
 
     @staticmethod
     def _has_value(balance: RateBalance, case: VanishingCase) -> bool:

@@ -11,13 +11,17 @@ from freebody.language.notation import joined, reworded, stated_plain, to_python
 from freebody.language.sentences import Message, in_turn
 from freebody.study.conservation.constancy import Confirmation, CounterMotion
 
+EVERY_MOTION, NOT_CONSERVED = Message("conserved for every motion"), Message("not conserved")
+EVERY_SIMULATED = Message("constant in every simulated motion")
+
 
 @dataclass(frozen=True)
 class Verdicts:
     """What was found about one quantity.
 
     `is_conserved`: True for every motion, False for no admissible parameters, None under `conditions` (any one of them;
-    each is a set of equalities that hold together). `rate` is the quantity's rate, reduced."""
+    each is a set of equalities that hold together). Without `is_proved` that was seen in simulated motions alone; what
+    changes in one of them is refuted for good. `rate` is the quantity's rate, reduced."""
 
     id: str
     question: str
@@ -37,20 +41,29 @@ class Verdicts:
     is_exact: bool = True  # the conditions are all there are; otherwise they are enough
     provided: tuple[str, ...] = ()  # parameters that are taken not to vanish
     same_as: str = ""  # an earlier quantity that is the same formula
+    is_proved: bool = True
 
     @property
     def when(self) -> str:
-        """Under which conditions it is conserved, in words: whether only then is said where it is known."""
+        """For which motions, or under which conditions, it is conserved, in words: whether only then is said where
+        it is known."""
+        if self.is_conserved is not None:
+            return ("for every motion" if self.is_proved else EVERY_SIMULATED) if self.is_conserved else "no"
         word = "if and only if" if self.is_exact else "if"
         given = f" (for {', '.join(self.provided)} ≠ 0)" if self.provided else ""
         conditions = joined(self.conditions, " or ")
-        return reworded(f"{word} {conditions}{given}", conditions)
+        told = f"{word} {conditions}{given}"
+        return reworded(told if self.is_proved else f"{EVERY_SIMULATED} {told}", conditions)
 
     @property
     def verdict(self) -> str:
         """The same as a sentence."""
+        if self.is_conserved is not None:
+            return (EVERY_MOTION if self.is_proved else EVERY_SIMULATED) if self.is_conserved else NOT_CONSERVED
         case, p = joined(self.conditions, " or "), in_turn(self.provided)
-        if self.is_exact and p:
+        if not self.is_proved:
+            told = Message("constant in every simulated motion if {case}", case=case)
+        elif self.is_exact and p:
             told = Message("conserved if and only if {case} (for {p} ≠ 0)", case=case, p=p)
         elif self.is_exact:
             told = Message("conserved if and only if {case}", case=case)
@@ -71,6 +84,7 @@ class Verdicts:
             "question": self.question,
             "same_as": self.same_as or None,
             "conserved": self.is_conserved,
+            "proved": self.is_proved,
             "value": None if self.value is None else to_python(self.value),
             "rate": None if self.rate is None else to_python(self.rate),
             "conditions": list(map(stated_plain, self.conditions)),

@@ -200,7 +200,8 @@ class Ends:
     def number(self, x: Ratio, draw: Draw) -> float | None:
         numbers = self.model.samples.numbers(draw.sample(draw.start()), draw.sample())
         try:
-            return float(self.field.evaluate(x, numbers))
+            value = float(self.field.evaluate(x, numbers))
+            return 0.0 if self.field.vanishes_at(x, numbers, ROUND_OFF) else value
         except (KeyError, ValueError, ArithmeticError):
             return None
 
@@ -208,7 +209,7 @@ class Ends:
         """Whether a case is the one at a draw, as far as its conditions are known."""
         for c in case.conditions:
             value = self.number(c.element, draw)
-            if value is None or not (value >= -ROUND_OFF if c.relation == ">=" else value > 0.0):
+            if value is None or not (value >= 0.0 if c.relation == ">=" else value > 0.0):
                 return False
         return True
 

@@ -112,7 +112,7 @@ class RestHolding(Ends):
 
         def holds(c: Condition) -> bool:
             value = self.number(c.element, draw)
-            return value is not None and value >= -ROUND_OFF
+            return value is not None and value >= 0.0
 
         if barrier.condition is None or not all(map(holds, barrier.where)):
             return True

@@ -12,13 +12,14 @@ from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr
 from freebody.language.notation import joined, reworded
 from freebody.language.sentences import Message
+from freebody.measures.base import Measure
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer, AnswerCase, Evidence, Value, made
 from freebody.study.answering.crosscheck import TooLittleCompared
 from freebody.study.answering.finding import answered, judged
 from freebody.study.answering.loops import loops_in
 from freebody.study.answering.scope import for_all
-from freebody.study.answering.simulated_numbers import number_with_changes
+from freebody.study.answering.simulated_numbers import farthest, number_with_changes
 from freebody.study.phases.branch import AnswerBranch
 from freebody.study.phases.decide import NOTHING, as_test, cells
 from freebody.study.phases.evidence import compare
@@ -30,9 +31,11 @@ from freebody.study.phases.result import relations
 from freebody.study.phases.tree import PhaseTree
 from freebody.study.phases.words import action, happening, in_phase
 from freebody.symbolic.conditions import Condition, both, relation_text
+from freebody.symbolic.field import Ratio
 from freebody.symbolic.relations import SolvedRelation, readable
 from freebody.symbolic.validity import texts, validity
-from freebody.tolerances import ROUNDED
+
+_FARTHER = 1e-6  # of the size: what is more than how exactly a simulation is seen
 
 
 def answer(tree: PhaseTree, question: Question) -> Answer:
@@ -97,16 +100,42 @@ def _at_first_turn(tree: PhaseTree, question: Question) -> Answer:
     way = WayToPhase((root,), (), (*tree.assumed, *root.conditions))
     take(struck, at_turning_impacts(tree, struck, event.measure, side, way))
     own = next(((q, p) for q, p in found if 0 in p.sets or not tree.system.has_values), None)
+    is_plain = question.event is None and question.transition is None
+    if own is None and is_plain and tree.system.has_values and side * tree.numbers(rate)[0] < 0.0:
+        answer = _at_start_of_way(tree, replace(question, quantity=of, at_start=True), side * rate)
+        return _no_farther(tree, answer, event.measure, side)
     if own is None:
         raise CannotAnswer(Message("no turn on that side was found among the phases of the motion"))
     answer = _of_branches(tree, own[0], [p for q, p in found if q is own[0]])
-    return replace(
-        answer,
-        notes=(
-            *answer.notes,
-            Message("there it first turns on that side; whether it gets farther later was not looked at"),
-        ),
-    )
+    answer = replace(answer, notes=(*answer.notes, Message("there it first turns on that side")))
+    return _no_farther(tree, answer, event.measure, side)
+
+
+def _no_farther(tree: PhaseTree, answer: Answer, measure: Measure, side: int) -> Answer:
+    """The farthest of the way so far, where a simulation gets no farther later. Raises CannotAnswer where it does."""
+    value = answer.value
+    if not isinstance(value, float):
+        return replace(answer, notes=(*answer.notes, Message("whether it gets farther later was not looked at")))
+    reached, until = farthest(tree.system, measure, side)
+    if side * (reached - value) > _FARTHER * max(abs(reached), abs(value)):
+        raise CannotAnswer(
+            Message("it gets farther later on: in a simulation of {t:.3g} s to {value:.6g}", t=until, value=reached)
+        )
+    note = Message("in a simulation of {t:.3g} s it gets no farther later on", t=until)
+    return replace(answer, notes=(*answer.notes, note))
+
+
+def _at_start_of_way(tree: PhaseTree, question: Question, rate: Ratio) -> Answer:
+    """What sets out to the other side (a negative rate, or acceleration from rest) has been farthest at the start."""
+    away, branches = np.flatnonzero(tree.numbers(rate) < 0), list[AnswerBranch]()
+    for piece in pieces(tree, question):
+        sets = np.intersect1d(piece.sets, away)
+        if len(sets):
+            needed = tree.conditions([(-rate, ">", "")], sets)
+            branches.append(replace(piece, sets=sets, conditions=[*piece.conditions, *needed]))
+    answer = _of_branches(tree, question, branches)
+    note = Message("that is at the start, from where it sets out to the other side")
+    return replace(answer, notes=(*answer.notes, note))
 
 
 def _of_branches(tree: PhaseTree, question: Question, found: list[AnswerBranch]) -> Answer:
@@ -230,8 +259,8 @@ def _broken(tree: PhaseTree, region: _Region) -> str:
     is_taken = 0 in region.sets
     needs = [n for n in region.piece.needs if region.piece.is_home] if is_taken else region.relations
     for r in needs:
-        x = tree.numbers(r.element)
-        if np.isfinite(x[0]) and not holds(r, np.where(np.abs(x) < ROUNDED, 0.0, x))[0]:
+        x = tree.numbers(r.element)[:1]
+        if np.isfinite(x[0]) and not holds(r, np.zeros(1) if tree.vanishes(r.element) else x)[0]:
             text = relation_text(readable(r.element), r.relation) if isinstance(r, Condition) else r.text()
             return reworded(Message("{condition} is not true there", condition=text), text)
     return "" if is_taken else Message("the model takes another way there")
@@ -248,5 +277,5 @@ def _value(tree: PhaseTree, piece: AnswerBranch) -> Value:
         value = float(tree.numbers(part)[0])
         if not np.isfinite(value):
             return None
-        values.append(0.0 if abs(value) < ROUNDED else value)
+        values.append(0.0 if tree.vanishes(part) else value)
     return tuple(values) if isinstance(piece.value, tuple) else values[0]

@@ -37,7 +37,13 @@ from freebody.study.phases.followed import before_impact, begun, changed, follow
 from freebody.study.phases.in_blow import after_in_numbers
 from freebody.study.phases.nodes import PhaseNode
 from freebody.study.phases.phase import Phase
-from freebody.study.phases.quantities import frictions, only_friction_takes_energy, plain, value_in_mode
+from freebody.study.phases.quantities import (
+    connection_of,
+    frictions,
+    only_friction_takes_energy,
+    plain,
+    value_in_mode,
+)
 from freebody.study.phases.tree import PhaseTree
 from freebody.study.phases.witness import MAX_TIME, FollowedPhase, NumericMode, PhaseSnapshot
 from freebody.system.system import System
@@ -167,7 +173,7 @@ def _since_the_start(tree: PhaseTree, question: Question, piece: AnswerBranch) -
         before = now = mode.snapshot(q, v, 0.0)
         if node.impact is not None:
             before, _q, _v = before_impact(tree.system, node.impact.kept, values)
-        counted = question.quantity.counted(_passage(tree, [], mode, before, now))
+        counted = question.quantity.counted(_passage(tree, piece, [], mode, before, now))
         check.compare(Draw(mode.values, mode.references[0], q), _home_numbers(tree, piece, k), counted)
 
     return check.gather(_numbered(piece), compare).evidence()
@@ -301,18 +307,27 @@ def _number(tree: PhaseTree, quantity: Quantity, piece: AnswerBranch, seen: list
     begin = seen[0].begin
     if first.impact is not None:
         begin, _q, _v = before_impact(tree.system, first.impact.kept, values)
-    return quantity.counted(_passage(tree, seen, mode, begin, now))
+    return quantity.counted(_passage(tree, piece, seen, mode, begin, now))
 
 
 def _passage(
-    tree: PhaseTree, seen: Sequence[PhaseSnapshot], mode: NumericMode, begin: Snapshot, now: Snapshot
+    tree: PhaseTree,
+    piece: AnswerBranch,
+    seen: Sequence[PhaseSnapshot],
+    mode: NumericMode,
+    begin: Snapshot,
+    now: Snapshot,
 ) -> NumericPassage:
     """What was seen of a motion in phases. begin, now: before all impacts, and where it is asked for, in `mode`."""
 
-    def lost() -> float:
-        if all(only_friction_takes_energy(s.mode.system) for s in seen):
+    def lost(of: str) -> float:
+        takers = set[str]().union(*(map(connection_of, frictions(s.mode.system)) for s in seen))
+        strikes = [n.impact is not None and (not of or n.impact.is_in(of)) for n in (*piece.nodes, piece.after) if n]
+        is_all = takers <= {of} and all(strikes[k] for k, n in enumerate(piece.nodes) if n.impact)
+        if all(only_friction_takes_energy(s.mode.system) for s in seen) and (not of or is_all):
             return _energy(begin, mode.system) - _energy(now, mode.system)
-        return sum(map(_heat, seen)) + _taken_by_impacts(seen, begin, now)
+        struck = _taken_by_impacts(seen, begin, now, strikes) if seen and any(strikes) else 0.0
+        return sum(_heat(s, of) for s in seen) + struck
 
     def instants(one: PhaseSnapshot) -> Sequence[Snapshot]:
         return [one.begin, *(one.mode.references[0].snapshot(*at) for at in one.looks), one.snapshot()]
@@ -325,20 +340,24 @@ def _value_there(tree: PhaseTree, mode: NumericMode, now: Snapshot, quantity: Qu
     return value_in_mode(quantity, tree.system, mode.system, now)
 
 
-def _taken_by_impacts(seen: Sequence[PhaseSnapshot], begin: Any, now: Any) -> float:
-    """Between the end of a phase and the beginning of the next; `begin` and `now` are before and after all of them."""
+def _taken_by_impacts(seen: Sequence[PhaseSnapshot], begin: Any, now: Any, counts: Sequence[bool]) -> float:
+    """Between the end of a phase and the beginning of the next; `begin` and `now` are before and after all of them.
+    counts: which of them are meant."""
     before = [begin, *(s.snapshot() for s in seen)]
     after = [*(s.begin for s in seen), now]
     systems = [*(s.mode.system for s in seen), seen[-1].mode.system]
-    return sum(_energy(a, s) - _energy(b, s) for a, b, s in zip(before, after, systems, strict=True))
+    meant = (one for one, is_meant in zip(zip(before, after, systems, strict=True), counts, strict=False) if is_meant)
+    return sum(_energy(a, s) - _energy(b, s) for a, b, s in meant)
 
 
-def _heat(seen: PhaseSnapshot) -> float:
-    """What friction turns into heat in one phase: its force by the way that it slips. Raises CannotAnswer where the
-    force changes on the way."""
+def _heat(seen: PhaseSnapshot, of: str) -> float:
+    """What friction turns into heat in one phase, in one connection or in all: its force by the way that it slips.
+    Raises CannotAnswer where the force changes on the way."""
     begin, end = seen.mode.snapshot(seen.begin.q, seen.begin.v, seen.begin.t), seen.snapshot()
     total = 0.0
     for push in frictions(seen.mode.system):
+        if of and connection_of(push) != of:
+            continue
         first, last = begin.law(push), end.law(push)
         if abs(last - first) > ROUND_OFF * max(abs(first), abs(last)):
             raise CannotAnswer(

@@ -151,6 +151,10 @@ class Home:
         """An element of the parameters in all sets."""
         return self.sets.evaluate(self.home.model, x)
 
+    def vanishes(self, x: Ratio) -> bool:
+        """Whether an element is zero at the model's own numbers, or round-off of its terms."""
+        return self.sets.vanishes(self.home.model, x, 0)
+
     def changes_sign(self, x: Ratio, sets: Chosen) -> bool:
         numbers = self.numbers(x)[sets]
         return bool((numbers > 0).any() and (numbers < 0).any())

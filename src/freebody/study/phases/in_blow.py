@@ -129,9 +129,11 @@ def after_in_numbers(
     return InBlow(state, of, lambda: 0.5 * float(v @ (reference.masses * v)), beside)
 
 
-def not_struck(quantity: Quantity) -> CannotAnswer:
-    """Why there is no impulse."""
+def not_struck(quantity: Quantity, why: str) -> CannotAnswer:
+    """Why there is no impulse. why: the motion is told no further."""
     names = ", ".join(sorted(quantity.struck))
-    if not names:
-        return CannotAnswer(Message("there is no blow or impact in the phases that were found"))
-    return CannotAnswer(Message("{names} is in no blow or impact of the phases that were found", names=names))
+    if names:
+        told = Message("{names} is in no blow or impact of the phases that were found", names=names)
+    else:
+        told = Message("there is no blow or impact in the phases that were found")
+    return CannotAnswer(Message("{told}, which are not all: {why}", told=told, why=why) if why else told)

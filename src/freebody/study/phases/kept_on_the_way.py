@@ -15,6 +15,7 @@ from freebody.language.sentences import Message
 from freebody.questions.base import Quantity
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
+from freebody.study.conservation.verdicts import EVERY_MOTION, NOT_CONSERVED
 from freebody.study.phases.kept import KeptMode, in_first_modes
 from freebody.study.phases.nodes import PhaseNode, WayToPhase
 from freebody.study.phases.quantities import value_in_mode
@@ -23,8 +24,6 @@ from freebody.study.phases.tree import PhaseTree
 from freebody.study.phases.words import in_phase
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
-
-_ALWAYS, _NOT = Message("conserved for every motion"), Message("not conserved")
 
 
 def answer(tree: PhaseTree, question: Question) -> Answer:
@@ -40,7 +39,7 @@ def answer(tree: PhaseTree, question: Question) -> Answer:
     for node in later:
         if node.impact is not None:
             is_kept, told = _across(tree, node, of)
-            verdicts.append(_ALWAYS if is_kept else _NOT if is_kept is False else "")
+            verdicts.append(EVERY_MOTION if is_kept else NOT_CONSERVED if is_kept is False else "")
             notes.append(told)
         found = _of_node(tree, node, question)
         verdicts.append(found)
@@ -123,11 +122,11 @@ def _elements(tree: PhaseTree, place: Any, value: Any) -> list[Ratio]:
 
 def _together(verdicts: list[str], *, is_told: bool) -> str:
     """What is so of the whole motion. is_told: whether the last phase that is told is the last one."""
-    if any(v == _NOT for v in verdicts):
+    if any(v == NOT_CONSERVED for v in verdicts):
         return Message("not conserved on the whole way")
-    different = {v for v in verdicts if v != _ALWAYS}
+    different = {v for v in verdicts if v != EVERY_MOTION}
     if not different and not is_told:
         return Message("conserved in the phases and impacts that are told; others follow")
     if len(different) <= 1 and "" not in different:
-        return different.pop() if different else _ALWAYS
+        return different.pop() if different else EVERY_MOTION
     return Message("conserved in some of the phases and impacts; see there")

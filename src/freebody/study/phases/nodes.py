@@ -67,6 +67,15 @@ class PhaseImpact:
         """The rows along which it collides."""
         return frozenset(() if self.collision is None else (row.name for row in self.collision[0].struck))
 
+    def is_in(self, connection: str) -> bool:
+        """Whether it happens in one connection. Raises CannotAnswer where others strike at once."""
+        closing = () if self.blow is None else self.blow.striking
+        struck = {name.partition(".")[0] for name in (*self.hits, *closing)}
+        if connection in struck and len(struck) > 1:
+            names = ", ".join(sorted(struck))
+            raise CannotAnswer(Message("{names} strike at once; what each of them takes is not told", names=names))
+        return connection in struck
+
     @property
     def words(self) -> str:
         impact = Message("impact of {contacts}", contacts=self.contacts)

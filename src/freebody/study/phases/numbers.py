@@ -24,6 +24,7 @@ from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.relations import SolvedRelation
 from freebody.system.system import System
+from freebody.tolerances import ROUNDED
 
 Chosen = NDArray[np.intp]  # indices of parameter sets
 Mask = NDArray[np.bool_]
@@ -151,6 +152,12 @@ class Sets:
             except (KeyError, ZeroDivisionError, OverflowError):
                 return np.full(self.n, np.nan)
         return found if found.ndim else np.full(self.n, float(found))
+
+    def vanishes(self, model: SymbolicModel, x: Ratio, k: int) -> bool:
+        """Whether an element is zero in one of the sets, or round-off of its terms."""
+        inside = model.field.ingredients(x) | x.generators()
+        known = {g: float(np.broadcast_to(v, self.n)[k]) for g, v in self._numbers(model).items() if g in inside}
+        return model.field.vanishes_at(x, known, ROUNDED)
 
     def _plain(self, model: SymbolicModel, more: dict[int, Any] | None = None) -> dict[int, Any]:
         values: dict[int, Any] = dict(more or {})

@@ -8,6 +8,7 @@ from functools import partial
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
+from freebody.model.elements import AppliedLoad, NonholonomicForm
 from freebody.questions.base import Quantity
 from freebody.questions.energy import Energy as EnergyOf
 from freebody.study.answering.finding import Elements
@@ -16,7 +17,13 @@ from freebody.study.phases.ends import FirstEvent
 from freebody.study.phases.nodes import PhaseNode, WayToPhase
 from freebody.study.phases.numbers import Chosen
 from freebody.study.phases.phase import Phase
-from freebody.study.phases.quantities import frictions, only_friction_takes_energy, plain, value_in_mode
+from freebody.study.phases.quantities import (
+    connection_of,
+    frictions,
+    only_friction_takes_energy,
+    plain,
+    value_in_mode,
+)
 from freebody.study.phases.tree import PhaseTree
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.phases.course import LawMotion
@@ -43,9 +50,11 @@ class _WithFriction(FormulaPassage):
         x = elements_in(self.tree, phase, quantity, phase.start_instant)
         return tuple(map(self.phases[0].told, x)) if isinstance(x, tuple) else self.phases[0].told(x)
 
-    def heat(self) -> Ratio:
+    def heat(self, of: str) -> Ratio:
         nodes = (*self.way.nodes, *(() if self.after is None else (self.after,)))
-        return sum((_taken_by_impact(self.tree, node) for node in nodes), _heat(self.tree, self.way, self.first))
+        return sum(
+            (_taken_by_impact(self.tree, node, of) for node in nodes), _heat(self.tree, self.way, self.first, of)
+        )
 
 
 def passage_of(
@@ -95,13 +104,14 @@ def elements_in(tree: PhaseTree, phase: Phase, quantity: Quantity, state: Symbol
     return f.lowest_terms(f.follow(f.element(value), still))
 
 
-def _heat(tree: PhaseTree, way: WayToPhase, first: FirstEvent | None) -> Ratio:
+def _heat(tree: PhaseTree, way: WayToPhase, first: FirstEvent | None, of: str) -> Ratio:
     """What dry friction turns into heat: in every phase the integral of -F s' over time, F the friction along the slip
-    s, which is not negative whatever else does work; where the motion is known by its energy alone, what that loses."""
+    s, which is not negative whatever else does work; where the motion is known by its energy alone, what that loses, or
+    of one connection (`of`) a steady F times its way."""
     total = tree.home.model.field.zero
     for k, node in enumerate(way.nodes):
         phase, last = node.phase, k == len(way.edges)
-        rubbing = frictions(phase.system)
+        rubbing = [p for p in frictions(phase.system) if not of or connection_of(p) == of]
         if not rubbing:
             continue
         ends = first if last else way.edges[k].first
@@ -109,7 +119,10 @@ def _heat(tree: PhaseTree, way: WayToPhase, first: FirstEvent | None) -> Ratio:
             continue
         zero = ends.zero
         if isinstance(phase.course, (EnergyMotion, LawMotion)):
-            total = total + _energy_lost(tree, phase, zero.values)
+            if not of or (len(rubbing) == len(frictions(phase.system)) and only_friction_takes_energy(phase.system)):
+                total = total + _energy_lost(tree, phase, zero.values)
+            else:
+                total = sum((_by_way(tree, phase, push, zero.values) for push in rubbing), total)
             continue
         time = None if zero.time is None else tree.to_home(phase, zero.time)
         if time is None:
@@ -119,6 +132,20 @@ def _heat(tree: PhaseTree, way: WayToPhase, first: FirstEvent | None) -> Ratio:
             for n, coefficient in enumerate(phase.course.along(power)):
                 total = total - tree.to_home(phase, coefficient) * time ** (n + 1) / (n + 1)
     return total
+
+
+def _by_way(tree: PhaseTree, phase: Phase, push: AppliedLoad, values: Mapping[int, Ratio]) -> Ratio:
+    """What a friction that stays the same turns into heat from the beginning of a phase to a state of it."""
+    size, f = phase.state.law(push), phase.model.field
+    if f.ingredients(size) & phase.model.moving or isinstance(push.measure, NonholonomicForm):
+        raise CannotAnswer(
+            Message(
+                "the friction in {name} changes on the way, and its heat has no closed form", name=connection_of(push)
+            )
+        )
+    there = SymbolicState(phase.model, {**phase.still, **values})
+    way = there.value(push.measure) - phase.start_instant.value(push.measure)
+    return tree.to_home(phase, f.lowest_terms(-size * way))
 
 
 def _energy_lost(tree: PhaseTree, phase: Phase, values: Mapping[int, Ratio]) -> Ratio:
@@ -133,9 +160,12 @@ def _energy_lost(tree: PhaseTree, phase: Phase, values: Mapping[int, Ratio]) -> 
     return tree.to_home(phase, before) - tree.to_home(phase, after)
 
 
-def _taken_by_impact(tree: PhaseTree, node: PhaseNode) -> Ratio:
-    """What the mechanical energy loses in the collision with which a phase begins."""
+def _taken_by_impact(tree: PhaseTree, node: PhaseNode, of: str) -> Ratio:
+    """What the mechanical energy loses in the collision with which a phase begins; in one connection (`of`) where that
+    alone strikes."""
     if node.impact is None:
+        return tree.home.model.field.zero
+    if of and not node.impact.is_in(of):
         return tree.home.model.field.zero
     setup, phase = node.impact.before.setup, node.phase
     if node.impact.blow is not None and node.impact.blow.impulses:

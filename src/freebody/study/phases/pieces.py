@@ -16,7 +16,7 @@ from freebody.questions.course import Transition
 from freebody.questions.reading import AskedEvent, Question
 from freebody.questions.reading_when import is_of_start
 from freebody.study.answering.conditions import as_written, at_instant, real
-from freebody.study.answering.finding import NO_FORM, Elements, why
+from freebody.study.answering.finding import NO_FORM, Elements, NotHere, why
 from freebody.study.phases.branch import AnswerBranch, branch_at, just_after, time_of
 from freebody.study.phases.changes_asked import (
     begins_with,
@@ -50,7 +50,8 @@ def pieces(tree: PhaseTree, question: Question) -> list[AnswerBranch]:
     if is_of_start(question.quantity) and not _is_of_start_blow(tree, question):
         found = list(_in_blows(tree, question, roots))
         if not found:
-            raise not_struck(question.quantity)
+            reasons, stops = _untold(tree)
+            raise not_struck(question.quantity, next(iter((*reasons, *stops)), ""))
     elif question.transition is not None:
         found = list(_at_transition(tree, question, question.transition, roots))
     elif question.event is not None:
@@ -58,7 +59,7 @@ def pieces(tree: PhaseTree, question: Question) -> list[AnswerBranch]:
     else:
         found = [_at_instant(tree, question, way) for way in roots]
     if not found:
-        raise CannotAnswer(_not_found(tree, question, met))
+        raise NotHere(_not_found(tree, question, met))
     found.sort(key=lambda p: int(p.sets[0]))
     return [replace(piece, needs=_needs(tree, question, piece)) for piece in found]
 
@@ -83,8 +84,8 @@ def _not_found(tree: PhaseTree, question: Question, met: list[str]) -> str:
     """That something never happens is said where every way through the phases is known to its end."""
     asked = question.transition.text if question.transition is not None else str(getattr(question.event, "text", ""))
     nodes = list(tree.nodes())
-    reasons = met + [n.reason for n in nodes if n.reason] + tree.reasons
-    stops = [e.stops for n in nodes for e in n.edges if e.stops]
+    reasons, stops = _untold(tree)
+    reasons = met + reasons
     known = not tree.lost and all(n.is_exact and all(e.is_exact and e.is_proved for e in n.edges) for n in nodes)
     if not asked and not nodes and not reasons:
         return Message("no state of the contacts and stops was found that can hold at the start")
@@ -99,6 +100,13 @@ def _not_found(tree: PhaseTree, question: Question, met: list[str]) -> str:
         event=asked,
         n=tree.sets.n,
     )
+
+
+def _untold(tree: PhaseTree) -> tuple[list[str], list[str]]:
+    """Why the motion is not told to its end: of phases that have no formulas, and of events that nothing follows."""
+    nodes = list(tree.nodes())
+    reasons = [n.reason for n in nodes if n.reason] + tree.reasons
+    return reasons, [e.stops for n in nodes for e in n.edges if e.stops]
 
 
 # -- one instant ------------------------------------------------------------------------------

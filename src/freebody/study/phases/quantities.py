@@ -22,6 +22,7 @@ from freebody.questions.blow import ImpulsiveWrench
 from freebody.questions.loads import Power
 from freebody.questions.reactions import Wrench
 from freebody.questions.reactions_by_component import ReactionComponent
+from freebody.study.conservation.balance import is_conservative
 from freebody.system.system import System
 
 
@@ -99,16 +100,27 @@ def frictions(system: System) -> list[AppliedLoad]:
 
 
 def _frictions(connection: str, system: System) -> list[AppliedLoad]:
-    return [p for p in frictions(system) if p.load.partition(".")[0] == connection]
+    return [p for p in frictions(system) if connection_of(p) == connection]
 
 
 def only_friction_takes_energy(system: System) -> bool:
     """Whether what friction turns into heat is what the mechanical energy loses: nothing is driven, and all other loads
     store what they take."""
-    stores = all(system.loads[p.load].stores_energy for p in plain(system).applied_loads)
+    stores = all(is_conservative(system, p) for p in plain(system).applied_loads)
     return stores and not any(
         row.target is not None and "t" in free_symbols(row.target) for row in system.constraint_rows
     )
+
+
+def taking_energy(system: System) -> set[str]:
+    """The connections in which energy may be lost: that rub, or collide."""
+    rubbing = {d.name.partition(".")[0] for d in system.dry_friction} | set(map(connection_of, frictions(system)))
+    return rubbing | {bound.row.connection for bound in system.bounds}
+
+
+def connection_of(push: AppliedLoad) -> str:
+    """Of dry friction that slides: where it rubs."""
+    return push.load.partition(".")[0]
 
 
 def reaction(row: str, less: Iterable[str], base: System, system: System, state: State[Any]) -> Any:

@@ -35,7 +35,7 @@ def in_steady_motion(setup: Setup, question: str, steady: SteadyMotion, solution
 
     def compare(seen: tuple[Draw, list[Snapshot]]) -> None:
         draw, found = seen
-        gaps = [_unevenness(steady, draw, snapshot) for snapshot in found]
+        gaps = [unevenness(steady, draw, snapshot) for snapshot in found]
         witness.compare(draw, (1.0,) * len(gaps), tuple(1.0 + gap for gap in gaps))
 
     return witness.gather(motions(setup, steady, solutions), compare).evidence()
@@ -58,7 +58,7 @@ def during_steady_motion(
     for draw, found in motions(setup, steady, solutions):
         pairs: list[tuple[tuple[float, ...], tuple[float, ...], Snapshot]] = []
         for k, snapshot in enumerate(found):
-            if _unevenness(steady, draw, snapshot) > _TOLERANCE:
+            if unevenness(steady, draw, snapshot) > _TOLERANCE:
                 raise CannotAnswer(Message("the steady motion by which the answer would be checked is none in numbers"))
             try:
                 numeric = quantity.value(setup.system, draw.seen(snapshot))
@@ -92,7 +92,7 @@ def _motion(setup: Setup, steady: SteadyMotion, solutions: Solutions | None, dra
     given = {g: element_at(setup, (x,), draw, draw.start())[0] for g, x in steady.given.items()}
     for c in steady.others:
         if c.index in given:
-            q = _placed(steady, draw, q, c, given[c.index])
+            q = placed(steady, draw, q, c, given[c.index])
     for size in _RATES:
         for _ in range(2):
             rates = {c.speed: size * float(rng.uniform(0.5, 1.5)) for c in steady.cyclic} | given
@@ -115,11 +115,11 @@ def _with_roots(
         if place is None:
             found.append(moving(steady, draw, q, rates | more | {solutions.index: value}))
         else:
-            found.append(moving(steady, draw, _placed(steady, draw, q, place, value), rates))
+            found.append(moving(steady, draw, placed(steady, draw, q, place, value), rates))
     return found
 
 
-def _placed(steady: SteadyMotion, draw: Draw, q: Array, place: Coordinate, value: float) -> Array:
+def placed(steady: SteadyMotion, draw: Draw, q: Array, place: Coordinate, value: float) -> Array:
     measure = steady.model.measure_of(place)
     if measure is None:
         raise NotReal(Message("{place} is no measure", place=place.name))
@@ -162,7 +162,7 @@ def coordinate_accelerations(steady: SteadyMotion, draw: Draw, snapshot: Snapsho
     return np.array([seen.acceleration(m) for m in measures if m is not None])
 
 
-def _unevenness(steady: SteadyMotion, draw: Draw, snapshot: Snapshot) -> float:
+def unevenness(steady: SteadyMotion, draw: Draw, snapshot: Snapshot) -> float:
     """The largest acceleration, beside what the coordinate has at rest there and with these rates doubled."""
     here = coordinate_accelerations(steady, draw, snapshot)
     others = [

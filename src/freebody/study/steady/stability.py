@@ -29,6 +29,7 @@ from freebody.symbolic.field import Ratio
 from freebody.symbolic.quadratic import roots as roots_of
 from freebody.symbolic.routh import hurwitz, oscillating
 from freebody.symbolic.tidy import tidy
+from freebody.tolerances import ROUND_OFF
 
 
 def steady_stability(setup: Setup, question: Question) -> Finding:
@@ -44,7 +45,7 @@ def steady_stability(setup: Setup, question: Question) -> Finding:
     f = setup.model.field
     shown = [f.lowest_terms(f.follow(x, given)) for x in (signs if roots is None else roots)]
     says = stable_if([f.lowest_terms(f.follow(x, given)) for x in signs])
-    notes = [*_rates_shown(linear), *_places_shown(linear), _what(roots), *_at_own_values(setup, signs)]
+    notes = [*_rates_shown(setup, linear), *_places_shown(linear), _what(roots), *_at_own_values(setup, signs)]
     if linear.n_zero > 0:
         notes.append(
             Message(
@@ -94,10 +95,37 @@ def _at_own_values(setup: Setup, signs: Sequence[Ratio]) -> list[str]:
     ]
 
 
-def _rates_shown(linear: Linear) -> list[str]:
-    generators = linear.steady.model.field.generators
-    shown = [compared(generators[index].display, "=", tidy(x)) for index, x in linear.rates.items() if not x.is_zero()]
-    return [reworded(Message("with {zero}", zero=rate), rate) for rate in shown]
+def _rates_shown(setup: Setup, linear: Linear) -> list[str]:
+    """The rates with which the motion is steady, and whether they are those of the start."""
+    generators, found = linear.steady.model.field.generators, list[str]()
+    for index, x in linear.rates.items():
+        if x.is_zero():
+            continue
+        shown = generators[index].display
+        rate = compared(shown, "=", tidy(x))
+        if _is_of_start(setup, index, x):
+            found.append(reworded(Message("with {zero}", zero=rate), rate))
+            continue
+        given = compared(shown, "=", tidy(setup.start.of(index)))
+        told = Message(
+            "the start is no steady motion: this is about the one with {rate}, in place of {given} at the start",
+            rate=rate,
+            given=given,
+        )
+        found.append(reworded(told, rate))
+    return found
+
+
+def _is_of_start(setup: Setup, index: int, x: Ratio) -> bool:
+    """Whether a rate is the one with which the motion starts, as far as numbers tell."""
+    draw, given = setup.draws[0], setup.start.of(index)
+    if not setup.has_values:
+        return x == given
+    try:
+        wanted, own = element_at(setup, (x, given), draw, draw.start())
+    except (CannotAnswer, ArithmeticError):
+        return False
+    return abs(wanted - own) <= ROUND_OFF * max(abs(wanted), abs(own))
 
 
 def _places_shown(linear: Linear) -> list[str]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any, cast
 
@@ -39,10 +40,10 @@ def steady_value(setup: Setup, question: Question, q: SteadyValue) -> Finding:
         reworded(Message("every rate is steady where {zero}", zero=zero), zero) for zero in always
     ]
     roots = tuple(_at_start(setup, question, x, solutions) for x in solutions.roots)
-    purposes = [_THERE_IS] if len(roots) == 1 else [Message("for [{k}]", k=k + 1) for k in range(len(roots))]
-    ranges = [c for x, purpose in zip(roots, purposes, strict=True) for c in _ranges(x, purpose)]
-    conditions = ranges + setup.holding(steady.state) + setup.clearances(steady.state, ">=")
-    return Finding(roots[0] if len(roots) == 1 else roots, evidence, conditions, notes)
+    needed = setup.holding(steady.state) + setup.clearances(steady.state, ">=")
+    conditions = [replace(c, element=steady.put_in(c.element)) for c in needed]
+    element = roots[0] if len(roots) == 1 else roots
+    return Finding(element, evidence, conditions, notes=notes, of_root=_ranges(roots))
 
 
 def _at_start(setup: Setup, question: Question, x: Ratio, solutions: Solutions | None) -> Ratio:
@@ -52,7 +53,13 @@ def _at_start(setup: Setup, question: Question, x: Ratio, solutions: Solutions |
     return setup.model.field.follow(x, {k: v for k, v in given.items() if solutions is None or k != solutions.index})
 
 
-def _ranges(x: Ratio, purpose: str) -> list[Condition]:
+def _ranges(roots: Sequence[Ratio]) -> list[list[Condition]]:
+    """What each of the values needs to be one."""
+    purposes = [_THERE_IS] if len(roots) == 1 else [Message("for [{k}]", k=k + 1) for k in range(len(roots))]
+    return [_range(x, purpose) for x, purpose in zip(roots, purposes, strict=True)]
+
+
+def _range(x: Ratio, purpose: str) -> list[Condition]:
     """-1 <= u <= 1 for the arcs in an answer."""
     f, found = x.field, list[Condition]()
     for index in sorted(x.generators()):
@@ -83,14 +90,14 @@ def _during(setup: Setup, question: Question, q: SteadyValue, steady: SteadyMoti
     notes: list[str] = [] if texts or solutions is not None else [Message("every such motion is steady")]
     says: list[str] = [Message("steady while {conditions}", conditions=further(*texts))] if texts else []
     needed = setup.holding(steady.state) + setup.clearances(steady.state, ">=")
-    ranges = [c for x in roots for c in _ranges(x, _THERE_IS)] if solutions is not None else []
+    ranges = _ranges(roots) if solutions is not None else []
     held = [replace(c, element=_with(steady, solutions, c.element)) for c in needed]
     shown = tuple(_at_start(setup, question, x, None) for xs in by_root for x in xs)
     has_value = all(_is_given(setup, x) for x in shown) or (not steady.given and _starts_steadily(setup, steady))
     if not has_value and setup.has_values:
         notes.append(Message("no value: the given start is not in steady motion"))
     element = shown[0] if len(shown) == 1 and not isinstance(value, tuple) else shown
-    return Finding(element, evidence, [*ranges, *held], notes, says, has_value=has_value)
+    return Finding(element, evidence, held, notes=notes, says=says, has_value=has_value, of_root=ranges)
 
 
 def _with(steady: SteadyMotion, solutions: Solutions | None, x: Ratio) -> Ratio:

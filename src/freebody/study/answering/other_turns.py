@@ -1,0 +1,52 @@
+"""An event of an angle that does not come, while the motion passes the same direction in another turn.
+
+Angles are counted on, so that 30 deg, 390 deg and -330 deg are three events of one direction.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import replace
+
+from freebody.errors import CannotAnswer
+from freebody.language.expression import PI, Expr, evaluate, number
+from freebody.language.notation import to_text
+from freebody.language.sentences import Message, further
+from freebody.questions.event import QuestionEvent
+from freebody.questions.reading import Question
+from freebody.study.answering.answer import Answer
+
+_TURNS = (1, -1, 2, -2, 3, -3)
+
+
+def with_other_turns(question: Question, answer: Answer, solve: Callable[[Question], Answer]) -> Answer:
+    """An answer that says that an event does not come, with the turn in which the same direction is passed."""
+    event = question.event
+    if not isinstance(event, QuestionEvent) or event.order or not event.measure.is_angle:
+        return answer
+    is_elsewhere = answer.expression is not None and answer.value is None  # it comes with other numbers
+    if not (answer.is_missed or is_elsewhere) or not question.quantity.is_of_state or question.quantity.wanted:
+        return answer
+    for n in _TURNS:
+        value = event.value + number(2 * n) * PI
+        text = f"{event.text.partition('=')[0].strip()} = {_shown(value, event.value, n)}"
+        other = replace(question, event=replace(event, value=value, text=text), options={}, key=None)
+        try:
+            found = solve(other)
+        except CannotAnswer:
+            continue
+        if found.value is not None:
+            told = Message("angles are counted on, and the same direction is passed at {other}", other=text)
+            if answer.is_missed:
+                return replace(answer, reason=further(answer.reason, told), never=False)
+            return replace(answer, notes=(*answer.notes, told))
+    return answer
+
+
+def _shown(value: Expr, asked: Expr, n: int) -> str:
+    """In degrees, as a file says it."""
+    try:
+        return f"{round(math.degrees(float(evaluate(value, {}))), 6):g} deg"
+    except (KeyError, ValueError, ArithmeticError):
+        return f"{to_text(asked)} {'+' if n > 0 else '-'} {360 * abs(n)} deg"
