@@ -22,7 +22,7 @@ from typing import IO, Any
 from freebody.api import System
 from freebody.errors import InputError
 from freebody.testing.models import maker
-from freebody.testing.outcomes import Outcome, OutOfWork, StudyEnd, limited, run, untyped
+from freebody.testing.outcomes import End, Outcome, OutOfWork, limited, run, untyped
 
 READ = "read"  # the study before all others: the model is drawn and read
 _MEMORY = 4 << 30  # bytes, of one process
@@ -105,11 +105,9 @@ def _in_child(seed: int, names: list[str], seconds: float) -> tuple[list[TimedOu
 def _of_death(study: str, code: int, seconds: float) -> Outcome:
     """What became of a study in which its process ended."""
     if code == -signal.SIGXCPU:
-        return Outcome(
-            study, StudyEnd.TOO_LONG, f"no end after {_GRACE:g} times {seconds:g} s in a call without an alarm"
-        )
+        return Outcome(study, End.TOO_LONG, f"no end after {_GRACE:g} times {seconds:g} s in a call without an alarm")
     return Outcome(
-        study, StudyEnd.CRASHED, signal.strsignal(-code) or f"signal {-code}" if code < 0 else f"exit code {code}"
+        study, End.CRASHED, signal.strsignal(-code) or f"signal {-code}" if code < 0 else f"exit code {code}"
     )
 
 
@@ -145,10 +143,10 @@ def _read(seed: int, seconds: float) -> tuple[System | None, list[Outcome]]:
         with limited(_GRACE * seconds):
             system = System.from_data(one.model())
     except OutOfWork:
-        return None, [Outcome(READ, StudyEnd.TOO_LONG, f"no end after {_GRACE * seconds:g} s of processor time")]
+        return None, [Outcome(READ, End.TOO_LONG, f"no end after {_GRACE * seconds:g} s of processor time")]
     except Exception as error:
         return None, [untyped(READ, error)]
-    return system, [untyped(READ, error) for _data, error in one.faults] or [Outcome(READ, StudyEnd.ANSWERED)]
+    return system, [untyped(READ, error) for _data, error in one.faults] or [Outcome(READ, End.ANSWERED)]
 
 
 def _limit_process(seconds: float) -> None:
@@ -164,7 +162,7 @@ def _limit_process(seconds: float) -> None:
 # -- the command ------------------------------------------------------------------------------
 def report(told: Iterable[TimedOutcome], file: IO[str] | None = None) -> Iterator[str]:
     """A line for each defect as it comes, at the end a table of counts: studies by ends."""
-    counts: Counter[tuple[str, StudyEnd]] = Counter()
+    counts: Counter[tuple[str, End]] = Counter()
     n_models = 0
     for one in told:
         o = one.outcome
@@ -178,9 +176,9 @@ def report(told: Iterable[TimedOutcome], file: IO[str] | None = None) -> Iterato
     yield from table(counts, n_models)
 
 
-def table(counts: Mapping[tuple[str, StudyEnd], int], n_models: int) -> Iterator[str]:
+def table(counts: Mapping[tuple[str, End], int], n_models: int) -> Iterator[str]:
     """How often each study ended how."""
-    ends = [end for end in StudyEnd if any(e is end for _study, e in counts)]
+    ends = [end for end in End if any(e is end for _study, e in counts)]
     yield f"{n_models} models"
     yield "".join([f"{'':<12}", *(f"{end.value:>{len(end.value) + 3}}" for end in ends)]).rstrip()
     for study in dict.fromkeys(study for study, _end in counts):

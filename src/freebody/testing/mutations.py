@@ -12,7 +12,7 @@ from collections.abc import Callable
 
 from freebody.api import System
 from freebody.errors import FreebodyError
-from freebody.testing.outcomes import Outcome, OutOfWork, StudyEnd, limited, untyped
+from freebody.testing.outcomes import End, Outcome, OutOfWork, limited, untyped
 
 Mutation = Callable[[str, random.Random], str]
 MUTATIONS: dict[str, Mutation] = {}
@@ -164,9 +164,9 @@ def read(text: str, seconds: float | None = None) -> Outcome:
         with limited(seconds):
             System.from_text(text)
     except FreebodyError as error:
-        return Outcome("read", StudyEnd.REFUSED, str(error))
+        return Outcome("read", End.REFUSED, str(error))
     except OutOfWork:
-        return Outcome("read", StudyEnd.TOO_LONG, f"no end after {seconds:g} s of processor time")
+        return Outcome("read", End.TOO_LONG, f"no end after {seconds:g} s of processor time")
     except Exception as error:
         return untyped("read", error)
-    return Outcome("read", StudyEnd.ANSWERED)
+    return Outcome("read", End.ANSWERED)

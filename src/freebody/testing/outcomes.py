@@ -30,7 +30,7 @@ UNTIL = 0.05  # s, of a short simulation
 REPEATED, UNHEARD = 0.05, 0.002  # s, when the limit of work is raised again; where it was not heard
 
 
-class StudyEnd(Enum):
+class End(Enum):
     """How a study ended."""
 
     ANSWERED = "answered"
@@ -43,7 +43,7 @@ class StudyEnd(Enum):
 
     @property
     def is_defect(self) -> bool:
-        return self not in (StudyEnd.ANSWERED, StudyEnd.REFUSED, StudyEnd.TOO_LONG)
+        return self not in (End.ANSWERED, End.REFUSED, End.TOO_LONG)
 
 
 @dataclass(frozen=True)
@@ -51,7 +51,7 @@ class Outcome:
     """How one study of one model ended, with the message, and for an exception the place that raised it."""
 
     study: str
-    end: StudyEnd
+    end: End
     message: str = ""
     place: str = ""
 
@@ -135,17 +135,15 @@ def outcome_of_answer(study: str, answer: Answer) -> Outcome:
     if answer.reason:
         return _refused(study, answer.reason)
     if answer.is_answered or answer.conditions or answer.cases:
-        return Outcome(study, StudyEnd.ANSWERED)
-    return Outcome(study, StudyEnd.EMPTY, f"no expression, no value and no reason for '{answer.question}'")
+        return Outcome(study, End.ANSWERED)
+    return Outcome(study, End.EMPTY, f"no expression, no value and no reason for '{answer.question}'")
 
 
 def _refused(study: str, reason: str) -> Outcome:
     """A refusal, or what stands in the words of one and is none."""
     if any(word in reason for word in DISAGREE):
-        return Outcome(study, StudyEnd.DISAGREE, reason)
-    return Outcome(
-        study, StudyEnd.UNTYPED if any(word in reason for word in OF_THE_INSIDE) else StudyEnd.REFUSED, reason
-    )
+        return Outcome(study, End.DISAGREE, reason)
+    return Outcome(study, End.UNTYPED if any(word in reason for word in OF_THE_INSIDE) else End.REFUSED, reason)
 
 
 def _solve(system: System) -> list[Outcome]:
@@ -162,7 +160,7 @@ def _told(study: Callable[[System], Result]) -> Study:
         found = study(system)
         found.to_text()
         found.to_plain()
-        return [Outcome("", StudyEnd.ANSWERED)]
+        return [Outcome("", End.ANSWERED)]
 
     return run
 
@@ -176,7 +174,7 @@ def _simulate(system: System) -> list[Outcome]:
     found = system.simulate(UNTIL, max_seconds=20.0)
     found.to_text()
     found.summary()
-    return [Outcome("", StudyEnd.ANSWERED if found.status.is_complete else StudyEnd.REFUSED, found.message)]
+    return [Outcome("", End.ANSWERED if found.status.is_complete else End.REFUSED, found.message)]
 
 
 def _draw(system: System) -> list[Outcome]:
@@ -185,13 +183,13 @@ def _draw(system: System) -> list[Outcome]:
     picture.tikz()
     for body in system.moving[:1]:
         system.free_body(body.name).svg()
-    return [Outcome("", StudyEnd.ANSWERED)]
+    return [Outcome("", End.ANSWERED)]
 
 
 def _explain(system: System) -> list[Outcome]:
     found = system.explain()
     found.to_text()
-    return [Outcome("", StudyEnd.ANSWERED)]
+    return [Outcome("", End.ANSWERED)]
 
 
 def _write(system: System) -> list[Outcome]:
@@ -232,9 +230,9 @@ def run(name: str, system: System, seconds: float | None = None) -> list[Outcome
         with limited(seconds):
             found = studies()[name](system)
     except OutOfWork as stopped:
-        return [Outcome(name, StudyEnd.TOO_LONG, f"no end after {seconds:g} s of processor time", _place(stopped))]
+        return [Outcome(name, End.TOO_LONG, f"no end after {seconds:g} s of processor time", _place(stopped))]
     except RoutesDisagree as error:
-        end = StudyEnd.REFUSED if isinstance(error, RoutesUntold) else StudyEnd.DISAGREE
+        end = End.REFUSED if isinstance(error, RoutesUntold) else End.DISAGREE
         return [Outcome(name, end, str(error))]
     except FreebodyError as error:
         return [_refused(name, str(error))]
@@ -245,7 +243,7 @@ def run(name: str, system: System, seconds: float | None = None) -> list[Outcome
 
 def untyped(study: str, error: Exception) -> Outcome:
     """An exception that no one expected, with the deepest place in the package."""
-    return Outcome(study, StudyEnd.UNTYPED, f"{type(error).__name__}: {error}", _place(error))
+    return Outcome(study, End.UNTYPED, f"{type(error).__name__}: {error}", _place(error))
 
 
 def _place(error: BaseException) -> str:

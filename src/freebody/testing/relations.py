@@ -44,7 +44,7 @@ Change = Callable[[System, random.Random], Sequence[Changed]]
 
 
 @dataclass(frozen=True)
-class ModelRelation:
+class Relation:
     """A change that must not change what is true."""
 
     name: str
@@ -70,18 +70,18 @@ class RelationVerdict:
         return "not applicable" if not self.applies else "pass" if self.holds else "FAIL"
 
 
-RELATIONS: dict[str, ModelRelation] = {}
+RELATIONS: dict[str, Relation] = {}
 
 
 def _relation(name: str) -> Callable[[Change], Change]:
     def register(change: Change) -> Change:
-        RELATIONS[name] = ModelRelation(name, (change.__doc__ or "").strip(), change)
+        RELATIONS[name] = Relation(name, (change.__doc__ or "").strip(), change)
         return change
 
     return register
 
 
-def check(relation: ModelRelation, system: System, *, seed: int = 0, before: Observed | None = None) -> RelationVerdict:
+def check(relation: Relation, system: System, *, seed: int = 0, before: Observed | None = None) -> RelationVerdict:
     """Asks the model and the changed models. before: what the model answers, where that is known already."""
     rng = random.Random(f"{relation.name} {seed}")
     changes = [c for c in relation.change(system, rng) if _is_readable(c.data)]
@@ -369,4 +369,4 @@ def mirrored(system: System, rng: random.Random) -> list[Changed]:
     return [] if data is None else [Changed(data, Reading(mirrored=True, same_coordinates=False))]
 
 
-__all__ = ["DIMENSIONLESS", "RELATIONS", "Changed", "ModelRelation", "RelationVerdict", "check"]
+__all__ = ["DIMENSIONLESS", "RELATIONS", "Changed", "Relation", "RelationVerdict", "check"]
