@@ -347,6 +347,13 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
         "spin": "-sqrt(R**2 + h**2)/R",
         "energy": "3*m*h**2*rate(psi)**2*(1 + 5*h**2/(R**2 + h**2))/40",
     },
+    # L psi'^2 cos = g; with h = psi' sin^2 the effective potential of theta has w^2 = psi'^2 (1 + 3 cos^2)
+    "conical_pendulum": {
+        "rate": "sqrt(g/(L*cos(beta)))",
+        "tension": "m*g/cos(beta)",
+        "nodding": "sqrt(g/(L*cos(beta))*(1 + 3*cos(beta)**2))",
+        "given": "sqrt(Omega**2 + 3*g**2/(L*Omega)**2)",
+    },
     # l^2 = (e + r cos)^2 + r^2 sin^2 + s^2, differentiated once and twice: s s'' = e r psi'^2 at psi = 0, s' = 0;
     # m s'' = -T s/l
     "spatial_slider_crank": {
