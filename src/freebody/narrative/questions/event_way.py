@@ -71,15 +71,15 @@ def event_means(asked: AtEvent) -> list[int]:
     return lines
 
 
-def coordinates_asked(context: Context, question: Question) -> list[Coordinate]:
-    """Those on which depends what is asked; all of them, where it is counted on the way."""
+def coordinates_asked(context: Context, question: Question, *, places: bool = False) -> list[Coordinate]:
+    """Those on which depends what is asked, or on whose places it does; all of them, where it is counted on the way."""
     model, f = context.setup.model, context.setup.model.field
     if question.quantity.scope == "course":
         return list(model.coordinates)
     value: Any = question.quantity.value(context.system, context.setup.state)
     parts: Sequence[Any] = cast("tuple[Any, ...]", value) if isinstance(value, tuple) else (value,)
     inside = set[int]().union(*(f.ingredients(f.element(part)) for part in parts))
-    return [c for c in model.coordinates if inside & {c.index, c.speed}]
+    return [c for c in model.coordinates if inside & ({c.index} if places else {c.index, c.speed})]
 
 
 def at_start(way: EventWay) -> tuple[Ratio, Ratio]:

@@ -14,6 +14,7 @@ from freebody.narrative.lines.script import Argument, DerivationStage
 from freebody.narrative.questions.course_by_energy import first_integral, say_first_integral, square_line
 from freebody.narrative.questions.over_motion import tell_extreme
 from freebody.questions.base import Quantity
+from freebody.narrative.questions.kept_momenta import tell_momenta
 from freebody.questions.extent import ExtremeOfMotion
 from freebody.questions.reading import Question
 from freebody.questions.steady import Extremes
@@ -40,12 +41,11 @@ def _told(
     refuse(method, ("energy",), Message("how far it gets"))
     with setup.motion.on_one_side():
         c, found, x = turn_of(setup, measure, side)
-    if len(setup.model.coordinates) > 1:
-        raise CannotAnswer(Message("energy and momentum of several freedoms are told without a derivation here"))
     if found.time is not None:
         raise CannotAnswer(Message("ask for it when its rate is zero; that is derived"))
     script = context.script()
     lines = first_integral(context, script)
+    lines += tell_momenta(context, script, c, lines, "start")
     with script.stage("stage.event", "hint.event"):
         say_first_integral(context, script, c)
         square = square_line(context, script, c, lines, "start")
