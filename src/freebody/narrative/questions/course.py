@@ -25,6 +25,7 @@ from freebody.narrative.questions.event_way import (
 )
 from freebody.questions.reading import Question, QuestionEvent
 from freebody.study.answering.answer import Answer
+from freebody.study.answering.extent import kept_on_the_way
 from freebody.symbolic.tidy import tidy
 
 
@@ -34,8 +35,8 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
     assert isinstance(event, QuestionEvent)
     setup = context.setup
     reached = setup.motion.reach(event)
-    context.glossary.at_event(event)
     c = reached.coordinate
+    context.glossary.at_event(event, sides=[] if c is None else kept_on_the_way(setup, reached))
     if c is None and not setup.model.coordinates:
         return _driven(AtEvent(context, context.script(), question, reached), method)
     if c is None:

@@ -19,7 +19,8 @@ from freebody.questions.extent import ExtremeOfMotion
 from freebody.questions.reading import Question
 from freebody.questions.steady import Extremes
 from freebody.study.answering.answer import Answer
-from freebody.study.answering.extent import extent_in_numbers, turn_of
+from freebody.study.answering.crosscheck import SaysNothing, holds
+from freebody.study.answering.extent import extent_in_numbers, kept_on_the_way, turn_of
 from freebody.symbolic.tidy import tidy
 
 
@@ -50,7 +51,11 @@ def _told(
         say_first_integral(context, script, c)
         square = square_line(context, script, c, lines, "start")
 
+        kept = kept_on_the_way(setup, found)
+
         def read(world: World) -> float:
+            if not all(holds(setup, k, world.draw, world.draw.start()) for k in kept):
+                raise SaysNothing(Message("the motion is another one there"))
             return extent_in_numbers(world.draw, measure, side)
 
         symbol = asked_as(context, question, read)
