@@ -12,9 +12,9 @@ from freebody.narrative.lines.glossary import World
 from freebody.narrative.lines.naming import asked_as, asked_entry
 from freebody.narrative.lines.script import Argument, DerivationStage
 from freebody.narrative.questions.course_by_energy import first_integral, say_first_integral, square_line
+from freebody.narrative.questions.kept_momenta import tell_momenta
 from freebody.narrative.questions.over_motion import tell_extreme
 from freebody.questions.base import Quantity
-from freebody.narrative.questions.kept_momenta import tell_momenta
 from freebody.questions.extent import ExtremeOfMotion
 from freebody.questions.reading import Question
 from freebody.questions.steady import Extremes

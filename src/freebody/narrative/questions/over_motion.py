@@ -5,7 +5,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from freebody.errors import CannotAnswer
 from freebody.language.expression import Symbol, number, power
 from freebody.language.sentences import Message, Sentence
 from freebody.narrative.context import Context, Method, refuse
