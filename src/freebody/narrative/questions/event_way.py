@@ -65,7 +65,8 @@ def event_means(asked: AtEvent) -> list[int]:
     lines: list[int] = []
     name = next((n for n, m in asked.context.system.measures.items() if m == event.measure), "")
     if name and value.generators() not in own:
-        lines.append(script.line(Symbol(name), tidy(value), why="course.given", when="event"))
+        why = "course.in_coordinates" if model.coordinates else "course.given"
+        lines.append(script.line(Symbol(name), tidy(value), why=why, when="event"))
     if model.field.ingredients(value) & {d.index for d in model.dependent}:
         lines += closed_loops(asked.context.setup, script)
     return lines
