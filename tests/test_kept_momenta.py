@@ -76,3 +76,19 @@ def test_how_far_the_puck_gets_needs_room_for_the_weight() -> None:
     """Beyond r0 + 1 m the weight would be pulled through the hole."""
     answer = fb.System.from_text(PUCK).solve("greatest distance from ground.O to puck").answers[0]
     assert any("as at the start" in c for c in answer.conditions)
+
+
+def test_momenta_are_derived_in_a_phase_of_a_motion() -> None:
+    """On a floor that it may leave, with a string that may go slack."""
+    text = CART.replace(
+        "{slider: {body: cart, along: floor}}", "{contact: {between: [cart, floor], friction: 0}}"
+    ).replace("cart: {particle: {mass: M}}", "cart: {particle: {mass: M}, at: [0, 0]}")
+    text = (
+        text.replace("{link: [cart, bob, L]}", "{string: {from: cart, to: bob, swings: true}}")
+        .replace("start: {", "start: {d: L, ")
+        .replace("measures: {", "measures: {d: distance from cart to bob, ")
+    )
+    found = explain(fb.System.from_text(text + "questions: ['speed of cart when theta = 0']\n"))
+    (derivation,) = found.derivations
+    assert derivation.answer.value == pytest.approx(m * math.sqrt(DROP / (M * (m + M)))), derivation.answer.reason
+    assert not derivation.reason

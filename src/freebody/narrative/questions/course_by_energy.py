@@ -28,7 +28,7 @@ def lines_by_energy(way: EventWay) -> list[int]:
     if reached.speed is None:
         raise CannotAnswer(Message("the motion to the event has no closed form"))
     lines = first_integral(context, script)
-    speeds = tell_momenta(context, script, c, lines, "event")
+    speeds = tell_momenta(script, context.setup.motion.integrals, c, lines, "event")
     u = rates_of(c.name, 1)
     event = way.question.event
     assert isinstance(event, QuestionEvent)
@@ -102,7 +102,7 @@ def time_by_energy(way: EventWay) -> list[int]:
     assert reached.integral is not None
     assert reached.time is not None
     lines = first_integral(context, script)
-    lines += tell_momenta(context, script, c, lines, "event")
+    lines += tell_momenta(script, context.setup.motion.integrals, c, lines, "event")
     with script.stage("stage.event", "hint.event"):
         say_first_integral(context, script, c)
         square = square_line(context, script, c, lines, "event")

@@ -46,7 +46,7 @@ def _told(
         raise CannotAnswer(Message("ask for it when its rate is zero; that is derived"))
     script = context.script()
     lines = first_integral(context, script)
-    lines += tell_momenta(context, script, c, lines, "start")
+    lines += tell_momenta(script, setup.motion.integrals, c, lines, "start")
     with script.stage("stage.event", "hint.event"):
         say_first_integral(context, script, c)
         square = square_line(context, script, c, lines, "start")

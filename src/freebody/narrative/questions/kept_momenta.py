@@ -6,50 +6,66 @@ the one coordinate that is left. Source: Goldstein, Poole & Safko, Classical Mec
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from contextlib import nullcontext
 
-from freebody.language.expression import Symbol
+from freebody.language.expression import Expr, Symbol
 from freebody.narrative.context import Context
 from freebody.narrative.lines.glossary import TrueWhen
 from freebody.narrative.lines.script import Argument, Script
 from freebody.questions.motion import rates_of
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.first_integrals import FirstIntegrals
 from freebody.symbolic.reached import Reached
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.unknowns import Coordinate
 
 
 def tell_momenta(
-    context: Context, script: Script, c: Coordinate, lines: Sequence[int], when: TrueWhen
+    script: Script,
+    integrals: FirstIntegrals,
+    c: Coordinate,
+    lines: Sequence[int],
+    when: TrueWhen,
+    show: Callable[[Ratio], Expr] = tidy,
+    *,
+    opens: bool = True,
 ) -> tuple[int, ...]:
-    """The momenta of the coordinates beside c, and the speeds that they give. lines: the energies. Returns the lines of
-    the speeds; none where c is alone."""
-    model, integrals = context.setup.model, context.setup.motion.integrals
-    others = [k for k in model.coordinates if k is not c]
+    """The momenta of the coordinates beside c, and the speeds that they give. lines: the energies; show: how what
+    belongs to the start is written; opens: whether they are a stage of their own. Returns the lines of the speeds; none
+    where c is alone."""
+    others = [k for k in integrals.model.coordinates if k is not c]
     if not others:
         return ()
     moving = [k for k in others if k.index not in integrals.resting]
     speeds, found = integrals.speeds(c), list[int]()
-    with script.stage("stage.momenta", "hint.momenta"):
+    with script.stage("stage.momenta", "hint.momenta") if opens else nullcontext():
         if resting := [k for k in others if k not in moving]:
             script.say("course.at_rest", names=tuple(Symbol(k.name) for k in resting))
         if moving:
             script.say("course.cyclic", names=tuple(Symbol(k.name) for k in moving))
-        kept = [_kept(context, script, c, k, lines[:1], when) for k in moving]
+        kept = [_kept(script, integrals, k, lines[:1], when, show) for k in moving]
         args: dict[str, Argument] = {"lines": tuple(kept)}
         for k in moving:
-            rate, value = rates_of(k.name, 1), tidy(speeds[k.speed])
             why = "" if found else "course.other_speeds"
-            found.append(script.line(rate, value, why=why, args=args, uses=kept, when=when))
+            found.append(
+                script.line(rates_of(k.name, 1), show(speeds[k.speed]), why=why, args=args, uses=kept, when=when)
+            )
     return tuple(found)
 
 
-def _kept(context: Context, script: Script, c: Coordinate, k: Coordinate, uses: Sequence[int], when: TrueWhen) -> int:
+def _kept(
+    script: Script,
+    integrals: FirstIntegrals,
+    k: Coordinate,
+    uses: Sequence[int],
+    when: TrueWhen,
+    show: Callable[[Ratio], Expr],
+) -> int:
     """The momentum of one coordinate, and what it is at the start."""
-    f, integrals = context.setup.model.field, context.setup.motion.integrals
-    momentum, at_start = integrals.momentum(k)
+    momentum, at_start = map(integrals.field.lowest_terms, integrals.momentum(k))
     args: dict[str, Argument] = {"name": Symbol(k.name), "rate": rates_of(k.name, 1)}
-    shown, value = tidy(f.lowest_terms(momentum)), tidy(f.lowest_terms(at_start))
-    return script.line(shown, value, why="course.momentum", args=args, uses=uses, when=when)
+    return script.line(show(momentum), show(at_start), why="course.momentum", args=args, uses=uses, when=when)
 
 
 def places_by_momenta(
