@@ -137,6 +137,18 @@ def test_what_sees_a_spring_turn_has_two_frequencies() -> None:
     assert "2 frequencies" in refused.reason
 
 
+def test_a_shaft_with_two_stiffnesses_whirls_stably_outside_of_both_critical_speeds() -> None:
+    """w_1 w_2 = sqrt((kx/m - w^2)(ky/m - w^2)), w_1^2 + w_2^2 = (kx + ky)/m + 2 w^2 (Den Hartog, sec. 6.3)."""
+    springs = "sx: {law: {measure: x, force: -k*x}}, sy: {law: {measure: y, force: -2*k*y}}"
+    shaft = TABLE.replace("s: {spring: {first: table.center, second: a, stiffness: k, length: 0}}", springs)
+    answer = asked(shaft, "frequencies of small oscillations about steady motion")
+    root = math.sqrt(350**2 - 4 * 75 * 175)
+    assert answer.value == pytest.approx((math.sqrt((350 - root) / 2), math.sqrt((350 + root) / 2)))
+    between = fb.System.from_text(shaft.replace("w: 5", "w: 12"))
+    for words in ("frequencies of small oscillations about steady motion", "natural frequency in steady motion"):
+        assert between.solve(words).answers[0].value is None
+
+
 def test_a_collar_on_a_turning_rod_has_the_natural_frequency() -> None:
     text = ON_A_TURNING_ROD.replace("{w}", "5").split("questions:")[0]
     assert asked(text, ABOUT).value == pytest.approx(math.sqrt(75)) == asked(text, "natural frequency").value

@@ -27,7 +27,7 @@ from freebody.study.answering.answer import Value
 from freebody.study.answering.finding import Finding
 from freebody.study.setup import Setup
 from freebody.study.steady.linear import Linear, linear_at_start
-from freebody.study.steady.linearised import About, agrees, swings
+from freebody.study.steady.linearised import CLEARLY_STABLE, About, agrees, swings
 from freebody.study.steady.motion import SteadyMotion
 from freebody.study.steady.stability import given_by_start, is_even, places_shown, rates_shown, signs_of
 from freebody.symbolic.conditions import Condition, insisted
@@ -100,11 +100,11 @@ def frequencies_of(
 
 def _of_factor(linear: Linear, c: list[Ratio]) -> tuple[list[Ratio], list[Ratio]]:
     f, is_negative = linear.steady.model.field, linear.steady.model.samples.is_turned
-    if len(c) == 2:  # one real exponent: such a disturbance creeps
-        return [], []
+    if len(c) == 2:  # one real exponent: such a disturbance creeps back
+        return [], [f.lowest_terms(c[0] / c[1])]
     if len(c) == 3:
-        square = squared_with_damping(c)
-        return [f.sqrt(square, is_negative)], [square]
+        square, decay = squared_with_damping(c), f.lowest_terms(c[1] / c[2])
+        return [f.sqrt(square, is_negative)], [square] if decay.is_zero() else [square, decay]
     if len(c) == 5 and is_even(c):
         p, product = f.lowest_terms(c[2] / c[4]), f.lowest_terms(c[0] / c[4])
         r = f.sqrt(product, is_negative)
@@ -133,6 +133,8 @@ def in_numbers(setup: Setup, question: Question, q: SteadyOscillations) -> Value
     linear = linear_at_start(setup, SteadyMotion.asked(setup.model, question.event))
     exponents = np.linalg.eigvals(About(setup, linear, setup.draws[0], 1.0).matrix())
     size = float(np.abs(exponents).max(initial=0.0))
+    if exponents.real.max(initial=0.0) > CLEARLY_STABLE * size:
+        raise CannotAnswer(Message("there is no oscillation about it: it is unstable"))
     found = sorted(float(x) for x in exponents.imag if x > _STILL * size)
     if not found or (q.what != "frequencies" and len(found) > 1):
         raise CannotAnswer(Message("there is no one frequency"))
