@@ -46,6 +46,7 @@ CASES = [
     (CART, "speed of cart when theta = 0", m * math.sqrt(DROP / (M * (m + M)))),
     (CART, "speed of bob when theta = 0", math.sqrt(M * DROP / (m + M))),
     (CART, "x when theta = 0", m * L * math.sin(math.radians(60)) / (m + M)),
+    (CART, "distance travelled along x until theta = 0", m * L * math.sin(math.radians(60)) / (m + M)),
     # T - m g = m (relative speed)^2/L, the cart being unaccelerated there
     (CART, "tension of string when theta = 0", m * g + m * DROP * (m + M) / M / L),
     (CART, "greatest speed of cart", m * math.sqrt(DROP / (M * (m + M)))),

@@ -49,7 +49,8 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
         raise CannotAnswer(Message("energy tells the speed, not the time; there is: auto, newton, lagrange"))
     way = EventWay(context, script, question, reached, c, setup.motion.acceleration(c), 0)
     if not by_energy:
-        others = [] if question.quantity.scope == "course" else coordinates_asked(context, question)
+        is_of_measure = question.quantity.scope != "course" or hasattr(question.quantity, "measure")
+        others = coordinates_asked(context, question) if is_of_measure else []
         named = [c, *(o for o in others if o is not c and setup.motion.law_of(o, takes_side=True) is not None)]
         unknowns = [setup.model.accelerations[setup.model.coordinates.index(o)] for o in named]
         found = by_method(context, script, unknowns, method)
