@@ -457,6 +457,14 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
         "rod": f"-3*({_CART}*cos(theta) + g*sin(theta))/(2*L)",
         "momentum": "(M + m)*rate(x) + m*L/2*rate(theta)*cos(theta)",
     },
+    # M V = m u and m u^2 + M V^2 = 2 m g L (1 - cos); about the cart, which is not accelerated there, S - m g =
+    # m (u + V)^2/L; the mass centre stays
+    "bob_on_sliding_cart": {
+        "cart": "m*sqrt(2*g*L*(1 - cos(theta_0))/(M*(m + M)))",
+        "bob": "sqrt(2*M*g*L*(1 - cos(theta_0))/(m + M))",
+        "force": "m*g + 2*m*g*(1 - cos(theta_0))*(m + M)/M",
+        "way": "m*L*sin(theta_0)/(m + M)",
+    },
     # BJ sec. 12.1: a2 + a3 = -2 a1 with a1 = g - 2 T/m1, a2 = g - T/m2, a3 = g - T/m3 gives T
     "compound_atwood": {
         "a1": f"g - 2*{_COMPOUND}/m1",
