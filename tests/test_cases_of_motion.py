@@ -12,6 +12,7 @@ import math
 import pytest
 
 from freebody.api import System
+from freebody.narrative.explain import explain
 
 SKID = """
 parameters: {m: 900 kg, k: 0.6 kg/m, mu: 0.05, v0: 40 m/s, g: 9.81 m/s^2, v1: 20 m/s}
@@ -124,3 +125,9 @@ start: {x: 0, phi: 0}
     answer = asked(text, "is angular momentum of rod about cart conserved")
     assert any("v × P = -m·L·x'·φ'·sin(φ)/2" in note for note in answer.notes)
     assert asked(text, "is linear momentum along right conserved").why_no_value == ""
+
+
+def test_the_winding_of_the_string_is_derived():
+    """Its free part has the angle of its line counted over several turns, which no pose tells."""
+    (derivation,) = explain(System.from_text(POLE + "questions: [speed of puck when l = 2*R]\n")).derivations
+    assert not derivation.reason

@@ -347,6 +347,13 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
         "spin": "-sqrt(R**2 + h**2)/R",
         "energy": "3*m*h**2*rate(psi)**2*(1 + 5*h**2/(R**2 + h**2))/40",
     },
+    # L psi'^2 cos = g; with h = psi' sin^2 the effective potential of theta has w^2 = psi'^2 (1 + 3 cos^2)
+    "conical_pendulum": {
+        "rate": "sqrt(g/(L*cos(beta)))",
+        "tension": "m*g/cos(beta)",
+        "nodding": "sqrt(g/(L*cos(beta))*(1 + 3*cos(beta)**2))",
+        "given": "sqrt(Omega**2 + 3*g**2/(L*Omega)**2)",
+    },
     # l^2 = (e + r cos)^2 + r^2 sin^2 + s^2, differentiated once and twice: s s'' = e r psi'^2 at psi = 0, s' = 0;
     # m s'' = -T s/l
     "spatial_slider_crank": {
@@ -449,6 +456,14 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
         "cart": _CART,
         "rod": f"-3*({_CART}*cos(theta) + g*sin(theta))/(2*L)",
         "momentum": "(M + m)*rate(x) + m*L/2*rate(theta)*cos(theta)",
+    },
+    # M V = m u and m u^2 + M V^2 = 2 m g L (1 - cos); about the cart, which is not accelerated there, S - m g =
+    # m (u + V)^2/L; the mass centre stays
+    "bob_on_sliding_cart": {
+        "cart": "m*sqrt(2*g*L*(1 - cos(theta_0))/(M*(m + M)))",
+        "bob": "sqrt(2*M*g*L*(1 - cos(theta_0))/(m + M))",
+        "force": "m*g + 2*m*g*(1 - cos(theta_0))*(m + M)/M",
+        "way": "m*L*sin(theta_0)/(m + M)",
     },
     # BJ sec. 12.1: a2 + a3 = -2 a1 with a1 = g - 2 T/m1, a2 = g - T/m2, a3 = g - T/m3 gives T
     "compound_atwood": {

@@ -259,3 +259,20 @@ loads: {kick: {angular_impulse: {on: p, magnitude: S}}}
 questions: [{find: angular velocity of p at start}]
 """)
     assert "defect" not in system.explain().to_text()
+
+
+def test_a_bead_is_on_the_side_of_the_axle_on_which_it_starts() -> None:
+    """N = 2 m r' phi' - m r phi'' phi by phi = -2 m r r' phi'/(J + m r^2): the distance r says nothing of the side."""
+    answer = (
+        fb.System.from_text("""
+parameters: {m: 1 kg, J: 0.5 kg m^2, r0: 0.2 m, w0: 10 rad/s}
+bodies: {tube: {body: {inertia: J}, points: {O: [0, 0]}}, bead: {particle: {mass: m}}}
+connections: {axle: {pin: [ground.O, tube.O]}, guide: {slider: {body: bead, along: tube.x, through: tube.O}}}
+measures: {r: distance from ground.O to bead, phi: angle of tube}
+start: {r: r0, phi: 0, rate(r): 0, rate(phi): w0}
+""")
+        .solve("normal force of guide")
+        .answers[0]
+    )
+    assert answer.evidence is not None, answer.reason
+    assert answer.evidence.worst_relative_difference < 1e-8

@@ -40,7 +40,8 @@ def _result(context: Context, script: Script, question: Question, answer: Answer
     scope = question.quantity.scope
     is_told = scope in ("rest", "linkage") or question.quantity.wanted is not None
     is_told |= scope == "steady motion" and question.event is not None  # what is given, and no event of a motion
-    is_told |= is_steady_place(question.quantity)  # which the start need not have
+    # the start need not be in steady motion
+    is_told |= is_steady_place(question.quantity) or (scope == "steady motion" and question.at_start)
     if answer.expression is not None and not is_told:
         n = len(answer.expression) if isinstance(answer.expression, tuple) else 1
         own = _own_symbol(context, question) if n == 1 else None

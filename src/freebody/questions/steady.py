@@ -3,6 +3,7 @@
 rate of psi in steady motion                       extremes | stroke | time ratio of QUANTITY [over a turn of ANGLE]
 greatest | least QUANTITY over a turn [of ANGLE]
 stability of the spin of BODY about x | y | z      stability of steady motion
+frequency | frequencies | period of small oscillations [of MEASURE] about steady motion
 """
 
 from __future__ import annotations
@@ -11,10 +12,10 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
 from freebody.language.sentences import Message
-from freebody.language.units import DIMENSIONLESS, TIME, Dimension
+from freebody.language.units import ANGULAR_VELOCITY, DIMENSIONLESS, TIME, Dimension
 from freebody.measures.angle import Angle
 from freebody.model.noting import did_you_mean
-from freebody.questions.base import NAME, Found, Path, Quantity, asked
+from freebody.questions.base import NAME, Found, Path, Quantity, angular_unit, asked
 from freebody.questions.reading import read_quantity
 
 if TYPE_CHECKING:
@@ -24,6 +25,7 @@ Axis = Literal["x", "y", "z"]
 OverTurn = Literal["extremes", "stroke", "time ratio", "least", "greatest"]
 PER_TIME_SQUARED = DIMENSIONLESS / TIME**2
 RANK = 85
+RANK_OF_SWINGS = 90  # above that of another quantity in steady motion
 RANK_OF_ONE = 80  # below that of the transmission angle, which has extremes of its own
 _TURN = rf"(?:a|one|the|a full) (?:turn|revolution)(?: of (?:the )?(?P<over>{NAME}))?"
 
@@ -154,6 +156,32 @@ questions: {it: stability of steady motion}
     is_verdict = True
 
 
+@dataclass(frozen=True)
+class SteadyOscillations(Steady, kind="small oscillations about steady motion"):
+    """How fast a small disturbance of the steady motion at the start oscillates, as nutation does about precession.
+
+    of: the coordinate whose oscillation is meant; None: all that oscillate."""
+
+    what: Literal["frequencies", "frequency", "period"]
+    of: str | None = None
+
+    example = SteadyStability.example.replace(
+        "stability of steady motion", "frequencies of small oscillations about steady motion"
+    )
+
+    @property
+    def dimension(self) -> Dimension:
+        return TIME if self.what == "period" else ANGULAR_VELOCITY
+
+    @property
+    def unit(self) -> str:
+        return angular_unit(self.dimension)
+
+    @property
+    def keeps_what_is_given(self) -> bool:
+        return True
+
+
 # -- the grammar ------------------------------------------------------------------------------
 
 
@@ -201,6 +229,29 @@ def _spin(names: Names, found: Found, path: Path) -> Quantity | None:
 )
 def _stability(names: Names, found: Found, path: Path) -> Quantity | None:
     return SteadyStability()
+
+
+_STEADY = r"(?:steady|stationary) (?:motion|precession|turning|rotation)"
+_SWINGS = r"(?:(?:small )?(?:oscillations?|vibrations?|motions?)|nutation)"
+
+
+@asked(
+    "frequency | frequencies | period of small oscillations [of MEASURE] about steady motion",
+    rf"(?:natural |angular )?(?P<what>frequency|frequencies|period)(?: of (?:the )?{_SWINGS})?(?: of (?P<of>{NAME}))?"
+    rf" (?:about|around|in) (?:the )?{_STEADY}"
+    rf"|(?P<nutation>frequency|frequencies|period) of (?:the )?nutation(?: of (?P<nods>{NAME}))?",
+    rank=RANK_OF_SWINGS,
+)
+def _oscillations(names: Names, found: Found, path: Path) -> Quantity | None:
+    of = found["of"] or found["nods"]
+    if of is not None and of not in names.measures:
+        names.unknown(
+            of,
+            Message("{name} is no measure of the model.{hint}", name=of, hint=did_you_mean(of, names.measures)),
+            *path,
+        )
+        return None
+    return SteadyOscillations(found["what"] or found["nutation"], of)
 
 
 @asked(

@@ -14,10 +14,12 @@ from freebody.errors import CannotAnswer, ModelError, Problem
 from freebody.language.sentences import Message
 from freebody.language.units import LENGTH
 from freebody.measures.base import Measure
+from freebody.measures.displacement import Displacement
 from freebody.model.elements import ConstraintRow, NonholonomicForm
 from freebody.numeric.reference import Snapshot
 from freebody.numeric.split import Split, stack
 from freebody.questions.base import Quantity
+from freebody.questions.vectors import ORIGIN, axes_of
 from freebody.study.answering.draws import SEED, Draw, draws
 from freebody.symbolic.closure import Closure
 from freebody.symbolic.conditions import Condition, closed, require
@@ -244,7 +246,13 @@ def _is_on_branch(model: SymbolicModel, draw: Draw, snapshot: Snapshot) -> bool:
     if not all(model.field.evaluate(x, numbers) > 0 for x in model.samples.assumed):
         return False
     lengths = [m for m in model.system.measures.values() if m.dimension == LENGTH]
-    return all(_is_as_in_formulas(model, numbers, snapshot, m) for m in lengths)
+    return all(_is_as_in_formulas(model, numbers, snapshot, m) for m in (*lengths, *_places(model)))
+
+
+def _places(model: SymbolicModel) -> Iterator[Measure]:
+    """Where the bodies are: beyond the point from which a distance is counted, formulas have them on this side."""
+    for body in model.system.moving:
+        yield from (Displacement(body.mass_center, ORIGIN, along) for along in axes_of(model.system))
 
 
 def _is_as_in_formulas(model: SymbolicModel, numbers: dict[int, Any], snapshot: Snapshot, length: Measure) -> bool:

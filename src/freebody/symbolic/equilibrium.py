@@ -40,8 +40,8 @@ _MOST_DERIVATIVES = 6  # of a force that vanishes to a high order
 
 
 GYROSCOPIC = Message(
-    "what is driven couples the small motions by forces that are linear in the speeds (gyroscopic ones): freebody "
-    "modes has their frequencies in numbers, about the start"
+    "what is driven couples the small motions by forces that are linear in the speeds (gyroscopic ones): ask for "
+    "frequencies of small oscillations about steady motion"
 )
 
 

@@ -57,14 +57,7 @@ class FirstIntegrals:
         f = self.field
         if is_driven(self.model):
             return self._beside_drivers(c, at)
-        speeds = self.speeds(c)
-        kinetic = f.zero
-        for j, row in zip(self.model.coordinates, self.model.dynamics.mass_matrix, strict=True):
-            for k, entry in zip(self.model.coordinates, row, strict=True):
-                kinetic = kinetic + self._explicit(entry) * speeds[j.speed] * speeds[k.speed] / 2
-        kinetic = f.lowest_terms(f.follow(kinetic, {c.index: at}))
-        parts = kinetic.numerator().coefficients(c.speed)
-        rest, mass = (2 * p / kinetic.denominator() for p in (parts[0], (*parts, f.zero, f.zero)[2]))
+        mass, rest = (f.follow(x, {c.index: at}) for x in self._reduced(c))
         M, u0 = self.model.dynamics.mass_matrix, [self.start.of(k.speed) for k in self.model.coordinates]
         total = f.zero
         for j, row in enumerate(M):
@@ -75,6 +68,27 @@ class FirstIntegrals:
         if self.model.dependent and len(square.num) > _MOST_TERMS:
             raise CannotAnswer(Message("through the closed loop the speed would be a formula that is too long"))
         return square
+
+    def _reduced(self, c: Coordinate) -> tuple[Ratio, Ratio]:
+        """2 T = mass u^2 + rest with the speeds of all others by the momenta that stay: mass and rest."""
+        f, speeds = self.field, self.speeds(c)
+        kinetic = f.zero
+        for j, row in zip(self.model.coordinates, self.model.dynamics.mass_matrix, strict=True):
+            for k, entry in zip(self.model.coordinates, row, strict=True):
+                kinetic = kinetic + self._explicit(entry) * speeds[j.speed] * speeds[k.speed]
+        kinetic = f.lowest_terms(kinetic)
+        parts = (*kinetic.numerator().coefficients(c.speed), f.zero, f.zero)
+        return parts[2] / kinetic.denominator(), parts[0] / kinetic.denominator()
+
+    def momentum(self, k: Coordinate) -> tuple[Ratio, Ratio]:
+        """The generalized momentum of a coordinate by the speeds, and what it is at the start."""
+        f, row = self.field, self.model.coordinates.index(k)
+        now, before = f.zero, f.zero
+        for entry, other in zip(self.model.dynamics.mass_matrix[row], self.model.coordinates, strict=True):
+            entry = self._explicit(entry)
+            now = now + entry * (f.zero if other.index in self.resting else f.variable(other.speed))
+            before = before + f.follow(entry, self.start.values) * self.start.of(other.speed)
+        return now, before
 
     def coasts(self, c: Coordinate) -> bool:
         """Whether the one freedom of a model keeps the kinetic energy that it has at the start."""
@@ -95,10 +109,13 @@ class FirstIntegrals:
         return self._without_time(f.lowest_terms(square))
 
     def terms(self, c: Coordinate) -> tuple[Ratio, Ratio]:
-        """The conserved sum of one freedom as a factor of u^2, and what is free of u."""
+        """The conserved sum as a factor of u^2, and what is free of u."""
         if is_driven(self.model):
             parts = self.by_degree(c)
             return parts.second, self.field.lowest_terms(parts.potential - parts.free)
+        if len(self.model.coordinates) > 1:
+            mass, rest = self._reduced(c)
+            return mass / 2, self.field.lowest_terms(rest / 2 + self.potential(dict(self.resting)))
         return self.model.dynamics.mass_matrix[0][0] / 2, self.potential({})
 
     def by_degree(self, c: Coordinate) -> JacobiParts:
@@ -228,9 +245,7 @@ class FirstIntegrals:
         rows: list[Row] = []
         for k in others:
             line = [self._explicit(x) for x in self.model.dynamics.mass_matrix[k]]
-            momentum = f.zero
-            for entry, other in zip(line, names, strict=True):
-                momentum = momentum + f.follow(entry, self.start.values) * self.start.of(other.speed)
+            _now, momentum = self.momentum(names[k])
             row = {names[j].speed: line[j] for j in others if not line[j].is_zero()}
             right = momentum - line[own] * f.variable(c.speed)
             rows.append(row if right.is_zero() else {**row, RHS: right})

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from functools import partial
 from typing import Literal
 
 from freebody.errors import CannotAnswer, RoutesDisagree
@@ -15,6 +16,7 @@ from freebody.narrative.context import Context
 from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.script import Legend, Script, Sentence
 from freebody.narrative.principles.planar_rates import PlanarRates
+from freebody.narrative.questions.kept_momenta import tell_momenta
 from freebody.narrative.questions.state import kinetic_of
 from freebody.narrative.space.spatial_momentum import Momenta
 from freebody.narrative.space.spatial_rates import SpatialRates
@@ -176,8 +178,6 @@ def _energy_integral(
 ) -> None:
     """T + V is what it was, but for the work of friction; solved for the square of the speed."""
     f, c, phase = leg.phase.model.field, course.coordinate, leg.phase
-    if len(phase.model.coordinates) > 1:
-        raise CannotAnswer(Message("several coordinates move, and that a momentum stays is derived by no line here"))
     kinetic, potential = energy_parts(leg)
     begin = course.start.values
     at_first = f.lowest_terms(f.follow(kinetic + potential, begin))
@@ -186,6 +186,10 @@ def _energy_integral(
     others = [p for p in phase.system.applied_loads if p.load in loads and not loads[p.load].stores_energy]
     with script.stage("stage.phase_energy", "hint.phase_energy", phase=f"@{leg.number}"):
         lines = tell_energies(script, leg)
+        with on_the_way(script, leg.course):
+            show = partial(shown_in_home, way, leg)
+            momenta = tell_momenta(script, course.integrals, c, lines, "always", show, opens=False)
+        told.velocities |= dict(zip((k.name for k in course.cyclic), momenta, strict=True))
         work = _work(leg, [*frictions, *others])
         script.say("motion.no_work" if not frictions else "motion.friction_work")
         if others:
@@ -199,16 +203,17 @@ def _energy_integral(
                 args={"lines": lines},
                 uses=(*lines, *before),
             )
-            mass = f.lowest_terms(kinetic / f.variable(c.speed) ** 2)
-            square = f.lowest_terms((right - potential) / mass)
+            own = f.lowest_terms(course.reduced(kinetic))
+            rest, _none, mass = (x / own.denominator() for x in own.numerator().coefficients(c.speed))
+            square = f.lowest_terms((right - course.reduced(potential) - rest) / mass)
             if not (square - course.square).is_zero():
                 raise RoutesDisagree(Message("the integral of energy is another one than the solver's"))
             told.square = script.line(
                 power(Call("rate", Symbol(c.name)), number(2)),
                 shown_in_home(way, leg, course.square),
                 why="motion.square",
-                args={"line": both, "lines": lines},
-                uses=(both, *lines),
+                args={"line": both, "lines": (*lines, *momenta)},
+                uses=(both, *lines, *momenta),
             )
 
 

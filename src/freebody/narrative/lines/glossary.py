@@ -15,6 +15,8 @@ from functools import cached_property
 from itertools import islice
 from typing import Any, Literal, Self, cast
 
+import numpy as np
+
 from freebody.errors import CannotAnswer, ExpressionError
 from freebody.language.expression import FLOAT_FUNCTIONS, Call, Expr, ProductOf, Sum, Symbol, evaluate, rate_key
 from freebody.language.sentences import Sentence
@@ -56,6 +58,7 @@ class World(SymbolValues):
         self.snapshot = snapshot
         self.origin = origin  # the pose and motion that the snapshot is of
         self.is_integrated = False  # at the end of a motion in numbers
+        self.way: Sequence[Snapshot] = ()  # the motion to here, along which angles of lines are counted on
         self._known: dict[str, float] = {}
 
     @property
@@ -65,7 +68,32 @@ class World(SymbolValues):
     @property
     def numbers(self) -> Mapping[int, Any]:
         """Values of the generators that the symbolic route has so far."""
-        return self.glossary.setup.model.samples.numbers(self.draw.sample(self.snapshot), self.draw.sample())
+        found = self._numbers_at(self.snapshot)
+        return self._counted_on(found) if self.way else found
+
+    def _numbers_at(self, snapshot: Snapshot) -> dict[int, Any]:
+        return self.glossary.setup.model.samples.numbers(self.draw.sample(snapshot), self.draw.sample())
+
+    def _counted_on(self, numbers: dict[int, Any]) -> dict[int, Any]:
+        """The same with the turns that angles of lines have made on the way."""
+        if not self._turns:
+            return numbers
+        field = self.glossary.setup.model.field
+        made = {g for g, x in field.generators.items() if x.compute is not None and x.made_of & self._turns.keys()}
+        plain = {g: x for g, x in numbers.items() if g not in made}
+        return field.complete(plain | {g: numbers[g] + turned for g, turned in self._turns.items()})
+
+    @cached_property
+    def _turns(self) -> dict[int, float]:
+        """Whole turns of angles of lines, which a pose does not tell: those of a string that winds round something."""
+        model = self.glossary.setup.model
+        lines = [c for c in model.coordinates if c.is_angle and model.measure_of(c) is None]
+        if not lines:
+            return {}
+        seen = [self._numbers_at(snapshot) for snapshot in (*self.way, self.snapshot)]
+        counted = {c.index: np.unwrap([float(one[c.index]) for one in seen]) for c in lines}
+        turned = {g: float(angles[-1]) - float(seen[-1][g]) for g, angles in counted.items()}
+        return {g: x for g, x in turned.items() if abs(x) > 1.0}
 
     def of(self, side: Side) -> tuple[float, ...]:
         """The value of a side of a formula; as many numbers as it has components."""
@@ -302,7 +330,7 @@ class Glossary:
                 late = 60.0 if self._settled is None else element_at(self.setup, self._settled, draw, draw.start())[0]
                 reached = motion_to(draw.reference, draw.start(), late, self.event)
                 world = World(self, draw, draw.seen(reached.event))
-                world.is_integrated = True
+                world.is_integrated, world.way = True, reached.links
                 if self.is_one(world):
                     found.append(world)
         return found

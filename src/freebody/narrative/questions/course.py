@@ -25,6 +25,7 @@ from freebody.narrative.questions.event_way import (
 )
 from freebody.questions.reading import Question, QuestionEvent
 from freebody.study.answering.answer import Answer
+from freebody.study.answering.extent import kept_on_the_way
 from freebody.symbolic.tidy import tidy
 
 
@@ -34,8 +35,8 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
     assert isinstance(event, QuestionEvent)
     setup = context.setup
     reached = setup.motion.reach(event)
-    context.glossary.at_event(event)
     c = reached.coordinate
+    context.glossary.at_event(event, sides=[] if c is None else kept_on_the_way(setup, reached))
     if c is None and not setup.model.coordinates:
         return _driven(AtEvent(context, context.script(), question, reached), method)
     if c is None:
@@ -48,7 +49,8 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
         raise CannotAnswer(Message("energy tells the speed, not the time; there is: auto, newton, lagrange"))
     way = EventWay(context, script, question, reached, c, setup.motion.acceleration(c), 0)
     if not by_energy:
-        others = [] if question.quantity.scope == "course" else coordinates_asked(context, question)
+        is_of_measure = question.quantity.scope != "course" or hasattr(question.quantity, "measure")
+        others = coordinates_asked(context, question) if is_of_measure else []
         named = [c, *(o for o in others if o is not c and setup.motion.law_of(o, takes_side=True) is not None)]
         unknowns = [setup.model.accelerations[setup.model.coordinates.index(o)] for o in named]
         found = by_method(context, script, unknowns, method)

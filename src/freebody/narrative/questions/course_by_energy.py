@@ -10,7 +10,8 @@ from freebody.narrative.lines.glossary import TrueWhen
 from freebody.narrative.lines.script import Argument, Script, ready
 from freebody.narrative.principles.analytic import energy_terms
 from freebody.narrative.questions.course_by_law import place_line
-from freebody.narrative.questions.event_way import TIME, EventWay, at_start
+from freebody.narrative.questions.event_way import TIME, EventWay, at_start, coordinates_asked
+from freebody.narrative.questions.kept_momenta import places_by_momenta, tell_momenta
 from freebody.questions.motion import rates_of
 from freebody.questions.reading import QuestionEvent
 from freebody.symbolic.elliptic import EllipticTime
@@ -26,9 +27,8 @@ def lines_by_energy(way: EventWay) -> list[int]:
     model, f = context.setup.model, context.setup.model.field
     if reached.speed is None:
         raise CannotAnswer(Message("the motion to the event has no closed form"))
-    if len(model.coordinates) > 1:
-        raise CannotAnswer(Message("several coordinates move, and that a momentum stays is derived by no line here"))
     lines = first_integral(context, script)
+    speeds = tell_momenta(script, context.setup.motion.integrals, c, lines, "event")
     u = rates_of(c.name, 1)
     event = way.question.event
     assert isinstance(event, QuestionEvent)
@@ -42,7 +42,7 @@ def lines_by_energy(way: EventWay) -> list[int]:
         m_start, v_start = (f.follow(x, context.setup.start.values) for x in (second, rest))
         left = add(multiply(tidy(end[0]), power(u, number(2))), tidy(end[1]))
         right = tidy(f.lowest_terms(m_start * u0 * u0 + v_start))
-        uses = (*lines, given)
+        uses = (*lines, *speeds, given)
         args: dict[str, Argument] = {"lines": uses}
         key = "course.jacobi_kept" if is_driven(model) else "course.energy"
         kept = script.line(left, right, why=key, args=args, uses=uses, when="event")
@@ -54,7 +54,9 @@ def lines_by_energy(way: EventWay) -> list[int]:
             found = script.line(
                 u, tidy(reached.speed), why="course.speed", args={"line": kept}, uses=(kept,), when="event"
             )
-    return [found, given]
+        asked = coordinates_asked(context, way.question, places=True)
+        places = places_by_momenta(context, script, c, reached, asked, speeds)
+    return [found, given, *speeds, *places]
 
 
 def first_integral(context: Context, script: Script) -> list[int]:
@@ -99,9 +101,8 @@ def time_by_energy(way: EventWay) -> list[int]:
     script, c, reached, context = way.script, way.coordinate, way.reached, way.context
     assert reached.integral is not None
     assert reached.time is not None
-    if len(context.setup.model.coordinates) > 1:
-        raise CannotAnswer(Message("energy and momentum of several freedoms are told without a derivation here"))
     lines = first_integral(context, script)
+    lines += tell_momenta(script, context.setup.motion.integrals, c, lines, "event")
     with script.stage("stage.event", "hint.event"):
         say_first_integral(context, script, c)
         square = square_line(context, script, c, lines, "event")

@@ -17,9 +17,11 @@ from freebody.narrative.principles.loops import closed_loops
 from freebody.narrative.principles.momentum import by_momentum, parts_of
 from freebody.narrative.principles.newton import same_answer
 from freebody.questions.base import Quantity
+from freebody.questions.course import Change, Travelled
 from freebody.questions.loads import Work
 from freebody.questions.motion import rates_of
 from freebody.questions.reading import Question, QuestionEvent
+from freebody.study.answering.passage import smooth_passage
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.laws.base import MotionLaw
 from freebody.symbolic.reached import Reached
@@ -65,21 +67,26 @@ def event_means(asked: AtEvent) -> list[int]:
     lines: list[int] = []
     name = next((n for n, m in asked.context.system.measures.items() if m == event.measure), "")
     if name and value.generators() not in own:
-        lines.append(script.line(Symbol(name), tidy(value), why="course.given", when="event"))
+        why = "course.in_coordinates" if model.coordinates else "course.given"
+        lines.append(script.line(Symbol(name), tidy(value), why=why, when="event"))
     if model.field.ingredients(value) & {d.index for d in model.dependent}:
         lines += closed_loops(asked.context.setup, script)
     return lines
 
 
-def coordinates_asked(context: Context, question: Question) -> list[Coordinate]:
-    """Those on which depends what is asked; all of them, where it is counted on the way."""
+def coordinates_asked(context: Context, question: Question, *, places: bool = False) -> list[Coordinate]:
+    """Those on which depends what is asked, or on whose places it does; all of them, where it is counted on the way."""
     model, f = context.setup.model, context.setup.model.field
-    if question.quantity.scope == "course":
+    state, value = context.setup.state, cast("Any", None)
+    if question.quantity.scope != "course":
+        value = question.quantity.value(context.system, state)
+    elif (measure := getattr(question.quantity, "measure", None)) is not None:
+        value = state.value(measure)
+    else:
         return list(model.coordinates)
-    value: Any = question.quantity.value(context.system, context.setup.state)
     parts: Sequence[Any] = cast("tuple[Any, ...]", value) if isinstance(value, tuple) else (value,)
     inside = set[int]().union(*(f.ingredients(f.element(part)) for part in parts))
-    return [c for c in model.coordinates if inside & {c.index, c.speed}]
+    return [c for c in model.coordinates if inside & ({c.index} if places else {c.index, c.speed})]
 
 
 def at_start(way: EventWay) -> tuple[Ratio, Ratio]:
@@ -130,6 +137,28 @@ def _tell_asked(q: Quantity, way: AtEvent, lines: Sequence[int]) -> None:
                 uses = (*uses, last)
         script.line(symbol, shown, why="course.there", args={"lines": uses}, uses=uses, when="event")
     _ends_in_answer(way, there[0])
+
+
+@_tell_asked.register(Change)
+def _change(q: Change, way: AtEvent, lines: Sequence[int]) -> None:
+    """How much a measure has changed."""
+    _counted(q, way, lines, "course.changed")
+
+
+@_tell_asked.register(Travelled)
+def _travelled(q: Travelled, way: AtEvent, lines: Sequence[int]) -> None:
+    """How far a measure has gone: the solver has a formula only where it goes one way."""
+    _counted(q, way, lines, "course.travelled")
+
+
+def _counted(q: Quantity, way: AtEvent, lines: Sequence[int], why: str) -> None:
+    context, script, uses = way.context, way.script, tuple(lines)
+    passage = smooth_passage(context.setup, way.reached, lambda _quantity, _state: context.setup.model.field.zero)
+    with script.stage("stage.there", "hint.there"):
+        symbol = asked_symbol(context, way.question)
+        script.add(asked_entry(symbol, way.question))
+        args: dict[str, Argument] = {"lines": uses}
+        script.line(symbol, tidy(q.counted(passage)), why=why, args=args, uses=uses, when="event")
 
 
 @_tell_asked.register(Work)

@@ -12,13 +12,15 @@ from freebody.narrative.lines.glossary import World
 from freebody.narrative.lines.naming import asked_as, asked_entry
 from freebody.narrative.lines.script import Argument, DerivationStage
 from freebody.narrative.questions.course_by_energy import first_integral, say_first_integral, square_line
+from freebody.narrative.questions.kept_momenta import tell_momenta
 from freebody.narrative.questions.over_motion import tell_extreme
 from freebody.questions.base import Quantity
 from freebody.questions.extent import ExtremeOfMotion
 from freebody.questions.reading import Question
 from freebody.questions.steady import Extremes
 from freebody.study.answering.answer import Answer
-from freebody.study.answering.extent import extent_in_numbers, turn_of
+from freebody.study.answering.crosscheck import SaysNothing, holds
+from freebody.study.answering.extent import extent_in_numbers, kept_on_the_way, turn_of
 from freebody.symbolic.tidy import tidy
 
 
@@ -40,17 +42,20 @@ def _told(
     refuse(method, ("energy",), Message("how far it gets"))
     with setup.motion.on_one_side():
         c, found, x = turn_of(setup, measure, side, str(getattr(quantity, "name", "")))
-    if len(setup.model.coordinates) > 1:
-        raise CannotAnswer(Message("energy and momentum of several freedoms are told without a derivation here"))
     if found.time is not None:
         raise CannotAnswer(Message("ask for it when its rate is zero; that is derived"))
     script = context.script()
     lines = first_integral(context, script)
+    lines += tell_momenta(script, setup.motion.integrals, c, lines, "start")
     with script.stage("stage.event", "hint.event"):
         say_first_integral(context, script, c)
         square = square_line(context, script, c, lines, "start")
 
+        kept = kept_on_the_way(setup, found)
+
         def read(world: World) -> float:
+            if not all(holds(setup, k, world.draw, world.draw.start()) for k in kept):
+                raise SaysNothing(Message("the motion is another one there"))
             return extent_in_numbers(world.draw, measure, side)
 
         symbol = asked_as(context, question, read)

@@ -5,7 +5,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from freebody.errors import CannotAnswer
 from freebody.language.expression import Symbol, number, power
 from freebody.language.sentences import Message, Sentence
 from freebody.narrative.context import Context, Method, refuse
@@ -14,6 +13,7 @@ from freebody.narrative.lines.naming import asked_as, asked_entry, fresh, named
 from freebody.narrative.lines.script import Argument, DerivationStage, FormulaTable, Script
 from freebody.narrative.principles.momentum import by_momentum, parts_of
 from freebody.narrative.questions.course_by_energy import first_integral, say_first_integral, square_line
+from freebody.narrative.questions.kept_momenta import tell_momenta
 from freebody.questions.extent import ExtremeOfMotion
 from freebody.questions.reading import Question
 from freebody.study.answering.motion_extremes import Along, Stationary, along
@@ -26,8 +26,6 @@ def tell_extreme(context: Context, question: Question, q: ExtremeOfMotion, metho
     turns."""
     setup, model = context.setup, context.setup.model
     refuse(method, ("energy",), Message("what is greatest over a motion"))
-    if len(model.coordinates) > 1:
-        raise CannotAnswer(Message("energy and momentum of several freedoms are told without a derivation here"))
     f, script = model.field, context.script()
     with setup.motion.on_one_side():
         seen = along(setup, q.of)
@@ -36,6 +34,7 @@ def tell_extreme(context: Context, question: Question, q: ExtremeOfMotion, metho
     parts, unknowns = parts_of(context, q.of)
     forces = by_momentum(context, script, unknowns) if unknowns else {}
     lines = first_integral(context, script)
+    lines += tell_momenta(script, setup.motion.integrals, seen.c, lines, "start")
     with script.stage("stage.event", "hint.event"):
         say_first_integral(context, script, seen.c)
         square = square_line(context, script, seen.c, lines, "start")

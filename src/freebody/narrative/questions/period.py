@@ -11,6 +11,7 @@ from freebody.narrative.lines.naming import asked_as, asked_entry
 from freebody.narrative.lines.script import Argument, DerivationStage, Script
 from freebody.narrative.principles.momentum import by_method
 from freebody.narrative.questions.course_by_energy import first_integral, say_first_integral, say_integral, square_line
+from freebody.narrative.questions.kept_momenta import tell_momenta
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
 from freebody.study.answering.repeated import followed, period_of
@@ -64,9 +65,8 @@ def _by_energy(context: Context, script: Script, c: Coordinate, found: Reached) 
     """The time there and back, or of a whole turn, as an elliptic integral."""
     law = found.integral
     assert law is not None
-    if len(context.setup.model.coordinates) > 1:
-        raise CannotAnswer(Message("energy and momentum of several freedoms are told without a derivation here"))
     lines = first_integral(context, script)
+    lines += tell_momenta(script, context.setup.motion.integrals, c, lines, "start")
     with script.stage("stage.integration", "hint.integration"):
         say_first_integral(context, script, c)
         square = square_line(context, script, c, lines, "start")

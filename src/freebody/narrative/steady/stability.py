@@ -127,30 +127,44 @@ class _Slopes:
 
 
 # -- a steady motion --------------------------------------------------------------------------
-class _Beside(Glossary):
+class Beside(Glossary):
     """At the "event" symbols have their values in the steady motion of the start."""
 
     def __init__(self, context: Context, linear: Linear) -> None:
         super().__init__(context.setup)
         self.meanings.update(context.glossary.meanings)
         self.linear = linear
-        self._found: list[tuple[World, list[complex]]] = []
+        self._found: list[tuple[World, list[complex]]] = []  # and the exponents there
 
     def worlds(self, when: TrueWhen) -> Iterator[World]:
         if when != "event":
             yield from super().worlds(when)
             return
-        for world, _squares in self.found():
+        for world, _exponents in self.found():
             yield world
 
     def found(self) -> list[tuple[World, list[complex]]]:
-        """Motions, and the squares of the exponents of the full system linearised there in numbers."""
+        """Motions, and the exponents of the full system linearised there in numbers."""
         for draw in () if self._found else self.setup.draws:
             with suppress(CannotAnswer):
                 about = About(self.setup, self.linear, draw, 1.0)
-                squares = [complex(x) ** 2 for x in np.linalg.eigvals(about.matrix())]
-                self._found.append((World(self, draw, draw.seen(about.snapshot)), squares))
+                exponents = [complex(x) for x in np.linalg.eigvals(about.matrix())]
+                self._found.append((World(self, draw, draw.seen(about.snapshot)), exponents))
         return self._found
+
+    def nearest(self, value: Expr, of: Callable[[complex], complex]) -> Callable[[World], float]:
+        """What a function gives of the exponents of the full system, nearest to a claimed value; it must be real."""
+
+        def read(world: World) -> float:
+            exponents = next(found for own, found in self.found() if own is world)
+            values = [of(x) for x in exponents]
+            (claimed,) = world.of(value)
+            best = min(values, key=lambda s: abs(s - claimed))
+            largest = max(map(abs, values))
+            # by differences, so to fewer digits than a line is held to
+            return claimed if abs(best - claimed) < _ROUND_OFF * max(abs(claimed), largest) else best.real
+
+        return read
 
 
 def tell_stability(context: Context, question: Question, answer: Answer) -> list[DerivationStage]:
@@ -161,28 +175,13 @@ def tell_stability(context: Context, question: Question, answer: Answer) -> list
         raise CannotAnswer(
             Message("stability is decided here by the signs in Routh's array, which are not told step by step")
         )
-    steady = SteadyMotion(context.setup.model)
-    linear = linear_at_start(context.setup, steady)
-    script = context.script()
-    with script.stage("unclosed.equations", "unclosed.equations_hint"):
-        lines = tuple(row.number for row in motion_equations(context, script))
-    glossary = _Beside(context, linear)
-    more = Script(glossary, script.next_number)
-    with more.stage("steady.linear", "steady.linear_hint"):
-        for key, group in (("cyclic", steady.cyclic), ("others", steady.others)):
-            if group:
-                more.say(f"steady.{key}", names=tuple(Symbol(c.name) for c in group))
-        for index, x in linear.rates.items():
-            if not x.is_zero():
-                shown = linear.steady.model.field.generators[index].display
-                more.line(shown, tidy(x), why="steady.needs", args={"lines": lines}, uses=lines, when="event")
-        more.say("steady.linearised")
-        _polynomial(more, linear)
+    linear = linear_at_start(context.setup, SteadyMotion(context.setup.model))
+    stages, more, glossary, lines = disturbances(context, linear)
     values = expression if isinstance(expression, tuple) else (expression,)
     with more.stage("stage.value"):
         names = [Symbol(fresh(context, f"lambda2_{k + 1}", f"square_{k + 1}")) for k in range(len(values))]
         meanings = [
-            Meaning(name, Sentence("steady.exponent_symbol"), _nearest(glossary, value), "1/s^2")
+            Meaning(name, Sentence("steady.exponent_symbol"), glossary.nearest(value, _square), "1/s^2")
             for name, value in zip(names, values, strict=True)
         ]
         for meaning in meanings:
@@ -192,7 +191,33 @@ def tell_stability(context: Context, question: Question, answer: Answer) -> list
         args: dict[str, Argument] = {"lines": lines}
         more.line(left, expression, why="steady.roots_of", args=args, uses=lines, when="event")
         more.say("steady.stable")
-    return [*script.stages, *more.stages]
+    return [*stages, *more.stages]
+
+
+def _square(x: complex) -> complex:
+    return x * x
+
+
+def disturbances(context: Context, linear: Linear) -> tuple[list[DerivationStage], Script, Beside, tuple[int, ...]]:
+    """The equations of motion, the steady motion and the polynomial of the exponents: stages, the script that goes on
+    after them with its glossary, and the numbers of the equations."""
+    script, steady = context.script(), linear.steady
+    with script.stage("unclosed.equations", "unclosed.equations_hint"):
+        lines = tuple(row.number for row in motion_equations(context, script))
+    glossary = Beside(context, linear)
+    more = Script(glossary, script.next_number)
+    with more.stage("steady.linear", "steady.linear_hint"):
+        for key, group in (("cyclic", steady.cyclic), ("others", steady.others)):
+            if group:
+                more.say(f"steady.{key}", names=tuple(Symbol(c.name) for c in group))
+        shown = {**linear.rates, **{index: linear.place[index] for index in sorted(linear.moved)}}
+        for index, x in shown.items():
+            if not x.is_zero():
+                name = steady.model.field.generators[index].display
+                more.line(name, tidy(x), why="steady.needs", args={"lines": lines}, uses=lines, when="event")
+        more.say("steady.linearised")
+        _polynomial(more, linear)
+    return script.stages, more, glossary, lines
 
 
 def _polynomial(script: Script, linear: Linear) -> None:
@@ -203,17 +228,3 @@ def _polynomial(script: Script, linear: Linear) -> None:
             rows.append((str(power_), tidy(readable(c))))
     header = (Sentence("steady.table_power"), Sentence("conserved.table_coefficient"))
     script.add(FormulaTable(header, tuple(reversed(rows))))
-
-
-def _nearest(glossary: _Beside, value: Expr) -> Callable[[World], float]:
-    """The square of an exponent of the full system that is nearest to a claimed one; it must be real."""
-
-    def read(world: World) -> float:
-        squares = next(found for own, found in glossary.found() if own is world)
-        (claimed,) = world.of(value)
-        best = min(squares, key=lambda s: abs(s - claimed))
-        largest = max(map(abs, squares))
-        # by differences, so to fewer digits than a line is held to
-        return claimed if abs(best - claimed) < _ROUND_OFF * max(abs(claimed), largest) else best.real
-
-    return read

@@ -10,7 +10,7 @@ from freebody.narrative.context import Context, Method, refuse
 from freebody.narrative.lines.script import DerivationStage
 from freebody.questions.base import Quantity
 from freebody.questions.reading import Question
-from freebody.questions.steady import Extremes, SpinStability, SteadyStability, SteadyValue
+from freebody.questions.steady import Extremes, SpinStability, SteadyOscillations, SteadyStability, SteadyValue
 from freebody.study.answering.answer import Answer
 
 
@@ -53,3 +53,10 @@ def _stability(q: SteadyStability, context: Context, question: Question, answer:
     from freebody.narrative.steady.stability import tell_stability
 
     return tell_stability(context, question, answer)
+
+
+@_told.register(SteadyOscillations)
+def _oscillations(q: SteadyOscillations, context: Context, question: Question, answer: Answer) -> list[DerivationStage]:
+    from freebody.narrative.steady.oscillations import tell_oscillations
+
+    return tell_oscillations(context, question, answer, q)

@@ -101,15 +101,15 @@ class QuestionSolver:
     def _number_instead(self) -> Value:
         """The value of the numeric route where there is no closed form, at the start or at the event."""
         q = self.question
-        if q.quantity.is_of_turn and self.setup.has_values:
-            from freebody.study.steady.ask import number as number_of_turn
+        if q.quantity.scope == "steady motion" and self.setup.has_values:
+            from freebody.study.steady.ask import number as number_of_steady
 
-            return number_of_turn(q.quantity, self.setup, q)
+            return number_of_steady(q.quantity, self.setup, q)
         if q.quantity.scope == "linkage" and self.setup.has_values:
             from freebody.study.mobility.loop_answers import value_of as number_of_loop
 
             return number_of_loop(q.quantity, self.setup)
-        if not self.setup.has_values or q.quantity.scope == "steady motion" or q.quantity.wanted is not None:
+        if not self.setup.has_values or q.quantity.wanted is not None:
             return None
         if q.event is not None and not q.quantity.is_of_state:
             return None  # it says of which equilibrium it is asked

@@ -22,9 +22,11 @@ from freebody.study.answering.witness import least_rate, run, snapshots
 from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition, insisted
 from freebody.symbolic.field import Ratio
+from freebody.symbolic.on_the_way import kept_until
 from freebody.symbolic.reached import Reached
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.unknowns import Coordinate
+from freebody.symbolic.validity import TAKEN
 
 LONGEST = 60.0  # [s] in which a motion has to turn
 _N_STEPS = 65  # to the last of the turns
@@ -37,13 +39,20 @@ def find(setup: Setup, question: str, measure: Measure, side: int, name: str) ->
     conditions = insisted(
         (Condition(part, relation, Message("it turns")) for part, relation in found.conditions),
         NeverHappens(Message("it does not turn")),
-    ) + taken_throughout(setup)
+    )
+    conditions += [*taken_throughout(setup), *held_on_the_way(setup, found)]
     check = CrossCheck(question, Message("numerical integration until it has turned on both sides"), MOTION_TOLERANCE)
     evidence = checked(setup, check, x, conditions, lambda draw: extent_in_numbers(draw, measure, side))
     if evidence is None:
         needs = ", ".join(broken(setup, conditions))
         raise NotHere(Message("it does not turn so at the model's own values: that needs {x}", x=needs))
     return Finding(x, evidence, conditions, list(found.notes), list(found.says))
+
+
+def held_on_the_way(setup: Setup, found: Reached) -> list[Condition]:
+    """What holds things together, from the start to an event; what is taken to be so is asked of all of the motion."""
+    kept = setup.in_free_coordinates(setup.holding(setup.state), setup.state)
+    return kept_until(setup.motion, found, [c for c in kept if c.purpose != TAKEN])
 
 
 def turn_of(setup: Setup, measure: Measure, side: int, name: str) -> tuple[Coordinate, Reached, Ratio]:

@@ -9,7 +9,7 @@ from freebody.language.sentences import Message
 from freebody.questions.arithmetic import refuse_vectors
 from freebody.questions.base import Quantity
 from freebody.questions.reading import Question
-from freebody.questions.steady import Extremes, SpinStability, SteadyStability, SteadyValue
+from freebody.questions.steady import Extremes, SpinStability, SteadyOscillations, SteadyStability, SteadyValue
 from freebody.study.answering.answer import Value
 from freebody.study.answering.finding import Finding
 from freebody.study.setup import Setup
@@ -70,6 +70,13 @@ def _number_of_turn(q: Extremes, setup: Setup, question: Question) -> Value:
             return largest - least
 
 
+@number.register(SteadyOscillations)
+def _number_of_oscillations(q: SteadyOscillations, setup: Setup, question: Question) -> Value:
+    from freebody.study.steady.oscillations import in_numbers
+
+    return in_numbers(setup, question, q)
+
+
 @singledispatch
 def _find(q: Quantity, setup: Setup, question: Question) -> Finding:
     raise CannotAnswer(Message("this is no question about steady motion"))
@@ -101,3 +108,10 @@ def _stability(q: SteadyStability, setup: Setup, question: Question) -> Finding:
     from freebody.study.steady.stability import steady_stability
 
     return steady_stability(setup, question)
+
+
+@_find.register(SteadyOscillations)
+def _oscillations(q: SteadyOscillations, setup: Setup, question: Question) -> Finding:
+    from freebody.study.steady.oscillations import oscillations
+
+    return oscillations(setup, question, q)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 from freebody.errors import CannotAnswer
@@ -43,8 +43,8 @@ class Linear:
         return f.lowest_terms(f.follow(x, self.rates))
 
     @cached_property
-    def characteristic(self) -> Ratio:
-        """det(M s^2 - F_u s - F_x), in the parameter s."""
+    def matrix(self) -> list[list[Ratio]]:
+        """M s^2 - F_u s - F_x, in the parameter s; of a cyclic coordinate the column of its rate."""
         m, f, s = self.steady.model, self.steady.model.field, self.exponent
         rows: list[list[Ratio]] = []
         for k, force in enumerate(self.steady.forces):
@@ -55,7 +55,12 @@ class Linear:
                     entry = entry * s - self.here(f.derivative(force, c.index))
                 row.append(entry)
             rows.append(row)
-        found = determinant(rows)
+        return rows
+
+    @cached_property
+    def characteristic(self) -> Ratio:
+        """The determinant of the matrix."""
+        found = determinant(self.matrix)
         if found.is_zero():
             raise CannotAnswer(Message("the coordinates are singular at the start; describe the body by other angles"))
         return found
@@ -73,9 +78,26 @@ class Linear:
     @cached_property
     def factors(self) -> list[list[Ratio]]:
         """Coefficients of the factors that have other roots than zero."""
+        s = self.steady.model.field.index(self.exponent)
+        return [base.coefficients(s) for base in self.bases]
+
+    @cached_property
+    def bases(self) -> list[Ratio]:
+        """Those factors."""
         f, s = self.steady.model.field, self.steady.model.field.index(self.exponent)
         found = [base for base, _exponent in f.factor(self.characteristic.num)[1] if s in base.generators()]
-        return [base.coefficients(s) for base in found if base != self.exponent]
+        return [base for base in found if base != self.exponent]
+
+    def moves(self, k: int, base: Ratio) -> bool:
+        """Whether the coordinate with a number takes part in the disturbances whose exponents are roots of a factor:
+        the cofactors of its column, which are what it has of them, do not all have that factor."""
+        f, n = self.steady.model.field, len(self.matrix)
+        for left_out in range(n):
+            minor = [[x for j, x in enumerate(row) if j != k] for i, row in enumerate(self.matrix) if i != left_out]
+            cofactor = f.one if n == 1 else f.lowest_terms(determinant(minor))
+            if not cofactor.is_zero() and all(base != own for own, _n in f.factor(cofactor.num)[1]):
+                return True
+        return False
 
     @property
     def n_zero(self) -> int:
@@ -87,8 +109,8 @@ class Linear:
 def linear_at_start(setup: Setup, steady: SteadyMotion) -> Linear:
     """The steady motion of the start, as general as possible: in any pose with any rates; in the pose of the start;
     with one rate such that it is steady; at the place nearest to it at which it is steady with its rates; as it is.
-    What is zero, or a quarter of a turn, stays so."""
-    model, start = setup.model, setup.start
+    What is zero, or a quarter of a turn, stays so, and so does what is given (`SteadyMotion.asked`)."""
+    model, start, given = setup.model, setup.start, steady.given
     bound = [d.name for d in model.dependent if d.index in steady.needed]
     if bound:
         raise CannotAnswer(
@@ -102,22 +124,24 @@ def linear_at_start(setup: Setup, steady: SteadyMotion) -> Linear:
             Message("all coordinates are cyclic: every disturbance leads to a neighbouring steady motion")
         )
     _check_rest(setup, steady)
-    pose = {c.index: start.of(c.index) for c in steady.others}
-    places = [{index: x for index, x in pose.items() if _is_quarter(x)}, pose]
-    rates = {c.speed: x for c in steady.cyclic if (x := start.of(c.speed)).is_zero()}
+    pose = {c.index: given.get(c.index, start.of(c.index)) for c in steady.others}
+    places = [{index: x for index, x in pose.items() if _is_quarter(x) or index in given}, pose]
+    rates = {c.speed: x for c in steady.cyclic if (x := given.get(c.speed, start.of(c.speed))).is_zero()}
+    rates |= {c.speed: given[c.speed] for c in steady.cyclic if c.speed in given}
+    put = frozenset(c.index for c in steady.others if c.index in given)
     for place in places:
         if not _unbalanced(Linear(steady, place, rates)):
-            return Linear(steady, place, rates)
+            return Linear(steady, place, rates, put)
     for place in places:
         for c in steady.cyclic:
-            solved = _solved_for(Linear(steady, place, rates), c.speed)
+            solved = _solved_for(Linear(steady, place, rates, put), c.speed)
             if solved is not None:
                 return solved
     for place in places:
-        moved = _moved(Linear(steady, place, rates))
+        moved = _moved(Linear(steady, place, rates, put))
         if moved is not None:
             return moved
-    exact = Linear(steady, pose, {c.speed: start.of(c.speed) for c in steady.cyclic})
+    exact = Linear(steady, pose, {c.speed: start.of(c.speed) for c in steady.cyclic} | rates, put)
     left = _unbalanced(exact)
     if not left:
         return exact
@@ -171,7 +195,7 @@ def _solved_for(linear: Linear, speed: int) -> Linear | None:
         if len(c) == 3 and c[1].is_zero():
             value = f.sqrt(-c[0] / c[2], model.samples.is_negative)
         if value is not None:
-            found = Linear(linear.steady, linear.place, linear.rates | {speed: value})
+            found = replace(linear, rates=linear.rates | {speed: value})
             return None if _unbalanced(found) else found
     return None
 
@@ -183,15 +207,17 @@ def _moved(linear: Linear) -> Linear | None:
     model, f = steady.model, steady.model.field
     if len(left) != 1:
         return None
-    open_ = [c for c in steady.others if c.index in f.ingredients(left[0])]
+    open_ = [c for c in steady.others if c.index in f.ingredients(left[0]) and c.index not in steady.given]
     if len(open_) != 1:
         return None
     (c,) = open_
     near = [v for v in model.samples.start_numbers(c.index)[:1] if v == v]
     with model.samples.apart():
         places = zeros_of(model, left[0].numerator(), c)
-    # one that is there whatever the parameters are is meant only where the start is at it
-    places = [x for x in places if not _is_quarter(x)]
+    # an angle that is there whatever the parameters are is meant only where the start is at it
+    measure = model.measure_of(c)
+    if measure is not None and measure.is_angle:
+        places = [x for x in places if not _is_quarter(x)]
     if not places or not near:
         return None
 
@@ -199,5 +225,6 @@ def _moved(linear: Linear) -> Linear | None:
         return min((abs(v - near[0]) for v in model.samples.at_starts(place)[:1] if v == v), default=math.inf)
 
     place = min(places, key=away)
-    found = Linear(steady, linear.place | {c.index: f.lowest_terms(place)}, linear.rates, frozenset({c.index}))
+    place = f.lowest_terms(place)
+    found = replace(linear, place=linear.place | {c.index: place}, moved=linear.moved | {c.index})
     return None if _unbalanced(found) else found

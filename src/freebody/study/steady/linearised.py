@@ -13,7 +13,7 @@ from freebody.measures.base import Measure
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Snapshot
 from freebody.study.answering.answer import Evidence
-from freebody.study.answering.crosscheck import MIN_DRAWS, CrossCheck, element_at
+from freebody.study.answering.crosscheck import MIN_DRAWS, CrossCheck, SaysNothing, element_at
 from freebody.study.answering.draws import Draw
 from freebody.study.setup import Setup
 from freebody.study.steady.evidence import coordinate_accelerations, moving
@@ -24,6 +24,7 @@ from freebody.tolerances import ROUND_OFF
 
 _TOLERANCE = 1e-5  # relative, of second differences
 _FACTORS = (0.2, 0.5, 1.0, 2.0, 5.0)  # times the rates of the start: on both sides of a condition
+_FAST = 25.0  # where what oscillates needs to be faster than the start
 _STEP = 1e-4  # rad, m
 CLEARLY_STABLE, _CLEARLY_NOT = 1e-6, 1e-3  # real parts, beside the largest exponent
 
@@ -52,6 +53,27 @@ def agrees(setup: Setup, question: str, linear: Linear, signs: Sequence[Ratio]) 
     witness.gather(product(setup.draws, _FACTORS), compare, 4 * MIN_DRAWS)
     verdicts.evidence()
     return witness.evidence()
+
+
+def swings(
+    setup: Setup, question: str, linear: Linear, frequencies: Sequence[Ratio], positive: Sequence[Ratio]
+) -> Evidence:
+    """Each frequency is the imaginary part of an exponent of the full system, wherever it oscillates."""
+    witness = CrossCheck(
+        question, Message("numerical linearisation of the full system with slow and fast rates"), _TOLERANCE
+    )
+
+    def compare(case: tuple[Draw, float]) -> None:
+        draw, factor = case
+        about = About(setup, linear, draw, factor)
+        signs = element_at(setup, tuple(positive), draw, about.snapshot)
+        if not (_is_clear(signs) and all(x > 0 for x in signs)):
+            raise SaysNothing(Message("there is no oscillation about it: it is unstable"))
+        exact = element_at(setup, tuple(frequencies), draw, about.snapshot)
+        own = np.linalg.eigvals(about.matrix()).imag
+        witness.compare(draw, exact, tuple(float(min(own, key=lambda x: abs(x - w))) for w in exact))
+
+    return witness.gather(product(setup.draw_stream(), (*_FACTORS, _FAST)), compare, 2 * MIN_DRAWS).evidence()
 
 
 def _is_clear(values: Sequence[float]) -> bool:

@@ -12,7 +12,8 @@ by Routh's array. Sources: `symbolic/routh.py`; for rolling bodies Neimark & Fuf
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from types import MappingProxyType
 
 from freebody.errors import CannotAnswer
 from freebody.language.notation import compared, reworded
@@ -38,14 +39,14 @@ def steady_stability(setup: Setup, question: Question) -> Finding:
     signs = signs_of(linear)
     roots: list[Ratio] | None = []
     for c in linear.factors:
-        own = roots_of(c[::2]) if _is_even(c) else None
+        own = roots_of(c[::2]) if is_even(c) else None
         roots = None if own is None or roots is None else [*roots, *own]
     evidence = agrees(setup, question.text, linear, signs)
     given = given_by_start(setup, linear)
     f = setup.model.field
     shown = [f.lowest_terms(f.follow(x, given)) for x in (signs if roots is None else roots)]
     says = stable_if([f.lowest_terms(f.follow(x, given)) for x in signs])
-    notes = [*_rates_shown(setup, linear), *_places_shown(linear), _what(roots), *_at_own_values(setup, signs)]
+    notes = [*rates_shown(setup, linear), *places_shown(linear), _what(roots), *_at_own_values(setup, signs)]
     if linear.n_zero > 0:
         notes.append(
             Message(
@@ -62,13 +63,13 @@ def signs_of(linear: Linear) -> list[Ratio]:
     """What is positive where the motion is stable. Raises CannotAnswer where nothing decides."""
     signs: list[Ratio] = []
     for c in linear.factors:
-        signs += oscillating(c[::2]) if _is_even(c) else hurwitz(c)
+        signs += oscillating(c[::2]) if is_even(c) else hurwitz(c)
     if not signs:
         raise CannotAnswer(Message("all exponents are zero: disturbances lead to neighbouring motions"))
     return signs
 
 
-def _is_even(c: Sequence[Ratio]) -> bool:
+def is_even(c: Sequence[Ratio]) -> bool:
     return all(x.is_zero() for x in c[1::2])
 
 
@@ -95,22 +96,23 @@ def _at_own_values(setup: Setup, signs: Sequence[Ratio]) -> list[str]:
     ]
 
 
-def _rates_shown(setup: Setup, linear: Linear) -> list[str]:
-    """The rates with which the motion is steady, and whether they are those of the start."""
-    generators, found = linear.steady.model.field.generators, list[str]()
-    for index, x in linear.rates.items():
-        if x.is_zero():
+def rates_shown(setup: Setup, linear: Linear, given: Mapping[int, Ratio] = MappingProxyType({})) -> list[str]:
+    """The rates that make it steady, beside those that are given, and whether they are those of the start. given: what
+    is put in."""
+    f, found = linear.steady.model.field, list[str]()
+    for index, steady in linear.rates.items():
+        if steady.is_zero() or index in linear.steady.given:
             continue
-        shown = generators[index].display
+        x, shown = f.lowest_terms(f.follow(steady, dict(given))), f.generators[index].display
         rate = compared(shown, "=", tidy(x))
         if _is_of_start(setup, index, x):
             found.append(reworded(Message("with {zero}", zero=rate), rate))
             continue
-        given = compared(shown, "=", tidy(setup.start.of(index)))
+        begins = compared(shown, "=", tidy(setup.start.of(index)))
         told = Message(
             "the start is no steady motion: this is about the one with {rate}, in place of {given} at the start",
             rate=rate,
-            given=given,
+            given=begins,
         )
         found.append(reworded(told, rate))
     return found
@@ -128,13 +130,15 @@ def _is_of_start(setup: Setup, index: int, x: Ratio) -> bool:
     return abs(wanted - own) <= ROUND_OFF * max(abs(wanted), abs(own))
 
 
-def _places_shown(linear: Linear) -> list[str]:
+def places_shown(linear: Linear) -> list[str]:
     """The place about which it is, where the start is no steady motion."""
     generators = linear.steady.model.field.generators
     found: list[str] = []
-    for index in sorted(linear.moved):
+    for index in sorted(linear.moved - linear.steady.given.keys()):
         place = compared(generators[index].display, "=", tidy(linear.place[index]))
         told = Message("the start is no steady motion; this is about the one nearest to it, {place}", place=place)
+        if linear.steady.given:  # which motion is meant is said
+            told = Message("about the steady motion with {place}", place=place)
         found.append(reworded(told, place))
     return found
 

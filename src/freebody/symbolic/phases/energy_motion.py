@@ -34,16 +34,22 @@ class EnergyMotion(ClosedFormMotion):
     def __init__(self, model: SymbolicModel, start: StartState, coordinate: Coordinate) -> None:
         super().__init__(model, start, {})
         self.coordinate = coordinate
-        self._integrals, f = FirstIntegrals(model, start), model.field
-        integrals = self._integrals
+        self.integrals, f = FirstIntegrals(model, start), model.field
+        integrals = self.integrals
         # u^2 as a function of q
         self.square = f.lowest_terms(integrals.speed_squared(coordinate, f.variable(coordinate.index)))
         self._others = {k: x for k, x in integrals.speeds(coordinate).items() if k != coordinate.speed}
 
-    def _reduced(self, x: Ratio) -> Ratio:
+    @property
+    def cyclic(self) -> tuple[Coordinate, ...]:
+        """The coordinates whose speeds momenta give."""
+        others = (k for k in self.model.coordinates if k is not self.coordinate)
+        return tuple(k for k in others if k.index not in self.integrals.resting)
+
+    def reduced(self, x: Ratio) -> Ratio:
         """With the speeds that momenta give put in. Raises CannotAnswer where it depends on another coordinate."""
         x = self.model.in_independent_speeds(x)
-        x = self.model.field.follow(x, {**self._others, **self._integrals.resting}) if self._others else x
+        x = self.model.field.follow(x, {**self._others, **self.integrals.resting}) if self._others else x
         inside = self.model.field.ingredients(x) if self._others else set[int]()
         others = [c.name for c in self.model.coordinates if c is not self.coordinate and c.index in inside]
         if others:
@@ -52,7 +58,7 @@ class EnergyMotion(ClosedFormMotion):
 
     def is_odd(self, x: Ratio) -> bool:
         """Whether a function of the state changes its sign with the direction of the motion."""
-        parts = self._reduced(x).numerator().coefficients(self.coordinate.speed)
+        parts = self.reduced(x).numerator().coefficients(self.coordinate.speed)
         return all(part.is_zero() for part in parts[::2])
 
     def as_function(self, x: Ratio) -> Ratio:
@@ -60,7 +66,7 @@ class EnergyMotion(ClosedFormMotion):
         CannotAnswer where it is neither odd nor even."""
         f, speed = self.model.field, self.coordinate.speed
         odd = int(self.is_odd(x))
-        x = self._reduced(x)
+        x = self.reduced(x)
         total = f.zero
         for k, part in enumerate(x.numerator().coefficients(speed)):
             if (k + odd) % 2 and not part.is_zero():
@@ -106,7 +112,7 @@ class EnergyMotion(ClosedFormMotion):
         own = {c.index: value, c.speed: way * f.sqrt(square, self.model.samples.is_negative)}
         others = {k: f.follow(x, own) for k, x in self._others.items()}
         if self._others:
-            others |= self._integrals.places_at(c, value, None)
+            others |= self.integrals.places_at(c, value, None)
         return CourseZero(None, {**others, **own}, value)
 
     def reachable(self, zero: CourseZero) -> tuple[Ratio, ...]:
