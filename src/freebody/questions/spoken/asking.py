@@ -7,7 +7,7 @@ from __future__ import annotations
 from itertools import product
 from typing import TYPE_CHECKING
 
-from freebody.questions.spoken import lookup, of_forces, of_motion, of_systems
+from freebody.questions.spoken import lookup, poses, of_forces, of_motion, of_systems
 from freebody.questions.spoken.composing import SILENT, Groups, composed
 from freebody.questions.spoken.lexicon import Word
 from freebody.questions.spoken.words import Clause
@@ -57,7 +57,7 @@ def _inferred(names: Names, clause: Clause) -> Clause:
         )
         quantity = "angular acceleration" if is_turned else "acceleration"
         clause = clause.without("part", "angular")
-    elif "fast" in ask and not clause.has("quantity"):
+    elif "fast" in ask and not clause.has("quantity") and "end" not in verbs:
         quantity = "angular velocity" if "turn" in verbs else "speed"
     elif "where" in ask and not clause.has("quantity") and verbs <= {"move"}:
         quantity = "position"
@@ -113,7 +113,7 @@ def _extreme(names: Names, clause: Clause, degrees: list[str]) -> Groups:
         yield [
             f"{name} when {top}"
             for name in lookup.rising(names, next(iter(of), ""))
-            for top in lookup.tops(names, name)
+            for top in poses.tops(names, name)
         ]
         return
     if clause.has("quantity", "position", "distance", "angle", "deflection") and len(of) <= 1:

@@ -6,10 +6,11 @@ As in composing.py, each function gives groups of conditions.
 from __future__ import annotations
 
 from collections.abc import Callable
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from freebody.measures.geometry import GROUND
-from freebody.questions.spoken import dimensions, lookup
+from freebody.questions.spoken import dimensions, lookup, poses
 from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.words import Clause
 
@@ -34,6 +35,8 @@ HAPPENS = (  # verbs of what comes at an instant; the others are of what goes on
         "begin_roll",
     ),
 )
+_POSES = {"horizontal": poses.level, "vertical": poses.upright, "upright": poses.uppermost}
+_LIES = {"stop", "hold", "reach", "move", "become", "turn"}  # verbs of what is in a pose
 GOES_ON = ("move", "slide", "roll", "turn", "fall", "rise", "accelerate", "fly")
 
 
@@ -48,9 +51,13 @@ def conditions(names: Names, clause: Clause) -> Groups:
         yield from _equations(names, clause)
     elif clause.all("quantity") in (["highest place"], ["lowest place"]) and not clause.values:
         of = next((name for _, name in clause.names), "")
-        yield (lookup.tops if clause.has("quantity", "highest place") else lookup.bottoms)(names, of)
+        yield (poses.tops if clause.has("quantity", "highest place") else poses.lowermost)(names, of)
     elif clause.has("quantity"):
         yield from _of_quantity(names, clause, verbs)
+    elif clause.has("part", *_POSES) and clause.only("part", "name", "verb", *SILENT) and set(verbs) <= _LIES:
+        of = next((name for _, name in clause.names), "")
+        for pose in clause.all("part"):
+            yield _POSES[pose](names, of) if pose in _POSES else []
     else:
         if clause.values or clause.has("turns") or any(name in names.parameters for _, name in clause.names):
             yield from _with_value(names, clause, verbs)
@@ -62,11 +69,13 @@ def _instants(names: Names, clause: Clause) -> Groups:
     of = next((name for _, name in clause.names), "")
     for instant in clause.all("instant"):
         if instant == "at the top":
-            yield lookup.tops(names, of)
+            yield poses.tops(names, of)
         elif instant == "at the top of the loop":
-            yield lookup.uppermost(names, of)
+            yield poses.uppermost(names, of)
         elif instant == "at the bottom":
-            yield lookup.bottoms(names, of) or ([f"{of or 'it'} hits"] if lookup.strikes(names) else [])
+            yield poses.lowermost(names, of) or ([f"{of or 'it'} hits"] if lookup.strikes(names) else [])
+        elif instant in ("level", "upright pose"):
+            yield (poses.level if instant == "level" else poses.upright)(names, of)
         elif instant in ("at the impact", "in the impact"):
             yield [f"{of or 'it'} hits"]
 
@@ -98,6 +107,9 @@ def _equations(names: Names, clause: Clause) -> Groups:
 def _of_quantity(names: Names, clause: Clause, verbs: list[str]) -> Groups:
     """The angle is 60 deg; its height reaches h; the normal force vanishes; at a crank angle of 60 deg."""
     values = [value for _, value in clause.values]
+    if set(verbs) & set(GOES_ON) and (plain := _without_kind(names, clause)) is not None:
+        yield from _with_value(names, plain, verbs)
+        return
     left = clause.without("value").without("verb", "vanish", "reach")
     if "vanish" in verbs and not values:
         yield from _quantity_is(names, left, "0")
@@ -107,6 +119,15 @@ def _of_quantity(names: Names, clause: Clause, verbs: list[str]) -> Groups:
         value = clause.names[-1][1]
         kept = [word for word in left.words if word.what != value]
         yield from _quantity_is(names, Clause(kept), value)
+
+
+def _without_kind(names: Names, clause: Clause) -> Clause | None:
+    """A clause without a word that only says what a parameter is: it has covered the distance d."""
+    for quantity, named in pairwise(clause.words):
+        if quantity.kind == "quantity" and named.kind == "name" and named.what in names.parameters:
+            is_way = quantity.what in ("distance", "displacement", "distance travelled", "angle", "height")
+            return clause.without("quantity") if is_way and len(clause.all("quantity")) == 1 else None
+    return None
 
 
 def _quantity_is(names: Names, clause: Clause, value: str) -> Groups:
@@ -153,8 +174,9 @@ def _with_value(names: Names, clause: Clause, verbs: list[str]) -> Groups:
     ]
     [value], of = values, [name for name in of if name not in lines]
     who = next(iter(of), "")
-    if dimensions.is_speed(value):
-        yield [f"rate({place}) = {value}" for place in lookup.places(names, who)]
+    if dimensions.is_speed(value) or dimensions.is_turning_speed(value):
+        found = lookup.places if dimensions.is_speed(value) else lookup.angles
+        yield [f"rate({measure}) = {value}" for measure in found(names, who)]
         return
     doing = set(verbs) - {"start"}
     sense = -1 if clause.has("updown", "down") or clause.has("part", "downward") else 0
@@ -264,11 +286,11 @@ def _reaches(names: Names, who: str, other: str) -> Groups:
 
 
 def _at_top(names: Names, who: str, other: str) -> Groups:
-    yield lookup.tops(names, who)
+    yield poses.tops(names, who)
 
 
 def _at_bottom(names: Names, who: str, other: str) -> Groups:
-    yield lookup.bottoms(names, who)
+    yield poses.lowermost(names, who)
 
 
 def _slackens(names: Names, who: str, other: str) -> Groups:

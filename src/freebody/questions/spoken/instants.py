@@ -6,9 +6,10 @@ from collections.abc import Iterator
 from itertools import pairwise, product
 from typing import TYPE_CHECKING
 
-from freebody.questions.spoken import dimensions, lookup
+from freebody.questions.spoken import dimensions, lookup, poses
 from freebody.questions.spoken.asking import quantities
 from freebody.questions.spoken.composing import Groups
+from freebody.questions.spoken.counting import COUNTED
 from freebody.questions.spoken.events import GOES_ON, HAPPENS, conditions
 from freebody.questions.spoken.lexicon import Word
 from freebody.questions.spoken.sentence import Sentence, clock
@@ -21,13 +22,21 @@ _CONTINUOUS = (
     *("velocity", "speed", "angular velocity", "position", "displacement", "angle", "height", "distance"),
     *("kinetic energy", "potential energy", "total energy", "energy", "linear momentum", "angular momentum"),
 )
+_PLACES = {
+    "at the top": poses.tops,
+    "at the bottom": poses.lowermost,
+    "at the top of the loop": poses.uppermost,
+    "level": poses.level,
+    "upright pose": poses.upright,
+}
+_BLOWS = ("after the impact", "before the impact")
 _TIMED = {"in steady motion": " in steady motion", "when t grows": " when t grows"}
 
 
 def timed(names: Names, sentence: Sentence) -> Groups:
     """A quantity, and when it is meant."""
     main, others = sentence.main, [one for one in sentence.others if not is_throughout(names, *one)]
-    if main.has("ask", "when", "soon", "long"):
+    if main.has("ask", "when", "soon", "long") or main.has("quantity", *COUNTED):
         return
     if main.has("ask", "high") and not others and main.has("verb") and main.only("ask", "verb", "name", "pronoun"):
         yield from _how_high(names, main)
@@ -52,6 +61,8 @@ def timed(names: Names, sentence: Sentence) -> Groups:
     if main.has("quantity", "impact speed"):
         main = Clause([Word("quantity", "speed") if w == Word("quantity", "impact speed") else w for w in main.words])
         tails = tails or ([] if others else [[" when it hits"]])
+    if main.has("quantity", "precession rate"):  # of a top that does not nod, unless another instant is said
+        tails = tails or ([] if others else [[" in steady motion"]])
     if any(word.kind == "part" and word.what == "initial" for word in main.words) and not tails:
         main, tails = main.without("part", "initial"), [[" at start"]]
     if any(_is_of_state(mark, clause) for mark, clause in others) and not _is_continuous(names, main):
@@ -100,7 +111,7 @@ def _how_high(names: Names, main: Clause) -> Groups:
     """How high does it fly? As high as it is where it no longer rises."""
     who = next((name for _, name in main.names), "")
     if set(main.all("verb")) <= {"move", "fly", "rise", "roll", "turn", "slide"} and len(main.names) <= 1:
-        yield [f"{height} when {top}" for height in lookup.rising(names, who) for top in lookup.tops(names, who)]
+        yield [f"{height} when {top}" for height in lookup.rising(names, who) for top in poses.tops(names, who)]
         yield [f"greatest height of {body}" for body in ([who] if who else lookup.moving(names))]
 
 
@@ -112,7 +123,7 @@ def _how_far(names: Names, main: Clause) -> Groups:
         return
     if up:
         yield [f"{way} when rate({way}) = 0" for way, sense in lookup.inclined(names, who) if sense > 0]
-    elif set(main.all("verb")) == {"slide"} and not lookup.rests(names):
+    elif set(main.all("verb")) - {"move"} == {"slide"} and not lookup.rests(names):
         yield [f"distance travelled along {way} until slipping ends" for way in lookup.ways(names, who)]
     elif set(main.all("verb")) == {"turn"}:
         yield [f"{angle} when rate({angle}) = 0" for angle in lookup.angles(names, who)]
@@ -135,32 +146,17 @@ def _tails(names: Names, main: Clause) -> tuple[list[list[str]], Clause]:
             tails.append([" at start"])
         elif instant in _TIMED:
             tails.append([_TIMED[instant]])
-        elif instant in ("after the impact", "before the impact"):
+        elif instant in _BLOWS:
             struck = lookup.is_struck_at_start_alone(names)
             tails.append([" at start" if struck and instant[0] == "a" else f" {instant}"])
-        elif instant == "at the top of the loop":
+        elif instant in _PLACES:
             of = next((name for _, name in main.names if name in names.bodies or name in names.measures), "")
-            tails.append([f" when {text}" for text in lookup.uppermost(names, of)])
-        elif instant in ("at the top", "at the bottom"):
-            found = lookup.tops if instant == "at the top" else lookup.bottoms
-            of = next((name for _, name in main.names if name in names.bodies or name in names.measures), "")
-            tails.append([f" when {text}" for text in found(names, of)])
+            tails.append([f" when {text}" for text in _PLACES[instant](names, of)])
         elif instant == "at the impact":
             tails.append([" when it hits"])
         elif instant == "in equilibrium":
             tails.append([" in equilibrium"])
-    main = main.without(
-        "instant",
-        "at start",
-        *_TIMED,
-        "after the impact",
-        "before the impact",
-        "at the top",
-        "at the top of the loop",
-        "at the bottom",
-        "at the impact",
-        "in equilibrium",
-    )
+    main = main.without("instant", "at start", *_TIMED, *_PLACES, *_BLOWS, "at the impact", "in equilibrium")
     times = [value for before, value in main.values if before in ("in", "of", "")]
     if main.has("relation"):
         found = _equation_at_end(main)

@@ -205,6 +205,12 @@ def endings(language: str) -> str:
 
 
 @cache
+def umlauts(language: str) -> dict[str, str]:
+    """Letters of a plural that are others in the singular."""
+    return dict(_file(language).get("endings", {}).get("umlauts", {}))
+
+
+@cache
 def no_nouns(language: str) -> tuple[str, ...]:
     """What looks like a noun with an ending."""
     return tuple(_file(language).get("endings", {}).get("verbs", ()))

@@ -90,6 +90,8 @@ def _lasting(names: Names, head: Clause, state: Clause, modal: set[str]) -> str 
     is_denied = _is_denied(state)
     if holds and (not ends or is_denied):
         return _REST if ends or not state.has("not") else None
+    if not verbs and head.has("degree", "least") and not modal and not state.words:  # the least mu, and nothing else
+        return _REST if _parameter(names, head) in lookup.parameters(names, "friction coefficient", "") else None
     if not verbs:
         is_bounded = head.has("degree", "least", "greatest") or head.has("ask", "steep", "flat", "heavy", "rough")
         return _REST if modal and is_bounded and not state.words and lookup.is_rough(names) else None

@@ -12,7 +12,8 @@ from freebody.language.expression import Symbol, free_symbols
 from freebody.language.units import DIMENSIONLESS, FORCE, LENGTH, MASS, TIME, TORQUE
 from freebody.measures.displacement import Displacement
 from freebody.measures.distance import Bearing
-from freebody.measures.geometry import GROUND, ZERO
+from freebody.measures.geometry import GROUND, ZERO, Components
+from freebody.model.elements import VALUE
 from freebody.questions.course import names_line
 
 _LEVEL = 1e-9  # of a direction that is level, or straight up
@@ -58,10 +59,15 @@ def massive(names: Names) -> list[str]:
     return [name for name in moving(names) if names.bodies[name].mass != ZERO]
 
 
+def rough(names: Names, thing: str) -> list[str]:
+    """Connections with dry friction that are, or touch, a thing; all where none is named."""
+    joints_ = dict.fromkeys(row.connection for row in names.constraint_rows if row.reaction == "friction force")
+    return [name for name in joints_ if not thing or touches(names, name, thing)]
+
+
 def is_all_that_slips(names: Names, body: str) -> bool:
     """Whether all dry friction is that of a body."""
-    rough = {row.connection for row in names.constraint_rows if row.reaction == "friction force"}
-    return bool(rough) and all(_is_of(names, connection, body) for connection in rough)
+    return bool(rough(names, "")) and rough(names, "") == rough(names, body)
 
 
 def is_all_that_rubs(names: Names, connection: str) -> bool:
@@ -127,6 +133,33 @@ def inclined(names: Names, body: str) -> list[tuple[str, int]]:
     return found
 
 
+def level(names: Names, body: str) -> list[str]:
+    """Measures of how far a body is along a straight line of the ground that is level."""
+    found: list[str] = []
+    for name in places(names, body):
+        measure = names.measures[name]
+        if isinstance(measure, Displacement) and measure.along.body == GROUND:
+            rise = names.numeric(measure.along.components[1])
+            found += [name] if rise is not None and abs(rise) <= _LEVEL else []
+    return found
+
+
+def flies(names: Names, body: str) -> bool:
+    """Whether a body may be above where it lands: its height is measured, or it is placed."""
+    bodies = [body] if body in names.bodies else moving(names)
+    return bool(heights(names, body)) or any(names.bodies[name].start.at is not None for name in bodies)
+
+
+def led_round(names: Names) -> list[tuple[str, str]]:
+    """Bodies that a link leads round a point of the ground, each with its length."""
+    found: list[tuple[str, str]] = []
+    for name, spec in names.connections.items():
+        given, ends = _given(spec), spec.mentions(names) - {GROUND}
+        if "link" in names.called.get(name, ()) and len(ends) == 1 and GROUND in spec.mentions(names):
+            found += [(next(iter(ends)), str(given["length"]))] if given.get("length") is not None else []
+    return found
+
+
 # -- heights ----------------------------------------------------------------------------------
 def heights(names: Names, body: str) -> list[tuple[str, int]]:
     """Measures of how high a body is, or of any body where none is named: 1 where they count upwards, -1 downwards."""
@@ -161,38 +194,10 @@ def rising(names: Names, body: str) -> list[str]:
     return [name for name, sense in heights(names, body) if sense > 0 and name in names.started_at_zero]
 
 
-def tops(names: Names, body: str) -> list[str]:
-    """The condition that a body has risen as far as it does at first, or swings no further."""
-    up = [name for name, sense in heights(names, body) if _rises(names, name, sense)]
-    turning_back = [f"rate({name}) = 0" for name, _ in _hanging(names, body)]
-    return [f"rate({name}) = 0" for name in up] or [*uppermost(names, body), *turning_back]
-
-
-def uppermost(names: Names, body: str) -> list[str]:
-    """The condition that what goes round a point of the ground is straight above it."""
-    return [f"{name} = {'0' if above else '180 deg'}" for name, above in _hanging(names, body)]
-
-
-def _rises(names: Names, measure: str, sense: int) -> bool:
+def rises(names: Names, measure: str, sense: int) -> bool:
     """Whether a height grows as the motion begins, at the numbers of the model."""
     rate = names.numeric(names.start_rates.get(measure, ZERO))
     return rate is not None and sense * rate > 0.0
-
-
-def bottoms(names: Names, body: str) -> list[str]:
-    """The condition that what goes round a point of the ground is straight below it."""
-    return [f"{name} = 0" for name, above in _hanging(names, body) if not above]
-
-
-def _hanging(names: Names, body: str) -> list[tuple[str, bool]]:
-    """Angles of lines from the ground to a body that count from straight down, or (True) from straight up."""
-    found: list[tuple[str, bool]] = []
-    for name, measure in names.measures.items():
-        if isinstance(measure, Bearing) and measure.start.body == GROUND and body in ("", name, measure.end.body):
-            reference = names.numeric(measure.reference)
-            if reference is not None and abs(math.cos(reference)) < _LEVEL:
-                found.append((name, math.sin(reference) > 0.0))
-    return found
 
 
 # -- connections ------------------------------------------------------------------------------
@@ -235,6 +240,12 @@ def direction(names: Names, name: str) -> str | None:
     )
 
 
+def guides(names: Names, body: str) -> list[str]:
+    """Directions of the ground along which connections guide a body."""
+    joints_ = [name for name in names.connections if body in names.bodies and _is_of(names, name, body)]
+    return [along for along in (direction(names, name) for name in joints_) if along is not None]
+
+
 def points(names: Names, along: str, sense: str) -> bool:
     """Whether a direction points `up` or `down`, so far as the numbers of the model say."""
     with names.quietly():
@@ -247,21 +258,29 @@ def axles(names: Names) -> list[str]:
     return [name for name in names.connections if "axle" in names.called.get(name, ())]
 
 
-def axle_of(names: Names, body: str) -> str:
-    """Where a body turns about an axle of the ground: at its mass `center` or `beside` it; else nothing."""
+def axle_points(names: Names, body: str) -> set[Components]:
+    """The points of a body at which axles of the ground hold it, in its own axes."""
+    found: set[Components] = set()
     if body not in names.bodies:
-        return ""
+        return found
+    own = names.bodies[body]
     for name in axles(names):
         described = names.connections[name]
         if _is_of(names, name, body) and GROUND in described.mentions(names):
             ends: list[str] = []
             for value in _given(described).values():
                 ends += map(str, cast("list[object]", value) if isinstance(value, list) else [value])
-            points = {
-                names.bodies[body].points.get(end.partition(".")[2]) for end in ends if end.startswith(f"{body}.")
-            }
-            return "center" if body in ends or (ZERO, ZERO) in points else "beside"
-    return ""
+            points = [end.partition(".")[2] or own.default_point for end in ends if end.partition(".")[0] == body]
+            found |= {own.points[point] for point in points if point in own.points}
+    return found
+
+
+def axle_of(names: Names, body: str) -> str:
+    """Where a body turns about an axle of the ground: at its mass `center` or `beside` it; else nothing."""
+    points = axle_points(names, body)
+    if not points:
+        return ""
+    return "center" if names.bodies[body].points["mass_center"] in points else "beside"
 
 
 def is_known(names: Names, name: str) -> bool:
@@ -276,10 +295,11 @@ def is_known_point(names: Names, name: str) -> bool:
 
 
 def springs(names: Names) -> list[str]:
-    """Loads that are springs."""
-    return [
-        name for name in names.loads if "spring" in (*names.called.get(name, ()), name.lower().rstrip("0123456789_"))
-    ]
+    """Loads that are springs: so called, or with a law of how far something has come."""
+    laws = {p.load for p in names.applied_loads if p.measure.dimension == LENGTH and VALUE.name in free_symbols(p.law)}
+    laws = {name for name in laws if "law" in names.called.get(name, ())}
+    named = {name for name in names.loads if "spring" in (*names.called.get(name, ()), name.lower().rstrip("0123456789_"))}
+    return [name for name in names.loads if name in named | laws]
 
 
 def is_forced(names: Names) -> bool:
@@ -289,8 +309,9 @@ def is_forced(names: Names) -> bool:
 
 
 def deflections(names: Names, spring: str) -> list[str]:
-    """Named measures that the force of a spring, or of the only one, is in proportion to."""
-    named = [spring] if spring else springs(names)
+    """Named measures that the force of a spring, of the only one, or of that at a body, is in proportion to."""
+    at = {p.load for p in names.applied_loads if spring in names.bodies and spring in p.measure.bodies()}
+    named = [name for name in springs(names) if not spring or name == spring or name in at]
     own = [load.measure for load in names.applied_loads if load.load in named and load.load in springs(names)]
     return [name for name, measure in names.measures.items() if measure in own] if len(named) == 1 else []
 
@@ -314,6 +335,10 @@ def parameters(names: Names, kind: str, of: str) -> list[str]:
         return [mass.name for mass in masses if isinstance(mass, Symbol)]
     if kind == "stiffness":
         return [name for name, parameter in names.parameters.items() if parameter.dimension == FORCE / LENGTH]
+    if kind == "length" and not of:  # of the only thing that has one
+        sizes = [body.sizes[0] for body in names.bodies.values() if body.solid == "rod" and body.sizes]
+        own = {str(_given(spec).get("length")) for spec in names.connections.values()} | {str(size) for size in sizes}
+        return [name for name in names.parameters if name in own]
     word = {"friction coefficient": "friction"}.get(kind, kind)
     own = [spec for name, spec in names.connections.items() if not of or name == of or _is_at(names, name, of)]
     written = {str(value) for spec in own for key, value in _given(spec).items() if word in key}

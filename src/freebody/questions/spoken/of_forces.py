@@ -173,6 +173,14 @@ def _in_spring(names: Names, quantity: str, rest: Clause) -> Groups:
         yield [f"force in {name}" for name in of or lookup.springs(names)]
 
 
+@said_of("work of friction")
+def _of_friction(names: Names, quantity: str, rest: Clause) -> Groups:
+    """What the only dry friction does, or that of something that is named."""
+    of = [name for _, name in rest.names]
+    if rest.only("name", *SILENT) and len(of) <= 1:
+        yield [f"work of {joint}" for joint in lookup.rough(names, next(iter(of), ""))]
+
+
 @said_of("power", "work")
 def _work(names: Names, quantity: str, rest: Clause) -> Groups:
     of = [name for _, name in rest.names]

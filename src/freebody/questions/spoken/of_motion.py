@@ -118,16 +118,39 @@ def _position(names: Names, quantity: str, rest: Clause) -> Groups:
         yield lookup.angles(names, name)
 
 
-@said_of("horizontal range")
-def _range(names: Names, quantity: str, rest: Clause) -> Groups:
-    """How far something has come sideways where it is as low as at the start, or lands."""
+@said_of("horizontal range", "flight time")
+def _of_flight(names: Names, quantity: str, rest: Clause) -> Groups:
+    """How far something comes sideways, or how long it takes, until it is as low as at the start, or lands."""
+    of = next((name for _, name in rest.names if name in lookup.moving(names)), "")
+    if rest.only("name", *SILENT) and len(rest.names) <= 1:
+        heads = lookup.level(names, of) if quantity == "horizontal range" else ["time"]
+        heads = heads if lookup.flies(names, of) else []
+        yield [f"{head} when it lands" for head in heads] if lookup.strikes(names) else []
+        down = [name for name, _ in lookup.heights(names, of) if name in names.started_at_zero]
+        yield [f"{head} when {height} = 0" for head in heads for height in down]
+
+
+@said_of("equation of motion")
+def _equation_of_motion(names: Names, quantity: str, rest: Clause) -> Groups:
+    """The acceleration of what is measured of something, or of all that the file starts with."""
     of = next((name for _, name in rest.names), "")
     if rest.only("name", *SILENT) and len(rest.names) <= 1:
-        upright = {name for name, _ in lookup.heights(names, "")}
-        level = [name for name in lookup.places(names, of) if name not in upright]
-        yield [f"{name} when it lands" for name in level] if lookup.strikes(names) else []
-        down = [name for name in upright if name in names.started_at_zero]
-        yield [f"{name} when {height} = 0" for name in level for height in down]
+        own = [*lookup.places(names, of), *lookup.angles(names, of), *lookup.hung(names, of)]
+        own = list(dict.fromkeys(own if of else names.measures))
+        started = [name for name in own if name in names.start_rates]
+        yield [f"acceleration of {name}" for name in started or own]
+        turning = [name for name in ([of] if of else lookup.moving(names)) if name in lookup.turning(names)]
+        yield [f"angular acceleration of {name}" for name in turning]
+
+
+@said_of("centripetal acceleration")
+def _centripetal(names: Names, quantity: str, rest: Clause) -> Groups:
+    """v^2/l towards the point of the ground about which a link leads a body."""
+    of = [name for _, name in rest.names]
+    if rest.only("name", *SILENT) and len(of) <= 1:
+        led = [(body, length) for body, length in lookup.led_round(names) if not of or body == of[0]]
+        divisors = [(body, length if length.isidentifier() else f"({length})") for body, length in led]
+        yield [f"(speed of {body})^2/{length}" for body, length in divisors]
 
 
 @said_of("deflection")

@@ -31,6 +31,9 @@ _SAYS_KIND = (
 )
 
 
+_FOR = (Word("ask", "from"), Word("ask", "for"), Word("ask", "up_to"))
+
+
 def parameters(names: Names, words: list[Word], whole: Callable[..., Groups]) -> Groups:
     """What words can ask for if they ask for a parameter. whole: what other words can ask for."""
     parted = _parted(names, words)
@@ -63,6 +66,7 @@ def _asked(parameter: str, text: str, end: str) -> Groups:
 
 def _parted(names: Names, words: list[Word]) -> tuple[list[str], Clause, str] | None:
     """The parameters that can be meant, what is to be so, and which end of the values."""
+    words = _told_by_what_follows(names, words)
     marks = [k for k, word in enumerate(words) if word.kind == "mark" and word.what in ("so_that", "to")]
     asks = bool(words) and words[0].kind == "ask"
     if marks:
@@ -79,6 +83,17 @@ def _parted(names: Names, words: list[Word]) -> tuple[list[str], Clause, str] | 
     else:
         return _without_mark(names, words)
     return _head(names, head, rest, is_marked=bool(marks))
+
+
+def _told_by_what_follows(names: Names, words: list[Word]) -> list[Word]:
+    """What speed v did the bullet have if the block swings through 30 deg: the v with which it just does."""
+    whens = [k for k, word in enumerate(words) if word == Word("mark", "when")]
+    head = words[: whens[0]] if len(whens) == 1 else []
+    is_parameter = [w.what in names.parameters for w in head if w.kind == "name"][:1] == [True]
+    if head[:1] != [Word("ask", "what")] or not is_parameter or head[1].what not in (*_SAYS_KIND, *_KIND_OF_PARAMETER):
+        return words
+    so = [word for word in words[whens[0] + 1 :] if word != Word("mark", "until")]  # up to 30 deg
+    return [*head[:3], Word("mark", "so_that"), *so, Word("part", "only")]
 
 
 def _without_mark(names: Names, words: list[Word]) -> tuple[list[str], Clause, str] | None:
@@ -105,16 +120,15 @@ def _end_of_head(names: Names, words: list[Word]) -> int | None:
         for k, w in enumerate(words)
         if (w.kind == "name" and w.what in names.parameters) or w.what in _KIND_OF_PARAMETER
     ]
+    if not chosen and words[0] in _FOR:  # from which force on, for which angle
+        chosen = [k for k, w in enumerate(words) if w.kind == "quantity" and w.what in _SAYS_KIND][:1]
     if not chosen and words[0] in (Word("ask", "heavy"), Word("ask", "rough")):
         chosen = [k for k, word in enumerate(words) if word.kind == "name"]
     if not chosen:
         return None
-    begins = (
-        k
-        for k, w in enumerate(words)
-        if k > chosen[0]
-        and (w.kind in ("verb", "not", "relation") or w.what in ("until", "to", "in equilibrium", "equilibrium"))
-    )
+    kinds = ("verb", "not", "relation", "degree", *(["quantity"] if words[0] in _FOR else []))
+    marks = ("until", "to", "in equilibrium", "equilibrium")
+    begins = (k for k, w in enumerate(words) if k > chosen[0] and (w.kind in kinds or w.what in marks))
     k = next(begins, None)
     if k is None:
         return None
@@ -123,6 +137,8 @@ def _end_of_head(names: Names, words: list[Word]) -> int | None:
 
 
 def _head(names: Names, head: Clause, rest: Clause, *, is_marked: bool = False) -> tuple[list[str], Clause, str] | None:
+    if head.words and head.words[0].kind == "verb":
+        return None  # does friction suffice: yes or no
     is_largest = head.has("ask", "large", "heavy") and (rest.has("not", "before") or rest.has("verb", "start"))
     degrees = {"greatest"} if is_largest else set(head.all("degree")) - {"value", "range"}
     if (
@@ -145,6 +161,13 @@ def _head(names: Names, head: Clause, rest: Clause, *, is_marked: bool = False) 
     if not named and not others and len(asked) == 1 and asked[0] in _SAYS_KIND:  # the only one that is a force
         found = lookup.of_kind(names, asked[0])
         return (found, rest, end) if len(found) == 1 and (end or head.has("ask")) else None
+    loads = [name for name in others if name in names.loads]
+    kind = asked[0].replace("driving ", "") if len(asked) == 1 else ""
+    if not named and loads == others != [] and kind in ("force", "torque", "moment"):  # the torque of the motor
+        found = lookup.chosen(names, kind, loads)
+        return (found, rest, end) if len(found) == 1 else None
+    if head.has("ask", "extended") and not named and not asked:
+        asked = ["length"]
     if head.has("ask", "heavy", "rough") and not named and not asked:
         asked = ["mass"] if head.has("ask", "heavy") else ["friction coefficient"]
         end, others = end or "least" if head.has("ask", "rough") else end, others if head.has("ask", "heavy") else []
@@ -251,7 +274,9 @@ def _reaching(names: Names, clause: Clause, of: list[str]) -> Groups:
         and set(clause.all("part")) <= {"only"}
     ):
         just = " just" if clause.has("part", "only") else ""
-        measures = [of[0]] if of[0] in names.measures else lookup.ways(names, of[0])
+        is_angle = dimensions.is_angle(values[0])
+        measures = [*lookup.angles(names, of[0]), *lookup.hung(names, of[0])] if is_angle else lookup.ways(names, of[0])
+        measures = [of[0]] if of[0] in names.measures else list(dict.fromkeys(measures))
         yield [f"{measure}{just} reaches {values[0]}" for measure in measures]
 
 
@@ -301,6 +326,7 @@ def _happening(names: Names, verbs: set[str], negated: bool, who: str, of: list[
         yield [f"{who or 'it'} rolls without slipping"]
     elif verbs == {"leave"} and not negated:
         yield [f"{who or 'it'} leaves {other}".strip() if who or other else "contact is lost"]
+        yield [f"{joint} opens" for joint in lookup.joints(names, who, other, "normal force")] if who else []
     elif verbs == {"leave"} and negated:
         yield [f"{who or 'it'} never leaves {other}".strip() if other else f"{who or 'it'} stays on"]
     elif (verbs == {"slack"} and negated) or (verbs <= {"taut", "hold"} and "taut" in verbs and not negated):
