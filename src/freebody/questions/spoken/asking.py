@@ -7,7 +7,7 @@ from __future__ import annotations
 from itertools import product
 from typing import TYPE_CHECKING
 
-from freebody.questions.spoken import lookup, poses, of_forces, of_motion, of_systems
+from freebody.questions.spoken import lookup, of_forces, of_motion, of_systems, poses
 from freebody.questions.spoken.composing import SILENT, Groups, composed
 from freebody.questions.spoken.lexicon import Word
 from freebody.questions.spoken.words import Clause
@@ -79,7 +79,7 @@ def _inferred(names: Names, clause: Clause) -> Clause:
     )
     if clause.all("quantity") == ["deflection"] and ask <= {"far", "much", "large"} and not verbs:
         return clause.without("ask")
-    if clause.has("quantity", "deceleration") and ask == {"fast"}:
+    if clause.has("quantity", "deceleration") and ask <= {"fast", "large", "much"}:
         return clause.without("ask")
     moving |= {"turn"} if clause.has("quantity", *_OSCILLATES) else set()
     if ask <= {"what", "large", "much", "with", "for", "many"} and verbs <= moving:
@@ -100,7 +100,11 @@ def _extreme(names: Names, clause: Clause, degrees: list[str]) -> Groups:
         yield [f"{degree} transmission angle"] if clause.only("quantity", *SILENT) else []
         return
     of = [name for _, name in clause.names]
-    if clause.has("quantity", "friction force", "friction coefficient") and lookup.rests(names):
+    if (
+        clause.has("quantity", "friction force", "friction coefficient")
+        and lookup.rests(names)
+        and not lookup.swings(names)
+    ):
         return  # the least friction with which it rests is no least over a motion
     if degree == "greatest" and clause.has("quantity", "distance", "displacement") and clause.has("updown", "up"):
         bodies = [name for name in of if name in lookup.moving(names)]
@@ -111,9 +115,7 @@ def _extreme(names: Names, clause: Clause, degrees: list[str]) -> Groups:
         moved = [name for name in of if name in lookup.moving(names) or name not in names.bodies]
         yield [f"greatest height of {name}" for name in moved or lookup.moving(names)]
         yield [
-            f"{name} when {top}"
-            for name in lookup.rising(names, next(iter(of), ""))
-            for top in poses.tops(names, name)
+            f"{name} when {top}" for name in lookup.rising(names, next(iter(of), "")) for top in poses.tops(names, name)
         ]
         return
     if clause.has("quantity", "position", "distance", "angle", "deflection") and len(of) <= 1:

@@ -76,7 +76,7 @@ def stopping(names: Names, sentence: Sentence) -> Groups:
 
 def _is_of_event(main: Clause) -> bool:
     """Whether a quantity beside the time says what is reached: time to reach a speed of 2 m/s."""
-    return main.has("value") or main.has("verb", "vanish", "reach")
+    return main.has("value") or main.has("verb", "vanish", "reach", "halve")
 
 
 def lost(names: Names, sentence: Sentence) -> Groups:
@@ -132,7 +132,7 @@ def _heads_counted(names: Names, sentence: Sentence) -> Groups:
         yield [f"turns of {name}" for name in ([who] if who else named or lookup.turning(names))]
     elif main.has("ask", "many") and verbs == {"turn_back"} and not asked:  # how often does it turn round
         yield [f"turns of {name}" for name in ([who] if who else lookup.started(names) or lookup.turning(names))]
-    elif asked == ["energy lost"] or (asked == ["energy"] and verbs == {"lost"}):
+    elif (asked == ["energy lost"] and verbs <= {"lost", *GOES_ON}) or (asked == ["energy"] and verbs == {"lost"}):
         yield (
             ["energy lost"]
             if not of or lookup.is_all_that_moves(names, who) or lookup.is_all_that_rubs(names, who)

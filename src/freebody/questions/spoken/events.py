@@ -9,7 +9,8 @@ from collections.abc import Callable
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
-from freebody.measures.geometry import GROUND
+from freebody.language.notation import to_python
+from freebody.measures.geometry import GROUND, ZERO
 from freebody.questions.spoken import dimensions, lookup, poses
 from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.words import Clause
@@ -74,6 +75,8 @@ def _instants(names: Names, clause: Clause) -> Groups:
             yield poses.uppermost(names, of)
         elif instant == "at the bottom":
             yield poses.lowermost(names, of) or ([f"{of or 'it'} hits"] if lookup.strikes(names) else [])
+        elif instant == "turning point":
+            yield poses.turning(names, of)
         elif instant in ("level", "upright pose"):
             yield (poses.level if instant == "level" else poses.upright)(names, of)
         elif instant in ("at the impact", "in the impact"):
@@ -111,6 +114,9 @@ def _of_quantity(names: Names, clause: Clause, verbs: list[str]) -> Groups:
         yield from _with_value(names, plain, verbs)
         return
     left = clause.without("value").without("verb", "vanish", "reach")
+    if "halve" in verbs and not values:
+        yield from _halved(names, clause)
+        return
     if "vanish" in verbs and not values:
         yield from _quantity_is(names, left, "0")
     elif len(values) == 1 and set(verbs) <= {"reach", "move", "turn", "rise", "fall", "start"}:
@@ -119,6 +125,16 @@ def _of_quantity(names: Names, clause: Clause, verbs: list[str]) -> Groups:
         value = clause.names[-1][1]
         kept = [word for word in left.words if word.what != value]
         yield from _quantity_is(names, Clause(kept), value)
+
+
+def _halved(names: Names, clause: Clause) -> Groups:
+    """A speed has fallen to half of what it is at the start."""
+    of = next((name for _, name in clause.names), "")
+    turning = clause.has("quantity", "angular velocity")
+    if clause.has("quantity", "angular velocity", "velocity", "speed") and len(clause.names) <= 1:
+        measures = lookup.angles(names, of) if turning else lookup.places(names, of)
+        moving = [(name, names.start_rates.get(name, ZERO)) for name in measures]
+        yield [f"rate({name}) = {to_python(rate / 2).replace('**', '^')}" for name, rate in moving if rate != ZERO]
 
 
 def _without_kind(names: Names, clause: Clause) -> Clause | None:
@@ -178,6 +194,8 @@ def _with_value(names: Names, clause: Clause, verbs: list[str]) -> Groups:
         found = lookup.places if dimensions.is_speed(value) else lookup.angles
         yield [f"rate({measure}) = {value}" for measure in found(names, who)]
         return
+    if dimensions.is_time(value):
+        return
     doing = set(verbs) - {"start"}
     sense = -1 if clause.has("updown", "down") or clause.has("part", "downward") else 0
     sense = 1 if clause.has("updown", "up") or clause.has("part", "upward") else sense
@@ -204,6 +222,7 @@ def _happening(names: Names, clause: Clause, verbs: list[str]) -> Groups:
     if not clause.only("name", "verb", "degree", *SILENT) or set(clause.all("degree")) - {"first"}:
         return
     doing = frozenset(verbs) - ({"move", "reach"} if len(set(verbs)) > 1 else set())
+    doing = frozenset(doing & {"top", "bottom"}) or doing  # it swings through the lowest point
     lines = names.bodies[GROUND].lines
     if not doing and len(clause.names) == 1 and clause.names[0][1] in lines and lookup.strikes(names):
         yield [f"it hits {clause.names[0][1]}"]  # the time of fall to the floor

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from itertools import pairwise, product
 from typing import TYPE_CHECKING
 
@@ -19,13 +18,25 @@ if TYPE_CHECKING:
     from freebody.model.names import Names
 
 _CONTINUOUS = (
-    *("velocity", "speed", "angular velocity", "position", "displacement", "angle", "height", "distance"),
+    *(
+        "velocity",
+        "speed",
+        "angular velocity",
+        "deflection",
+        "spring force",
+        "position",
+        "displacement",
+        "angle",
+        "height",
+        "distance",
+    ),
     *("kinetic energy", "potential energy", "total energy", "energy", "linear momentum", "angular momentum"),
 )
 _PLACES = {
     "at the top": poses.tops,
     "at the bottom": poses.lowermost,
     "at the top of the loop": poses.uppermost,
+    "turning point": poses.turning,
     "level": poses.level,
     "upright pose": poses.upright,
 }
@@ -36,7 +47,9 @@ _TIMED = {"in steady motion": " in steady motion", "when t grows": " when t grow
 def timed(names: Names, sentence: Sentence) -> Groups:
     """A quantity, and when it is meant."""
     main, others = sentence.main, [one for one in sentence.others if not is_throughout(names, *one)]
-    if main.has("ask", "when", "soon", "long") or main.has("quantity", *COUNTED):
+    if main.has("quantity", "deflection", "displacement"):  # how far until something happens is how far when it does
+        others = [("when" if mark == "until" else mark, clause) for mark, clause in others]
+    if main.has("ask", "when", "soon", "long", "for", "from", "up_to") or main.has("quantity", *COUNTED):
         return
     if main.has("ask", "high") and not others and main.has("verb") and main.only("ask", "verb", "name", "pronoun"):
         yield from _how_high(names, main)
@@ -51,7 +64,9 @@ def timed(names: Names, sentence: Sentence) -> Groups:
     if others and main.has("quantity") and not lookup.strikes(names):  # with what speed does it arrive after 3 m
         main = main.without("verb", "hit", "reach")
     accelerates = main.has("quantity", "acceleration", "angular acceleration") and main.has("verb", "start")
-    if accelerates and main.has("verb", *GOES_ON) and not others:  # with what acceleration does it start to move
+    if (
+        accelerates and set(main.all("verb")) <= {"start", *GOES_ON} and not others
+    ):  # with what acceleration does it start to move
         main = Clause([*main.without("verb").words, Word("instant", "at start")])
     if main.has("quantity", "terminal velocity") and others:  # the final speed once it rolls
         main = Clause(
@@ -86,7 +101,7 @@ def timed(names: Names, sentence: Sentence) -> Groups:
     if not tails:
         yield from quantities(names, main)
         return
-    for tail in _grouped(names, sentence, tails):
+    for tail in _at(names, *others[0]) if len(others) == 1 else iter(tails[:1]):
         for group in quantities(names, main):
             yield [f"{text}{end}" for text, end in product(group, tail) if not end.startswith(f" when {text} = ")]
 
@@ -129,15 +144,6 @@ def _how_far(names: Names, main: Clause) -> Groups:
         yield [f"{angle} when rate({angle}) = 0" for angle in lookup.angles(names, who)]
 
 
-def _grouped(names: Names, sentence: Sentence, tails: list[list[str]]) -> Iterator[list[str]]:
-    """The ways to mean an instant, in groups."""
-    others = [one for one in sentence.others if not is_throughout(names, *one)]
-    if len(others) == 1:
-        yield from _at(names, *others[0])
-    else:
-        yield tails[0]
-
-
 def _tails(names: Names, main: Clause) -> tuple[list[list[str]], Clause]:
     """Instants within a main clause, and the clause without them."""
     tails: list[list[str]] = []
@@ -152,8 +158,9 @@ def _tails(names: Names, main: Clause) -> tuple[list[list[str]], Clause]:
         elif instant in _PLACES:
             of = next((name for _, name in main.names if name in names.bodies or name in names.measures), "")
             tails.append([f" when {text}" for text in _PLACES[instant](names, of)])
-        elif instant == "at the impact":
+        elif instant == "at the impact" or (instant == "in the impact" and _is_continuous(names, main)):
             tails.append([" when it hits"])
+            main = main.without("instant", "in the impact")
         elif instant == "in equilibrium":
             tails.append([" in equilibrium"])
     main = main.without("instant", "at start", *_TIMED, *_PLACES, *_BLOWS, "at the impact", "in equilibrium")

@@ -143,6 +143,12 @@ def phrases_at(line: str, start: int, language: str) -> list[tuple[Word, tuple[i
 
 
 @cache
+def is_verb(token: str) -> bool:
+    """Whether an English word alone is a verb."""
+    return any(word.kind == "verb" for word, _ in phrases_at(token, 0, ENGLISH))
+
+
+@cache
 def vocabulary(language: str) -> frozenset[str]:
     """All words of a language that are written in full."""
     said = (

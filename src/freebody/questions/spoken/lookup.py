@@ -5,7 +5,7 @@ Each function gives all that fit: where a model has several, each is a way to me
 
 from __future__ import annotations
 
-import math
+from itertools import product
 from typing import TYPE_CHECKING, cast
 
 from freebody.language.expression import Symbol, free_symbols
@@ -133,6 +133,17 @@ def inclined(names: Names, body: str) -> list[tuple[str, int]]:
     return found
 
 
+def alike(names: Names, one: str, other: str) -> list[tuple[str, str]]:
+    """Measures of two things by how far they are along the same direction of the ground."""
+    found = [[(name, names.measures[name]) for name in places(names, thing)] for thing in (one, other)]
+    return [
+        (a, b)
+        for (a, first), (b, second) in product(*found)
+        if isinstance(first, Displacement) and isinstance(second, Displacement)
+        if first.along.components == second.along.components and first.along.body == second.along.body == GROUND
+    ]
+
+
 def level(names: Names, body: str) -> list[str]:
     """Measures of how far a body is along a straight line of the ground that is level."""
     found: list[str] = []
@@ -253,6 +264,15 @@ def points(names: Names, along: str, sense: str) -> bool:
     return height is not None and (height > 0.0 if sense == "up" else height < 0.0)
 
 
+def joined_at(names: Names, name: str) -> str:
+    """For a pin between bodies that move the point of one of them: both move alike. Else what is named."""
+    if "pin" not in names.called.get(name, ()) or name not in names.connections or name in names.bodies:
+        return name
+    ends = [str(end) for end in _given(names.connections[name]).values() if isinstance(end, str)]
+    movable = [end for end in ends if end.partition(".")[0] in moving(names)]
+    return movable[0] if len(movable) == 2 else name
+
+
 def axles(names: Names) -> list[str]:
     """Connections that something turns about."""
     return [name for name in names.connections if "axle" in names.called.get(name, ())]
@@ -298,7 +318,9 @@ def springs(names: Names) -> list[str]:
     """Loads that are springs: so called, or with a law of how far something has come."""
     laws = {p.load for p in names.applied_loads if p.measure.dimension == LENGTH and VALUE.name in free_symbols(p.law)}
     laws = {name for name in laws if "law" in names.called.get(name, ())}
-    named = {name for name in names.loads if "spring" in (*names.called.get(name, ()), name.lower().rstrip("0123456789_"))}
+    named = {
+        name for name in names.loads if "spring" in (*names.called.get(name, ()), name.lower().rstrip("0123456789_"))
+    }
     return [name for name in names.loads if name in named | laws]
 
 

@@ -25,6 +25,7 @@ if TYPE_CHECKING:
 _MARKS = ("when", "until", "after", "while")
 _HOLDS = ({"friction force"}, {"friction coefficient"}, {"force"}, {"tension"})  # what may be enough to hold something
 _HOW_FAR = tuple(Word("ask", what) for what in ("large", "small", "heavy", "far", "high", "steep", "flat"))
+_LEADS_ON = ("from", "about", "relative", "between", "along")  # prepositions behind which something stands
 _NOT, _ACCELERATE = Word("not", "not"), Word("verb", "accelerate")
 _SO_THAT = Word("mark", "so_that")
 # what only a limit tells apart: how small, how steep
@@ -37,6 +38,8 @@ def meanings(names: Names, words: list[Word]) -> Groups:
         return
     modal = {word.what for word in words if word.kind == "filler"} & {"may", "must"}
     said = _bounded(_without_auxiliary([word for word in words if word.kind != "filler"]))
+    if said and said[-1].kind == "preposition" and said[-1].what in _LEADS_ON:
+        return
     said = _unaccelerated(_not_slipping(names, _carrying(names, said, modal)))
     words = [_AS_LARGE.get(word, word) for word in said]
     lasting = [_SO_THAT if word == Word("mark", "while") else word for word in said]  # as long as it does not slip

@@ -72,12 +72,8 @@ def _of_joint(names: Names, kind: str, rest: Clause) -> Groups:
     if loads:
         if kind in ("force", "torque", "moment") and not about:
             tail = "".join(f" on {name}" for _, name in things[:1])
-            yield (
-                [f"force of {loads[0]}{tail}{ends}", f"torque of {loads[0]}"]
-                if things or ends
-                else [f"force in {loads[0]}"]
-            )
-            yield [f"torque of {loads[0]}"]
+            yield ([f"force of {loads[0]}{tail}{ends}"] if things or ends else [f"force in {loads[0]}"])
+            yield [f"torque of {loads[0]}"] if not things and not ends else []
     elif joints:
         yield from _at_joint(names, kind, head, joints[0], things, ends)
     elif kind != "force":

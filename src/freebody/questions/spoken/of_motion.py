@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from freebody.measures.geometry import GROUND
 from freebody.questions.spoken import lookup
 from freebody.questions.spoken.composing import ALONG, SILENT, Groups, said_of, without_owners
 from freebody.questions.spoken.words import Clause
@@ -32,6 +33,9 @@ def motion(names: Names, quantity: str, rest: Clause) -> Groups:
             yield [f"{quantity.removeprefix('angular ')} of {angles[0]}"]
         elif len(whole) == 1:
             yield [f"{quantity} of {whole[0]}{end}"]
+        return
+    if not of and quantity.startswith("angular") and not lookup.turning(names) and not end:
+        yield [f"{quantity.removeprefix('angular ')} of {angle}" for angle in lookup.angles(names, "")]
         return
     if not of:
         moving = (
@@ -86,10 +90,18 @@ def _directed(names: Names, rest: Clause) -> tuple[list[str], str, str] | None:
             if along:
                 return None
             along = f" along {ALONG[part]}"
-    of = without_owners(of)
+    of = [lookup.joined_at(names, name) for name in without_owners(of)]
     owned = {body for name in of if name in names.measures for body in names.measures[name].bodies()}
     of = [name for name in of if name not in owned]
     return of, relative, along
+
+
+@said_of("relative velocity")
+def _relative(names: Names, quantity: str, rest: Clause) -> Groups:
+    """The velocity of the first thing that is named less that of the second, along a line on which both are measured."""
+    of = [name for _, name in rest.names]
+    if rest.only("name", *SILENT) and len(of) == 2:
+        yield [f"(velocity of {one} - velocity of {other})" for one, other in lookup.alike(names, of[0], of[1])]
 
 
 @said_of("deceleration", "angular deceleration")
@@ -182,8 +194,9 @@ def _angle(names: Names, quantity: str, rest: Clause) -> Groups:
 
 @said_of("height")
 def _height(names: Names, quantity: str, rest: Clause) -> Groups:
-    if rest.only("name", *SILENT) and len(rest.names) <= 1:
-        name = rest.names[0][1] if rest.names else ""
+    of = [name for _, name in rest.names if name != GROUND]
+    if rest.only("name", *SILENT) and len(of) <= 1:
+        name = next(iter(of), "")
         yield [f"height of {body}" for body in ([name] if name else lookup.moving(names))]
         yield [height for height, sense in lookup.heights(names, name) if sense > 0]
 
@@ -191,7 +204,7 @@ def _height(names: Names, quantity: str, rest: Clause) -> Groups:
 @said_of("highest place", "lowest place")
 def _extreme_place(names: Names, quantity: str, rest: Clause) -> Groups:
     """How high or how low something comes, by the height that is measured."""
-    of = [name for _, name in rest.names]
+    of = [name for _, name in rest.names if name in lookup.moving(names) or name in names.measures]
     if rest.only("name", *SILENT) and len(of) <= 1:
         found = lookup.heights(names, next(iter(of), ""))
         up = quantity == "highest place"

@@ -14,11 +14,20 @@ if TYPE_CHECKING:
 
 _EULER = 3  # angles of a body that is turned as a top is
 
+
 @said_of("kinetic energy", "potential energy", "total energy")
 def _energy(names: Names, quantity: str, rest: Clause) -> Groups:
     of = [name for _, name in rest.names]
     if rest.only("name", *SILENT) and len(of) <= 1:
         yield [" of ".join((quantity, *of))]
+
+
+@said_of("rotational energy")
+def _rotational(names: Names, quantity: str, rest: Clause) -> Groups:
+    """The kinetic energy of what turns about its centre, which has no other."""
+    of = [name for _, name in rest.names]
+    if all(lookup.axle_of(names, name) == "center" for name in of or lookup.massive(names)):
+        yield from _energy(names, "kinetic energy", rest)
 
 
 @said_of("energy")
@@ -76,6 +85,7 @@ def _of_coordinate(names: Names, quantity: str, rest: Clause) -> Groups:
         yield [f"{quantity} of {name}" for name in lookup.places(names, "")]
     if len(of) == 1 and rest.only("name", "instant", *SILENT):
         measures = lookup.places(names, of[0]) or lookup.angles(names, of[0])
+        measures = measures or ([f"angle of {of[0]}"] if lookup.axle_of(names, of[0]) else [])
         yield [f"{quantity} of {name}" for name in measures]
         guides = [] if measures else lookup.guides(names, of[0])
         yield [f"{quantity} of position of {of[0]} along {guide}" for guide in guides]

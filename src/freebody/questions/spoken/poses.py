@@ -46,6 +46,12 @@ def tops(names: Names, body: str) -> list[str]:
     return rising or [*uppermost(names, body), *turning_back]
 
 
+def turning(names: Names, body: str) -> list[str]:
+    """The condition that what is measured of something turns back."""
+    found = lookup.places(names, body) or lookup.angles(names, body) or lookup.hung(names, body)
+    return [f"rate({name}) = 0" for name in found]
+
+
 def uppermost(names: Names, body: str) -> list[str]:
     """The condition that what goes round a point of the ground is straight above it."""
     return _conditions(names, body, 90.0)

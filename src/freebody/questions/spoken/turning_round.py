@@ -254,6 +254,8 @@ def _extremal(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Gro
     ends = [degree for degree in clause.all("degree") if degree in ("greatest", "least")]
     end = {"greatest": "largest", "least": "least"}.get(ends[-1]) if ends else None
     kept = [word for word in clause.words if word.kind != "degree"]
+    if not clause.has("quantity") and clause.has("verb") and set(clause.all("verb")) <= {"fly", "move", "reach"}:
+        kept = [Word("quantity", "horizontal range"), *(word for word in kept if word.kind == "name")]
     for group in whole(names, kept) if end else ():
         yield [f"{text} is {end}" for text in group if not text.startswith(("does ", "is ", "degrees "))]
 
