@@ -53,7 +53,7 @@ def _bare(word: str, language: str) -> str:
 def _noun(word: str, language: str) -> str:
     """What something is called in English; nothing where a word is no noun for a thing."""
     singular = word.lower()
-    for letter, plain in umlauts(language).items():  # of a plural: Räder
+    for letter, plain in umlauts(language).items() if word[0].isupper() else ():  # of a plural: Räder
         singular = singular.replace(letter, plain)
     found = _nouns(language).fullmatch(word) or _nouns(language).fullmatch(singular)
     return translated(language)[found[1].lower()] if found else ""

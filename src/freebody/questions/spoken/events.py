@@ -36,6 +36,7 @@ HAPPENS = (  # verbs of what comes at an instant; the others are of what goes on
         "begin_roll",
     ),
 )
+_WAYS = ("distance", "displacement", "distance travelled", "angle", "height")
 _POSES = {"horizontal": poses.level, "vertical": poses.upright, "upright": poses.uppermost}
 _LIES = {"stop", "hold", "reach", "move", "become", "turn"}  # verbs of what is in a pose
 GOES_ON = ("move", "slide", "roll", "turn", "fall", "rise", "accelerate", "fly")
@@ -56,7 +57,7 @@ def conditions(names: Names, clause: Clause) -> Groups:
     elif clause.has("quantity"):
         yield from _of_quantity(names, clause, verbs)
     elif clause.has("part", *_POSES) and clause.only("part", "name", "verb", *SILENT) and set(verbs) <= _LIES:
-        of = next((name for _, name in clause.names), "")
+        of = next((name for _, name in clause.names if name not in names.connections), "")
         for pose in clause.all("part"):
             yield _POSES[pose](names, of) if pose in _POSES else []
     else:
@@ -110,7 +111,7 @@ def _equations(names: Names, clause: Clause) -> Groups:
 def _of_quantity(names: Names, clause: Clause, verbs: list[str]) -> Groups:
     """The angle is 60 deg; its height reaches h; the normal force vanishes; at a crank angle of 60 deg."""
     values = [value for _, value in clause.values]
-    if set(verbs) & set(GOES_ON) and (plain := _without_kind(names, clause)) is not None:
+    if (set(verbs) & set(GOES_ON) or not verbs) and (plain := _without_kind(names, clause)) is not None:
         yield from _with_value(names, plain, verbs)
         return
     left = clause.without("value").without("verb", "vanish", "reach")
@@ -121,7 +122,7 @@ def _of_quantity(names: Names, clause: Clause, verbs: list[str]) -> Groups:
         yield from _quantity_is(names, left, "0")
     elif len(values) == 1 and set(verbs) <= {"reach", "move", "turn", "rise", "fall", "start"}:
         yield from _quantity_is(names, left.without("verb"), values[0])
-    elif not values and set(verbs) <= {"reach"} and len(clause.names) > 1:  # a parameter is the value
+    elif not values and set(verbs) <= {"reach"} and clause.names and clause.names[-1][1] in names.parameters:
         value = clause.names[-1][1]
         kept = [word for word in left.words if word.what != value]
         yield from _quantity_is(names, Clause(kept), value)
@@ -139,9 +140,10 @@ def _halved(names: Names, clause: Clause) -> Groups:
 
 def _without_kind(names: Names, clause: Clause) -> Clause | None:
     """A clause without a word that only says what a parameter is: it has covered the distance d."""
+    ways = _WAYS if clause.has("verb") else _WAYS[:3]
     for quantity, named in pairwise(clause.words):
         if quantity.kind == "quantity" and named.kind == "name" and named.what in names.parameters:
-            is_way = quantity.what in ("distance", "displacement", "distance travelled", "angle", "height")
+            is_way = quantity.what in ways
             return clause.without("quantity") if is_way and len(clause.all("quantity")) == 1 else None
     return None
 
@@ -157,6 +159,8 @@ def _quantity_is(names: Names, clause: Clause, value: str) -> Groups:
         elif quantity == "height":
             yield lookup.lifted(names, of, value)
             yield [f"height of {of} = {value}"] if of else []
+        elif quantity == "stroke":
+            yield lookup.climbed(names, of, value, 1)
         elif quantity in ("displacement", "distance travelled"):
             yield [f"{way} = {value}" for way in lookup.ways(names, of)]
         elif quantity in ("position", "distance"):
@@ -164,7 +168,7 @@ def _quantity_is(names: Names, clause: Clause, value: str) -> Groups:
         elif quantity in ("velocity", "speed", "angular velocity") and is_zero:
             measures = lookup.angles(names, of) if quantity.startswith("angular") else lookup.places(names, of)
             yield [f"rate({measure}) = 0" for measure in measures or lookup.angles(names, of)]
-        elif quantity in ("velocity", "angular velocity") and (of in names.measures or not of):
+        elif quantity in ("velocity", "speed", "angular velocity") and (of in names.measures or not of):
             kinds = lookup.angles if quantity.startswith("angular") else lookup.places
             yield [f"rate({measure}) = {value}" for measure in ([of] if of else kinds(names, ""))]
         elif quantity == "tension" and is_zero:
@@ -205,7 +209,7 @@ def _with_value(names: Names, clause: Clause, verbs: list[str]) -> Groups:
     if not doing and dimensions.is_angle(value) and who not in names.measures:
         yield [f"{angle} = {value}" for angle in lookup.angles(names, who)]
     elif turns or doing == {"turn"}:
-        yield [f"{angle} = {value}" for angle in lookup.angles(names, who) if angle in names.started_at_zero]
+        yield [f"{angle} = {value}" for angle in lookup.turned(names, who)]
     elif doing == {"fall"}:
         yield lookup.climbed(names, who, value, -1)
     elif doing == {"rise"}:
@@ -252,6 +256,10 @@ def _who(names: Names, clause: Clause) -> tuple[str, str]:
 
 
 def _hits(names: Names, who: str, other: str) -> Groups:
+    """What can strike nothing lands where it is as low as at the start."""
+    if not lookup.strikes(names) and other in ("", GROUND):
+        yield [f"{height} = 0" for height in lookup.rising(names, who)]
+        return
     yield [f"{who or 'it'} hits {other}".strip()]
 
 

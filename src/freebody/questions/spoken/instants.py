@@ -170,6 +170,11 @@ def _tails(names: Names, main: Clause) -> tuple[list[list[str]], Clause]:
         if found is not None:
             main, condition = found
             tails.append([f" when {condition}"])
+    elif not main.values and (asked := _place_by_parameter(names, main)) is not None:
+        head, at = asked
+        if found_at := [c for group in conditions(names, at) for c in group]:
+            tails.append([f" when {condition}" for condition in found_at])
+            main = head
     elif len(times) == 1 and len(main.values) == 1:
         [value] = times
         kept = Clause([w for w in main.words if w != Word("value", value)])
@@ -190,6 +195,10 @@ def _equation_at_end(main: Clause) -> tuple[Clause, str] | None:
     words = main.words
     k = next(k for k, word in enumerate(words) if word.kind == "relation")
     before, after = words[max(k - 2, 0) : k], words[k + 1 : k + 2]
+    if before and before[0].kind == "quantity" and k > 2:  # at the height z = 2 m
+        before = [words[k - 3], words[k - 1]]
+        words = [*words[: k - 2], *words[k - 1 :]]
+        k -= 1
     is_placed = [word.kind for word in before] == ["preposition", "name"] and before[0].what in (
         "in",
         "of",
@@ -202,6 +211,16 @@ def _equation_at_end(main: Clause) -> tuple[Clause, str] | None:
     return Clause([*words[: k - 2], *words[k + 2 :]]).without(
         "verb", "return", "reach"
     ), f"{before[1].what} = {after[0].what}"
+
+
+def _place_by_parameter(names: Names, main: Clause) -> tuple[Clause, Clause] | None:
+    """The end of a main clause that says where by a parameter: at the height h."""
+    words = main.words
+    kinds = [word.kind for word in words[-3:]]
+    is_place = kinds == ["preposition", "quantity", "name"] and words[-1].what in names.parameters
+    if not is_place or words[-3].what != "in" or words[-2].what not in ("height", "distance", "angle", "displacement"):
+        return None
+    return Clause(words[:-3]), Clause(words[-2:])
 
 
 def _place_within(main: Clause, value: str) -> tuple[Clause, Clause] | None:

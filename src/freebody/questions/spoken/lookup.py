@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, cast
 
 from freebody.language.expression import Symbol, free_symbols
 from freebody.language.units import DIMENSIONLESS, FORCE, LENGTH, MASS, TIME, TORQUE
+from freebody.measures.angle import Angle
 from freebody.measures.displacement import Displacement
 from freebody.measures.distance import Bearing
 from freebody.measures.geometry import GROUND, ZERO, Components
@@ -109,6 +110,14 @@ def angles(names: Names, body: str) -> list[str]:
         return [body] if names.measures[body].dimension == DIMENSIONLESS else []
     found = [(name, measure) for name, measure in names.measures.items() if measure.dimension == DIMENSIONLESS]
     return [name for name, measure in found if not body or {*measure.bodies()} - {GROUND} == {body}]
+
+
+def turned(names: Names, body: str) -> list[str]:
+    """Angles of how far a body has turned since the start: those that begin at zero."""
+    free = {name for name in moving(names) if axle_of(names, name) == "center" and names.bodies[name].start.angle is None}
+    plain = {name for name, m in names.measures.items() if isinstance(m, Angle) and m.of in free and m.reference == ZERO}
+    begun = names.started_at_zero | {name for name in plain if name not in names.placed_at_start}
+    return [name for name in angles(names, body) if name in begun]
 
 
 def hung(names: Names, body: str) -> list[str]:

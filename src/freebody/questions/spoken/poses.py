@@ -43,7 +43,8 @@ def tops(names: Names, body: str) -> list[str]:
     """The condition that a body has risen as far as it does at first, or swings no further."""
     rising = [f"rate({name}) = 0" for name, sense in lookup.heights(names, body) if lookup.rises(names, name, sense)]
     turning_back = [f"rate({going.measure}) = 0" for going in _on_lines(names, body)]
-    return rising or [*uppermost(names, body), *turning_back]
+    over = [] if lookup.rests(names) and turning_back else uppermost(names, body)  # what is let go does not go over
+    return rising or [*over, *turning_back]
 
 
 def turning(names: Names, body: str) -> list[str]:
