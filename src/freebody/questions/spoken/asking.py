@@ -81,6 +81,7 @@ def _inferred(names: Names, clause: Clause) -> Clause:
         return clause.without("ask")
     if clause.has("quantity", "deceleration") and ask <= {"fast", "large", "much"}:
         return clause.without("ask")
+    moving |= {"tip"} if clause.has("quantity", "angular velocity", "angular acceleration") else set()
     moving |= {"turn"} if clause.has("quantity", *_OSCILLATES) else set()
     if ask <= {"what", "large", "much", "with", "for", "many"} and verbs <= moving:
         return clause.without("ask").without("verb")

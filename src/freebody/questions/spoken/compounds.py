@@ -52,6 +52,7 @@ def _bare(word: str, language: str) -> str:
 
 def _noun(word: str, language: str) -> str:
     """What something is called in English; nothing where a word is no noun for a thing."""
+    word = word.replace("ß", "ss")
     singular = word.lower()
     for letter, plain in umlauts(language).items() if word[0].isupper() else ():  # of a plural: Räder
         singular = singular.replace(letter, plain)

@@ -53,7 +53,9 @@ def time(names: Names, sentence: Sentence) -> Groups:
             return
         if not any(word.kind == "pronoun" for word in clause.words) and head.names and not clause.names:
             clause = Clause([*head.words, *clause.words])
-    elif not sentence.others and (head.has("verb") or head.has("value") or head.has("instant") or head.has("relation")):
+    elif not sentence.others and (
+        head.has("verb") or head.has("instant") or head.has("relation") or _has_value(names, head)
+    ):
         clause = head
     else:
         return
@@ -173,7 +175,7 @@ def ends(names: Names, sentence: Sentence) -> Groups:
         time = clock(clause) if mark == "after" else None
         if time is not None:
             yield [f"t = {time}"]
-        elif mark in ("until", "when") or (mark == "while" and _has_value(names, clause)):
+        elif mark in ("until", "when", "after") or (mark == "while" and _has_value(names, clause)):
             yield from conditions(names, clause)
         elif mark == "while" and clause.all("verb") == ["slide"] and clause.only("verb", "name", "pronoun"):
             yield [f"slipping of {name} ends" for _, name in clause.names] or ["slipping ends"]

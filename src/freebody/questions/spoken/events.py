@@ -38,7 +38,7 @@ HAPPENS = (  # verbs of what comes at an instant; the others are of what goes on
 )
 _WAYS = ("distance", "displacement", "distance travelled", "angle", "height")
 _POSES = {"horizontal": poses.level, "vertical": poses.upright, "upright": poses.uppermost}
-_LIES = {"stop", "hold", "reach", "move", "become", "turn"}  # verbs of what is in a pose
+_LIES = {"stop", "hang", "hold", "reach", "move", "become", "turn"}  # verbs of what is in a pose
 GOES_ON = ("move", "slide", "roll", "turn", "fall", "rise", "accelerate", "fly")
 
 
@@ -320,6 +320,12 @@ def _at_bottom(names: Names, who: str, other: str) -> Groups:
     yield poses.lowermost(names, who)
 
 
+def _hangs(names: Names, who: str, other: str) -> Groups:
+    """One thing hangs straight down; that several do is more than one condition."""
+    alone = len(lookup.massive(names)) == 1
+    yield poses.lowermost(names, who if who in names.bodies else "") if alone or who in names.bodies else []
+
+
 def _slackens(names: Names, who: str, other: str) -> Groups:
     yield [f"{who or 'it'} goes slack"] if not other else []
 
@@ -352,6 +358,7 @@ _TOLD: dict[frozenset[str], Callable[..., Groups]] = {
         ("return move", _returns),
         ("hit return", _returns),
         ("reach", _reaches),
+        ("hang", _hangs),
         ("top", _at_top),
         ("bottom", _at_bottom),
         ("slack", _slackens),

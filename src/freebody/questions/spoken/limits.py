@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from freebody.questions.spoken import lookup
+from freebody.questions.spoken import given, lookup
 from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.lexicon import Word
 from freebody.questions.spoken.words import Clause
@@ -39,6 +39,7 @@ _REST, _NO_SLIP = "it stays at rest", "it does not slip"
 
 def limits(names: Names, words: list[Word], modal: set[str]) -> Groups:
     """The end of the values of a parameter up to which rest lasts. modal: whether something `may` or `must` be."""
+    words = [Word("verb", "hold") if word == Word("verb", "hang") else word for word in words]
     clause = Clause(words)
     known = clause.only("ask", "degree", "quantity", "name", "verb", "not", "mark", "instant", "part", *SILENT)
     if not known or not lookup.rests(names) or not set(clause.all("verb")) <= _VERBS:
@@ -91,7 +92,7 @@ def _lasting(names: Names, head: Clause, state: Clause, modal: set[str]) -> str 
     if holds and (not ends or is_denied):
         return _REST if ends or not state.has("not") else None
     if not verbs and head.has("degree", "least") and not modal and not state.words:  # the least mu, and nothing else
-        return _REST if _parameter(names, head) in lookup.parameters(names, "friction coefficient", "") else None
+        return _REST if _parameter(names, head) in given.parameters(names, "friction coefficient", "") else None
     if not verbs:
         is_bounded = head.has("degree", "least", "greatest") or head.has("ask", "steep", "flat", "heavy", "rough")
         return _REST if modal and is_bounded and not state.words and lookup.is_rough(names) else None
@@ -119,7 +120,7 @@ def _parameter(names: Names, head: Clause) -> str | None:
         kinds = ["force"]
     if not kinds and len(others) == 1 and others[0] in names.bodies and head.has("degree"):  # the largest load that ..
         kinds = ["mass"]
-    found = lookup.chosen(names, kinds[0], others) if kinds else []
+    found = given.chosen(names, kinds[0], others) if kinds else []
     return found[0] if len(found) == 1 else None
 
 

@@ -8,8 +8,8 @@ from __future__ import annotations
 from itertools import product
 from typing import TYPE_CHECKING, cast
 
-from freebody.language.expression import Symbol, free_symbols
-from freebody.language.units import DIMENSIONLESS, FORCE, LENGTH, MASS, TIME, TORQUE
+from freebody.language.expression import free_symbols
+from freebody.language.units import DIMENSIONLESS, LENGTH
 from freebody.measures.angle import Angle
 from freebody.measures.displacement import Displacement
 from freebody.measures.distance import Bearing
@@ -114,8 +114,12 @@ def angles(names: Names, body: str) -> list[str]:
 
 def turned(names: Names, body: str) -> list[str]:
     """Angles of how far a body has turned since the start: those that begin at zero."""
-    free = {name for name in moving(names) if axle_of(names, name) == "center" and names.bodies[name].start.angle is None}
-    plain = {name for name, m in names.measures.items() if isinstance(m, Angle) and m.of in free and m.reference == ZERO}
+    free = {
+        name for name in moving(names) if axle_of(names, name) == "center" and names.bodies[name].start.angle is None
+    }
+    plain = {
+        name for name, m in names.measures.items() if isinstance(m, Angle) and m.of in free and m.reference == ZERO
+    }
     begun = names.started_at_zero | {name for name in plain if name not in names.placed_at_start}
     return [name for name in angles(names, body) if name in begun]
 
@@ -174,7 +178,7 @@ def led_round(names: Names) -> list[tuple[str, str]]:
     """Bodies that a link leads round a point of the ground, each with its length."""
     found: list[tuple[str, str]] = []
     for name, spec in names.connections.items():
-        given, ends = _given(spec), spec.mentions(names) - {GROUND}
+        given, ends = given_of(spec), spec.mentions(names) - {GROUND}
         if "link" in names.called.get(name, ()) and len(ends) == 1 and GROUND in spec.mentions(names):
             found += [(next(iter(ends)), str(given["length"]))] if given.get("length") is not None else []
     return found
@@ -274,12 +278,29 @@ def points(names: Names, along: str, sense: str) -> bool:
 
 
 def joined_at(names: Names, name: str) -> str:
-    """For a pin between bodies that move the point of one of them: both move alike. Else what is named."""
-    if "pin" not in names.called.get(name, ()) or name not in names.connections or name in names.bodies:
+    """For a pin between bodies that move, and for what touches the ground with a point, that point. Else the name."""
+    if name not in names.connections or name in names.bodies:
         return name
-    ends = [str(end) for end in _given(names.connections[name]).values() if isinstance(end, str)]
-    movable = [end for end in ends if end.partition(".")[0] in moving(names)]
-    return movable[0] if len(movable) == 2 else name
+    movable = [end for end in _ends(names, name) if end.partition(".")[0] in moving(names)]
+    is_pin, is_contact = (kind in names.called.get(name, ()) for kind in ("pin", "contact"))
+    if (is_pin and len(movable) == 2) or (is_contact and len(movable) == 1 and "." in movable[0]):
+        return movable[0]
+    return name
+
+
+def pinned_at(names: Names, name: str) -> str:
+    """For a pin on the ground the point there. Else what is named."""
+    if name not in names.connections or "pin" not in names.called.get(name, ()):
+        return name
+    return next((end for end in _ends(names, name) if end.partition(".")[0] == GROUND), name)
+
+
+def _ends(names: Names, name: str) -> list[str]:
+    """What a file gives as the ends of a connection."""
+    ends: list[str] = []
+    for value in given_of(names.connections[name]).values():
+        ends += map(str, cast("list[object]", value) if isinstance(value, list | tuple) else [value])
+    return ends
 
 
 def axles(names: Names) -> list[str]:
@@ -296,9 +317,7 @@ def axle_points(names: Names, body: str) -> set[Components]:
     for name in axles(names):
         described = names.connections[name]
         if _is_of(names, name, body) and GROUND in described.mentions(names):
-            ends: list[str] = []
-            for value in _given(described).values():
-                ends += map(str, cast("list[object]", value) if isinstance(value, list) else [value])
+            ends = _ends(names, name)
             points = [end.partition(".")[2] or own.default_point for end in ends if end.partition(".")[0] == body]
             found |= {own.points[point] for point in points if point in own.points}
     return found
@@ -358,68 +377,9 @@ def is_struck_at_start_alone(names: Names) -> bool:
     return bool(names.struck_at_start) and (closing | names.impulses) <= names.struck_at_start
 
 
-# -- parameters --------------------------------------------------------------------
-def parameters(names: Names, kind: str, of: str) -> list[str]:
-    """Parameters that are the mass of a body, the stiffness of a spring, the coefficient of friction."""
-    if kind == "mass":
-        masses = [body.mass for name, body in names.bodies.items() if name == of]
-        return [mass.name for mass in masses if isinstance(mass, Symbol)]
-    if kind == "stiffness":
-        return [name for name, parameter in names.parameters.items() if parameter.dimension == FORCE / LENGTH]
-    if kind == "length" and not of:  # of the only thing that has one
-        sizes = [body.sizes[0] for body in names.bodies.values() if body.solid == "rod" and body.sizes]
-        own = {str(_given(spec).get("length")) for spec in names.connections.values()} | {str(size) for size in sizes}
-        return [name for name in names.parameters if name in own]
-    word = {"friction coefficient": "friction"}.get(kind, kind)
-    own = [spec for name, spec in names.connections.items() if not of or name == of or _is_at(names, name, of)]
-    written = {str(value) for spec in own for key, value in _given(spec).items() if word in key}
-    return [name for name in names.parameters if name in written]
-
-
-def _given(spec: object) -> dict[str, object]:
+def given_of(spec: object) -> dict[str, object]:
     """What a file gives for an element, by its keys."""
     return vars(spec) if hasattr(spec, "__dict__") else {}
-
-
-def of_kind(names: Names, kind: str) -> list[str]:
-    """Parameters that are a force, an angle, a speed, as their units say."""
-    dimensions = {
-        **dict.fromkeys(("force", "reaction", "tension"), FORCE),
-        **dict.fromkeys(("torque", "moment", "driving torque"), TORQUE),
-        **dict.fromkeys(("speed", "velocity"), LENGTH / TIME),
-        **dict.fromkeys(("height", "distance"), LENGTH),
-    }
-    given = [parameter for parameter in names.parameters.values() if parameter.form is None]
-    if kind == "angle":
-        return [parameter.name for parameter in given if parameter.is_angle]
-    return [parameter.name for parameter in given if kind in dimensions and parameter.dimension == dimensions[kind]]
-
-
-def chosen(names: Names, kind: str, of: list[str]) -> list[str]:
-    """Parameters that are of a kind and can be chosen: a force that a load exerts, a length that is no size of a body.
-
-    of: what is named beside it."""
-    given = [parameter for parameter in names.parameters.values() if parameter.form is None]
-    held = [load for load in names.applied_loads if load.load in of]
-    if kind == "mass" and held and not any(name in names.bodies for name in of):  # how heavy a load is
-        weights = frozenset[str]().union(*(free_symbols(load.law) for load in held))
-        return [p.name for p in given if p.name in weights and p.dimension in (MASS, FORCE)]
-    if kind == "mass":
-        own = [name for body in of for name in parameters(names, "mass", body)]
-        bodies = frozenset[str]().union(*(free_symbols(body.mass) for body in names.bodies.values()))
-        others = [p.name for p in given if p.dimension == MASS and p.name not in bodies]
-        return own or ([] if any(name in names.bodies for name in of) else others)
-    if kind in ("friction coefficient", "friction force"):
-        return parameters(names, "friction coefficient", next((name for name in of if is_joined(names, name)), ""))
-    if kind in ("force", "torque", "moment"):
-        exerted = [load for load in names.applied_loads if "gravity" not in names.called.get(load.load, ())]
-        loads = [load for load in exerted if load.load in of] or exerted
-        pushed = frozenset[str]().union(*(free_symbols(load.law) for load in loads))
-        return [name for name in of_kind(names, kind) if name in pushed]
-    sizes = frozenset[str]().union(
-        *(free_symbols(body.inertia) | free_symbols(body.radius or ZERO) for body in names.bodies.values())
-    )
-    return [name for name in of_kind(names, kind) if kind == "angle" or name not in sizes]
 
 
 def is_joined(names: Names, name: str) -> bool:
@@ -431,5 +391,5 @@ def is_rough(names: Names) -> bool:
     return any(row.reaction == "friction force" for row in names.constraint_rows)
 
 
-def _is_at(names: Names, name: str, thing: str) -> bool:
+def is_at(names: Names, name: str, thing: str) -> bool:
     return name in names.connections and _is_of(names, name, thing)

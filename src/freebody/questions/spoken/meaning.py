@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from freebody.questions.spoken import lookup, turning_round
+from freebody.questions.spoken import given, lookup, turning_round
 from freebody.questions.spoken.asking import quantities
 from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.counting import counted, lost, stopping, time
@@ -68,7 +68,8 @@ def _not_slipping(names: Names, words: list[Word]) -> list[Word]:
     meant = [Word("verb", "roll")] if lookup.can_roll(names) else [Word("not", "not"), Word("verb", "slide")]
     if Word("verb", "roll") in words:
         meant = []
-    return [own for word in words for own in (meant if word == Word("verb", "no_slip") else [word])]
+    denied = {Word("verb", "no_slip"): meant, Word("verb", "no_move"): [_NOT, Word("verb", "move")]}
+    return [own for word in words for own in denied.get(word, [word])]
 
 
 def _unaccelerated(words: list[Word]) -> list[Word]:
@@ -146,7 +147,7 @@ def _without(names: Names, sentence: Sentence) -> Groups:
     kept = [word for j, word in enumerate(words) if j not in (k, *beside)]
     while kept and kept[-1].kind in ("preposition", "mark"):
         kept.pop()
-    found = lookup.parameters(names, kind, of)
+    found = given.parameters(names, kind, of)
     for group in quantities(names, Clause(kept)) if len(found) == 1 else ():
         yield [f"{text} as {found[0]} -> 0" for text in group]
 

@@ -180,5 +180,7 @@ def _of_friction(names: Names, quantity: str, rest: Clause) -> Groups:
 @said_of("power", "work")
 def _work(names: Names, quantity: str, rest: Clause) -> Groups:
     of = [name for _, name in rest.names]
+    loads = [name for name in of if name in names.loads]
+    of = loads if len(loads) == 1 else of  # whose load it is
     if rest.only("name", *SILENT) and len(of) == 1:
         yield [f"{quantity} of {of[0]}"]

@@ -98,7 +98,7 @@ def _directed(names: Names, rest: Clause) -> tuple[list[str], str, str] | None:
 
 @said_of("relative velocity")
 def _relative(names: Names, quantity: str, rest: Clause) -> Groups:
-    """The velocity of the first thing that is named less that of the second, along a line on which both are measured."""
+    """The velocity of one thing less that of another, along a line on which both are measured."""
     of = [name for _, name in rest.names]
     if rest.only("name", *SILENT) and len(of) == 2:
         yield [f"(velocity of {one} - velocity of {other})" for one, other in lookup.alike(names, of[0], of[1])]

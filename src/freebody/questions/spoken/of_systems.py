@@ -37,7 +37,7 @@ def _whole_energy(names: Names, quantity: str, rest: Clause) -> Groups:
 
 @said_of("linear momentum", "angular momentum")
 def _momentum(names: Names, quantity: str, rest: Clause) -> Groups:
-    about = [name for before, name in rest.names if before in ("about", "relative")]
+    about = [lookup.pinned_at(names, name) for before, name in rest.names if before in ("about", "relative")]
     along = [name for before, name in rest.names if before in ("along", "up", "down")]
     along += [ALONG[part] for part in rest.all("part") if part in ALONG]
     of = [name for before, name in rest.names if before not in ("about", "relative", "along", "up", "down")]

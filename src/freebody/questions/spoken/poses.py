@@ -10,7 +10,7 @@ import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from freebody.language.expression import Number, ProductOf, Symbol
+from freebody.language.expression import Symbol
 from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
 from freebody.measures.combination import Composed
@@ -134,6 +134,6 @@ def _signed(measure: Measure) -> tuple[Measure, int]:
     """A measure, or the one that it is the negative of, which counts clockwise."""
     if isinstance(measure, Composed) and len(measure.measures) == 1:
         [(symbol, own)] = measure.measures
-        if measure.expression == ProductOf((Number(-1), Symbol(symbol))) or measure.expression == -Symbol(symbol):
+        if measure.expression == -Symbol(symbol):
             return own, -1
     return measure, 1
