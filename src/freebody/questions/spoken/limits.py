@@ -94,7 +94,11 @@ def _lasting(names: Names, head: Clause, state: Clause, modal: set[str]) -> str 
     if not verbs and head.has("degree", "least") and not modal and not state.words:  # the least mu, and nothing else
         return _REST if _parameter(names, head) in given.parameters(names, "friction coefficient", "") else None
     if not verbs:
-        is_bounded = head.has("degree", "least", "greatest") or head.has("ask", "steep", "flat", "heavy", "rough")
+        if "must" in modal and not state.words and head.has("quantity", "friction coefficient"):
+            return _REST
+        is_bounded = head.has("degree", "least", "greatest", "range") or head.has(
+            "ask", "steep", "flat", "heavy", "rough"
+        )
         return _REST if modal and is_bounded and not state.words and lookup.is_rough(names) else None
     if not ends:
         return None
@@ -143,7 +147,7 @@ def _end(head: Clause, state: Clause, modal: set[str], lasts: str) -> str:
     is_up = head.has("ask", "large", "far", "high", "heavy", "steep", "rough")
     if head.has("ask", "up_to") or (is_up and not starts and ("may" in modal or state.has("mark", "until"))):
         return "largest"
-    if is_up and "must" in modal and not starts:
+    if "must" in modal and not starts and (is_up or head.has("quantity", "friction coefficient")):
         return "least"
     if starts and _is_push(head) and "fall" not in ends_rest and not state.has("updown", "down"):
         return "largest"

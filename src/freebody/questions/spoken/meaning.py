@@ -37,7 +37,8 @@ def meanings(names: Names, words: list[Word]) -> Groups:
     if any(word.kind == "other" for word in words):
         return
     modal = {word.what for word in words if word.kind == "filler"} & {"may", "must"}
-    said = _bounded(_without_auxiliary([word for word in words if word.kind != "filler"]))
+    said = _signs_between([word for word in words if word.kind != "filler"])
+    said = _bounded(_without_auxiliary(said))
     if said and said[-1].kind == "preposition" and said[-1].what in _LEADS_ON:
         return
     said = _unaccelerated(_not_slipping(names, _carrying(names, said, modal)))
@@ -81,6 +82,16 @@ def _unaccelerated(words: list[Word]) -> list[Word]:
     return [own for word in kept for own in ((_NOT, _ACCELERATE) if word == constant else (word,))]
 
 
+def _signs_between(words: list[Word]) -> list[Word]:
+    """A sign stands between what it compares: that the tension 8 kN not exceeds, as German has it."""
+    found = list(words)
+    for k in range(1, len(found)):
+        ends = k + 1 == len(found) or found[k + 1].kind in ("mark", "preposition")
+        if found[k].kind == "relation" and found[k - 1].kind == "value" and ends:
+            found[k - 1], found[k] = found[k], found[k - 1]
+    return found
+
+
 def _bounded(words: list[Word]) -> list[Word]:
     """`F ist mindestens nötig` is the least F: at least, where no value follows, is the end of a range."""
     ends = {">=": Word("degree", "least"), "<=": Word("degree", "greatest")}
@@ -100,19 +111,18 @@ def _carrying(names: Names, words: list[Word], modal: set[str]) -> list[Word]:
     rows = {row.reaction for row in names.constraint_rows if row.connection in joints}
     kind = next((kind for kind in ("tension", "normal force", "reaction") if kind in rows), "reaction")
     meant = Word("quantity", kind) if len(joints) == 1 and not any(w.kind == "quantity" for w in words) else None
-    if (
-        meant is not None
-        and carry in words
-        and any(
-            w.kind == "degree" or w in (Word("ask", "heavy"), Word("ask", "large")) for w in words[: words.index(carry)]
-        )
-    ):
-        words = [Word("mark", "so_that") if w == Word("mark", "when") else w for w in words]
-        at = next((k for k, w in enumerate(words) if w.kind == "value"), 0)
-        if "may" in modal and at and not any(w.kind == "relation" for w in words):
-            after = [w for w in words[at:] if w != Word("degree", "greatest")]  # 8 kN at most
-            words = [*words[:at], Word("relation", "<="), *after]
-    return [(meant or Word("verb", "move")) if word == carry else word for word in words]
+    bounds = (Word("ask", "heavy"), Word("ask", "large"))
+    if meant is not None and carry in words:
+        if any(w.kind == "degree" or w in bounds for w in words[: words.index(carry)]):
+            words = [_SO_THAT if w == Word("mark", "when") else w for w in words]
+            at = next((k for k, w in enumerate(words) if w.kind == "value"), 0)
+            is_said = any(w.kind == "relation" for w in words) or (at and words[at - 1].kind == "degree")
+            if "may" in modal and at and not is_said:
+                after = [w for w in words[at:] if w != Word("degree", "greatest")]  # 8 kN at most
+                words = [*words[:at], Word("relation", "<="), *after]
+        k = words.index(Word("name", joints[0]))
+        return [w for w in (*words[:k], meant, *words[k:]) if w != carry]
+    return [Word("verb", "move") if word == carry else word for word in words]
 
 
 def _limit(names: Names, sentence: Sentence) -> Groups:

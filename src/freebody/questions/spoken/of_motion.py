@@ -28,6 +28,7 @@ def motion(names: Names, quantity: str, rest: Clause) -> Groups:
     quantity = "velocity" if quantity == "speed" and along else quantity  # which has a sign
     if not of and rest.has("pronoun", "system"):  # which is one body, or has one angle
         whole = lookup.massive(names)
+        whole = lookup.turning(names) if quantity.startswith("angular") and len(whole) > 1 else whole
         angles = lookup.angles(names, "") if quantity.startswith("angular") else []
         if len(whole) == 1 and not lookup.turning(names) and len(angles) == 1 and not end:
             yield [f"{quantity.removeprefix('angular ')} of {angles[0]}"]
