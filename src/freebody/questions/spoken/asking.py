@@ -97,6 +97,11 @@ def _extreme(names: Names, clause: Clause, degrees: list[str]) -> Groups:
     clause = clause.without("instant", "over the motion", "over a turn")
     [degree] = degrees
     clause = clause.without("verb", "reach", "move")
+    goes = set(clause.all("verb")) <= {"slide", "roll", "turn", "rise", "fly"}
+    if degree == "greatest" and clause.has("ask", "far", "much") and not clause.has("quantity") and goes:
+        found = lookup.angles if clause.has("verb", "turn") else lookup.places
+        yield [f"greatest {measure}" for measure in found(names, next((name for _, name in clause.names), ""))]
+        return
     if clause.has("quantity", "transmission angle"):
         yield [f"{degree} transmission angle"] if clause.only("quantity", *SILENT) else []
         return

@@ -78,7 +78,7 @@ def stopping(names: Names, sentence: Sentence) -> Groups:
 
 def _is_of_event(main: Clause) -> bool:
     """Whether a quantity beside the time says what is reached: time to reach a speed of 2 m/s."""
-    return main.has("value") or main.has("verb", "vanish", "reach", "halve")
+    return main.has("value") or main.has("verb", "vanish", "reach", "halve") or main.has("quantity", *_WAYS)
 
 
 def lost(names: Names, sentence: Sentence) -> Groups:
@@ -187,5 +187,5 @@ def ends(names: Names, sentence: Sentence) -> Groups:
             yield [f"t = {value}"] if dimensions.is_time(value) else []
             yield [f"{way} = {value}" for way in lookup.ways(names, "")] if dimensions.is_length(value) else []
         said = sentence.main.names
-        if len(said) > 1 and said[-1][1] in names.parameters and sentence.main.has("quantity", *_WAYS):
+        if said and said[-1][1] in names.parameters and sentence.main.has("quantity", *_WAYS):
             yield [f"{way} = {said[-1][1]}" for way in lookup.ways(names, "")]  # on the way d

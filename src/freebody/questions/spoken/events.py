@@ -320,6 +320,10 @@ def _at_bottom(names: Names, who: str, other: str) -> Groups:
     yield poses.lowermost(names, who)
 
 
+def _passes_zero(names: Names, who: str, other: str) -> Groups:
+    yield [f"{name} = 0" for name in lookup.places(names, who) or lookup.angles(names, who)] if not other else []
+
+
 def _hangs(names: Names, who: str, other: str) -> Groups:
     """One thing hangs straight down; that several do is more than one condition."""
     alone = len(lookup.massive(names)) == 1
@@ -359,6 +363,7 @@ _TOLD: dict[frozenset[str], Callable[..., Groups]] = {
         ("hit return", _returns),
         ("reach", _reaches),
         ("hang", _hangs),
+        ("vanish", _passes_zero),
         ("top", _at_top),
         ("bottom", _at_bottom),
         ("slack", _slackens),

@@ -47,6 +47,8 @@ _TIMED = {"in steady motion": " in steady motion", "when t grows": " when t grow
 def timed(names: Names, sentence: Sentence) -> Groups:
     """A quantity, and when it is meant."""
     main, others = sentence.main, [one for one in sentence.others if not is_throughout(names, *one)]
+    if main.has("instant", "over the motion") and not main.has("degree") and lookup.goes_on(names):
+        main = main.without("instant", "over the motion")
     if main.has("quantity", "deflection", "displacement"):  # how far until something happens is how far when it does
         others = [("when" if mark == "until" else mark, clause) for mark, clause in others]
     if main.has("ask", "when", "soon", "long", "for", "from", "up_to") or main.has("quantity", *COUNTED):
@@ -326,5 +328,4 @@ def _where_it_is(names: Names, main: Clause) -> tuple[Clause, list[list[str]]] |
 def is_throughout(names: Names, mark: str, clause: Clause) -> bool:
     """Whether a clause is of all of the motion: while it rolls, where nothing else can come."""
     goes_on = set(clause.all("verb")) <= {"move", "roll", "turn", "fly", "fall"} and clause.has("verb")
-    may_change = any("contact" in names.called.get(name, ()) for name in names.connections)
-    return mark == "while" and goes_on and not may_change and clause.only("verb", "pronoun", "name")
+    return mark == "while" and goes_on and lookup.goes_on(names) and clause.only("verb", "pronoun", "name")

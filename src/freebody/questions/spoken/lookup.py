@@ -270,6 +270,13 @@ def guides(names: Names, body: str) -> list[str]:
     return [along for along in (direction(names, name) for name in joints_) if along is not None]
 
 
+def sloping(names: Names) -> str:
+    """The only line of the ground that is neither level nor upright; else nothing."""
+    rises = {name: names.numeric(names.direction(name).components[1]) for name in names.bodies[GROUND].lines}
+    found = [name for name, rise in rises.items() if rise is not None and _LEVEL < abs(rise) < 1.0 - _LEVEL]
+    return found[0] if len(found) == 1 else ""
+
+
 def points(names: Names, along: str, sense: str) -> bool:
     """Whether a direction points `up` or `down`, so far as the numbers of the model say."""
     with names.quietly():
@@ -369,6 +376,11 @@ def deflections(names: Names, spring: str) -> list[str]:
 def strikes(names: Names) -> bool:
     """Whether there is something that can collide."""
     return any(row.reaction == "normal force" for row in names.constraint_rows)
+
+
+def goes_on(names: Names) -> bool:
+    """Whether a motion goes on as it begins: there is no contact that could change."""
+    return not any("contact" in names.called.get(name, ()) for name in names.connections)
 
 
 def is_struck_at_start_alone(names: Names) -> bool:

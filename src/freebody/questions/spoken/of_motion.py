@@ -13,6 +13,9 @@ if TYPE_CHECKING:
     from freebody.model.names import Names
 
 
+_SLOPES = {"uphill": "up", "downhill": "down"}
+
+
 @said_of("velocity", "speed", "acceleration", "angular velocity", "angular acceleration")
 def motion(names: Names, quantity: str, rest: Clause) -> Groups:
     """A velocity or an acceleration of a body, a point or a measure, along a direction, relative to another body."""
@@ -86,6 +89,11 @@ def _directed(names: Names, rest: Clause) -> tuple[list[str], str, str] | None:
             of.append(name)
     named = [before for before, _ in rest.names]
     dangling = [way for way in rest.all("updown") if way not in named]  # it moves up
+    for part in (part for part in rest.all("part") if part in _SLOPES):
+        line = lookup.sloping(names)
+        if along or not line or not lookup.points(names, line, _SLOPES[part]):
+            return None
+        along = f" along {line}"
     for part in (*rest.all("part"), *dangling):
         if part in ALONG:
             if along:
