@@ -7,7 +7,7 @@ from __future__ import annotations
 from itertools import product
 from typing import TYPE_CHECKING
 
-from freebody.questions.spoken import lookup, of_forces, of_motion, of_systems, poses
+from freebody.questions.spoken import given, lookup, of_forces, of_motion, of_systems, poses
 from freebody.questions.spoken.composing import SILENT, Groups, composed
 from freebody.questions.spoken.lexicon import Word
 from freebody.questions.spoken.words import Clause
@@ -128,6 +128,12 @@ def _extreme(names: Names, clause: Clause, degrees: list[str]) -> Groups:
         found = lookup.angles if clause.has("quantity", "angle") else lookup.places
         found = lookup.deflections if clause.has("quantity", "deflection") else found
         yield [f"{degree} {measure}{whole}" for measure in found(names, next(iter(of), ""))]
+        return
+    if clause.has("quantity", "horizontal range"):  # over what can be chosen: the angle
+        angles = given.of_kind(names, "angle")
+        end = "largest" if degree == "greatest" else degree
+        for group in _plain(names, clause) if len(angles) == 1 else ():
+            yield [f"{end} {text} over {angles[0]}" for text in group]
         return
     for group in _plain(names, clause):
         yield [f"{degree} {text}{whole}" for text in group]

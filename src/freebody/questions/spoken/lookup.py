@@ -284,6 +284,13 @@ def points(names: Names, along: str, sense: str) -> bool:
     return height is not None and (height > 0.0 if sense == "up" else height < 0.0)
 
 
+def may_act_at(names: Names, joint: str, thing: str) -> bool:
+    """Whether a connection may act at a point: it does not where the file gives it other points of that body."""
+    body, _, point = thing.partition(".")
+    ends = [end for end in _ends(names, joint) if end.partition(".")[0] == body and "." in end]
+    return not point or not ends or thing in ends
+
+
 def joined_at(names: Names, name: str) -> str:
     """For a pin between bodies that move, and for what touches the ground with a point, that point. Else the name."""
     if name not in names.connections or name in names.bodies:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from freebody.language.units import TORQUE
 from freebody.questions.spoken import lookup
 from freebody.questions.spoken.composing import SILENT, Groups, said_of, without_owners
 from freebody.questions.spoken.words import Clause
@@ -72,8 +73,10 @@ def _of_joint(names: Names, kind: str, rest: Clause) -> Groups:
     if loads:
         if kind in ("force", "torque", "moment") and not about:
             tail = "".join(f" on {name}" for _, name in things[:1])
-            yield ([f"force of {loads[0]}{tail}{ends}"] if things or ends else [f"force in {loads[0]}"])
-            yield [f"torque of {loads[0]}"] if not things and not ends else []
+            turns = names.loads[loads[0]] == TORQUE
+            plain = [f"force in {loads[0]}"] if turns or kind == "force" else []  # gravity exerts no torque
+            yield [f"force of {loads[0]}{tail}{ends}"] if (things or ends) and kind == "force" else plain
+            yield [f"torque of {loads[0]}"] if not things and not ends and kind != "force" else []
     elif joints:
         yield from _at_joint(names, kind, head, joints[0], things, ends)
     elif kind != "force":
@@ -147,6 +150,11 @@ def _between(
     first, second = (*of, "", "")[:2]
     joints = lookup.joints(names, first, second, kind)
     joints = [joint for joint in joints if joint in only] or ([] if only else joints)
+    if kind == "moment" and not ends:  # no pin is clamped
+        joints = [
+            row.connection for row in names.constraint_rows if row.reaction == "moment" and row.connection in joints
+        ]
+    joints = [joint for joint in joints if all(lookup.may_act_at(names, joint, name) for name in of)]
     if kind in ("impulse", "angular impulse"):  # what closes or strikes has an impulse of its own
         closing = {row.connection for row in names.constraint_rows if row.closes} | names.struck_at_start
         joints = [joint for joint in joints if joint in closing] or joints

@@ -142,8 +142,9 @@ def _position(names: Names, quantity: str, rest: Clause) -> Groups:
 @said_of("horizontal range", "flight time")
 def _of_flight(names: Names, quantity: str, rest: Clause) -> Groups:
     """How far something comes sideways, or how long it takes, until it is as low as at the start, or lands."""
-    of = next((name for _, name in rest.names if name in lookup.moving(names)), "")
-    if rest.only("name", *SILENT) and len(rest.names) <= 1:
+    named = [name for _, name in rest.names if name != GROUND and name not in names.bodies[GROUND].lines]
+    of = next(iter(named), "")
+    if rest.only("name", *SILENT) and len(named) <= 1 and (not of or of in lookup.moving(names)):
         heads = lookup.level(names, of) if quantity == "horizontal range" else ["time"]
         heads = heads if lookup.flies(names, of) else []
         yield [f"{head} when it lands" for head in heads] if lookup.strikes(names) else []
@@ -213,7 +214,7 @@ def _height(names: Names, quantity: str, rest: Clause) -> Groups:
 @said_of("highest place", "lowest place")
 def _extreme_place(names: Names, quantity: str, rest: Clause) -> Groups:
     """How high or how low something comes, by the height that is measured."""
-    of = [name for _, name in rest.names if name in lookup.moving(names) or name in names.measures]
+    of = [name for _, name in rest.names if name != GROUND and name not in names.bodies[GROUND].lines]
     if rest.only("name", *SILENT) and len(of) <= 1:
         found = lookup.heights(names, next(iter(of), ""))
         up = quantity == "highest place"
