@@ -706,3 +706,11 @@ def test_a_wheel_in_the_middle_of_a_string_says_on_which_side() -> None:
     with pytest.raises(fb.ModelError, match=r"write 'over pulley', 'under pulley' or pulley\.center"):
         fb.System.from_text(SLED.replace("WAY", "pulley"))
     fb.System.from_text(SLED.replace("WAY", "pulley.center"))
+
+
+def test_a_contact_with_a_misspelt_line_of_the_ground_is_told_which_is_meant() -> None:
+    with pytest.raises(fb.ModelError, match=r"there is no line flor on the ground. Did you mean ground\.floor\?"):
+        fb.System.from_text(
+            "ground: {lines: {floor: {along: right}}}\nbodies: {ball: {particle: {mass: 1 kg}}}\n"
+            "connections: {touch: {contact: {between: [ball, ground.flor]}}}"
+        )

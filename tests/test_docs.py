@@ -8,6 +8,7 @@ import importlib.util
 import re
 import types
 from pathlib import Path
+from urllib.parse import urlsplit
 
 import pytest
 
@@ -130,6 +131,16 @@ def test_links_lead_somewhere(page: Path) -> None:
     for target in re.findall(r"\]\(([^)#]+)(?:#[^)]*)?\)", page.read_text(encoding="utf-8")):
         if "://" not in target and "reference/" not in target:
             assert (page.parent / target).exists(), target
+
+
+@pytest.mark.parametrize("page", PAGES_OF_ALL, ids=lambda page: page.stem)
+def test_links_to_elsewhere_are_well_formed(page: Path) -> None:
+    """No network is asked: they are https, to a host with a domain, and end with no stray punctuation."""
+    for link in re.findall(r"https?://[^\s)>\]\"'`]+", page.read_text(encoding="utf-8")):
+        found = urlsplit(link)
+        assert found.scheme == "https", link
+        assert re.fullmatch(r"[\w-]+(\.[\w-]+)+", found.netloc), link
+        assert not link.endswith((".", ",", ";")), link
 
 
 def test_every_page_is_on_the_site() -> None:

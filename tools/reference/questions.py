@@ -9,7 +9,7 @@ from types import ModuleType
 
 import freebody as fb
 import freebody.questions.reading  # every file of questions is imported for it
-from freebody.questions.base import FORMS, Quantity
+from freebody.questions.base import FORMS, Form, Quantity
 from reference.page import NothingSaid, Page, block, code, first_paragraph, joined, prose, words_of
 
 _HEAD = """Each section has the words of the grammar for a family of questions: capitals stand for names and
@@ -37,9 +37,18 @@ def _title(module: ModuleType) -> str:
 
 
 def _section(module: ModuleType) -> str:
-    forms = [form.form for form in FORMS if form.read.__module__ == module.__name__]
+    own = [form for form in FORMS if form.read.__module__ == module.__name__]
+    forms = [form.form for form in own]
     kinds = [kind for _name, kind in sorted(Quantity.kinds.items()) if kind.__module__ == module.__name__]
-    return joined([f"## {prose(_title(module))}", block("text", "\n".join(forms)), *map(_kind, kinds)])
+    asked = [_form(form) for form in own if form.example]
+    return joined([f"## {prose(_title(module))}", block("text", "\n".join(forms)), *map(_kind, kinds), *asked])
+
+
+def _form(form: Form) -> str:
+    """Words that the example of no kind has, in a model of their own."""
+    solution = fb.System.from_text(form.example).solve()
+    words = f"So one asks in the words `{form.form}`:"
+    return joined([words, block("yaml", form.example), block("text", printed(solution))])
 
 
 def _kind(kind: type[Quantity]) -> str:

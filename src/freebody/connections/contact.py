@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import difflib
 import itertools
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
@@ -76,7 +77,7 @@ connections: {it: {contact: {between: [ball, floor], friction: 0.3, restitution:
                     )
                 continue
             if not sites(a, b):
-                if self.between is not None:
+                if self.between is not None and not _is_misspelt(names, a, b):
                     names.problem(
                         Message(
                             "there is no contact of {a} with {b}: both are points, or straight lines, or hollow, "
@@ -140,6 +141,21 @@ connections: {it: {contact: {between: [ball, floor], friction: 0.3, restitution:
 
 def _has_outline(body: Any) -> bool:
     return body.radius is not None or bool(body.corners) or not body.turns
+
+
+def _is_misspelt(names: Names, *outlines: Outline) -> bool:
+    """Whether a point of the ground that is declared nowhere is called almost as a line of it; says so."""
+    lines = names.bodies[GROUND].lines
+    for outline in outlines:
+        body, _, point = outline.label.partition(".")
+        close = difflib.get_close_matches(point, lines, n=1) if body == GROUND else []
+        if close and point in names.free_ground_points:
+            told = Message(
+                "there is no line {name} on the ground. Did you mean {x}?", name=point, x=f"{GROUND}.{close[0]}"
+            )
+            names.problem(told, "between")
+            return True
+    return False
 
 
 def _may_touch(names: Names, a: Outline, b: Outline) -> bool:

@@ -355,6 +355,7 @@ class Form:
     pattern: re.Pattern[str]
     read: Reader
     rank: int
+    example: str = ""  # a model that asks so, where the example of no kind does
 
     @cached_property
     def openings(self) -> tuple[str, ...]:
@@ -386,12 +387,12 @@ FORMS: list[Form] = []  # in the order in which they are tried and listed
 COMMON = 50
 
 
-def asked(form: str, pattern: str, *, rank: int = COMMON) -> Callable[[Reader], Reader]:
+def asked(form: str, pattern: str, *, rank: int = COMMON, example: str = "") -> Callable[[Reader], Reader]:
     """Registers a reader of words that ask for a quantity: the form as it is listed, and the whole text's pattern. Of
-    forms that fit the one with the highest rank reads."""
+    forms that fit the one with the highest rank reads. Each form has an example: that of a kind, or its own."""
 
     def register(read: Reader) -> Reader:
-        added = Form(form, re.compile(rf"^(?:the )?(?:{pattern})$"), read, rank)
+        added = Form(form, re.compile(rf"^(?:the )?(?:{pattern})$"), read, rank, example)
         place = next((k for k, other in enumerate(FORMS) if other.rank < rank), len(FORMS))
         FORMS.insert(place, added)
         return read

@@ -152,6 +152,12 @@ def _between(names: Names, found: Found) -> Found:
     rf"(?P<size>size of |magnitude of )?(?:the )?angular impulse of (?P<of>{NAME})(?: on (?P<on>{NAME}))?"
     rf"(?: about (?P<about>{POINT}))?(?: along (?P<along>.+?))?{IN_BASIS}",
     rank=_RANK,
+    example="""
+bodies: {rod: {rod: {mass: 3 kg, length: 2 m}, angle: 0, at: {start: [0, 0]}}}
+connections: {clamp: {weld: [ground.A, rod.start]}}
+loads: {blow: {impulse: {at: rod.end, along: down, magnitude: 5 N s}}}
+questions: {it: angular impulse of clamp}
+""",
 )
 def _angular_impulse(names: Names, found: Found, path: Path) -> Quantity | None:
     return read_moment(names, found, path, ImpulsiveWrench)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message, Sentence
-from freebody.language.units import ENERGY, POWER, Dimension
+from freebody.language.units import ENERGY, POWER, TORQUE, Dimension
 from freebody.model.noting import did_you_mean
 from freebody.model.state import State
 from freebody.questions.base import NAME, Described, Found, Passage, Path, Quantity, asked
@@ -103,7 +103,11 @@ questions: {it: work of weight until y = -5 m}
 
 
 # -- words ------------------------------------------------------------------------------------
-@asked("force in SPRING | of LOAD [on BODY] [along DIRECTION]", rf"(?:force|torque) (?:in|of) (?P<of>{NAME})", rank=45)
+@asked(
+    "force in SPRING | of LOAD [on BODY] [along DIRECTION]",
+    rf"(?P<what>force|torque) (?:in|of) (?P<of>{NAME})",
+    rank=45,
+)
 def _load_force(names: Names, found: Found, path: Path) -> Quantity | None:
     of = str(found["of"])
     if of not in names.loads:
@@ -115,6 +119,9 @@ def _load_force(names: Names, found: Found, path: Path) -> Quantity | None:
             names.unknown(
                 of, Message("there is no load {name}.{hint}", name=of, hint=did_you_mean(of, names.loads)), *path
             )
+        return None
+    if found["what"] == "torque" and names.loads[of] != TORQUE:
+        names.problem(Message("{of} exerts a force and no torque; ask for: force in {of}", of=of), *path)
         return None
     return LoadForce(of, names.loads[of])
 

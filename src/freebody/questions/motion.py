@@ -246,6 +246,14 @@ def _turning(names: Names, found: Found, path: Path) -> Quantity | None:
     "angle | angular velocity | angular acceleration of BODY [relative to BODY]",
     rf"(?P<what>angle|angular velocity|angular acceleration) of (?P<of>{NAME})(?: relative to (?P<rel>{NAME}))?",
     rank=RANK,
+    example="""
+bodies: {wheel: {disk: {mass: 2 kg, radius: 0.1 m}}}
+connections: {axle: {pin: [ground.O, wheel]}}
+loads: {motor: {torque: {on: wheel, magnitude: 3 N m}}}
+measures: {phi: angle of wheel}
+start: {phi: 0, rate(phi): 2 rad/s}
+questions: {it: angle of wheel after 2 s}
+""",
 )
 def _angular(names: Names, found: Found, path: Path) -> Quantity | None:
     of, order = str(found["of"]), _ANGULAR[str(found["what"])]
@@ -305,6 +313,14 @@ def _is_phrase(text: str) -> bool:
     return " " in text
 
 
-@asked("speed of POINT", rf"speed of (?P<of>{POINT})", rank=RANK)
+@asked(
+    "speed of POINT",
+    rf"speed of (?P<of>{POINT})",
+    rank=RANK,
+    example="""
+bodies: {ball: {particle: {mass: 2 kg}, velocity: [3 m/s, 4 m/s]}}
+questions: {it: speed of ball at start}
+""",
+)
 def _speed(names: Names, found: Found, path: Path) -> Quantity | None:
     return OfPoint(names.point(found["of"], *path), 1, size=True)

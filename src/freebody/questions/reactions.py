@@ -238,6 +238,12 @@ def _wrench(names: Names, found: Found, path: Path, kind: type[Wrench]) -> Wrenc
     "moment of CONNECTION [on BODY] [about POINT] [along DIRECTION] [in BASIS]",
     rf"(?P<size>size of |magnitude of )?(?:the )?moment of (?P<of>{NAME})(?: on (?P<on>{NAME}))?"
     rf"(?: about (?P<about>{POINT}))?(?: along (?P<along>.+?))?{IN_BASIS}",
+    example="""
+bodies: {beam: {rod: {mass: 3 kg, length: 2 m}, angle: 0, at: {start: [0, 0]}}}
+connections: {clamp: {weld: [ground.A, beam.start]}}
+loads: {weight: {gravity: 9.81 m/s^2}}
+questions: {it: moment of clamp}
+""",
 )
 def _moment(names: Names, found: Found, path: Path) -> Quantity | None:
     return read_moment(names, found, path)

@@ -171,6 +171,14 @@ def _range(names: Names, found: Found, path: Path) -> Quantity | None:
     "least | largest PARAMETER so that it stays at rest",
     _END,
     rank=RANK,
+    example="""
+parameters: {mu: 0.35}
+ground: {lines: {slope: {along: 15 deg}}}
+bodies: {block: {particle: {mass: 20 kg}}}
+connections: {touch: {contact: {between: [block, slope], friction: mu}}}
+loads: {weight: {gravity: 9.81 m/s^2}}
+questions: {it: least mu so that it stays at rest}
+""",
 )
 def _end(names: Names, found: Found, path: Path) -> Quantity | None:
     return _limit(names, found, _WHICH[found["which"]], path)

@@ -1,9 +1,8 @@
-"""Questions about equilibrium and small oscillations about it, free ones and forced ones.
+"""Questions about equilibrium and small free oscillations about it.
 
 natural frequencies      period of small oscillations      mode shapes      mode 2      equilibrium of MEASURE
 stability of equilibrium      damping ratio      damped frequency      logarithmic decrement
-steady amplitude of QUANTITY      phase lag of QUANTITY [behind QUANTITY]      resonance frequency of QUANTITY
-transmissibility [from QUANTITY] to QUANTITY      critical damping of PARAMETER
+critical damping of PARAMETER
 """
 
 from __future__ import annotations
@@ -19,7 +18,6 @@ from freebody.measures.base import Measure
 from freebody.model.noting import did_you_mean
 from freebody.model.phrases import measure_of
 from freebody.questions.base import NAME, Described, Found, Path, Quantity, angular_unit, asked
-from freebody.questions.reading import read_calculation
 from freebody.questions.turned_round import ValueFor
 
 if TYPE_CHECKING:
@@ -178,96 +176,18 @@ questions: {it: damping ratio}
         return Sentence(f"what.damping_{self.what}")
 
 
-class Forced(OfSmallMotion):
-    """What is asked of the steady motion under harmonic loads or drives, cos(Omega t) or sin(Omega t)."""
-
-
-@dataclass(frozen=True)
-class SteadyAmplitude(Forced, kind="steady amplitude"):
-    """How far a quantity swings about its mean in forced oscillation, when free motions have died away."""
-
-    of: Quantity
-    name: str
-
-    example = """
-parameters: {m: 2 kg, k: 200 N/m, c: 4 N s/m, F0: 10 N, Omega: 5 rad/s}
-bodies: {block: {particle: {mass: m}}}
-connections: {guide: {slider: {body: block, along: right}}}
-measures: {x: x of block}
-loads:
-  spring: {law: {measure: x, force: -k*x}}
-  damper: {law: {measure: x, force: -c*rate(x)}}
-  shaker: {force: {at: block, along: right, magnitude: F0*cos(Omega*t)}}
-start: {x: 0}
-questions: {it: steady amplitude of x}
-"""
-
-    @property
-    def dimension(self) -> Dimension:
-        return self.of.dimension
-
-    @property
-    def unit(self) -> str:
-        return self.of.unit
-
-    @property
-    def inner(self) -> tuple[Quantity, ...]:
-        return (self.of,)
-
-
-@dataclass(frozen=True)
-class PhaseLag(Forced, kind="phase lag"):
-    """By which angle a quantity lags behind another one, or behind what excites the system, in forced oscillation:
-    between -pi and pi."""
-
-    of: Quantity
-    behind: Quantity | None = None
-
-    example = SteadyAmplitude.example.replace("steady amplitude of x", "phase lag of x")
-
-    @property
-    def unit(self) -> str:
-        return angular_unit(DIMENSIONLESS)
-
-    @property
-    def inner(self) -> tuple[Quantity, ...]:
-        return (self.of,) if self.behind is None else (self.of, self.behind)
-
-
-@dataclass(frozen=True)
-class Transmissibility(Forced, kind="transmissibility"):
-    """The ratio of two amplitudes in forced oscillation: of a quantity, and of another one or of the excitation."""
-
-    of: Quantity
-    source: Quantity | None = None
-
-    example = SteadyAmplitude.example.replace("steady amplitude of x", "transmissibility to acceleration of x")
-
-    @property
-    def inner(self) -> tuple[Quantity, ...]:
-        return (self.of,) if self.source is None else (self.of, self.source)
-
-
-@dataclass(frozen=True)
-class ResonanceFrequency(Forced, kind="resonance frequency"):
-    """The angular frequency of the excitation at which the steady amplitude of a quantity is largest."""
-
-    of: Quantity
-
-    measured_in = ANGULAR_VELOCITY
-    example = SteadyAmplitude.example.replace("steady amplitude of x", "resonance frequency of x")
-
-    @property
-    def unit(self) -> str:
-        return angular_unit(self.dimension)
-
-    @property
-    def inner(self) -> tuple[Quantity, ...]:
-        return (self.of,)
-
-
 # -- words ------------------------------------------------------------------------------------
-@asked("natural frequencies | period of small oscillations", r"natural (?P<f>frequency|frequencies)", rank=70)
+@asked(
+    "natural frequencies | period of small oscillations",
+    r"natural (?P<f>frequency|frequencies)",
+    rank=70,
+    example="""
+bodies: {bob: {particle: {mass: 1 kg}}}
+connections: {rod: {link: [ground.O, bob, 1 m]}}
+loads: {weight: {gravity: 9.81 m/s^2}}
+questions: {it: natural frequency}
+""",
+)
 def _frequencies(names: Names, found: Found, path: Path) -> Quantity | None:
     return SmallOscillations("frequency" if found["f"] == "frequency" else "frequencies")
 
@@ -323,7 +243,20 @@ def _damping(names: Names, found: Found, path: Path) -> Quantity | None:
     return Damping(_DAMPED[words][0 if found["what"] else 1])
 
 
-@asked("critical damping of PARAMETER", rf"critical (?:damping|value) of (?P<of>{NAME})", rank=75)
+@asked(
+    "critical damping of PARAMETER",
+    rf"critical (?:damping|value) of (?P<of>{NAME})",
+    rank=75,
+    example="""
+parameters: {m: 2 kg, k: 200 N/m, c: 4 N s/m}
+bodies: {block: {particle: {mass: m}}}
+connections: {guide: {slider: {body: block, along: right}}}
+measures: {x: x of block}
+loads: {spring: {law: {measure: x, force: -k*x}}, damper: {law: {measure: x, force: -c*rate(x)}}}
+start: {x: 0.1 m}
+questions: {it: critical damping of c}
+""",
+)
 def _critical(names: Names, found: Found, path: Path) -> Quantity | None:
     """The value of a damper's parameter for which the damping ratio is one."""
     parameter = names.parameters.get(found["of"])
@@ -335,52 +268,3 @@ def _critical(names: Names, found: Found, path: Path) -> Quantity | None:
         return None
     unit = str(parameter.dimension)
     return ValueFor(parameter.name, Damping("ratio"), number(1), parameter.dimension, unit, "damping ratio")
-
-
-def _swinging(names: Names, text: str | None, path: Path) -> Quantity | None:
-    """A quantity that swings: a property of an instant."""
-    of = None if text is None else read_calculation(names, text, path)
-    if of is None or of.scope == "instant":
-        return of
-    names.problem(
-        Message("'{text}' is no property of one instant; ask for a measure, a velocity or a force", text=text or ""),
-        *path,
-    )
-    return None
-
-
-@asked(
-    "steady amplitude of QUANTITY",
-    r"(?:steady(?:[- ]state)? amplitude|amplitude of (?:the )?(?:forced|steady)(?:[- ]state)? oscillations?)"
-    r" of (?:the )?(?P<of>.+)",
-    rank=90,
-)
-def _amplitude(names: Names, found: Found, path: Path) -> Quantity | None:
-    of = _swinging(names, found["of"], path)
-    return None if of is None else SteadyAmplitude(of, str(found["of"]))
-
-
-@asked(
-    "phase lag of QUANTITY [behind QUANTITY]",
-    r"phase(?: lag| angle)? of (?:the )?(?P<of>.+?)(?: behind (?:the )?(?P<behind>.+))?",
-    rank=90,
-)
-def _lag(names: Names, found: Found, path: Path) -> Quantity | None:
-    of, behind = (_swinging(names, found[key], path) for key in ("of", "behind"))
-    return None if of is None or (found["behind"] and behind is None) else PhaseLag(of, behind)
-
-
-@asked(
-    "transmissibility [from QUANTITY] to QUANTITY",
-    r"transmissibility(?: from (?:the )?(?P<source>.+?))?(?: to| of) (?:the )?(?P<of>.+)",
-    rank=90,
-)
-def _transmitted(names: Names, found: Found, path: Path) -> Quantity | None:
-    of, source = (_swinging(names, found[key], path) for key in ("of", "source"))
-    return None if of is None or (found["source"] and source is None) else Transmissibility(of, source)
-
-
-@asked("resonance frequency of QUANTITY", r"reson(?:ance|ant) frequency of (?:the )?(?P<of>.+)", rank=90)
-def _resonance(names: Names, found: Found, path: Path) -> Quantity | None:
-    of = _swinging(names, found["of"], path)
-    return None if of is None else ResonanceFrequency(of)

@@ -281,6 +281,13 @@ def _extremes(names: Names, found: Found, path: Path) -> Quantity | None:
     rf"(?:(?P<most>greatest|largest|maximum|maximal|highest)|least|smallest|minimum|minimal|lowest) (?:value )?(?:of )?"
     rf"(?:the )?(?P<of>.+?) over {_TURN}",
     rank=RANK_OF_ONE,
+    example="""
+parameters: {w: 3 rad/s}
+bodies: {crank: {rod: {mass: 1 kg, length: 1 m}}}
+connections: {a: {pin: [ground.origin, crank.start]}, motor: {driver: {measure: theta, follows: w*t}}}
+measures: {theta: angle of crank, y: y of crank.end}
+questions: {it: greatest velocity of y over a turn of theta}
+""",
 )
 def _extreme(names: Names, found: Found, path: Path) -> Quantity | None:
     return _over_a_turn(names, found, "greatest" if found["most"] else "least", path)

@@ -18,11 +18,12 @@ from typing import Any, cast
 from freebody.api import System
 from freebody.language.expression import Symbol
 from freebody.language.notation import to_latex
+from freebody.model.names import Names
 from freebody.narrative.explain import Explanation
 from freebody.narrative.sheets.asking import asking, headline
 from freebody.narrative.telling.catalogue import Catalogue
 from freebody.narrative.words import languages
-from freebody.questions.base import FORMS, Quantity
+from freebody.questions.base import FORMS, Form, Found, Path, Quantity
 from freebody.questions.reading import Question
 from freebody.questions.reading_when import is_of_start
 from freebody.study.answering.answer import Answer
@@ -83,6 +84,30 @@ def is_described_and_asked_for_in_its_example(kind: str) -> None:
     assert (Quantity.kinds[kind].__doc__ or "").strip(), f"{kind} has no docstring"
     assert quantity_in(kind).kind == kind, f"the example of {kind} asks for {asked_in(kind).quantity.kind}"
     assert all(form.form for form in FORMS)
+    silent = forms_without_example(tuple(FORMS))
+    assert not silent, f"no example asks in the words {silent}"
+
+
+@cache
+def forms_without_example(forms: tuple[Form, ...]) -> tuple[str, ...]:
+    """Those of the forms of the grammar in whose words no example asks: neither that of a kind nor their own."""
+    read: set[str] = set()
+
+    def heard(form: Form) -> Form:
+        def reading(names: Names, found: Found, path: Path) -> Quantity | None:
+            read.add(form.form)
+            return form.read(names, found, path)
+
+        return replace(form, read=reading)
+
+    try:
+        FORMS[:] = [heard(form) for form in forms]
+        for model in (*(kind.example for kind in Quantity.kinds.values()), *(form.example for form in forms)):
+            if model:
+                System.from_text(model)
+    finally:
+        FORMS[:] = forms
+    return tuple(form.form for form in forms if form.form not in read)
 
 
 @_of_questions

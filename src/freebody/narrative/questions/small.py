@@ -24,16 +24,9 @@ from freebody.narrative.lines.naming import asked_as, asked_entry, fresh, named
 from freebody.narrative.lines.script import Argument, DerivationStage, Sentence
 from freebody.narrative.questions.small_telling import SmallTelling
 from freebody.questions.base import Quantity
+from freebody.questions.forced_motion import Forced, SteadyAmplitude
 from freebody.questions.reading import Question
-from freebody.questions.small_motion import (
-    Damping,
-    Equilibrium,
-    EquilibriumStability,
-    Forced,
-    ModeShapes,
-    SmallOscillations,
-    SteadyAmplitude,
-)
+from freebody.questions.small_motion import Damping, Equilibrium, EquilibriumStability, ModeShapes, SmallOscillations
 from freebody.study.answering.answer import Answer
 from freebody.study.small_motion.forced import forced_number
 from freebody.symbolic.field import Ratio

@@ -8,8 +8,9 @@
 
 Between words and meanings a sentence is parted into clauses (sentence.py); a clause is a condition (events.py), a
 quantity (asking.py, with a room for each family: of_motion.py, of_forces.py, of_systems.py), at an instant
-(instants.py), up to an event (counting.py), or a question turned round (turning_round.py). Where an equation says when,
-what else is said of that instant describes it (stated.py); up to which value of a parameter rest lasts is put in many
-ways (limits.py). Nothing that is said is dropped, but words that lead to a question, adjectives that tell no thing from
-another, and adverbs of manner.
+(instants.py), up to an event (counting.py), or a question turned round (turning_round.py, and what is to be so in
+so_that.py). Where an equation says when, what else is said of that instant describes it (stated.py); up to which value
+of a parameter rest lasts is put in many ways (limits.py). What a model has for words that name nothing stands in
+lookup.py, poses.py (what hangs, stands, lies level) and given.py (parameters by what they are of). Nothing that is said
+is dropped, but words that lead to a question, adjectives that tell no thing from another, and adverbs of manner.
 """

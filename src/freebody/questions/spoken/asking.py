@@ -7,7 +7,7 @@ from __future__ import annotations
 from itertools import product
 from typing import TYPE_CHECKING
 
-from freebody.questions.spoken import lookup, of_forces, of_motion, of_systems
+from freebody.questions.spoken import given, lookup, of_forces, of_motion, of_systems, poses
 from freebody.questions.spoken.composing import SILENT, Groups, composed
 from freebody.questions.spoken.lexicon import Word
 from freebody.questions.spoken.words import Clause
@@ -57,7 +57,7 @@ def _inferred(names: Names, clause: Clause) -> Clause:
         )
         quantity = "angular acceleration" if is_turned else "acceleration"
         clause = clause.without("part", "angular")
-    elif "fast" in ask and not clause.has("quantity"):
+    elif "fast" in ask and not clause.has("quantity") and "end" not in verbs:
         quantity = "angular velocity" if "turn" in verbs else "speed"
     elif "where" in ask and not clause.has("quantity") and verbs <= {"move"}:
         quantity = "position"
@@ -79,8 +79,9 @@ def _inferred(names: Names, clause: Clause) -> Clause:
     )
     if clause.all("quantity") == ["deflection"] and ask <= {"far", "much", "large"} and not verbs:
         return clause.without("ask")
-    if clause.has("quantity", "deceleration") and ask == {"fast"}:
+    if clause.has("quantity", "deceleration") and ask <= {"fast", "large", "much"}:
         return clause.without("ask")
+    moving |= {"tip"} if clause.has("quantity", "angular velocity", "angular acceleration") else set()
     moving |= {"turn"} if clause.has("quantity", *_OSCILLATES) else set()
     if ask <= {"what", "large", "much", "with", "for", "many"} and verbs <= moving:
         return clause.without("ask").without("verb")
@@ -96,11 +97,20 @@ def _extreme(names: Names, clause: Clause, degrees: list[str]) -> Groups:
     clause = clause.without("instant", "over the motion", "over a turn")
     [degree] = degrees
     clause = clause.without("verb", "reach", "move")
+    goes = set(clause.all("verb")) <= {"slide", "roll", "turn", "rise", "fly"}
+    if degree == "greatest" and clause.has("ask", "far", "much") and not clause.has("quantity") and goes:
+        found = lookup.angles if clause.has("verb", "turn") else lookup.places
+        yield [f"greatest {measure}" for measure in found(names, next((name for _, name in clause.names), ""))]
+        return
     if clause.has("quantity", "transmission angle"):
         yield [f"{degree} transmission angle"] if clause.only("quantity", *SILENT) else []
         return
     of = [name for _, name in clause.names]
-    if clause.has("quantity", "friction force", "friction coefficient") and lookup.rests(names):
+    if (
+        clause.has("quantity", "friction force", "friction coefficient")
+        and lookup.rests(names)
+        and not lookup.swings(names)
+    ):
         return  # the least friction with which it rests is no least over a motion
     if degree == "greatest" and clause.has("quantity", "distance", "displacement") and clause.has("updown", "up"):
         bodies = [name for name in of if name in lookup.moving(names)]
@@ -111,15 +121,19 @@ def _extreme(names: Names, clause: Clause, degrees: list[str]) -> Groups:
         moved = [name for name in of if name in lookup.moving(names) or name not in names.bodies]
         yield [f"greatest height of {name}" for name in moved or lookup.moving(names)]
         yield [
-            f"{name} when {top}"
-            for name in lookup.rising(names, next(iter(of), ""))
-            for top in lookup.tops(names, name)
+            f"{name} when {top}" for name in lookup.rising(names, next(iter(of), "")) for top in poses.tops(names, name)
         ]
         return
     if clause.has("quantity", "position", "distance", "angle", "deflection") and len(of) <= 1:
         found = lookup.angles if clause.has("quantity", "angle") else lookup.places
         found = lookup.deflections if clause.has("quantity", "deflection") else found
         yield [f"{degree} {measure}{whole}" for measure in found(names, next(iter(of), ""))]
+        return
+    if clause.has("quantity", "horizontal range"):  # over what can be chosen: the angle
+        angles = given.of_kind(names, "angle")
+        end = "largest" if degree == "greatest" else degree
+        for group in _plain(names, clause) if len(angles) == 1 else ():
+            yield [f"{end} {text} over {angles[0]}" for text in group]
         return
     for group in _plain(names, clause):
         yield [f"{degree} {text}{whole}" for text in group]

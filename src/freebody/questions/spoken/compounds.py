@@ -18,6 +18,7 @@ from freebody.questions.spoken.lexicon import (
     said_of_quantity,
     silent_of_thing,
     translated,
+    umlauts,
 )
 
 _WORD = re.compile(r"(?<![\w.«])[^\W\d_]+(?![\w/(»])")
@@ -51,7 +52,11 @@ def _bare(word: str, language: str) -> str:
 
 def _noun(word: str, language: str) -> str:
     """What something is called in English; nothing where a word is no noun for a thing."""
-    found = _nouns(language).fullmatch(word)
+    word = word.replace("ß", "ss")
+    singular = word.lower()
+    for letter, plain in umlauts(language).items() if word[0].isupper() else ():  # of a plural: Räder
+        singular = singular.replace(letter, plain)
+    found = _nouns(language).fullmatch(word) or _nouns(language).fullmatch(singular)
     return translated(language)[found[1].lower()] if found else ""
 
 

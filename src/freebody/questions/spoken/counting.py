@@ -5,9 +5,10 @@ from __future__ import annotations
 from itertools import product
 from typing import TYPE_CHECKING
 
-from freebody.questions.spoken import dimensions, lookup
+from freebody.questions.spoken import dimensions, lookup, poses
 from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.events import GOES_ON, conditions
+from freebody.questions.spoken.lexicon import Word
 from freebody.questions.spoken.sentence import Sentence, clock
 from freebody.questions.spoken.words import Clause
 
@@ -15,9 +16,15 @@ if TYPE_CHECKING:
     from freebody.model.names import Names
 
 
+_WAYS = ("distance", "displacement", "distance travelled")
+COUNTED = ("work", "work of friction", "energy lost", "turns")  # up to an event, and at no instant
+
+
 def time(names: Names, sentence: Sentence) -> Groups:
     """The time of an event: when, after what time, how long until."""
     main = sentence.main
+    if main.has("quantity", "flight time") and (sentence.others or main.has("verb") or main.has("value")):
+        main = Clause([Word("quantity", "time") if w == Word("quantity", "flight time") else w for w in main.words])
     asks = main.has("ask", "when", "soon", "long") or main.has("quantity", "time")
     if not asks or len(main.all("quantity")) > main.has("quantity", "time") + _is_of_event(main):
         return
@@ -37,7 +44,7 @@ def time(names: Names, sentence: Sentence) -> Groups:
     rises = "rise" in head.all("verb") and set(head.all("verb")) <= {"rise", *GOES_ON} and not head.has("value")
     if main.has("ask", "long") and not sentence.others and rises:
         of = next((name for _, name in head.names), "")
-        yield [f"time when {top}" for top in lookup.tops(names, of)]
+        yield [f"time when {top}" for top in poses.tops(names, of)]
         yield [f"time when rate({way}) = 0" for way, sense in lookup.inclined(names, of) if sense > 0]
         return
     if len(sentence.others) == 1 and sentence.others[0][0] in ("when", "until"):
@@ -46,7 +53,9 @@ def time(names: Names, sentence: Sentence) -> Groups:
             return
         if not any(word.kind == "pronoun" for word in clause.words) and head.names and not clause.names:
             clause = Clause([*head.words, *clause.words])
-    elif not sentence.others and (head.has("verb") or head.has("value") or head.has("instant") or head.has("relation")):
+    elif not sentence.others and (
+        head.has("verb") or head.has("instant") or head.has("relation") or _has_value(names, head)
+    ):
         clause = head
     else:
         return
@@ -69,7 +78,7 @@ def stopping(names: Names, sentence: Sentence) -> Groups:
 
 def _is_of_event(main: Clause) -> bool:
     """Whether a quantity beside the time says what is reached: time to reach a speed of 2 m/s."""
-    return main.has("value") or main.has("verb", "vanish", "reach")
+    return main.has("value") or main.has("verb", "vanish", "reach", "halve") or main.has("quantity", *_WAYS)
 
 
 def lost(names: Names, sentence: Sentence) -> Groups:
@@ -110,12 +119,14 @@ def counted(names: Names, sentence: Sentence) -> Groups:
 def _heads_counted(names: Names, sentence: Sentence) -> Groups:
     main = sentence.main
     verbs, of = set(main.all("verb")), [name for _, name in main.names]
+    asked = main.all("quantity")
+    if len(asked) == 2 and asked[1] in _WAYS and of and of[-1] in names.parameters:  # the work on the way d
+        asked, of = asked[:1], of[:-1]
     who = next(iter(of), "")
     known = ("ask", "verb", "name", "pronoun", "preposition", "quantity", "value", "updown", "part")
     plain = main.without("instant", "in the impact").only(*known)
     if len(of) > 1 or not plain:
         return
-    asked = main.all("quantity")
     goes = bool(verbs) and verbs <= set(GOES_ON)
     if asked == ["turns"] or (main.has("ask", "many") and "turn" in verbs and not asked):
         named = [name for _, own in sentence.others for _, name in own.names if name in lookup.turning(names)]
@@ -123,7 +134,7 @@ def _heads_counted(names: Names, sentence: Sentence) -> Groups:
         yield [f"turns of {name}" for name in ([who] if who else named or lookup.turning(names))]
     elif main.has("ask", "many") and verbs == {"turn_back"} and not asked:  # how often does it turn round
         yield [f"turns of {name}" for name in ([who] if who else lookup.started(names) or lookup.turning(names))]
-    elif asked == ["energy lost"] or (asked == ["energy"] and verbs == {"lost"}):
+    elif (asked == ["energy lost"] and verbs <= {"lost", *GOES_ON}) or (asked == ["energy"] and verbs == {"lost"}):
         if who in names.connections or who in names.loads:
             yield [] if main.has("instant", "in the impact") else [f"energy lost in {who}"]
         else:
@@ -145,8 +156,16 @@ def _heads_counted(names: Names, sentence: Sentence) -> Groups:
             yield [f"{counted} {name}" for name in lookup.ways(names, who)]
     elif len(asked) == 1 == len(of) and asked[0] == "work" and who in names.loads:
         yield [f"work of {who}"]
+    elif asked == ["work of friction"]:
+        yield [f"work of {joint}" for joint in lookup.rough(names, who)]
     elif asked == ["change"] and not verbs and who in names.measures:
         yield [f"change of {who}"]
+
+
+def _has_value(names: Names, clause: Clause) -> bool:
+    """Whether something comes to a value: while the crate rises by 2 m."""
+    given = any(name in names.parameters for _, name in clause.names)
+    return given or clause.has("value") or clause.has("turns")
 
 
 def ends(names: Names, sentence: Sentence) -> Groups:
@@ -156,11 +175,17 @@ def ends(names: Names, sentence: Sentence) -> Groups:
         time = clock(clause) if mark == "after" else None
         if time is not None:
             yield [f"t = {time}"]
-        elif mark in ("until", "when"):
+        elif mark in ("until", "when", "after") or (mark == "while" and _has_value(names, clause)):
             yield from conditions(names, clause)
         elif mark == "while" and clause.all("verb") == ["slide"] and clause.only("verb", "name", "pronoun"):
             yield [f"slipping of {name} ends" for _, name in clause.names] or ["slipping ends"]
     elif not sentence.others:
         within = [value for before, value in sentence.main.values if before in ("in", "of")]
-        if len(within) == 1 == len(sentence.main.values) and dimensions.is_time(within[0]):
-            yield [f"t = {within[0]}"]
+        within += [value for before, value in sentence.main.values if before in ("on", "along", "through", "over")]
+        if len(within) == 1 == len(sentence.main.values):
+            [value] = within
+            yield [f"t = {value}"] if dimensions.is_time(value) else []
+            yield [f"{way} = {value}" for way in lookup.ways(names, "")] if dimensions.is_length(value) else []
+        said = sentence.main.names
+        if said and said[-1][1] in names.parameters and sentence.main.has("quantity", *_WAYS):
+            yield [f"{way} = {said[-1][1]}" for way in lookup.ways(names, "")]  # on the way d

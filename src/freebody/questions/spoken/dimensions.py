@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from freebody.errors import UnitError
 from freebody.language.units import DIMENSIONLESS, LENGTH, TIME, Dimension
 from freebody.language.units.quantity import parse_quantity
@@ -13,6 +15,11 @@ def is_time(value: str) -> bool:
 
 def is_speed(value: str) -> bool:
     return _has(value, LENGTH / TIME)
+
+
+def is_turning_speed(value: str) -> bool:
+    """A number of turns or radians in a time; not a bare frequency, whose turns are left open."""
+    return _has(value, DIMENSIONLESS / TIME) and re.search(r"rad|deg|rpm|rev", value) is not None
 
 
 def kind_of(value: str) -> str:

@@ -31,7 +31,9 @@ class Elements:
         default_factory=dict[tuple[str, ...], list[tuple[Element, str, int]]]
     )
 
-    masses: dict[str, float] = field(default_factory=dict[str, float])  # of bodies, so far as they are numbers
+    # of bodies, so far as they are numbers
+    masses: dict[str, float] = field(default_factory=dict[str, float])
+    radii: dict[str, float] = field(default_factory=dict[str, float])
 
     @cached_property
     def taken(self) -> frozenset[str]:

@@ -6,10 +6,12 @@ As in composing.py, each function gives groups of conditions.
 from __future__ import annotations
 
 from collections.abc import Callable
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
-from freebody.measures.geometry import GROUND
-from freebody.questions.spoken import dimensions, lookup
+from freebody.language.notation import to_python
+from freebody.measures.geometry import GROUND, ZERO
+from freebody.questions.spoken import dimensions, lookup, poses
 from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.words import Clause
 
@@ -34,6 +36,9 @@ HAPPENS = (  # verbs of what comes at an instant; the others are of what goes on
         "begin_roll",
     ),
 )
+_WAYS = ("distance", "displacement", "distance travelled", "angle", "height")
+_POSES = {"horizontal": poses.level, "vertical": poses.upright, "upright": poses.uppermost}
+_LIES = {"stop", "hang", "hold", "reach", "move", "become", "turn"}  # verbs of what is in a pose
 GOES_ON = ("move", "slide", "roll", "turn", "fall", "rise", "accelerate", "fly")
 
 
@@ -48,9 +53,13 @@ def conditions(names: Names, clause: Clause) -> Groups:
         yield from _equations(names, clause)
     elif clause.all("quantity") in (["highest place"], ["lowest place"]) and not clause.values:
         of = next((name for _, name in clause.names), "")
-        yield (lookup.tops if clause.has("quantity", "highest place") else lookup.bottoms)(names, of)
+        yield (poses.tops if clause.has("quantity", "highest place") else poses.lowermost)(names, of)
     elif clause.has("quantity"):
         yield from _of_quantity(names, clause, verbs)
+    elif clause.has("part", *_POSES) and clause.only("part", "name", "verb", *SILENT) and set(verbs) <= _LIES:
+        of = next((name for _, name in clause.names if name not in names.connections), "")
+        for pose in clause.all("part"):
+            yield _POSES[pose](names, of) if pose in _POSES else []
     else:
         if clause.values or clause.has("turns") or any(name in names.parameters for _, name in clause.names):
             yield from _with_value(names, clause, verbs)
@@ -62,11 +71,15 @@ def _instants(names: Names, clause: Clause) -> Groups:
     of = next((name for _, name in clause.names), "")
     for instant in clause.all("instant"):
         if instant == "at the top":
-            yield lookup.tops(names, of)
+            yield poses.tops(names, of)
         elif instant == "at the top of the loop":
-            yield lookup.uppermost(names, of)
+            yield poses.uppermost(names, of)
         elif instant == "at the bottom":
-            yield lookup.bottoms(names, of) or ([f"{of or 'it'} hits"] if lookup.strikes(names) else [])
+            yield poses.lowermost(names, of) or ([f"{of or 'it'} hits"] if lookup.strikes(names) else [])
+        elif instant == "turning point":
+            yield poses.turning(names, of)
+        elif instant in ("level", "upright pose"):
+            yield (poses.level if instant == "level" else poses.upright)(names, of)
         elif instant in ("at the impact", "in the impact"):
             yield [f"{of or 'it'} hits"]
 
@@ -98,15 +111,41 @@ def _equations(names: Names, clause: Clause) -> Groups:
 def _of_quantity(names: Names, clause: Clause, verbs: list[str]) -> Groups:
     """The angle is 60 deg; its height reaches h; the normal force vanishes; at a crank angle of 60 deg."""
     values = [value for _, value in clause.values]
+    if (set(verbs) & set(GOES_ON) or not verbs) and (plain := _without_kind(names, clause)) is not None:
+        yield from _with_value(names, plain, verbs)
+        return
     left = clause.without("value").without("verb", "vanish", "reach")
+    if "halve" in verbs and not values:
+        yield from _halved(names, clause)
+        return
     if "vanish" in verbs and not values:
         yield from _quantity_is(names, left, "0")
     elif len(values) == 1 and set(verbs) <= {"reach", "move", "turn", "rise", "fall", "start"}:
         yield from _quantity_is(names, left.without("verb"), values[0])
-    elif not values and set(verbs) <= {"reach"} and len(clause.names) > 1:  # a parameter is the value
+    elif not values and set(verbs) <= {"reach"} and clause.names and clause.names[-1][1] in names.parameters:
         value = clause.names[-1][1]
         kept = [word for word in left.words if word.what != value]
         yield from _quantity_is(names, Clause(kept), value)
+
+
+def _halved(names: Names, clause: Clause) -> Groups:
+    """A speed has fallen to half of what it is at the start."""
+    of = next((name for _, name in clause.names), "")
+    turning = clause.has("quantity", "angular velocity")
+    if clause.has("quantity", "angular velocity", "velocity", "speed") and len(clause.names) <= 1:
+        measures = lookup.angles(names, of) if turning else lookup.places(names, of)
+        moving = [(name, names.start_rates.get(name, ZERO)) for name in measures]
+        yield [f"rate({name}) = {to_python(rate / 2).replace('**', '^')}" for name, rate in moving if rate != ZERO]
+
+
+def _without_kind(names: Names, clause: Clause) -> Clause | None:
+    """A clause without a word that only says what a parameter is: it has covered the distance d."""
+    ways = _WAYS if clause.has("verb") else _WAYS[:3]
+    for quantity, named in pairwise(clause.words):
+        if quantity.kind == "quantity" and named.kind == "name" and named.what in names.parameters:
+            is_way = quantity.what in ways
+            return clause.without("quantity") if is_way and len(clause.all("quantity")) == 1 else None
+    return None
 
 
 def _quantity_is(names: Names, clause: Clause, value: str) -> Groups:
@@ -120,6 +159,8 @@ def _quantity_is(names: Names, clause: Clause, value: str) -> Groups:
         elif quantity == "height":
             yield lookup.lifted(names, of, value)
             yield [f"height of {of} = {value}"] if of else []
+        elif quantity == "stroke":
+            yield lookup.climbed(names, of, value, 1)
         elif quantity in ("displacement", "distance travelled"):
             yield [f"{way} = {value}" for way in lookup.ways(names, of)]
         elif quantity in ("position", "distance"):
@@ -127,7 +168,7 @@ def _quantity_is(names: Names, clause: Clause, value: str) -> Groups:
         elif quantity in ("velocity", "speed", "angular velocity") and is_zero:
             measures = lookup.angles(names, of) if quantity.startswith("angular") else lookup.places(names, of)
             yield [f"rate({measure}) = 0" for measure in measures or lookup.angles(names, of)]
-        elif quantity in ("velocity", "angular velocity") and (of in names.measures or not of):
+        elif quantity in ("velocity", "speed", "angular velocity") and (of in names.measures or not of):
             kinds = lookup.angles if quantity.startswith("angular") else lookup.places
             yield [f"rate({measure}) = {value}" for measure in ([of] if of else kinds(names, ""))]
         elif quantity == "tension" and is_zero:
@@ -153,8 +194,11 @@ def _with_value(names: Names, clause: Clause, verbs: list[str]) -> Groups:
     ]
     [value], of = values, [name for name in of if name not in lines]
     who = next(iter(of), "")
-    if dimensions.is_speed(value):
-        yield [f"rate({place}) = {value}" for place in lookup.places(names, who)]
+    if dimensions.is_speed(value) or dimensions.is_turning_speed(value):
+        found = lookup.places if dimensions.is_speed(value) else lookup.angles
+        yield [f"rate({measure}) = {value}" for measure in found(names, who)]
+        return
+    if dimensions.is_time(value):
         return
     doing = set(verbs) - {"start"}
     sense = -1 if clause.has("updown", "down") or clause.has("part", "downward") else 0
@@ -165,7 +209,7 @@ def _with_value(names: Names, clause: Clause, verbs: list[str]) -> Groups:
     if not doing and dimensions.is_angle(value) and who not in names.measures:
         yield [f"{angle} = {value}" for angle in lookup.angles(names, who)]
     elif turns or doing == {"turn"}:
-        yield [f"{angle} = {value}" for angle in lookup.angles(names, who) if angle in names.started_at_zero]
+        yield [f"{angle} = {value}" for angle in lookup.turned(names, who)]
     elif doing == {"fall"}:
         yield lookup.climbed(names, who, value, -1)
     elif doing == {"rise"}:
@@ -182,6 +226,7 @@ def _happening(names: Names, clause: Clause, verbs: list[str]) -> Groups:
     if not clause.only("name", "verb", "degree", *SILENT) or set(clause.all("degree")) - {"first"}:
         return
     doing = frozenset(verbs) - ({"move", "reach"} if len(set(verbs)) > 1 else set())
+    doing = frozenset(doing & {"top", "bottom"}) or doing  # it swings through the lowest point
     lines = names.bodies[GROUND].lines
     if not doing and len(clause.names) == 1 and clause.names[0][1] in lines and lookup.strikes(names):
         yield [f"it hits {clause.names[0][1]}"]  # the time of fall to the floor
@@ -211,6 +256,10 @@ def _who(names: Names, clause: Clause) -> tuple[str, str]:
 
 
 def _hits(names: Names, who: str, other: str) -> Groups:
+    """What can strike nothing lands where it is as low as at the start."""
+    if not lookup.strikes(names) and other in ("", GROUND):
+        yield [f"{height} = 0" for height in lookup.rising(names, who)]
+        return
     yield [f"{who or 'it'} hits {other}".strip()]
 
 
@@ -264,11 +313,21 @@ def _reaches(names: Names, who: str, other: str) -> Groups:
 
 
 def _at_top(names: Names, who: str, other: str) -> Groups:
-    yield lookup.tops(names, who)
+    yield poses.tops(names, who)
 
 
 def _at_bottom(names: Names, who: str, other: str) -> Groups:
-    yield lookup.bottoms(names, who)
+    yield poses.lowermost(names, who)
+
+
+def _passes_zero(names: Names, who: str, other: str) -> Groups:
+    yield [f"{name} = 0" for name in lookup.places(names, who) or lookup.angles(names, who)] if not other else []
+
+
+def _hangs(names: Names, who: str, other: str) -> Groups:
+    """One thing hangs straight down; that several do is more than one condition."""
+    alone = len(lookup.massive(names)) == 1
+    yield poses.lowermost(names, who if who in names.bodies else "") if alone or who in names.bodies else []
 
 
 def _slackens(names: Names, who: str, other: str) -> Groups:
@@ -303,6 +362,8 @@ _TOLD: dict[frozenset[str], Callable[..., Groups]] = {
         ("return move", _returns),
         ("hit return", _returns),
         ("reach", _reaches),
+        ("hang", _hangs),
+        ("vanish", _passes_zero),
         ("top", _at_top),
         ("bottom", _at_bottom),
         ("slack", _slackens),

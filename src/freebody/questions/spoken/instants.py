@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from itertools import pairwise, product
 from typing import TYPE_CHECKING
 
-from freebody.questions.spoken import dimensions, lookup
+from freebody.questions.spoken import dimensions, lookup, poses
 from freebody.questions.spoken.asking import quantities
 from freebody.questions.spoken.composing import Groups
+from freebody.questions.spoken.counting import COUNTED
 from freebody.questions.spoken.events import GOES_ON, HAPPENS, conditions
 from freebody.questions.spoken.lexicon import Word
 from freebody.questions.spoken.sentence import Sentence, clock
@@ -18,16 +18,40 @@ if TYPE_CHECKING:
     from freebody.model.names import Names
 
 _CONTINUOUS = (
-    *("velocity", "speed", "angular velocity", "position", "displacement", "angle", "height", "distance"),
+    *(
+        "velocity",
+        "speed",
+        "angular velocity",
+        "deflection",
+        "spring force",
+        "position",
+        "displacement",
+        "angle",
+        "height",
+        "distance",
+    ),
     *("kinetic energy", "potential energy", "total energy", "energy", "linear momentum", "angular momentum"),
 )
+_PLACES = {
+    "at the top": poses.tops,
+    "at the bottom": poses.lowermost,
+    "at the top of the loop": poses.uppermost,
+    "turning point": poses.turning,
+    "level": poses.level,
+    "upright pose": poses.upright,
+}
+_BLOWS = ("after the impact", "before the impact")
 _TIMED = {"in steady motion": " in steady motion", "when t grows": " when t grows"}
 
 
 def timed(names: Names, sentence: Sentence) -> Groups:
     """A quantity, and when it is meant."""
     main, others = sentence.main, [one for one in sentence.others if not is_throughout(names, *one)]
-    if main.has("ask", "when", "soon", "long"):
+    if main.has("instant", "over the motion") and not main.has("degree") and lookup.goes_on(names):
+        main = main.without("instant", "over the motion")
+    if main.has("quantity", "deflection", "displacement"):  # how far until something happens is how far when it does
+        others = [("when" if mark == "until" else mark, clause) for mark, clause in others]
+    if main.has("ask", "when", "soon", "long", "for", "from", "up_to") or main.has("quantity", *COUNTED):
         return
     if main.has("ask", "high") and not others and main.has("verb") and main.only("ask", "verb", "name", "pronoun"):
         yield from _how_high(names, main)
@@ -42,7 +66,9 @@ def timed(names: Names, sentence: Sentence) -> Groups:
     if others and main.has("quantity") and not lookup.strikes(names):  # with what speed does it arrive after 3 m
         main = main.without("verb", "hit", "reach")
     accelerates = main.has("quantity", "acceleration", "angular acceleration") and main.has("verb", "start")
-    if accelerates and main.has("verb", *GOES_ON) and not others:  # with what acceleration does it start to move
+    if (
+        accelerates and set(main.all("verb")) <= {"start", *GOES_ON} and not others
+    ):  # with what acceleration does it start to move
         main = Clause([*main.without("verb").words, Word("instant", "at start")])
     if main.has("quantity", "terminal velocity") and others:  # the final speed once it rolls
         main = Clause(
@@ -52,6 +78,8 @@ def timed(names: Names, sentence: Sentence) -> Groups:
     if main.has("quantity", "impact speed"):
         main = Clause([Word("quantity", "speed") if w == Word("quantity", "impact speed") else w for w in main.words])
         tails = tails or ([] if others else [[" when it hits"]])
+    if main.has("quantity", "precession rate"):  # of a top that does not nod, unless another instant is said
+        tails = tails or ([] if others else [[" in steady motion"]])
     if any(word.kind == "part" and word.what == "initial" for word in main.words) and not tails:
         main, tails = main.without("part", "initial"), [[" at start"]]
     if any(_is_of_state(mark, clause) for mark, clause in others) and not _is_continuous(names, main):
@@ -75,7 +103,7 @@ def timed(names: Names, sentence: Sentence) -> Groups:
     if not tails:
         yield from quantities(names, main)
         return
-    for tail in _grouped(names, sentence, tails):
+    for tail in _at(names, *others[0]) if len(others) == 1 else iter(tails[:1]):
         for group in quantities(names, main):
             yield [f"{text}{end}" for text, end in product(group, tail) if not end.startswith(f" when {text} = ")]
 
@@ -100,7 +128,7 @@ def _how_high(names: Names, main: Clause) -> Groups:
     """How high does it fly? As high as it is where it no longer rises."""
     who = next((name for _, name in main.names), "")
     if set(main.all("verb")) <= {"move", "fly", "rise", "roll", "turn", "slide"} and len(main.names) <= 1:
-        yield [f"{height} when {top}" for height in lookup.rising(names, who) for top in lookup.tops(names, who)]
+        yield [f"{height} when {top}" for height in lookup.rising(names, who) for top in poses.tops(names, who)]
         yield [f"greatest height of {body}" for body in ([who] if who else lookup.moving(names))]
 
 
@@ -112,19 +140,10 @@ def _how_far(names: Names, main: Clause) -> Groups:
         return
     if up:
         yield [f"{way} when rate({way}) = 0" for way, sense in lookup.inclined(names, who) if sense > 0]
-    elif set(main.all("verb")) == {"slide"} and not lookup.rests(names):
+    elif set(main.all("verb")) - {"move"} == {"slide"} and not lookup.rests(names):
         yield [f"distance travelled along {way} until slipping ends" for way in lookup.ways(names, who)]
     elif set(main.all("verb")) == {"turn"}:
         yield [f"{angle} when rate({angle}) = 0" for angle in lookup.angles(names, who)]
-
-
-def _grouped(names: Names, sentence: Sentence, tails: list[list[str]]) -> Iterator[list[str]]:
-    """The ways to mean an instant, in groups."""
-    others = [one for one in sentence.others if not is_throughout(names, *one)]
-    if len(others) == 1:
-        yield from _at(names, *others[0])
-    else:
-        yield tails[0]
 
 
 def _tails(names: Names, main: Clause) -> tuple[list[list[str]], Clause]:
@@ -135,38 +154,29 @@ def _tails(names: Names, main: Clause) -> tuple[list[list[str]], Clause]:
             tails.append([" at start"])
         elif instant in _TIMED:
             tails.append([_TIMED[instant]])
-        elif instant in ("after the impact", "before the impact"):
+        elif instant in _BLOWS:
             struck = lookup.is_struck_at_start_alone(names)
             tails.append([" at start" if struck and instant[0] == "a" else f" {instant}"])
-        elif instant == "at the top of the loop":
+        elif instant in _PLACES:
             of = next((name for _, name in main.names if name in names.bodies or name in names.measures), "")
-            tails.append([f" when {text}" for text in lookup.uppermost(names, of)])
-        elif instant in ("at the top", "at the bottom"):
-            found = lookup.tops if instant == "at the top" else lookup.bottoms
-            of = next((name for _, name in main.names if name in names.bodies or name in names.measures), "")
-            tails.append([f" when {text}" for text in found(names, of)])
-        elif instant == "at the impact":
+            tails.append([f" when {text}" for text in _PLACES[instant](names, of)])
+        elif instant == "at the impact" or (instant == "in the impact" and _is_continuous(names, main)):
             tails.append([" when it hits"])
+            main = main.without("instant", "in the impact")
         elif instant == "in equilibrium":
             tails.append([" in equilibrium"])
-    main = main.without(
-        "instant",
-        "at start",
-        *_TIMED,
-        "after the impact",
-        "before the impact",
-        "at the top",
-        "at the top of the loop",
-        "at the bottom",
-        "at the impact",
-        "in equilibrium",
-    )
+    main = main.without("instant", "at start", *_TIMED, *_PLACES, *_BLOWS, "at the impact", "in equilibrium")
     times = [value for before, value in main.values if before in ("in", "of", "")]
     if main.has("relation"):
         found = _equation_at_end(main)
         if found is not None:
             main, condition = found
             tails.append([f" when {condition}"])
+    elif not main.values and (asked := _place_by_parameter(names, main)) is not None:
+        head, at = asked
+        if found_at := [c for group in conditions(names, at) for c in group]:
+            tails.append([f" when {condition}" for condition in found_at])
+            main = head
     elif len(times) == 1 and len(main.values) == 1:
         [value] = times
         kept = Clause([w for w in main.words if w != Word("value", value)])
@@ -187,6 +197,10 @@ def _equation_at_end(main: Clause) -> tuple[Clause, str] | None:
     words = main.words
     k = next(k for k, word in enumerate(words) if word.kind == "relation")
     before, after = words[max(k - 2, 0) : k], words[k + 1 : k + 2]
+    if before and before[0].kind == "quantity" and k > 2:  # at the height z = 2 m
+        before = [words[k - 3], words[k - 1]]
+        words = [*words[: k - 2], *words[k - 1 :]]
+        k -= 1
     is_placed = [word.kind for word in before] == ["preposition", "name"] and before[0].what in (
         "in",
         "of",
@@ -199,6 +213,16 @@ def _equation_at_end(main: Clause) -> tuple[Clause, str] | None:
     return Clause([*words[: k - 2], *words[k + 2 :]]).without(
         "verb", "return", "reach"
     ), f"{before[1].what} = {after[0].what}"
+
+
+def _place_by_parameter(names: Names, main: Clause) -> tuple[Clause, Clause] | None:
+    """The end of a main clause that says where by a parameter: at the height h."""
+    words = main.words
+    kinds = [word.kind for word in words[-3:]]
+    is_place = kinds == ["preposition", "quantity", "name"] and words[-1].what in names.parameters
+    if not is_place or words[-3].what != "in" or words[-2].what not in ("height", "distance", "angle", "displacement"):
+        return None
+    return Clause(words[:-3]), Clause(words[-2:])
 
 
 def _place_within(main: Clause, value: str) -> tuple[Clause, Clause] | None:
@@ -304,5 +328,4 @@ def _where_it_is(names: Names, main: Clause) -> tuple[Clause, list[list[str]]] |
 def is_throughout(names: Names, mark: str, clause: Clause) -> bool:
     """Whether a clause is of all of the motion: while it rolls, where nothing else can come."""
     goes_on = set(clause.all("verb")) <= {"move", "roll", "turn", "fly", "fall"} and clause.has("verb")
-    may_change = any("contact" in names.called.get(name, ()) for name in names.connections)
-    return mark == "while" and goes_on and not may_change and clause.only("verb", "pronoun", "name")
+    return mark == "while" and goes_on and lookup.goes_on(names) and clause.only("verb", "pronoun", "name")

@@ -143,6 +143,12 @@ def phrases_at(line: str, start: int, language: str) -> list[tuple[Word, tuple[i
 
 
 @cache
+def is_verb(token: str) -> bool:
+    """Whether an English word alone is a verb."""
+    return any(word.kind == "verb" for word, _ in phrases_at(token, 0, ENGLISH))
+
+
+@cache
 def vocabulary(language: str) -> frozenset[str]:
     """All words of a language that are written in full."""
     said = (
@@ -202,6 +208,12 @@ def translated(language: str) -> dict[str, str]:
 def endings(language: str) -> str:
     """The endings of nouns, as a pattern."""
     return str(_file(language).get("endings", {}).get("nouns", ""))
+
+
+@cache
+def umlauts(language: str) -> dict[str, str]:
+    """Letters of a plural that are others in the singular."""
+    return dict(_file(language).get("endings", {}).get("umlauts", {}))
 
 
 @cache

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from freebody.questions.spoken import lookup
+from freebody.questions.spoken import given, lookup
 from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.lexicon import Word
 from freebody.questions.spoken.words import Clause
@@ -21,24 +21,12 @@ if TYPE_CHECKING:
 _ENDS_REST = {"slide", "move", "fall", "rise", "turn", "start"}  # verbs of what comes where rest ends
 _VERBS = _ENDS_REST | {"hold", "stop", "exert", "act", "end"}
 _MARKS = ("until", "so_that", "to", "when", "without")
-_BY_ASKING = {
-    "heavy": "mass",
-    "rough": "friction coefficient",
-    "steep": "angle",
-    "flat": "angle",
-    "far": "distance",
-    "high": "height",
-}
-_KINDS = {  # quantities that say what kind of parameter is meant
-    **{kind: kind for kind in ("mass", "friction coefficient", "friction force", "angle", "distance", "height")},
-    **dict.fromkeys(("force", "tension", "driving force"), "force"),
-    **dict.fromkeys(("torque", "moment", "driving torque"), "torque"),
-}
 _REST, _NO_SLIP = "it stays at rest", "it does not slip"
 
 
 def limits(names: Names, words: list[Word], modal: set[str]) -> Groups:
     """The end of the values of a parameter up to which rest lasts. modal: whether something `may` or `must` be."""
+    words = [Word("verb", "hold") if word == Word("verb", "hang") else word for word in words]
     clause = Clause(words)
     known = clause.only("ask", "degree", "quantity", "name", "verb", "not", "mark", "instant", "part", *SILENT)
     if not known or not lookup.rests(names) or not set(clause.all("verb")) <= _VERBS:
@@ -90,8 +78,14 @@ def _lasting(names: Names, head: Clause, state: Clause, modal: set[str]) -> str 
     is_denied = _is_denied(state)
     if holds and (not ends or is_denied):
         return _REST if ends or not state.has("not") else None
+    if not verbs and head.has("degree", "least") and not modal and not state.words:  # the least mu, and nothing else
+        return _REST if _parameter(names, head) in given.parameters(names, "friction coefficient", "") else None
     if not verbs:
-        is_bounded = head.has("degree", "least", "greatest") or head.has("ask", "steep", "flat", "heavy", "rough")
+        if "must" in modal and not state.words and head.has("quantity", "friction coefficient"):
+            return _REST
+        is_bounded = head.has("degree", "least", "greatest", "range") or head.has(
+            "ask", "steep", "flat", "heavy", "rough"
+        )
         return _REST if modal and is_bounded and not state.words and lookup.is_rough(names) else None
     if not ends:
         return None
@@ -106,18 +100,18 @@ def _parameter(names: Names, head: Clause) -> str | None:
     others = [name for _, name in head.names if name not in names.parameters]
     if len(named) > 1:
         return None
-    kinds = [_KINDS[kind] for kind in head.all("quantity") if kind in _KINDS]
-    if len(kinds) != len(head.all("quantity")) or len(kinds) > 1:
+    if len(asked := head.all("quantity")) > 1 or not all(map(given.can_end_rest, asked)):
         return None
     if named:
         return named[0]
-    kinds = kinds or [_BY_ASKING[ask] for ask in head.all("ask") if ask in _BY_ASKING]
+    by_asking = [given.ASKED_BY[ask] for ask in head.all("ask") if ask in given.ASKED_BY]
+    kinds = [given.KIND_OF[word] for word in asked] or by_asking
     loads = [name for name in others if name in names.loads]
     if not kinds and (head.has("verb", "exert") or loads):
-        kinds = ["force"]
+        kinds = [given.KIND_OF["force"]]
     if not kinds and len(others) == 1 and others[0] in names.bodies and head.has("degree"):  # the largest load that ..
-        kinds = ["mass"]
-    found = lookup.chosen(names, kinds[0], others) if kinds else []
+        kinds = [given.KIND_OF["mass"]]
+    found = given.chosen(names, kinds[0], others) if kinds else []
     return found[0] if len(found) == 1 else None
 
 
@@ -140,7 +134,7 @@ def _end(head: Clause, state: Clause, modal: set[str], lasts: str) -> str:
     is_up = head.has("ask", "large", "far", "high", "heavy", "steep", "rough")
     if head.has("ask", "up_to") or (is_up and not starts and ("may" in modal or state.has("mark", "until"))):
         return "largest"
-    if is_up and "must" in modal and not starts:
+    if "must" in modal and not starts and (is_up or head.has("quantity", "friction coefficient")):
         return "least"
     if starts and _is_push(head) and "fall" not in ends_rest and not state.has("updown", "down"):
         return "largest"
@@ -154,5 +148,6 @@ def _is_denied(state: Clause) -> bool:
 
 def _is_push(head: Clause) -> bool:
     """Whether the parameter is how hard something is pushed or turned."""
-    kinds = {_KINDS.get(kind) for kind in head.all("quantity")}
-    return bool(kinds & {"force", "torque"}) or head.has("verb", "exert") or (head.has("name") and not kinds)
+    asked = head.all("quantity")
+    is_push = any(given.can_end_rest(word) and given.KIND_OF[word].is_push for word in asked)
+    return is_push or head.has("verb", "exert") or (head.has("name") and not asked)

@@ -5,14 +5,16 @@ Each function gives all that fit: where a model has several, each is a way to me
 
 from __future__ import annotations
 
-import math
+from itertools import product
 from typing import TYPE_CHECKING, cast
 
-from freebody.language.expression import Symbol, free_symbols
-from freebody.language.units import DIMENSIONLESS, FORCE, LENGTH, MASS, TIME, TORQUE
+from freebody.language.expression import free_symbols
+from freebody.language.units import DIMENSIONLESS, LENGTH
+from freebody.measures.angle import Angle
 from freebody.measures.displacement import Displacement
 from freebody.measures.distance import Bearing
-from freebody.measures.geometry import GROUND, ZERO
+from freebody.measures.geometry import GROUND, ZERO, Components
+from freebody.model.elements import VALUE
 from freebody.questions.course import names_line
 
 _LEVEL = 1e-9  # of a direction that is level, or straight up
@@ -58,10 +60,15 @@ def massive(names: Names) -> list[str]:
     return [name for name in moving(names) if names.bodies[name].mass != ZERO]
 
 
+def rough(names: Names, thing: str) -> list[str]:
+    """Connections with dry friction that are, or touch, a thing; all where none is named."""
+    joints_ = dict.fromkeys(row.connection for row in names.constraint_rows if row.reaction == "friction force")
+    return [name for name in joints_ if not thing or touches(names, name, thing)]
+
+
 def is_all_that_slips(names: Names, body: str) -> bool:
     """Whether all dry friction is that of a body."""
-    rough = {row.connection for row in names.constraint_rows if row.reaction == "friction force"}
-    return bool(rough) and all(_is_of(names, connection, body) for connection in rough)
+    return bool(rough(names, "")) and rough(names, "") == rough(names, body)
 
 
 def is_all_that_rubs(names: Names, connection: str) -> bool:
@@ -105,6 +112,18 @@ def angles(names: Names, body: str) -> list[str]:
     return [name for name, measure in found if not body or {*measure.bodies()} - {GROUND} == {body}]
 
 
+def turned(names: Names, body: str) -> list[str]:
+    """Angles of how far a body has turned since the start: those that begin at zero."""
+    free = {
+        name for name in moving(names) if axle_of(names, name) == "center" and names.bodies[name].start.angle is None
+    }
+    plain = {
+        name for name, m in names.measures.items() if isinstance(m, Angle) and m.of in free and m.reference == ZERO
+    }
+    begun = names.started_at_zero | {name for name in plain if name not in names.placed_at_start}
+    return [name for name in angles(names, body) if name in begun]
+
+
 def hung(names: Names, body: str) -> list[str]:
     """Angles of lines that end at a body."""
     return [name for name, m in names.measures.items() if isinstance(m, Bearing) and m.end.body == body]
@@ -124,6 +143,44 @@ def inclined(names: Names, body: str) -> list[tuple[str, int]]:
             rise = names.numeric(measure.along.components[1])
             if rise is not None and abs(rise) > _LEVEL:
                 found.append((name, 1 if rise > 0.0 else -1))
+    return found
+
+
+def alike(names: Names, one: str, other: str) -> list[tuple[str, str]]:
+    """Measures of two things by how far they are along the same direction of the ground."""
+    found = [[(name, names.measures[name]) for name in places(names, thing)] for thing in (one, other)]
+    return [
+        (a, b)
+        for (a, first), (b, second) in product(*found)
+        if isinstance(first, Displacement) and isinstance(second, Displacement)
+        if first.along.components == second.along.components and first.along.body == second.along.body == GROUND
+    ]
+
+
+def level(names: Names, body: str) -> list[str]:
+    """Measures of how far a body is along a straight line of the ground that is level."""
+    found: list[str] = []
+    for name in places(names, body):
+        measure = names.measures[name]
+        if isinstance(measure, Displacement) and measure.along.body == GROUND:
+            rise = names.numeric(measure.along.components[1])
+            found += [name] if rise is not None and abs(rise) <= _LEVEL else []
+    return found
+
+
+def flies(names: Names, body: str) -> bool:
+    """Whether a body may be above where it lands: its height is measured, or it is placed."""
+    bodies = [body] if body in names.bodies else moving(names)
+    return bool(heights(names, body)) or any(names.bodies[name].start.at is not None for name in bodies)
+
+
+def led_round(names: Names) -> list[tuple[str, str]]:
+    """Bodies that a link leads round a point of the ground, each with its length."""
+    found: list[tuple[str, str]] = []
+    for name, spec in names.connections.items():
+        given, ends = given_of(spec), spec.mentions(names) - {GROUND}
+        if "link" in names.called.get(name, ()) and len(ends) == 1 and GROUND in spec.mentions(names):
+            found += [(next(iter(ends)), str(given["length"]))] if given.get("length") is not None else []
     return found
 
 
@@ -161,38 +218,10 @@ def rising(names: Names, body: str) -> list[str]:
     return [name for name, sense in heights(names, body) if sense > 0 and name in names.started_at_zero]
 
 
-def tops(names: Names, body: str) -> list[str]:
-    """The condition that a body has risen as far as it does at first, or swings no further."""
-    up = [name for name, sense in heights(names, body) if _rises(names, name, sense)]
-    turning_back = [f"rate({name}) = 0" for name, _ in _hanging(names, body)]
-    return [f"rate({name}) = 0" for name in up] or [*uppermost(names, body), *turning_back]
-
-
-def uppermost(names: Names, body: str) -> list[str]:
-    """The condition that what goes round a point of the ground is straight above it."""
-    return [f"{name} = {'0' if above else '180 deg'}" for name, above in _hanging(names, body)]
-
-
-def _rises(names: Names, measure: str, sense: int) -> bool:
+def rises(names: Names, measure: str, sense: int) -> bool:
     """Whether a height grows as the motion begins, at the numbers of the model."""
     rate = names.numeric(names.start_rates.get(measure, ZERO))
     return rate is not None and sense * rate > 0.0
-
-
-def bottoms(names: Names, body: str) -> list[str]:
-    """The condition that what goes round a point of the ground is straight below it."""
-    return [f"{name} = 0" for name, above in _hanging(names, body) if not above]
-
-
-def _hanging(names: Names, body: str) -> list[tuple[str, bool]]:
-    """Angles of lines from the ground to a body that count from straight down, or (True) from straight up."""
-    found: list[tuple[str, bool]] = []
-    for name, measure in names.measures.items():
-        if isinstance(measure, Bearing) and measure.start.body == GROUND and body in ("", name, measure.end.body):
-            reference = names.numeric(measure.reference)
-            if reference is not None and abs(math.cos(reference)) < _LEVEL:
-                found.append((name, math.sin(reference) > 0.0))
-    return found
 
 
 # -- connections ------------------------------------------------------------------------------
@@ -235,6 +264,19 @@ def direction(names: Names, name: str) -> str | None:
     )
 
 
+def guides(names: Names, body: str) -> list[str]:
+    """Directions of the ground along which connections guide a body."""
+    joints_ = [name for name in names.connections if body in names.bodies and _is_of(names, name, body)]
+    return [along for along in (direction(names, name) for name in joints_) if along is not None]
+
+
+def sloping(names: Names) -> str:
+    """The only line of the ground that is neither level nor upright; else nothing."""
+    rises = {name: names.numeric(names.direction(name).components[1]) for name in names.bodies[GROUND].lines}
+    found = [name for name, rise in rises.items() if rise is not None and _LEVEL < abs(rise) < 1.0 - _LEVEL]
+    return found[0] if len(found) == 1 else ""
+
+
 def points(names: Names, along: str, sense: str) -> bool:
     """Whether a direction points `up` or `down`, so far as the numbers of the model say."""
     with names.quietly():
@@ -242,26 +284,65 @@ def points(names: Names, along: str, sense: str) -> bool:
     return height is not None and (height > 0.0 if sense == "up" else height < 0.0)
 
 
+def may_act_at(names: Names, joint: str, thing: str) -> bool:
+    """Whether a connection may act at a point: it does not where the file gives it other points of that body."""
+    body, _, point = thing.partition(".")
+    ends = [end for end in _ends(names, joint) if end.partition(".")[0] == body and "." in end]
+    return not point or not ends or thing in ends
+
+
+def joined_at(names: Names, name: str) -> str:
+    """For a pin between bodies that move, and for what touches the ground with a point, that point. Else the name."""
+    if name not in names.connections or name in names.bodies:
+        return name
+    movable = [end for end in _ends(names, name) if end.partition(".")[0] in moving(names)]
+    is_pin, is_contact = (kind in names.called.get(name, ()) for kind in ("pin", "contact"))
+    if (is_pin and len(movable) == 2) or (is_contact and len(movable) == 1 and "." in movable[0]):
+        return movable[0]
+    return name
+
+
+def pinned_at(names: Names, name: str) -> str:
+    """For a pin on the ground the point there. Else what is named."""
+    if name not in names.connections or "pin" not in names.called.get(name, ()):
+        return name
+    return next((end for end in _ends(names, name) if end.partition(".")[0] == GROUND), name)
+
+
+def _ends(names: Names, name: str) -> list[str]:
+    """What a file gives as the ends of a connection."""
+    ends: list[str] = []
+    for value in given_of(names.connections[name]).values():
+        ends += map(str, cast("list[object]", value) if isinstance(value, list | tuple) else [value])
+    return ends
+
+
 def axles(names: Names) -> list[str]:
     """Connections that something turns about."""
     return [name for name in names.connections if "axle" in names.called.get(name, ())]
 
 
-def axle_of(names: Names, body: str) -> str:
-    """Where a body turns about an axle of the ground: at its mass `center` or `beside` it; else nothing."""
+def axle_points(names: Names, body: str) -> set[Components]:
+    """The points of a body at which axles of the ground hold it, in its own axes."""
+    found: set[Components] = set()
     if body not in names.bodies:
-        return ""
+        return found
+    own = names.bodies[body]
     for name in axles(names):
         described = names.connections[name]
         if _is_of(names, name, body) and GROUND in described.mentions(names):
-            ends: list[str] = []
-            for value in _given(described).values():
-                ends += map(str, cast("list[object]", value) if isinstance(value, list) else [value])
-            points = {
-                names.bodies[body].points.get(end.partition(".")[2]) for end in ends if end.startswith(f"{body}.")
-            }
-            return "center" if body in ends or (ZERO, ZERO) in points else "beside"
-    return ""
+            ends = _ends(names, name)
+            points = [end.partition(".")[2] or own.default_point for end in ends if end.partition(".")[0] == body]
+            found |= {own.points[point] for point in points if point in own.points}
+    return found
+
+
+def axle_of(names: Names, body: str) -> str:
+    """Where a body turns about an axle of the ground: at its mass `center` or `beside` it; else nothing."""
+    points = axle_points(names, body)
+    if not points:
+        return ""
+    return "center" if names.bodies[body].points["mass_center"] in points else "beside"
 
 
 def is_known(names: Names, name: str) -> bool:
@@ -276,10 +357,13 @@ def is_known_point(names: Names, name: str) -> bool:
 
 
 def springs(names: Names) -> list[str]:
-    """Loads that are springs."""
-    return [
+    """Loads that are springs: so called, or with a law of how far something has come."""
+    laws = {p.load for p in names.applied_loads if p.measure.dimension == LENGTH and VALUE.name in free_symbols(p.law)}
+    laws = {name for name in laws if "law" in names.called.get(name, ())}
+    named = {
         name for name in names.loads if "spring" in (*names.called.get(name, ()), name.lower().rstrip("0123456789_"))
-    ]
+    }
+    return [name for name in names.loads if name in named | laws]
 
 
 def is_forced(names: Names) -> bool:
@@ -289,8 +373,9 @@ def is_forced(names: Names) -> bool:
 
 
 def deflections(names: Names, spring: str) -> list[str]:
-    """Named measures that the force of a spring, or of the only one, is in proportion to."""
-    named = [spring] if spring else springs(names)
+    """Named measures that the force of a spring, of the only one, or of that at a body, is in proportion to."""
+    at = {p.load for p in names.applied_loads if spring in names.bodies and spring in p.measure.bodies()}
+    named = [name for name in springs(names) if not spring or name == spring or name in at]
     own = [load.measure for load in names.applied_loads if load.load in named and load.load in springs(names)]
     return [name for name, measure in names.measures.items() if measure in own] if len(named) == 1 else []
 
@@ -300,70 +385,20 @@ def strikes(names: Names) -> bool:
     return any(row.reaction == "normal force" for row in names.constraint_rows)
 
 
+def goes_on(names: Names) -> bool:
+    """Whether a motion goes on as it begins: there is no contact that could change."""
+    return not any("contact" in names.called.get(name, ()) for name in names.connections)
+
+
 def is_struck_at_start_alone(names: Names) -> bool:
     """Whether the blow that is meant can only be that at the start."""
     closing = {row.connection for row in names.constraint_rows if row.closes}
     return bool(names.struck_at_start) and (closing | names.impulses) <= names.struck_at_start
 
 
-# -- parameters --------------------------------------------------------------------
-def parameters(names: Names, kind: str, of: str) -> list[str]:
-    """Parameters that are the mass of a body, the stiffness of a spring, the coefficient of friction."""
-    if kind == "mass":
-        masses = [body.mass for name, body in names.bodies.items() if name == of]
-        return [mass.name for mass in masses if isinstance(mass, Symbol)]
-    if kind == "stiffness":
-        return [name for name, parameter in names.parameters.items() if parameter.dimension == FORCE / LENGTH]
-    word = {"friction coefficient": "friction"}.get(kind, kind)
-    own = [spec for name, spec in names.connections.items() if not of or name == of or _is_at(names, name, of)]
-    written = {str(value) for spec in own for key, value in _given(spec).items() if word in key}
-    return [name for name in names.parameters if name in written]
-
-
-def _given(spec: object) -> dict[str, object]:
+def given_of(spec: object) -> dict[str, object]:
     """What a file gives for an element, by its keys."""
     return vars(spec) if hasattr(spec, "__dict__") else {}
-
-
-def of_kind(names: Names, kind: str) -> list[str]:
-    """Parameters that are a force, an angle, a speed, as their units say."""
-    dimensions = {
-        **dict.fromkeys(("force", "reaction", "tension"), FORCE),
-        **dict.fromkeys(("torque", "moment", "driving torque"), TORQUE),
-        **dict.fromkeys(("speed", "velocity"), LENGTH / TIME),
-        **dict.fromkeys(("height", "distance"), LENGTH),
-    }
-    given = [parameter for parameter in names.parameters.values() if parameter.form is None]
-    if kind == "angle":
-        return [parameter.name for parameter in given if parameter.is_angle]
-    return [parameter.name for parameter in given if kind in dimensions and parameter.dimension == dimensions[kind]]
-
-
-def chosen(names: Names, kind: str, of: list[str]) -> list[str]:
-    """Parameters that are of a kind and can be chosen: a force that a load exerts, a length that is no size of a body.
-
-    of: what is named beside it."""
-    given = [parameter for parameter in names.parameters.values() if parameter.form is None]
-    held = [load for load in names.applied_loads if load.load in of]
-    if kind == "mass" and held and not any(name in names.bodies for name in of):  # how heavy a load is
-        weights = frozenset[str]().union(*(free_symbols(load.law) for load in held))
-        return [p.name for p in given if p.name in weights and p.dimension in (MASS, FORCE)]
-    if kind == "mass":
-        own = [name for body in of for name in parameters(names, "mass", body)]
-        bodies = frozenset[str]().union(*(free_symbols(body.mass) for body in names.bodies.values()))
-        others = [p.name for p in given if p.dimension == MASS and p.name not in bodies]
-        return own or ([] if any(name in names.bodies for name in of) else others)
-    if kind in ("friction coefficient", "friction force"):
-        return parameters(names, "friction coefficient", next((name for name in of if is_joined(names, name)), ""))
-    if kind in ("force", "torque", "moment"):
-        exerted = [load for load in names.applied_loads if "gravity" not in names.called.get(load.load, ())]
-        loads = [load for load in exerted if load.load in of] or exerted
-        pushed = frozenset[str]().union(*(free_symbols(load.law) for load in loads))
-        return [name for name in of_kind(names, kind) if name in pushed]
-    sizes = frozenset[str]().union(
-        *(free_symbols(body.inertia) | free_symbols(body.radius or ZERO) for body in names.bodies.values())
-    )
-    return [name for name in of_kind(names, kind) if kind == "angle" or name not in sizes]
 
 
 def is_joined(names: Names, name: str) -> bool:
@@ -375,5 +410,5 @@ def is_rough(names: Names) -> bool:
     return any(row.reaction == "friction force" for row in names.constraint_rows)
 
 
-def _is_at(names: Names, name: str, thing: str) -> bool:
+def is_at(names: Names, name: str, thing: str) -> bool:
     return name in names.connections and _is_of(names, name, thing)

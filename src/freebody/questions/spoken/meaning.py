@@ -7,10 +7,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from freebody.questions.spoken import lookup, turning_round
+from freebody.questions.spoken import given, lookup, turning_round
 from freebody.questions.spoken.asking import quantities
 from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.counting import counted, lost, stopping, time
+from freebody.questions.spoken.events import GOES_ON
 from freebody.questions.spoken.instants import is_throughout, timed
 from freebody.questions.spoken.lexicon import Word
 from freebody.questions.spoken.limits import limits
@@ -24,6 +25,8 @@ if TYPE_CHECKING:
 _MARKS = ("when", "until", "after", "while")
 _HOLDS = ({"friction force"}, {"friction coefficient"}, {"force"}, {"tension"})  # what may be enough to hold something
 _HOW_FAR = tuple(Word("ask", what) for what in ("large", "small", "heavy", "far", "high", "steep", "flat"))
+_LEADS_ON = ("from", "about", "relative", "between", "along")  # prepositions behind which something stands
+_NOT, _ACCELERATE = Word("not", "not"), Word("verb", "accelerate")
 _SO_THAT = Word("mark", "so_that")
 # what only a limit tells apart: how small, how steep
 _AS_LARGE = {Word("ask", what): Word("ask", "large") for what in ("small", "flat", "steep")}
@@ -34,8 +37,11 @@ def meanings(names: Names, words: list[Word]) -> Groups:
     if any(word.kind == "other" for word in words):
         return
     modal = {word.what for word in words if word.kind == "filler"} & {"may", "must"}
-    said = _bounded(_without_auxiliary([word for word in words if word.kind != "filler"]))
-    said = _not_slipping(names, _carrying(names, said, modal))
+    said = _signs_between([word for word in words if word.kind != "filler"])
+    said = _bounded(_without_auxiliary(said))
+    if said and said[-1].kind == "preposition" and said[-1].what in _LEADS_ON:
+        return
+    said = _unaccelerated(_not_slipping(names, _carrying(names, said, modal)))
     words = [_AS_LARGE.get(word, word) for word in said]
     lasting = [_SO_THAT if word == Word("mark", "while") else word for word in said]  # as long as it does not slip
     if modal == {"may"} and any(word in _HOW_FAR for word in said):  # how large may it be
@@ -63,7 +69,27 @@ def _not_slipping(names: Names, words: list[Word]) -> list[Word]:
     meant = [Word("verb", "roll")] if lookup.can_roll(names) else [Word("not", "not"), Word("verb", "slide")]
     if Word("verb", "roll") in words:
         meant = []
-    return [own for word in words for own in (meant if word == Word("verb", "no_slip") else [word])]
+    denied = {Word("verb", "no_slip"): meant, Word("verb", "no_move"): [_NOT, Word("verb", "move")]}
+    return [own for word in words for own in denied.get(word, [word])]
+
+
+def _unaccelerated(words: list[Word]) -> list[Word]:
+    """What moves at constant speed is not accelerated."""
+    constant = Word("verb", "no_accel")
+    if constant not in words:
+        return words
+    kept = [word for word in words if word.kind != "verb" or word.what not in GOES_ON]
+    return [own for word in kept for own in ((_NOT, _ACCELERATE) if word == constant else (word,))]
+
+
+def _signs_between(words: list[Word]) -> list[Word]:
+    """A sign stands between what it compares: that the tension 8 kN not exceeds, as German has it."""
+    found = list(words)
+    for k in range(1, len(found)):
+        ends = k + 1 == len(found) or found[k + 1].kind in ("mark", "preposition")
+        if found[k].kind == "relation" and found[k - 1].kind == "value" and ends:
+            found[k - 1], found[k] = found[k], found[k - 1]
+    return found
 
 
 def _bounded(words: list[Word]) -> list[Word]:
@@ -85,18 +111,18 @@ def _carrying(names: Names, words: list[Word], modal: set[str]) -> list[Word]:
     rows = {row.reaction for row in names.constraint_rows if row.connection in joints}
     kind = next((kind for kind in ("tension", "normal force", "reaction") if kind in rows), "reaction")
     meant = Word("quantity", kind) if len(joints) == 1 and not any(w.kind == "quantity" for w in words) else None
-    if (
-        meant is not None
-        and carry in words
-        and any(
-            w.kind == "degree" or w in (Word("ask", "heavy"), Word("ask", "large")) for w in words[: words.index(carry)]
-        )
-    ):
-        words = [Word("mark", "so_that") if w == Word("mark", "when") else w for w in words]
-        at = next((k for k, w in enumerate(words) if w.kind == "value"), 0)
-        if "may" in modal and at and not any(w.kind == "relation" for w in words):
-            words = [*words[:at], Word("relation", "<="), *words[at:]]
-    return [(meant or Word("verb", "move")) if word == carry else word for word in words]
+    bounds = (Word("ask", "heavy"), Word("ask", "large"))
+    if meant is not None and carry in words:
+        if any(w.kind == "degree" or w in bounds for w in words[: words.index(carry)]):
+            words = [_SO_THAT if w == Word("mark", "when") else w for w in words]
+            at = next((k for k, w in enumerate(words) if w.kind == "value"), 0)
+            is_said = any(w.kind == "relation" for w in words) or (at and words[at - 1].kind == "degree")
+            if "may" in modal and at and not is_said:
+                after = [w for w in words[at:] if w != Word("degree", "greatest")]  # 8 kN at most
+                words = [*words[:at], Word("relation", "<="), *after]
+        k = words.index(Word("name", joints[0]))
+        return [w for w in (*words[:k], meant, *words[k:]) if w != carry]
+    return [Word("verb", "move") if word == carry else word for word in words]
 
 
 def _limit(names: Names, sentence: Sentence) -> Groups:
@@ -131,7 +157,7 @@ def _without(names: Names, sentence: Sentence) -> Groups:
     kept = [word for j, word in enumerate(words) if j not in (k, *beside)]
     while kept and kept[-1].kind in ("preposition", "mark"):
         kept.pop()
-    found = lookup.parameters(names, kind, of)
+    found = given.parameters(names, kind, of)
     for group in quantities(names, Clause(kept)) if len(found) == 1 else ():
         yield [f"{text} as {found[0]} -> 0" for text in group]
 
@@ -151,7 +177,7 @@ def _structure(names: Names, sentence: Sentence) -> Groups:
     if verbs & {"tip"} and verbs & {"slide"} and len(verbs - {"start", "move"}) == 2 and len(grown) == 1:
         yield [f"does it tip or slide as {grown[0]} grows"]
     doing = set(whole.all("verb"))
-    is_enough = doing == {"hold", "suffice"} or (doing == {"slide", "suffice"} and whole.has("not"))
+    is_enough = "suffice" in doing <= {"hold", "suffice"} or (doing == {"slide", "suffice"} and whole.has("not"))
     is_held = doing == {"hold"} and main.words[:1] == [Word("verb", "hold")]  # does friction hold it
     is_plain = whole.only("verb", "quantity", "mark", "name", "not", *SILENT) and set(whole.all("quantity")) in _HOLDS
     if (is_enough or is_held) and is_plain and lookup.rests(names):
@@ -162,10 +188,8 @@ def _structure(names: Names, sentence: Sentence) -> Groups:
         yield ["degrees of freedom"]
     asks_nothing = not (main.has("ask") or main.has("not") or main.has("degree") or main.has("quantity"))
     everything = all(lookup.is_all_that_moves(names, name) or lookup.is_all_that_slips(names, name) for name in of)
-    if verbs == {"stop"} and asks_nothing and everything and lookup.rests(names):
-        yield ["does it hold"]
-    if {"hold"} <= verbs <= {"hold", "move", "stop"} and asks_nothing and everything:
-        yield ["does it hold"]
+    if verbs and verbs <= {"hold", "move", "stop"} and verbs & {"hold", "stop"} and asks_nothing and everything:
+        yield ["does it hold"] if lookup.rests(names) else []
     at_rest = main.all("instant") == ["in equilibrium"] and main.only("instant", "name", "pronoun") and everything
     if lookup.rests(names) and at_rest:
         yield ["does it hold"]

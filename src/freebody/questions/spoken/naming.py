@@ -16,17 +16,27 @@ from typing import TYPE_CHECKING
 from freebody.language.expression import Symbol
 from freebody.measures.geometry import GROUND
 from freebody.questions.spoken.elements import ALIKE, INFERRED, WRITTEN, Elements
-from freebody.questions.spoken.lexicon import CLOSE, OPEN, kinds_apart, things_alike
+from freebody.questions.spoken.lexicon import (
+    CLOSE,
+    ENGLISH,
+    OPEN,
+    is_verb,
+    kinds_apart,
+    quantity_words,
+    things_alike,
+)
 from freebody.questions.spoken.telling import told_apart
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
 
 MOST = 96  # ways in which the words of one text may be meant: more are no question
+_COMPONENT = re.compile(r"(\w+?)(_[xyhvXYHV])")
 _LONGEST = 4  # words of a name
 _TOKEN = re.compile(r"’\w+|[^\W\d]\w*(?:\.[^\W\d]\w*)?|\d[\w.]*|\s+|.", re.DOTALL)
 _BODY_WORDS = ("body", "mass", "element", "member", "part")
 _JOINT_WORDS = ("joint", "connection", "support")
+_ROPES = ("rope", "string", "cord", "thread", "cable", "wire")
 _LINE_WORDS = ("surface", "slope", "incline", "plane")
 _POINT_WORDS = ("point", "end")
 
@@ -49,6 +59,9 @@ def elements_of(names: Names) -> Elements:
             mass = names.numeric(body.mass)
             if mass is not None:
                 found.masses[name] = mass
+            radius = None if body.radius is None else names.numeric(body.radius)
+            if radius is not None:
+                found.radii[name] = radius
             if isinstance(body.mass, Symbol):  # `mass m1`, `the acceleration of m1`
                 found.add(name, said=body.mass.name, distance=INFERRED)
         for point in body.points:
@@ -62,6 +75,9 @@ def elements_of(names: Names) -> Elements:
         for body in names.connections[name].mentions(names) - {GROUND}:  # the bearing of the pulley
             for word in names.called.get(name, ()):
                 found.add(name, said=f"{body} {word}", distance=INFERRED)
+    if not any("rope" in element.words for element in found.exact.values()):  # a light rod is told from no thread
+        for name in (name for name in names.connections if "link" in names.called.get(name, ())):
+            found.add(name, _ROPES)
     for name in names.loads:
         found.add(name, (*names.called.get(name, ()), *_stems(name)))
     for name in names.bodies[GROUND].lines:
@@ -103,31 +119,42 @@ def _linked(elements: Elements, tokens: Sequence[str], k: int, so_far: Way) -> I
     if k >= len(tokens):
         yield so_far
         return
-    for name, n, distance in _readings(elements, tokens, k):
-        shown = f"{OPEN}{name}{CLOSE}" if name else tokens[k]
+    for shown, n, distance in _readings(elements, tokens, k):
         yield from _linked(elements, tokens, k + n, Way(so_far.text + shown, so_far.distance + distance))
 
 
 def _readings(elements: Elements, tokens: Sequence[str], k: int) -> Iterator[tuple[str, int, int]]:
-    """What stands at a token: the name of an element ("" for the token itself), the number of tokens, the distance."""
+    """What stands at a token: the marked name of an element or the token itself, the number of tokens, the distance."""
     is_unit = k > 1 and tokens[k - 2][0].isdigit() and not tokens[k - 1].strip()
     if is_unit or not re.match(r"[^\W\d]", tokens[k]):
-        yield "", 1, WRITTEN
+        yield tokens[k], 1, WRITTEN
         return
-    seen: set[str] = set()
+    seen: dict[str, int] = {}
     for n in range(_LONGEST, 0, -1):
         window = tokens[k : k + 2 * n - 1]
         if len(window) < 2 * n - 1 or any(token.strip() for token in window[1::2]):
             continue
         for name, distance in _named(elements, window[::2]):
             if name not in seen:
-                seen.add(name)
-                yield name, len(window), distance
+                seen[name] = distance
+                yield f"{OPEN}{name}{CLOSE}", len(window), distance
         if seen:
             break
+    if not seen and (component := _COMPONENT.fullmatch(tokens[k])) and component[1] in elements.exact:
+        yield f"{OPEN}{component[1]}{CLOSE}{component[2]}", 1, WRITTEN  # `A_y`: of the reaction at A
+        return
+    is_thing = bool(seen) and all(distance >= INFERRED and "." not in name for name, distance in seen.items())
+    if is_thing and k > 1 and tokens[k - 2].lower() == "the" and _is_noun(tokens[k : k + 3 : 2]):
+        return  # the lift at rest
     is_word = tokens[k].isalpha() and tokens[k].islower() and len(tokens[k]) > 1
     if not seen or is_word or tokens[k] not in elements.exact:
-        yield "", 1, WRITTEN if tokens[k] not in elements.exact else ALIKE
+        yield tokens[k], 1, WRITTEN if tokens[k] not in elements.exact else ALIKE
+
+
+def _is_noun(tokens: Sequence[str]) -> bool:
+    """Whether a word behind an article, which could be a verb, is none: the lift, but not the rolling ball."""
+    word, after = tokens[0].lower(), tokens[1].lower() if len(tokens) > 1 else ""
+    return is_verb(word) and not word.endswith("ing") and after not in quantity_words(ENGLISH)
 
 
 def _named(elements: Elements, written: Sequence[str]) -> Iterator[tuple[str, int]]:
@@ -135,7 +162,7 @@ def _named(elements: Elements, written: Sequence[str]) -> Iterator[tuple[str, in
     words = tuple(word.lower() for word in written)
     meant = elements.spoken.get(words, [])
     if len(words) > 1:  # `wrist pin` for wristpin
-        meant = [*meant, *elements.spoken.get(("".join(words),), [])]
+        meant = [*elements.spoken.get(("".join(words),), []), *meant]
     as_written = [found for found in meant if found[1] == " ".join(written)] if len(words) == 1 else []
     if len(words) == 1 and len(words[0]) < 3:
         meant = []  # m is not M: short names are meant as they are written
@@ -144,9 +171,11 @@ def _named(elements: Elements, written: Sequence[str]) -> Iterator[tuple[str, in
     if len(words) == 1 and not as_written:  # every thing of a kind
         of_kind = [e for e in elements.exact.values() if "." not in e.name and words[0] in e.words]
         own = [e for e in of_kind if words[0] in e.name.lower()]  # the block among blocks and boxes
+        own = own or [e for e in of_kind if words[0] in _alike(e.name)]  # the elevator among them is the cabin
         yield from ((element.name, INFERRED) for element in own or of_kind)
-    for k in range(1, len(words)):  # a name beside the word for its kind
-        for rest, kind in ((written[:k], words[k:]), (written[k:], words[:k])):
+    for k in range(1, len(words)):  # a name beside the word for its kind; `the bead lift off` has a verb
+        behind = [] if is_verb(words[k]) else [(written[:k], words[k:])]
+        for rest, kind in (*behind, (written[k:], words[:k])):
             for element, text, _distance in elements.spoken.get(tuple(w.lower() for w in rest), []):
                 if " ".join(kind[1:] if kind[:1] == ("side",) else kind) in element.words:
                     yield element.name, WRITTEN if text == " ".join(rest) else ALIKE

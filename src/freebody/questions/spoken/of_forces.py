@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from freebody.language.units import TORQUE
 from freebody.questions.spoken import lookup
 from freebody.questions.spoken.composing import SILENT, Groups, said_of, without_owners
 from freebody.questions.spoken.words import Clause
@@ -72,12 +73,10 @@ def _of_joint(names: Names, kind: str, rest: Clause) -> Groups:
     if loads:
         if kind in ("force", "torque", "moment") and not about:
             tail = "".join(f" on {name}" for _, name in things[:1])
-            yield (
-                [f"force of {loads[0]}{tail}{ends}", f"torque of {loads[0]}"]
-                if things or ends
-                else [f"force in {loads[0]}"]
-            )
-            yield [f"torque of {loads[0]}"]
+            turns = names.loads[loads[0]] == TORQUE
+            plain = [f"force in {loads[0]}"] if turns or kind == "force" else []  # gravity exerts no torque
+            yield [f"force of {loads[0]}{tail}{ends}"] if (things or ends) and kind == "force" else plain
+            yield [f"torque of {loads[0]}"] if not things and not ends and kind != "force" else []
     elif joints:
         yield from _at_joint(names, kind, head, joints[0], things, ends)
     elif kind != "force":
@@ -151,6 +150,11 @@ def _between(
     first, second = (*of, "", "")[:2]
     joints = lookup.joints(names, first, second, kind)
     joints = [joint for joint in joints if joint in only] or ([] if only else joints)
+    if kind == "moment" and not ends:  # no pin is clamped
+        joints = [
+            row.connection for row in names.constraint_rows if row.reaction == "moment" and row.connection in joints
+        ]
+    joints = [joint for joint in joints if all(lookup.may_act_at(names, joint, name) for name in of)]
     if kind in ("impulse", "angular impulse"):  # what closes or strikes has an impulse of its own
         closing = {row.connection for row in names.constraint_rows if row.closes} | names.struck_at_start
         joints = [joint for joint in joints if joint in closing] or joints
@@ -173,8 +177,18 @@ def _in_spring(names: Names, quantity: str, rest: Clause) -> Groups:
         yield [f"force in {name}" for name in of or lookup.springs(names)]
 
 
+@said_of("work of friction")
+def _of_friction(names: Names, quantity: str, rest: Clause) -> Groups:
+    """What the only dry friction does, or that of something that is named."""
+    of = [name for _, name in rest.names]
+    if rest.only("name", *SILENT) and len(of) <= 1:
+        yield [f"work of {joint}" for joint in lookup.rough(names, next(iter(of), ""))]
+
+
 @said_of("power", "work")
 def _work(names: Names, quantity: str, rest: Clause) -> Groups:
     of = [name for _, name in rest.names]
+    loads = [name for name in of if name in names.loads]
+    of = loads if len(loads) == 1 else of  # whose load it is
     if rest.only("name", *SILENT) and len(of) == 1:
         yield [f"{quantity} of {of[0]}"]

@@ -4,12 +4,16 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from freebody.measures.geometry import GROUND
 from freebody.questions.spoken import lookup
 from freebody.questions.spoken.composing import ALONG, SILENT, Groups, said_of, without_owners
 from freebody.questions.spoken.words import Clause
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
+
+
+_SLOPES = {"uphill": "up", "downhill": "down"}
 
 
 @said_of("velocity", "speed", "acceleration", "angular velocity", "angular acceleration")
@@ -27,11 +31,15 @@ def motion(names: Names, quantity: str, rest: Clause) -> Groups:
     quantity = "velocity" if quantity == "speed" and along else quantity  # which has a sign
     if not of and rest.has("pronoun", "system"):  # which is one body, or has one angle
         whole = lookup.massive(names)
+        whole = lookup.turning(names) if quantity.startswith("angular") and len(whole) > 1 else whole
         angles = lookup.angles(names, "") if quantity.startswith("angular") else []
         if len(whole) == 1 and not lookup.turning(names) and len(angles) == 1 and not end:
             yield [f"{quantity.removeprefix('angular ')} of {angles[0]}"]
         elif len(whole) == 1:
             yield [f"{quantity} of {whole[0]}{end}"]
+        return
+    if not of and quantity.startswith("angular") and not lookup.turning(names) and not end:
+        yield [f"{quantity.removeprefix('angular ')} of {angle}" for angle in lookup.angles(names, "")]
         return
     if not of:
         moving = (
@@ -81,15 +89,28 @@ def _directed(names: Names, rest: Clause) -> tuple[list[str], str, str] | None:
             of.append(name)
     named = [before for before, _ in rest.names]
     dangling = [way for way in rest.all("updown") if way not in named]  # it moves up
+    for part in (part for part in rest.all("part") if part in _SLOPES):
+        line = lookup.sloping(names)
+        if along or not line or not lookup.points(names, line, _SLOPES[part]):
+            return None
+        along = f" along {line}"
     for part in (*rest.all("part"), *dangling):
         if part in ALONG:
             if along:
                 return None
             along = f" along {ALONG[part]}"
-    of = without_owners(of)
+    of = [lookup.joined_at(names, name) for name in without_owners(of)]
     owned = {body for name in of if name in names.measures for body in names.measures[name].bodies()}
     of = [name for name in of if name not in owned]
     return of, relative, along
+
+
+@said_of("relative velocity")
+def _relative(names: Names, quantity: str, rest: Clause) -> Groups:
+    """The velocity of one thing less that of another, along a line on which both are measured."""
+    of = [name for _, name in rest.names]
+    if rest.only("name", *SILENT) and len(of) == 2:
+        yield [f"(velocity of {one} - velocity of {other})" for one, other in lookup.alike(names, of[0], of[1])]
 
 
 @said_of("deceleration", "angular deceleration")
@@ -118,16 +139,40 @@ def _position(names: Names, quantity: str, rest: Clause) -> Groups:
         yield lookup.angles(names, name)
 
 
-@said_of("horizontal range")
-def _range(names: Names, quantity: str, rest: Clause) -> Groups:
-    """How far something has come sideways where it is as low as at the start, or lands."""
+@said_of("horizontal range", "flight time")
+def _of_flight(names: Names, quantity: str, rest: Clause) -> Groups:
+    """How far something comes sideways, or how long it takes, until it is as low as at the start, or lands."""
+    named = [name for _, name in rest.names if name != GROUND and name not in names.bodies[GROUND].lines]
+    of = next(iter(named), "")
+    if rest.only("name", *SILENT) and len(named) <= 1 and (not of or of in lookup.moving(names)):
+        heads = lookup.level(names, of) if quantity == "horizontal range" else ["time"]
+        heads = heads if lookup.flies(names, of) else []
+        yield [f"{head} when it lands" for head in heads] if lookup.strikes(names) else []
+        down = [name for name, _ in lookup.heights(names, of) if name in names.started_at_zero]
+        yield [f"{head} when {height} = 0" for head in heads for height in down]
+
+
+@said_of("equation of motion")
+def _equation_of_motion(names: Names, quantity: str, rest: Clause) -> Groups:
+    """The acceleration of what is measured of something, or of all that the file starts with."""
     of = next((name for _, name in rest.names), "")
     if rest.only("name", *SILENT) and len(rest.names) <= 1:
-        upright = {name for name, _ in lookup.heights(names, "")}
-        level = [name for name in lookup.places(names, of) if name not in upright]
-        yield [f"{name} when it lands" for name in level] if lookup.strikes(names) else []
-        down = [name for name in upright if name in names.started_at_zero]
-        yield [f"{name} when {height} = 0" for name in level for height in down]
+        own = [*lookup.places(names, of), *lookup.angles(names, of), *lookup.hung(names, of)]
+        own = list(dict.fromkeys(own if of else names.measures))
+        started = [name for name in own if name in names.start_rates]
+        yield [f"acceleration of {name}" for name in started or own]
+        turning = [name for name in ([of] if of else lookup.moving(names)) if name in lookup.turning(names)]
+        yield [f"angular acceleration of {name}" for name in turning]
+
+
+@said_of("centripetal acceleration")
+def _centripetal(names: Names, quantity: str, rest: Clause) -> Groups:
+    """v^2/l towards the point of the ground about which a link leads a body."""
+    of = [name for _, name in rest.names]
+    if rest.only("name", *SILENT) and len(of) <= 1:
+        led = [(body, length) for body, length in lookup.led_round(names) if not of or body == of[0]]
+        divisors = [(body, length if length.isidentifier() else f"({length})") for body, length in led]
+        yield [f"(speed of {body})^2/{length}" for body, length in divisors]
 
 
 @said_of("deflection")
@@ -159,8 +204,9 @@ def _angle(names: Names, quantity: str, rest: Clause) -> Groups:
 
 @said_of("height")
 def _height(names: Names, quantity: str, rest: Clause) -> Groups:
-    if rest.only("name", *SILENT) and len(rest.names) <= 1:
-        name = rest.names[0][1] if rest.names else ""
+    of = [name for _, name in rest.names if name != GROUND]
+    if rest.only("name", *SILENT) and len(of) <= 1:
+        name = next(iter(of), "")
         yield [f"height of {body}" for body in ([name] if name else lookup.moving(names))]
         yield [height for height, sense in lookup.heights(names, name) if sense > 0]
 
@@ -168,7 +214,7 @@ def _height(names: Names, quantity: str, rest: Clause) -> Groups:
 @said_of("highest place", "lowest place")
 def _extreme_place(names: Names, quantity: str, rest: Clause) -> Groups:
     """How high or how low something comes, by the height that is measured."""
-    of = [name for _, name in rest.names]
+    of = [name for _, name in rest.names if name != GROUND and name not in names.bodies[GROUND].lines]
     if rest.only("name", *SILENT) and len(of) <= 1:
         found = lookup.heights(names, next(iter(of), ""))
         up = quantity == "highest place"

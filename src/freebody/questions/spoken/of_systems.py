@@ -12,12 +12,22 @@ from freebody.questions.spoken.words import Clause
 if TYPE_CHECKING:
     from freebody.model.names import Names
 
+_EULER = 3  # angles of a body that is turned as a top is
+
 
 @said_of("kinetic energy", "potential energy", "total energy")
 def _energy(names: Names, quantity: str, rest: Clause) -> Groups:
     of = [name for _, name in rest.names]
     if rest.only("name", *SILENT) and len(of) <= 1:
         yield [" of ".join((quantity, *of))]
+
+
+@said_of("rotational energy")
+def _rotational(names: Names, quantity: str, rest: Clause) -> Groups:
+    """The kinetic energy of what turns about its centre, which has no other."""
+    of = [name for _, name in rest.names]
+    if all(lookup.axle_of(names, name) == "center" for name in of or lookup.massive(names)):
+        yield from _energy(names, "kinetic energy", rest)
 
 
 @said_of("energy")
@@ -27,7 +37,7 @@ def _whole_energy(names: Names, quantity: str, rest: Clause) -> Groups:
 
 @said_of("linear momentum", "angular momentum")
 def _momentum(names: Names, quantity: str, rest: Clause) -> Groups:
-    about = [name for before, name in rest.names if before in ("about", "relative")]
+    about = [lookup.pinned_at(names, name) for before, name in rest.names if before in ("about", "relative")]
     along = [name for before, name in rest.names if before in ("along", "up", "down")]
     along += [ALONG[part] for part in rest.all("part") if part in ALONG]
     of = [name for before, name in rest.names if before not in ("about", "relative", "along", "up", "down")]
@@ -74,7 +84,11 @@ def _of_coordinate(names: Names, quantity: str, rest: Clause) -> Groups:
     if not of and quantity in ("stroke", "time ratio") and rest.only(*SILENT):
         yield [f"{quantity} of {name}" for name in lookup.places(names, "")]
     if len(of) == 1 and rest.only("name", "instant", *SILENT):
-        yield [f"{quantity} of {name}" for name in lookup.places(names, of[0]) or lookup.angles(names, of[0])]
+        measures = lookup.places(names, of[0]) or lookup.angles(names, of[0])
+        measures = measures or ([f"angle of {of[0]}"] if lookup.axle_of(names, of[0]) else [])
+        yield [f"{quantity} of {name}" for name in measures]
+        guides = [] if measures else lookup.guides(names, of[0])
+        yield [f"{quantity} of position of {of[0]} along {guide}" for guide in guides]
 
 
 @said_of("dead points")
@@ -97,12 +111,33 @@ def _transmissibility(names: Names, quantity: str, rest: Clause) -> Groups:
 
 @said_of("terminal velocity")
 def _terminal(names: Names, quantity: str, rest: Clause) -> Groups:
-    for group in motion(names, "velocity", rest):
+    """To what a velocity tends; what turns about its centre has no other than that of turning."""
+    turns = any(lookup.axle_of(names, name) == "center" for _, name in rest.names)
+    for group in motion(names, "angular velocity" if turns else "velocity", rest):
         yield [f"{text} when t grows" for text in group]
 
 
 @said_of("gear ratio")
 def _gear_ratio(names: Names, quantity: str, rest: Clause) -> Groups:
+    """How fast one body turns for another: of the two that are named, or of the only two."""
     of = [name for _, name in rest.names]
-    if len(of) == 2 and rest.only("name", *SILENT):
-        yield [f"ratio of angular velocity of {of[0]} to angular velocity of {of[1]}"]
+    if not rest.only("name", *SILENT):
+        return
+    two = lookup.turning(names) if not of else []
+    for first, second in [of] if len(of) == 2 else []:
+        yield [f"ratio of angular velocity of {first} to angular velocity of {second}"]
+    if len(two) == 2:
+        yield [f"ratio of angular velocity of {a} to angular velocity of {b}" for a, b in (two, two[::-1])]
+
+
+@said_of("precession rate", "nutation rate")
+def _precession(names: Names, quantity: str, rest: Clause) -> Groups:
+    """The rate of the first, or the second, of the angles by which a body is turned from the ground."""
+    of = [name for _, name in rest.names if name not in names.measures]
+    named = [name for _, name in rest.names if name in names.measures]
+    if not names.space or not rest.only("name", *SILENT) or len(of) + len(named) > 1:
+        return
+    k = 0 if quantity == "precession rate" else 1
+    chains = [names.bodies[body].chain for body in (of or lookup.moving(names)) if body in names.bodies]
+    angles = named or [chain[k].name for chain in chains if len(chain) == _EULER and chain[0].axis == names.up]
+    yield [f"velocity of {angle}" for angle in angles]

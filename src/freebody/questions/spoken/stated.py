@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from freebody.questions.spoken import dimensions, lookup
+from freebody.questions.spoken import dimensions, given, lookup
 from freebody.questions.spoken.asking import quantities
 from freebody.questions.spoken.composing import Groups
 from freebody.questions.spoken.lexicon import Word
@@ -106,7 +106,7 @@ def _farthest(names: Names, equations: list[Equation], rest: Clause) -> Groups:
     others = [name for _, name in rest.names if name not in names.parameters]
     asked = [quantity for quantity in rest.all("quantity") if quantity not in ("horizontal range", "distance")]
     flies = rest.has("verb", "fly", "move", "hit") or rest.has("quantity", "horizontal range", "distance")
-    found = named or (lookup.of_kind(names, asked[0]) if len(asked) == 1 else [])
+    found = named or (given.of_kind(names, asked[0]) if len(asked) == 1 else [])
     ways = [way for way in lookup.ways(names, "") if way != equations[0].measure and way in (others or [way])]
     ways = ways or [way for body in others for way in lookup.ways(names, body) if way != equations[0].measure]
     if rest.all("degree") == ["greatest"] and flies and len(found) == 1 and len(asked) <= 1:
@@ -125,7 +125,7 @@ def _parameter(names: Names, equations: list[Equation], rest: Clause) -> Groups:
     rest = rest.without("pronoun")
     if rest.has("ask", "when", "long", "soon", "where") or set(rest.all("instant")) - {*_PLACES}:
         return
-    found = named or (lookup.of_kind(names, asked[0]) if asked else [])
+    found = named or (given.of_kind(names, asked[0]) if asked else [])
     if len(found) == 1:
         first, second = equations
         yield [f"value of {found[0]} for which {first} when {second}"]

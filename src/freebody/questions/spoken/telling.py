@@ -1,4 +1,4 @@
-"""Bodies by what tells them from others: the 2 kg block, the heavier mass, the first wagon, wagon 1."""
+"""Bodies by what tells them from others: the 2 kg block, the heavier mass, the big gear, the first wagon, wagon 1."""
 
 from __future__ import annotations
 
@@ -47,12 +47,16 @@ def _told(elements: Elements, first: str, second: str) -> list[str]:
         kinds = [e.name for e in elements.exact.values() if kind.lower() in e.words and "." not in e.name]
         return [name for name in of_kind or kinds if re.search(rf"(?<!\d){number}$", name)]
     than = _meant(compared(), first)
+    sizes = elements.masses if than in ("heavier", "lighter") else elements.radii
+    found = [e.name for e in elements.exact.values() if kind.lower() in e.words and e.name in elements.radii]
+    of_kind = of_kind if than in ("heavier", "lighter") else found
     if not than or len(of_kind) < 2:
         return []
-    masses = sorted((elements.masses[name], name) for name in of_kind if name in elements.masses)
-    if len(masses) != len(of_kind):
+    sorted_ = sorted((sizes[name], name) for name in of_kind if name in sizes)
+    if len(sorted_) != len(of_kind):
         return []
-    end, beside = (masses[-1], masses[-2]) if than == "heavier" else (masses[0], masses[1])
+    largest = than in ("heavier", "bigger")
+    end, beside = (sorted_[-1], sorted_[-2]) if largest else (sorted_[0], sorted_[1])
     return [] if math.isclose(end[0], beside[0]) else [end[1]]
 
 

@@ -119,7 +119,7 @@ def words_of(text: str, language: str, *, guess: bool = False) -> list[Word]:
         if tokens[k] == _NO_WORD or _is_beside_name(token, found, k, language):
             continue  # it belongs to a phrase before, or says no more than a name
         line, begins = " ".join(tokens), list(accumulate((len(t) + 1 for t in tokens), initial=0))
-        meant = phrases_at(line, begins[k], language)
+        meant = [] if _is_letter(token) and k > 0 else phrases_at(line, begins[k], language)
         means = next((m for m in meant if _fits(m[0], words)), None)
         if means is None and (_describes(found, k, language) or is_adverb(token, language)):
             continue
@@ -136,6 +136,11 @@ def words_of(text: str, language: str, *, guess: bool = False) -> list[Word]:
         strange = {Word("name", token) for token in unknown}
         raise Unknown(tuple(unknown), tuple(word for word in words if word not in strange))
     return words
+
+
+def _is_letter(token: str) -> bool:
+    """Whether a word is a capital letter but I: the point A, which is no article."""
+    return isinstance(token, _Said) and len(token) == 1 and token.is_capital and token != "i"
 
 
 def _is_beside_name(token: str, found: Sequence[str | Word], k: int, language: str) -> bool:
@@ -224,9 +229,9 @@ def _fits(word: Word, before: list[Word]) -> bool:
 
 
 def _is_new_start(before: list[Word]) -> bool:
-    """Whether a main clause may begin: behind a comma, or words that only lead to it."""
+    """Whether a main clause may begin: behind a comma, or an `and`, where it is one too many."""
     last = next((w for w in reversed(before) if w.kind != "filler"), None)
-    return last is not None and last == Word("preposition", ",")
+    return last in (Word("preposition", ","), Word("preposition", "and"))
 
 
 def _is_unit(text: str) -> bool:

@@ -40,7 +40,8 @@ def find(setup: Setup, question: str, measure: Measure, side: int, name: str) ->
         (Condition(part, relation, Message("it turns")) for part, relation in found.conditions),
         NeverHappens(Message("it does not turn")),
     )
-    conditions += [*taken_throughout(setup), *held_on_the_way(setup, found)]
+    held = [c for c in kept_on_the_way(setup, found) if c.purpose != TAKEN]  # that is asked of all of the motion
+    conditions += [*taken_throughout(setup), *held]
     check = CrossCheck(question, Message("numerical integration until it has turned on both sides"), MOTION_TOLERANCE)
     evidence = checked(setup, check, x, conditions, lambda draw: extent_in_numbers(draw, measure, side))
     if evidence is None:
@@ -49,10 +50,10 @@ def find(setup: Setup, question: str, measure: Measure, side: int, name: str) ->
     return Finding(x, evidence, conditions, list(found.notes), list(found.says))
 
 
-def held_on_the_way(setup: Setup, found: Reached) -> list[Condition]:
-    """What holds things together, from the start to an event; what is taken to be so is asked of all of the motion."""
+def kept_on_the_way(setup: Setup, found: Reached) -> list[Condition]:
+    """What the formulas take to be so, and what holds things together, from the start to an event."""
     kept = setup.in_free_coordinates(setup.holding(setup.state), setup.state)
-    return kept_until(setup.motion, found, [c for c in kept if c.purpose != TAKEN])
+    return kept_until(setup.motion, found, kept)
 
 
 def turn_of(setup: Setup, measure: Measure, side: int, name: str) -> tuple[Coordinate, Reached, Ratio]:

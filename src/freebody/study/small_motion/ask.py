@@ -7,8 +7,9 @@ from functools import singledispatch
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.questions.base import Quantity
+from freebody.questions.forced_motion import Forced
 from freebody.questions.reading import Question
-from freebody.questions.small_motion import Damping, EquilibriumStability, Forced, ModeShapes
+from freebody.questions.small_motion import Damping, EquilibriumStability, ModeShapes
 from freebody.study.answering.finding import Finding
 from freebody.study.setup import Setup
 from freebody.study.small_motion.resting import AtRest

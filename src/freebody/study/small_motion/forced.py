@@ -13,8 +13,8 @@ from freebody.errors import CannotAnswer
 from freebody.language.notation import to_python
 from freebody.language.sentences import Message
 from freebody.questions.base import Quantity
+from freebody.questions.forced_motion import PhaseLag, ResonanceFrequency, SteadyAmplitude, Transmissibility
 from freebody.questions.reading import Question
-from freebody.questions.small_motion import PhaseLag, ResonanceFrequency, SteadyAmplitude, Transmissibility
 from freebody.study.answering.answer import Evidence
 from freebody.study.answering.at_equilibrium import frequencies_at, insist_on_rest, places_at
 from freebody.study.answering.crosscheck import CrossCheck, SaysNothing, element_at, holds

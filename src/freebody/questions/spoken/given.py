@@ -1,0 +1,126 @@
+"""Parameters that are meant by what they are of: the mass of a body, the force of a load, the only angle.
+
+Some kinds are known by where they are written (the mass of a body, the stiffness of a spring), others by their units
+alone. One table says of each which words name it, how it is known, and whether rest can end as it changes.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from freebody.language.expression import Symbol, free_symbols
+from freebody.language.units import FORCE, LENGTH, MASS, TIME, TORQUE, Dimension
+from freebody.measures.geometry import ZERO
+from freebody.model.elements import Parameter
+from freebody.model.solids import ROD
+from freebody.questions.spoken.lookup import given_of, is_at, is_joined
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+
+@dataclass(frozen=True)
+class ParameterKind:
+    """words: those that name it; asks: adjectives that ask for it; written: the key of an element under which it
+    stands; dimension: of all that are of this kind; ends_rest: rest can end as it changes."""
+
+    words: tuple[str, ...]
+    asks: tuple[str, ...] = ()
+    written: str = ""
+    dimension: Dimension | None = None
+    is_angle: bool = False
+    ends_rest: bool = False
+
+    @property
+    def is_push(self) -> bool:
+        """Whether it is how hard something is pushed or turned."""
+        return self.dimension in (FORCE, TORQUE)
+
+    def has(self, parameter: Parameter) -> bool:
+        """Whether the unit of a parameter says that it is one."""
+        return parameter.is_angle if self.is_angle else parameter.dimension == self.dimension
+
+
+KINDS = (
+    ParameterKind(("mass",), ("heavy",), written="mass", ends_rest=True),
+    ParameterKind(("stiffness",), written="stiffness"),
+    ParameterKind(("friction coefficient", "friction force"), ("rough",), written="friction", ends_rest=True),
+    ParameterKind(("length",), written="length"),
+    ParameterKind(("radius",), written="radius"),
+    ParameterKind(("force", "tension", "driving force"), dimension=FORCE, ends_rest=True),
+    ParameterKind(("reaction",), dimension=FORCE),
+    ParameterKind(("torque", "moment", "driving torque"), dimension=TORQUE, ends_rest=True),
+    ParameterKind(("speed", "velocity"), dimension=LENGTH / TIME),
+    ParameterKind(("height",), ("high",), dimension=LENGTH, ends_rest=True),
+    ParameterKind(("distance",), ("far",), dimension=LENGTH, ends_rest=True),
+    ParameterKind(("angle",), ("steep", "flat"), is_angle=True, ends_rest=True),
+)
+KIND_OF = {word: kind for kind in KINDS for word in kind.words}
+ASKED_BY = {ask: kind for kind in KINDS for ask in kind.asks}
+
+
+def is_written(word: str) -> bool:
+    """Whether a word names a kind that is known by where it is written."""
+    return word in KIND_OF and bool(KIND_OF[word].written)
+
+
+def is_by_unit(word: str) -> bool:
+    """Whether a word names a kind that is known by its unit: it only says what a name is, the force F."""
+    return word in KIND_OF and not KIND_OF[word].written
+
+
+def can_end_rest(word: str) -> bool:
+    """Whether a word names a kind of which rest has a limit."""
+    return word in KIND_OF and KIND_OF[word].ends_rest
+
+
+def parameters(names: Names, kind: str, of: str) -> list[str]:
+    """Parameters that are the mass of a body, the stiffness of a spring, the coefficient of friction."""
+    if kind == "mass":
+        masses = [body.mass for name, body in names.bodies.items() if name == of]
+        return [mass.name for mass in masses if isinstance(mass, Symbol)]
+    if kind == "stiffness":
+        return [name for name, parameter in names.parameters.items() if parameter.dimension == FORCE / LENGTH]
+    if kind == "length" and not of:  # of the only thing that has one
+        sizes = [body.sizes[0] for body in names.bodies.values() if body.solid is ROD and body.sizes]
+        own = {str(given_of(spec).get("length")) for spec in names.connections.values()} | {str(size) for size in sizes}
+        return [name for name in names.parameters if name in own]
+    word = KIND_OF[kind].written if kind in KIND_OF else kind
+    own = [spec for name, spec in names.connections.items() if not of or name == of or is_at(names, name, of)]
+    written = {str(value) for spec in own for key, value in given_of(spec).items() if word in key}
+    return [name for name in names.parameters if name in written]
+
+
+def of_kind(names: Names, kind: str) -> list[str]:
+    """Parameters that are a force, an angle, a speed, as their units say."""
+    given = [parameter for parameter in names.parameters.values() if parameter.form is None]
+    return [parameter.name for parameter in given if is_by_unit(kind) and KIND_OF[kind].has(parameter)]
+
+
+def chosen(names: Names, kind: ParameterKind, of: list[str]) -> list[str]:
+    """Parameters that are of a kind and can be chosen: a force that a load exerts, a length that is no size of a body.
+
+    of: what is named beside it."""
+    given = [parameter for parameter in names.parameters.values() if parameter.form is None]
+    held = [load for load in names.applied_loads if load.load in of]
+    if kind.written == "mass" and held and not any(name in names.bodies for name in of):  # how heavy a load is
+        weights = frozenset[str]().union(*(free_symbols(load.law) for load in held))
+        return [p.name for p in given if p.name in weights and p.dimension in (MASS, FORCE)]
+    if kind.written == "mass":
+        own = [name for body in of for name in parameters(names, "mass", body)]
+        bodies = frozenset[str]().union(*(free_symbols(body.mass) for body in names.bodies.values()))
+        others = [p.name for p in given if p.dimension == MASS and p.name not in bodies]
+        return own or ([] if any(name in names.bodies for name in of) else others)
+    if kind.written:
+        return parameters(names, kind.words[0], next((name for name in of if is_joined(names, name)), ""))
+    found = of_kind(names, kind.words[0])
+    if kind.is_push:
+        exerted = [load for load in names.applied_loads if "gravity" not in names.called.get(load.load, ())]
+        loads = [load for load in exerted if load.load in of] or exerted
+        pushed = frozenset[str]().union(*(free_symbols(load.law) for load in loads))
+        return [name for name in found if name in pushed]
+    sizes = frozenset[str]().union(
+        *(free_symbols(body.inertia) | free_symbols(body.radius or ZERO) for body in names.bodies.values())
+    )
+    return [name for name in found if kind.is_angle or name not in sizes]

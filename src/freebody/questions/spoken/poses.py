@@ -1,0 +1,139 @@
+"""Poses that have a name: what goes round a point of the ground hangs straight down, stands upright, lies level.
+
+What goes round is a body at the end of a line whose angle is measured, or one that turns about an axle beside its mass
+centre: the line from the axle to the mass centre is meant. A pose is where the measure of that angle has a value.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from freebody.language.expression import Symbol
+from freebody.measures.angle import Angle
+from freebody.measures.base import Measure
+from freebody.measures.combination import Composed
+from freebody.measures.distance import Bearing
+from freebody.measures.geometry import GROUND
+from freebody.questions.spoken import lookup
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+_NEAR = 1e-6  # degrees: of an angle that people name
+
+
+@dataclass(frozen=True)
+class _Going:
+    """A measure by which a line from the ground goes round: it points at sense * measure + offset, counter-clockwise
+    from the right, in degrees."""
+
+    measure: str
+    sense: int
+    offset: float
+
+    def value(self, pointing: float) -> float:
+        """The value of the measure where the line points so, within half a turn."""
+        value = (self.sense * (pointing - self.offset)) % 360.0
+        return value - 360.0 if value > 180.0 + _NEAR else value
+
+
+def tops(names: Names, body: str) -> list[str]:
+    """The condition that a body has risen as far as it does at first, or swings no further."""
+    rising = [f"rate({name}) = 0" for name, sense in lookup.heights(names, body) if lookup.rises(names, name, sense)]
+    turning_back = [f"rate({going.measure}) = 0" for going in _on_lines(names, body)]
+    over = [] if lookup.rests(names) and turning_back else uppermost(names, body)  # what is let go does not go over
+    return rising or [*over, *turning_back]
+
+
+def turning(names: Names, body: str) -> list[str]:
+    """The condition that what is measured of something turns back."""
+    found = lookup.places(names, body) or lookup.angles(names, body) or lookup.hung(names, body)
+    return [f"rate({name}) = 0" for name in found]
+
+
+def uppermost(names: Names, body: str) -> list[str]:
+    """The condition that what goes round a point of the ground is straight above it."""
+    return _conditions(names, body, 90.0)
+
+
+def lowermost(names: Names, body: str) -> list[str]:
+    """The condition that what goes round a point of the ground is straight below it."""
+    return _conditions(names, body, -90.0)
+
+
+def upright(names: Names, body: str) -> list[str]:
+    """The condition that something is vertical: it hangs. What starts so is meant at the start or above, who knows."""
+    return [] if _starts(names, body, -90.0) else lowermost(names, body)
+
+
+def level(names: Names, body: str) -> list[str]:
+    """The condition that something is horizontal, on the side to which its angle counts; none for what starts so."""
+    found: list[str] = []
+    for going in _going(names, body):
+        both = sorted(going.value(pointing) for pointing in (0.0, 180.0))
+        if _starts(names, body, 0.0) or _starts(names, body, 180.0):
+            continue
+        found += [f"{going.measure} = {_told(value)}" for value in both[-1:] if _is_told(value)]
+    return found
+
+
+def _starts(names: Names, body: str, pointing: float) -> bool:
+    """Whether the motion starts where a line points so."""
+    begun = (going for going in _going(names, body) if going.measure in names.started_at_zero)
+    return any(abs(going.value(pointing)) < _NEAR for going in begun)
+
+
+def _conditions(names: Names, body: str, pointing: float) -> list[str]:
+    values = [(going.measure, going.value(pointing)) for going in _going(names, body)]
+    return [f"{measure} = {_told(value)}" for measure, value in values if _is_told(value)]
+
+
+def _is_told(value: float) -> bool:
+    return abs(value - round(value)) < _NEAR
+
+
+def _told(value: float) -> str:
+    return f"{round(value)} deg" if round(value) else "0"
+
+
+def _going(names: Names, body: str) -> list[_Going]:
+    return [*_on_lines(names, body), *_about_axles(names, body)]
+
+
+def _on_lines(names: Names, body: str) -> list[_Going]:
+    """Angles of lines from the ground to a body."""
+    found: list[_Going] = []
+    for name, measure in names.measures.items():
+        own, sense = _signed(measure)
+        if isinstance(own, Bearing) and own.start.body == own.origin == GROUND and body in ("", name, own.end.body):
+            reference = names.numeric(own.reference)
+            found += [_Going(name, sense, math.degrees(reference))] if reference is not None else []
+    return found
+
+
+def _about_axles(names: Names, body: str) -> list[_Going]:
+    """Angles of bodies that turn about an axle of the ground beside their mass centre."""
+    found: list[_Going] = []
+    for name, measure in names.measures.items():
+        own, sense = _signed(measure)
+        if not isinstance(own, Angle) or own.origin != GROUND or body not in ("", name, own.of):
+            continue
+        pins, centre = lookup.axle_points(names, own.of), names.bodies[own.of].points["mass_center"]
+        if len(pins) != 1:
+            continue
+        arm = [names.numeric(c - p) for c, p in zip(centre, next(iter(pins)), strict=True)]
+        reference = names.numeric(own.reference)
+        if reference is not None and arm[0] is not None and arm[1] is not None and math.hypot(arm[0], arm[1]) > 0.0:
+            found.append(_Going(name, sense, math.degrees(reference + math.atan2(arm[1], arm[0]))))
+    return found
+
+
+def _signed(measure: Measure) -> tuple[Measure, int]:
+    """A measure, or the one that it is the negative of, which counts clockwise."""
+    if isinstance(measure, Composed) and len(measure.measures) == 1:
+        [(symbol, own)] = measure.measures
+        if measure.expression == -Symbol(symbol):
+            return own, -1
+    return measure, 1

@@ -1,0 +1,250 @@
+"""What is to be so, where a parameter is asked for with which it is: that it rests, that a quantity has a value."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from freebody.questions.spoken import dimensions, lookup
+from freebody.questions.spoken.asking import quantities
+from freebody.questions.spoken.composing import SILENT, Groups
+from freebody.questions.spoken.lexicon import Word
+from freebody.questions.spoken.words import Clause
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+
+def so(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
+    """What is to be so, in the words of the grammar."""
+    verbs, negated = set(clause.all("verb")), clause.has("not")
+    if "end" in verbs:  # it no longer slips
+        verbs, negated = verbs - {"end"}, True
+    of = [name for _, name in clause.names]
+    who = next(iter(of), "")
+    everything = all(lookup.is_all_that_moves(names, name) for name in of)
+    plain = clause.only("verb", "name", "not", "quantity", "instant", *SILENT)
+    if clause.has("degree") and not clause.has("value") and not clause.has("relation"):
+        yield from _extremal(names, clause, whole)
+        return
+    if (
+        verbs
+        and verbs <= {"reach", "rise", "move", "turn"}
+        and len(of) >= 1
+        and not clause.has("quantity")
+        and not negated
+    ):
+        yield from _reaching(names, clause, of)
+    if (
+        verbs >= {"hit"}
+        and len(clause.values) == 1
+        and dimensions.is_speed(clause.values[0][1])
+        and not clause.has("relation")
+    ):
+        hitting = [name for name in of if name in lookup.moving(names)] or lookup.massive(names)
+        yield [f"speed of {body} before the impact = {clause.values[0][1]}" for body in hitting]  # it hits at 5 m/s
+        return
+    is_none = negated and clause.has("quantity") and verbs <= {"move", "stay"}
+    if clause.has("relation") or clause.has("value") or "vanish" in verbs or is_none or _is_negated_motion(clause):
+        yield from _relation(names, clause, whole)
+    yield from _in_time(names, clause, whole)
+    yield from _failing_first(names, clause)
+    if not plain:
+        return
+    if set(clause.all("instant")) - {"in equilibrium", "at start", "at once"} and verbs & {"hold"}:
+        return  # it stays at the top
+    if (verbs & {"hold"} and not negated and verbs <= {"hold", "move"}) or clause.all("quantity") == ["equilibrium"]:
+        yield ["it stays at rest"] if everything or _is_held(clause) else []
+    elif clause.all("instant") == ["in equilibrium"] and not verbs:
+        yield ["it stays at rest"] if everything else []
+    elif (
+        negated
+        and "slide" in verbs
+        and verbs <= {"slide", "start", "move"}
+        and all(lookup.is_all_that_slips(names, name) for name in of)
+    ):
+        yield ["it does not slip"]
+    elif negated and verbs and verbs <= {"slide", "start", "move", "fall", "tip"} and everything:
+        if verbs & {"slide"}:
+            yield ["it does not slip"] if "tip" not in verbs else ["it stays at rest"]
+        elif verbs & {"move", "fall"}:
+            yield ["it stays at rest"]
+    elif (
+        not negated
+        and "start" in verbs
+        and verbs & {"slide", "move"}
+        and verbs <= {"slide", "move", "start"}
+        and everything
+    ):
+        yield (
+            ["it does not slip"] if "slide" in verbs else ["it stays at rest"]
+        )  # the end of rest is where motion begins
+    at_once = " at once" if clause.has("instant", "at once") else ""
+    for group in _happening(names, verbs, negated, who, of):
+        yield [f"{text}{at_once}" for text in group]
+
+
+def _extremal(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
+    """A quantity is to be as large or as small as it can be."""
+    ends = [degree for degree in clause.all("degree") if degree in ("greatest", "least")]
+    end = {"greatest": "largest", "least": "least"}.get(ends[-1]) if ends else None
+    kept = [word for word in clause.words if word.kind != "degree"]
+    if not clause.has("quantity") and clause.has("verb") and set(clause.all("verb")) <= {"fly", "move", "reach"}:
+        kept = [Word("quantity", "horizontal range"), *(word for word in kept if word.kind == "name")]
+    for group in whole(names, kept) if end else ():
+        yield [f"{text} is {end}" for text in group if not text.startswith(("does ", "is ", "degrees "))]
+
+
+def _reaching(names: Names, clause: Clause, of: list[str]) -> Groups:
+    """A measure is to reach a value, or just to reach it."""
+    values = [value for _, value in clause.values]
+    signs = [k for k, word in enumerate(clause.words) if word == Word("relation", "=")]
+    if len(signs) == 1 and len(of) <= 2 and clause.words[signs[0] - 1].kind == "name":  # it reaches x = d
+        of = [clause.words[signs[0] - 1].what, *[name for name in of if name in names.parameters]]
+        clause = clause.without("relation")
+        clause = Clause([w for w in clause.words if w.kind != "name" or w.what in of])
+    if not values and len(of) == 2 and of[1] in names.parameters:
+        values = [of[1]]
+    if (
+        len(values) == 1
+        and clause.only("verb", "name", "value", "part", *SILENT)
+        and set(clause.all("part")) <= {"only"}
+    ):
+        just = " just" if clause.has("part", "only") else ""
+        is_angle = dimensions.is_angle(values[0])
+        measures = [*lookup.angles(names, of[0]), *lookup.hung(names, of[0])] if is_angle else lookup.ways(names, of[0])
+        measures = [of[0]] if of[0] in names.measures else list(dict.fromkeys(measures))
+        yield [f"{measure}{just} reaches {values[0]}" for measure in measures]
+
+
+def _in_time(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
+    """It is to happen after so much time: it stops within 4 s."""
+    times = [value for _, value in clause.values if dimensions.is_time(value)]
+    if (
+        len(times) == 1 == len(clause.values)
+        and clause.has("verb")
+        and not clause.has("quantity")
+        and not clause.has("not")
+    ):
+        kept = [w for w in clause.words if w.kind not in ("value", "mark")]
+        for group in whole(names, [Word("quantity", "time"), Word("mark", "when"), *kept]):
+            yield [f"{text} = {times[0]}" for text in group if text.startswith("time when ")]
+
+
+def _failing_first(names: Names, clause: Clause) -> Groups:
+    """It tips before it slides as a force grows."""
+    verbs = [verb for verb in clause.all("verb") if verb in ("tip", "slide")]
+    grows = [word.what for word in clause.words if word.kind == "name" and word.what in names.parameters]
+    if len(verbs) == 2 and verbs[0] != verbs[1] and len(grows) == 1 and clause.has("verb", "grow"):
+        first, second = (f"{verb}s" for verb in verbs)
+        yield [f"it {first} before it {second} as {grows[0]} grows"]
+
+
+def _is_held(clause: Clause) -> bool:
+    """Whether what is named is what something holds: F that holds the load."""
+    kinds = [word.kind for word in clause.words if word.kind in ("verb", "name")]
+    return kinds == ["verb", "name"]
+
+
+def _is_negated_motion(clause: Clause) -> bool:
+    return clause.has("not") and clause.has("verb", "accelerate")
+
+
+def _happening(names: Names, verbs: set[str], negated: bool, who: str, of: list[str]) -> Groups:
+    """Something that lasts, or comes, or never does."""
+    other = of[1] if len(of) > 1 else ""
+    if len(of) > 2:
+        return
+    if verbs == {"stay_on"}:
+        verbs, negated = {"leave"}, not negated
+    if verbs == {"roll", "start"} and not negated:
+        yield [f"{who} begins to roll" if who else "rolling begins"]
+    elif (verbs == {"roll"} and not negated) or (verbs == {"roll", "slide"} and negated):
+        yield [f"{who or 'it'} rolls without slipping"]
+    elif verbs == {"leave"} and not negated:
+        yield [f"{who or 'it'} leaves {other}".strip() if who or other else "contact is lost"]
+        yield [f"{joint} opens" for joint in lookup.joints(names, who, other, "normal force")] if who else []
+    elif verbs == {"leave"} and negated:
+        yield [f"{who or 'it'} never leaves {other}".strip() if other else f"{who or 'it'} stays on"]
+    elif (verbs == {"slack"} and negated) or (verbs <= {"taut", "hold"} and "taut" in verbs and not negated):
+        yield [f"{who or 'it'} stays taut"]
+    elif verbs == {"turn_fully"} and not negated and who:
+        yield [f"{who} turns fully"]
+    elif verbs == {"stable"} and not negated:
+        yield ["the equilibrium is stable"]
+    elif verbs <= {"hit", "reach"} and verbs and not negated and who and not other:
+        yield [f"it hits {who}"]
+    elif verbs <= {"hit", "reach"} and verbs and not negated and other:
+        yield (
+            [f"{who} reaches {other}"]
+            if other in names.parameters or who in names.measures
+            else [f"{who} hits {other}"]
+        )
+        if other in names.parameters:
+            yield [f"{place} reaches {other}" for place in lookup.places(names, who)]
+
+
+def _relation(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
+    """An equation or an inequality between a quantity and a value, or two quantities, perhaps at an instant."""
+    marks = [k for k, word in enumerate(clause.words) if word.kind == "mark"]
+    timed = clause.words[marks[0] :] if marks else []
+    sides = _sides(names, Clause(clause.words[: marks[0]]) if marks else clause)
+    if sides is None:
+        return
+    left, sign, right, tail = sides
+    for head in whole(names, [*left.words, *timed]) if timed or left.has("instant") else quantities(names, left):
+        for text in head:
+            if isinstance(right, str):
+                yield [f"{text} is {right}" if timed and sign == "=" else f"{text} {sign} {right}{tail}"]
+            else:
+                for other in quantities(names, right):
+                    yield [f"{text} {sign} {what}{tail}" for what in other]
+
+
+def _as_sign(word: Word, after: list[Word]) -> Word:
+    """`mindestens 5 N` is an inequality."""
+    if word.kind == "degree" and after and after[0].kind == "value":
+        return {"least": Word("relation", ">="), "greatest": Word("relation", "<=")}.get(word.what, word)
+    return word
+
+
+def _sides(names: Names, clause: Clause) -> tuple[Clause, str, str | Clause, str] | None:
+    words, tail = clause.words, ""
+    if clause.has("instant", "at start"):
+        words, tail = clause.without("instant", "at start").words, " at start"
+    if _is_negated_motion(clause):
+        left = [w for w in words if w.kind in ("name", "part")]
+        of = [word.what for word in left if word.kind == "name"][:1] or lookup.massive(names)
+        kind = "angular acceleration" if all(lookup.axle_of(names, body) for body in of) else "acceleration"
+        return Clause([Word("quantity", kind), *left]), "=", "0", tail
+    words = [_as_sign(word, words[k + 1 : k + 2]) for k, word in enumerate(words)]
+    signs = [k for k, word in enumerate(words) if word.kind == "relation"]
+    if len(signs) == 1:
+        [k] = signs
+        right = Clause(words[k + 1 :])
+        left = Clause(words[:k]).without("verb", "reach", "move")
+        if right.only("value", "preposition") and len(right.values) == 1:
+            return left, words[k].what, right.values[0][1], tail
+        if right.only("name", "preposition") and len(right.names) == 1:
+            return left, words[k].what, right.names[0][1], tail
+        if right.has("verb", "vanish"):
+            return left, words[k].what, "0", tail
+        return left, words[k].what, right, tail
+    if not signs and clause.has("not") and clause.has("quantity") and not clause.has("value"):  # it has no velocity
+        return Clause([w for w in words if w.kind not in ("not", "verb")]), "=", "0", tail
+    if not signs and clause.has("verb", "accelerate") and len(clause.values) == 1 and not clause.has("quantity"):
+        value = clause.values[0][1]
+        kept = [w for w in words if w.kind != "value" and w != Word("verb", "accelerate")]
+        return Clause([Word("quantity", "acceleration"), *kept]), "=", value, tail
+    if not signs and clause.has("verb", "vanish") and not clause.has("not"):
+        return Clause(words).without("verb", "vanish", "reach", "move"), "=", "0", tail
+    values = [word for word in words if word.kind == "value"]
+    if not signs and len(values) == 1 and not clause.has("quantity") and not clause.has("not"):
+        kind = dimensions.kind_of(values[0].what)
+        if kind:
+            kept = [w for w in words if w.kind in ("name", "part", "updown")]
+            return Clause([Word("quantity", kind), *kept]), "=", values[0].what, tail
+    if not signs and len(values) == 1 and not clause.has("not"):
+        kept = Clause([word for word in words if word != values[0]])
+        return kept.without("verb", "reach", "move"), "=", values[0].what, tail
+    return None
