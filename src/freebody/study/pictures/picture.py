@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from freebody.errors import CannotAnswer, InputError
+from freebody.language.notation.parts import in_decimals_of
 from freebody.language.sentences import Message
 from freebody.model.glyphs import Coil, ForceArrow, MomentArrow
 from freebody.model.noting import did_you_mean
@@ -28,7 +29,12 @@ SHOWN = ("velocity", "acceleration", "force", "instant-centres")
 View = tuple[float, float] | None  # azimuth and elevation; nothing: from where most is seen
 
 
+def _decimal_of(system: System) -> str:
+    return system.style.decimal
+
+
 @in_words
+@in_decimals_of(_decimal_of)
 def picture(
     system: System,
     *,
@@ -36,11 +42,13 @@ def picture(
     show: Sequence[str] = (),
     view: View = None,
     perspective: bool = False,
+    turning: Collection[str] = (),
 ) -> Picture:
     """The system with what joins and pushes it, coordinates, dimensions and axes.
 
     at: [s] in its motion, else at the start; show: of `SHOWN`, what to draw over it; view: in space, azimuth and
-    elevation from which one looks [deg]. Raises InputError for other words, CannotAnswer for what there is not."""
+    elevation from which one looks [deg]; turning: in space, angles whose rates are drawn along their axes, instead of
+    dimensions. Raises InputError for other words, CannotAnswer for what there is not."""
     show = _checked(system, show)
     _check_view(system, view, perspective=perspective)
     found = instant_of(system, at, in_motion=bool(set(show) & {"acceleration", "force"}), at_rest=not show)
@@ -54,7 +62,7 @@ def picture(
     if system.space:
         from freebody.study.pictures.picture_in_space import whole_in_space
 
-        whole = whole_in_space(found, acting, view, perspective=perspective)
+        whole = whole_in_space(found, acting, view, perspective=perspective, turning=turning)
     else:
         whole = _in_the_plane(found, acting)
     if show:
@@ -65,6 +73,7 @@ def picture(
 
 
 @in_words
+@in_decimals_of(_decimal_of)
 def free_body(
     system: System,
     *bodies: str,
