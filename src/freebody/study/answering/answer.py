@@ -149,7 +149,7 @@ def made(
         question.quantity.unit if unit is None else unit,
         value,
         tuple(conditions),
-        tuple(notes),
+        (*notes, *question.quantity.remarks),
         reason,
         choice=None if judgement is None else judgement.choice,
         options={} if judgement is None else judgement.options,
