@@ -29,6 +29,7 @@ from freebody.present.report.writer import BlockWriter, ReportFormat, in_its_dec
 from freebody.present.theme import PAGES, THEMES
 
 _ROW_WIDTH, _COLUMN_WIDTH = 72, 28  # characters of a displayed formula
+_SET = 0.8  # how wide one is in print, by its width on a terminal
 _HEADINGS = {1: "section", 2: "section", 3: "subsection", 4: "subsubsection"}
 _LOOKS = {
     "code": r"\texttt{{{}}}",
@@ -257,23 +258,28 @@ def _shrunk(formula: str) -> str:
 def _column_kinds(table: Table) -> str:
     """Columns of long texts are paragraphs that share the width of the line."""
     every = [row for row in (table.header, *table.rows) if row]
-    lengths = [0] * max(map(len, every), default=0)
-    for row in every:
-        for k, cell in enumerate(row):
-            lengths[k] = max(lengths[k], text_width(cell))
+    n = max(map(len, every), default=0)
+    columns = [[row[k] for row in every if k < len(row)] for k in range(n)]
+    lengths = [max(map(text_width, column), default=0) for column in columns]
     if sum(lengths) <= _ROW_WIDTH:
-        return "l" * len(lengths)
-    shares = _shares(lengths)
+        return "l" * n
+    solid = [
+        max((formula_width(p) for cell in column for p in cell if isinstance(p, Formula)), default=0)
+        for column in columns
+    ]
+    shares = _shares(lengths, solid)
     return "".join(rf">{{\raggedright\arraybackslash}}p{{{0.86 * share:.3f}\linewidth}}" for share in shares)
 
 
-def _shares(lengths: Sequence[int]) -> list[float]:
-    """Of the width of a line by column: short ones have what they need, long ones share the rest."""
+def _shares(lengths: Sequence[int], solid: Sequence[int]) -> list[float]:
+    """Of the width of a line by column: short ones have what they need, and long ones at least their widest formula, up
+    to a half of the line; they share the rest."""
     room, short = float(_ROW_WIDTH), _ROW_WIDTH // len(lengths)
-    needed = {k: max(n, 4) for k, n in enumerate(lengths) if n <= short}
-    rest = sum(n for k, n in enumerate(lengths) if k not in needed)
-    left = room - sum(needed.values())
-    return [needed[k] / room if k in needed else left * n / rest / room for k, n in enumerate(lengths)]
+    least = [max(n, 4) if n <= short else max(min(_SET * s, room / 2), 4) for n, s in zip(lengths, solid, strict=True)]
+    more = [0.0 if n <= short else max(n - own, 1.0) for n, own in zip(lengths, least, strict=True)]
+    left = max(room - sum(least), 0.0)
+    widths = [own + left * extra / (sum(more) or 1.0) for own, extra in zip(least, more, strict=True)]
+    return [width / sum(widths) for width in widths]
 
 
 ReportFormat(".tex", "LaTeX", lambda report, path, _code: [(path, latex_document(report).encode())], place=2)
