@@ -10,6 +10,7 @@ from freebody.language.sentences import NOTHING, Argument, Sentence
 from freebody.questions.base import Quantity
 from freebody.questions.clock import Clock
 from freebody.questions.conservation import Conserved
+from freebody.questions.motion import rates_of
 from freebody.questions.reading import Question
 from freebody.system.system import System
 
@@ -24,7 +25,7 @@ def _asking(q: Quantity, system: System, question: Question) -> Sentence:
     of = q.sentence(system)
     if of is None:
         return Sentence("ask.any", {"text": question.text})
-    return Sentence("ask.find", {"what": of, "when": _when(question)})
+    return Sentence("ask.find", {"what": of, "when": _when(question, system)})
 
 
 @_asking.register(Conserved)
@@ -34,13 +35,24 @@ def _asking_conserved(q: Conserved, system: System, question: Question) -> Sente
 
 def headline(system: System, question: Question) -> Sentence:
     """What is asked for, as a title has it."""
-    of = question.quantity.sentence(system)
+    return _headline(question.quantity, system, question)
+
+
+@singledispatch
+def _headline(q: Quantity, system: System, question: Question) -> Sentence:
+    of = q.sentence(system)
     if of is None:
         return Sentence("ask.quoted", {"text": question.text})
-    return Sentence("ask.headline", {"what": of, "when": _when(question)})
+    return Sentence("ask.headline", {"what": of, "when": _when(question, system)})
 
 
-def _when(question: Question) -> Argument:
+@_headline.register(Conserved)
+def _headline_conserved(q: Conserved, system: System, question: Question) -> Sentence:
+    of = q.of.sentence(system)
+    return Sentence("ask.quoted", {"text": question.text}) if of is None else Sentence("ask.conservation", {"what": of})
+
+
+def _when(question: Question, system: System) -> Argument:
     """At which instant it is meant."""
     q = question.quantity
     word = "time" if q.is_of_event else "until" if q.scope == "course" else "when"
@@ -53,11 +65,14 @@ def _when(question: Question) -> Argument:
     if isinstance(question.event, Clock):
         time = question.event.time
         return Sentence("ask.endless") if time is None else Sentence("ask.clock", {"time": time})
-    left, equals, _right = question.event.text.partition("=")
+    event = question.event
+    name = next((name for name, measure in system.measures.items() if measure == event.measure), None)
+    if name is not None:
+        return Sentence(f"ask.{word}", {"left": rates_of(name, event.order), "right": event.value})
+    left, equals, _right = event.text.partition("=")
     try:
-        if equals:
-            reached = {"left": parse(left.strip()), "right": question.event.value}
-            return Sentence(f"ask.{word}", reached)
+        if equals and " of " not in left:  # else words
+            return Sentence(f"ask.{word}", {"left": parse(left.strip()), "right": event.value})
     except ExpressionError:
         pass
     return Sentence("ask.when_transition", {"text": question.event.text})

@@ -20,6 +20,7 @@ from freebody.present.picture.picture import Picture, checked_path
 from freebody.present.picture.whole import Whole, WholeInPlane, described
 from freebody.present.places import Places
 from freebody.study.pictures.free_body import FreeBody, checked_bodies
+from freebody.study.pictures.general_position import general_position
 from freebody.study.pictures.instant import Instant, instant_of
 from freebody.study.pictures.touching import closed_bounds
 from freebody.study.worded import in_words
@@ -52,6 +53,8 @@ def picture(
     show = _checked(system, show)
     _check_view(system, view, perspective=perspective)
     found = instant_of(system, at, in_motion=bool(set(show) & {"acceleration", "force"}), at_rest=not show)
+    if at is None and not show:
+        found = general_position(system) or found
     title = system.title if not at else f"{system.title}, t = {at:g} s"
     moving = [body.name for body in system.moving]
     acting: Sequence[ShownForce] = ()
@@ -98,6 +101,8 @@ def free_body(
             Message("{show} is drawn of the whole system; of bodies cut free there is force", show=show[0])
         )
     found = instant_of(system, at, in_motion="force" in show, at_rest=True)
+    if at is None and not show:
+        found = general_position(system) or found
     forces = FreeBody(found.snapshot, bodies, closed=closed_bounds(found.snapshot), labels=labels, told=told).forces()
     if "force" in show:
         forces = tuple(_valued(force, found) for force in forces)
