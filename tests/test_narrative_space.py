@@ -76,7 +76,8 @@ def of(system: System, question: str) -> tuple[Explanation, Derivation]:
                 assert set(item.uses) <= earlier
                 earlier.add(item.number)
     if derivation.answer.expression is not None:
-        assert lines(derivation)[-1].sides[-1] == derivation.answer.expression
+        ends = lines(derivation)[-1].sides
+        assert (ends[-2] if derivation.answer.form else ends[-1]) == derivation.answer.expression
     assert "{" not in found.to_text()
     return found, derivation
 
