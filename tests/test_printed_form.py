@@ -49,6 +49,7 @@ def test_a_sum_with_more_twos_than_ones_is_halved(whole: str, halved: str) -> No
         "2*g/(2*m1 + M)",  # as many ones as twos
         "4*r_P^2*T/(3*r_S^2*I_P + 4*r_P^2*I_S)",
         "2*a/(2*m1 + 2*m2 + 3*M)",
+        "2/(2*M*k + 2*m*k - c^2)",  # nothing would be left above
         "2*m1 + 2*m2 + M",
     ],
 )

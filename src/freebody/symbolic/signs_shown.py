@@ -47,7 +47,8 @@ def fraction_shown(top: Expr, bottom: Expr, *, turns: bool = True) -> Expr:
 
 def with_halves(e: Expr) -> Expr:
     """2 a/(2 b + 2 c + d) as a/(b + c + d/2), as people have it whose inertia is m r^2/2: where more terms of a
-    sum below have a two than a one, nothing else stands there, and the whole becomes no longer."""
+    sum below have a two than a one, no other number stands there, something is left above, and the whole becomes no
+    longer."""
     if not isinstance(e, ProductOf):
         return e
     below = [f.base for f in e.factors if isinstance(f, PowerOf) and f.exponent == number(-1)]
@@ -65,6 +66,8 @@ def with_halves(e: Expr) -> Expr:
         factors[sized[0]] = _halved(factors[sized[0]])
     else:
         return e
+    if all(f == number(1) or f in [PowerOf(base, number(-1)) for base in below] for f in factors):
+        return e  # 2/(2 a + 2 b - c) has nothing else above
     halved = divide(multiply(*factors), _halved(sums[0]))
     return halved if n_operations(halved) <= n_operations(e) else e
 
