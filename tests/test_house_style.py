@@ -12,6 +12,7 @@ from freebody.language.parser import parse
 from freebody.model.style import HouseStyle
 from freebody.narrative.telling.house import in_style
 from freebody.present.report.blocks import Emphasis, Formula
+from freebody.present.report.formats.typst import typst_files
 
 EXAMPLES = Path(__file__).parent.parent / "examples"
 
@@ -65,3 +66,37 @@ def test_decimals_have_a_comma_and_numbers_of_questions_have_none() -> None:
 def test_what_no_style_has_is_told(style: str, message: str) -> None:
     with pytest.raises((InputError, ModelError), match=message):
         styled(style)
+
+
+# -- decimals inside formulas -----------------------------------------------------------------
+PULLED = """
+parameters: {m: 2 kg, g: 9.81 m/s^2}
+bodies: {block: {particle: {mass: m}}}
+connections: {rail: {slider: {body: block, along: right}}}
+loads: {pull: {force: {at: block, along: right, magnitude: 0.037*m*g}}}
+measures: {x: x of block}
+questions: [{id: a, find: acceleration of x}]
+"""
+
+
+@pytest.mark.parametrize(
+    ("suffix", "sign"),
+    [("to_text", "0,037⋅g"), ("to_html", "<mn>0,037</mn>"), ("to_latex", "0{,}037")],
+)
+def test_formulas_have_the_decimal_comma_of_the_house_in_every_format(suffix: str, sign: str) -> None:
+    with_comma = System.from_text(PULLED + "style: {decimal: comma}\n").explain("a")
+    assert sign in getattr(with_comma, suffix)()
+    with_point = System.from_text(PULLED).explain("a")
+    assert sign.replace("{,}", ".").replace(",", ".") in getattr(with_point, suffix)()
+
+
+def test_a_pdf_and_the_pictures_have_the_comma_too() -> None:
+    report = System.from_text(PULLED + "style: {decimal: comma}\n").explain("a").report
+    source, drawings = typst_files(report)
+    assert '0","037' in source
+    assert "0,037" in "".join(drawings.values())
+
+
+def test_what_programs_read_keeps_its_point() -> None:
+    found = System.from_text(PULLED + "style: {decimal: comma}\n").solve()
+    assert found.to_plain()["answers"][0]["expression"] == "0.037*g"

@@ -179,7 +179,7 @@ def test_a_four_bar_in_space_moves_though_the_count_is_minus_two() -> None:
     out_of_plane = {f"{joint}.{row}" for joint in "abcd" for row in ("z", "moment x", "moment y")}
     assert set(found.indeterminate) == out_of_plane
     assert "the axes of a, b, c and d are parallel" in found.dependences[0].why
-    assert found.independent_coordinates == ("a_angle",)
+    assert found.independent_coordinates == ("phi_a",)
 
 
 def test_every_minimal_set_is_minimal() -> None:
@@ -208,7 +208,7 @@ connections:
   c: {pin: [coupler.end, rocker.end]}
   d: {pin: [ground.D, rocker.start]}
 """
-    flat, space = _path(plane, "angle of rocker"), _path(FOUR_BAR, "d_angle")
+    flat, space = _path(plane, "angle of rocker"), _path(FOUR_BAR, "phi_d")
     assert space.reach == pytest.approx(flat.reach, abs=1e-9)
     assert len(space.of_kind("dead point")) == len(flat.of_kind("dead point")) == 2
     assert space.is_closed

@@ -245,3 +245,20 @@ def test_a_new_language_is_one_file(tmp_path: Path, monkeypatch: pytest.MonkeyPa
     # what users are told comes from the list of files
     done = freebody("explain", "examples/atwood_machine.yaml", "--language", "fra")
     assert "Did you mean fr?" in done.stderr
+
+
+@pytest.mark.parametrize(
+    ("name", "question", "english", "german"),
+    [
+        ("spinning_top", "spin", "Conservation of", "Erhaltung: "),
+        ("cardan_joint", "extremes", "Extremes of the ratio", "Extremwerte über eine Umdrehung"),
+        ("farthest_throw", "farthest", "Largest x for all θ when y = 0", "Größter Wert für alle θ: x bei y = 0"),
+    ],
+)
+def test_headings_have_no_words_of_the_file(name: str, question: str, english: str, german: str) -> None:
+    system = fb.System.load(Path(__file__).parents[1] / f"examples/{name}.yaml")
+    asked = next(q for q in system.questions if q.id == question)
+    for language, expected in (("en", english), ("de", german)):
+        catalogue = Catalogue(language)
+        title = catalogue.plain(headline(system, asked))
+        assert expected.lower() in title.lower()

@@ -251,7 +251,7 @@ connections:
   c1: {planar: {body: p, second_axis: x}}
   c0: {prismatic: {first: p, second: q, along: y}}
 """
-    expected = "rate(c1_x) + rate(c0_travel)*cos(c1_angle) - c0_travel*rate(c1_angle)*sin(c1_angle)"
+    expected = "rate(c1_x) + rate(c0_travel)*cos(phi_c1) - c0_travel*rate(phi_c1)*sin(phi_c1)"
     agrees(fb.solve(model(text), "velocity of q along right"), "q1", expected)  # type: ignore[operator]
 
 

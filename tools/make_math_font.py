@@ -30,6 +30,18 @@ RANGES = (
 FAMILY, FULL_NAME, UNIQUE, POSTSCRIPT = 1, 4, 3, 6
 
 
+ASCENT, DESCENT = 800, 250  # thousandths of the letter size
+
+
+def close_lines(font: TTFont) -> None:
+    """The font says that its tallest integral is a line high; Firefox makes every formula in a text so high, and sets
+    dots that far above their letters."""
+    font["hhea"].ascent, font["hhea"].descent, font["hhea"].lineGap = ASCENT, -DESCENT, 0
+    metrics = font["OS/2"]
+    metrics.sTypoAscender, metrics.sTypoDescender, metrics.sTypoLineGap = ASCENT, -DESCENT, 0
+    metrics.usWinAscent, metrics.usWinDescent = ASCENT, DESCENT
+
+
 def main(source: str) -> None:
     """Writes the subset."""
     wanted = set(map(ord, SIGNS)) | {code for first, end in RANGES for code in range(first, end)}
@@ -46,6 +58,7 @@ def main(source: str) -> None:
             record.string = NAME
         elif record.nameID in (UNIQUE, POSTSCRIPT):
             record.string = NAME.replace(" ", "")
+    close_lines(font)
     font.flavor = "woff2"
     OUT.parent.mkdir(exist_ok=True)
     font.save(OUT)

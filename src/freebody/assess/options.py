@@ -56,7 +56,11 @@ def judge(
     verdicts = {letter: v for letter, v in found.items() if v is not None}
     right = [letter for letter, v in verdicts.items() if v.verdict == "right"]
     notes = _notes(question, found, right) if question.options else ()
-    return Judgement(right[0] if len(right) == 1 else None, verdicts, notes)
+    if len(right) != 1:
+        return Judgement(None, verdicts, notes)
+    is_same = verdicts[right[0]].is_proved and not up_to_constant
+    form = tuple(read(setting, question.options[right[0]])) if is_same else ()
+    return Judgement(right[0], verdicts, notes, form)
 
 
 def _verdict(setting: Setting, text: str) -> Verdict | None:
@@ -76,7 +80,8 @@ def _verdict(setting: Setting, text: str) -> Verdict | None:
             return Verdict("wrong", of_component(where, why_wrong(pair)))
         evidence.append(equal)
     # of the components of a vector the one with the weakest evidence speaks for all
-    return Verdict("right", max(evidence, key=lambda e: (not e.is_proved, len(e.words))).words)
+    weakest = max(evidence, key=lambda e: (not e.is_proved, len(e.words)))
+    return Verdict("right", weakest.words, weakest.is_proved)
 
 
 def _notes(question: Question, found: Mapping[str, Verdict | None], right: list[str]) -> tuple[str, ...]:

@@ -6,24 +6,29 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
+from freebody.language.expression import Expr
 from freebody.language.sentences import Message, listed
 
 
 @dataclass(frozen=True)
 class Verdict:
-    """What an option is, and why, in one or two short sentences."""
+    """What an option is, and why, in one or two short sentences. is_proved: that it is equal to the answer is proved
+    as a formula."""
 
     verdict: Literal["right", "wrong", "unreadable"]
     reason: str
+    is_proved: bool = False
 
 
 @dataclass(frozen=True)
 class Judgement:
-    """The one right option (None unless there is exactly one), all verdicts, and notes to the author."""
+    """The one right option (None unless there is exactly one), all verdicts, notes to the author, and what the right
+    option writes, part by part, where it is proved to be the answer."""
 
     choice: str | None
     options: dict[str, Verdict]
     notes: tuple[str, ...]
+    form: tuple[Expr, ...] = ()
 
 
 def judgement_of(verdicts: dict[str, Verdict], key: str | None, answer: str = "") -> Judgement:

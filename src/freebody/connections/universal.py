@@ -64,7 +64,7 @@ connections: {it: {universal: {first: ground.A, second: shaft.start, arm: x, sec
         other = own_direction(names, self.second_arm, second.body, "second_arm").components
         if dot(arm, other) != ZERO:
             return None  # the bodies are not parallel at zero
-        chain = [Rotation(arm, Symbol("first"), "first"), Rotation(other, Symbol("second"), "second")]
+        chain = [Rotation(arm, Symbol("1"), "1"), Rotation(other, Symbol("2"), "2")]
         measures = angles_of(names, chain, second.body, first.body)
         turns = tuple((turn.axis, turn.name, measures[turn.name]) for turn in chain)
         return Attitude(first.body, second.body, UNIT, UNIT, turns, ("cross",))

@@ -36,6 +36,15 @@ from freebody.model.rotations import (
     vector_product,
 )
 
+
+def offered_name(connection: str, key: str, measure: Measure) -> str:
+    """What a measure of a connection is called that has no name of its own: phi_spindle for the angle of a joint,
+    phi_cross_2 for one of several, rail_travel for a displacement."""
+    if not measure.is_angle:
+        return f"{connection}_{key}"
+    return f"phi_{connection}" if key == "angle" else f"phi_{connection}_{key}"
+
+
 _Fixed = Callable[[Components], Direction]  # components to a direction fixed in a body
 
 

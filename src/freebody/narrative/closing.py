@@ -47,6 +47,8 @@ def _result(context: Context, script: Script, question: Question, answer: Answer
         own = _own_symbol(context, question) if n == 1 else None
         left = side_of(asked_symbol(context, question, n), n) if own is None else own
         sides: tuple[Expr | tuple[Expr, ...], ...] = (left, answer.expression)
+        if answer.form:
+            sides = (*sides, answer.form if n > 1 else answer.form[0])
         with suppress(CannotAnswer, ExpressionError):
             script.line(*sides, when=_when(question))
     if answer.conditions and question.quantity.scope != "every motion":  # that is what was derived

@@ -161,7 +161,9 @@ def _with_result(new: list[DerivationStage], ends: Sequence[DerivationStage], to
     result = next(iter(lines_of([first])), None)
     if not lines or result is None or not _says(lines[-1], result):
         return [*new, first, *others]
-    last = replace(lines[-1], is_result=True)
+    other = result.sides[2:]  # as the options write it
+    sides, relations = (*lines[-1].sides, *other), (*lines[-1].relations, *result.relations[1:])
+    last = replace(lines[-1], is_result=True, sides=sides, relations=relations)
     marked = [replace(s, items=tuple(last if item is lines[-1] else item for item in s.items)) for s in new]
     checks = tuple(item for item in first.items if item is not result)
     title = Sentence("stage.checks")
@@ -169,7 +171,7 @@ def _with_result(new: list[DerivationStage], ends: Sequence[DerivationStage], to
 
 
 def _says(line: NumberedFormula, result: NumberedFormula) -> bool:
-    return (line.sides[0], line.sides[-1]) == (result.sides[0], result.sides[-1])
+    return (line.sides[0], line.sides[-1]) == result.sides[:2]
 
 
 def _without_notes(stage: DerivationStage, noted: Sequence[object]) -> DerivationStage:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections import Counter
+from collections.abc import Sequence
 from contextlib import suppress
 from typing import Any, cast
 
@@ -147,6 +149,12 @@ def _binds_more_beside(context: Context) -> bool:
     return False
 
 
+def _by_connection(rows: Sequence[str]) -> tuple[Sentence, ...]:
+    """How many constraints of which connections: a row by itself has no name that a reader knows."""
+    counts = Counter(row.partition(".")[0] for row in rows)
+    return tuple(Sentence("freedom.of_connection", {"n": n, "connection": name}) for name, n in counts.items())
+
+
 def _by_rank(context: Context, script: Script, count: int) -> int:
     """What the rank of the constraint Jacobian leaves; raises RoutesDisagree where the coordinates are not as many."""
     n = rank_freedom(context.setup)
@@ -171,7 +179,7 @@ def _by_rank(context: Context, script: Script, count: int) -> int:
     if n == count:
         script.say("freedom.confirmed")
     elif model.redundant:
-        script.say("freedom.redundant", rows=tuple(model.redundant), n=n)
+        script.say("freedom.redundant", sets=_by_connection(model.redundant), n=n)
     else:
         script.say("freedom.rank_only", n=n)
     names = tuple(Symbol(c.name) for c in model.coordinates)

@@ -147,7 +147,8 @@ class ToldSoFar:
         """Lines that are needed with what is said of them; of the rest what has not been said, and symbols."""
         if piece.line is not None:
             return piece.line.number in needed
-        return any(item not in self.others for item in piece.items)
+        said = [item for item in piece.items if not isinstance(item, Legend)]  # symbols follow their lines
+        return any(item not in self.others for item in said or piece.items)
 
     def _without_diagrams(self, stages: Sequence[DerivationStage]) -> Iterator[DerivationStage]:
         """Of the diagrams those are drawn that are new and of which something is written."""

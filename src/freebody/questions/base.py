@@ -203,6 +203,11 @@ class Quantity:
         """The SI unit, as it is shown."""
         return str(self.dimension)
 
+    @property
+    def remarks(self) -> tuple[Message, ...]:
+        """What is to be said beside every answer."""
+        return ()
+
     def value(self, system: Described, state: State[Any]) -> Any:
         """The quantity at the state's instant: a scalar, or a tuple for a vector, whichever arithmetic the state has.
         Raises CannotAnswer for quantities that are no property of one instant."""

@@ -3,12 +3,18 @@
 from __future__ import annotations
 
 import difflib
+import re
+from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from freebody.language.sentences import NOTHING, Argument, Message, Sentence, listed
 from freebody.language.units import FORCE, LENGTH, TORQUE, Dimension
-from freebody.model.elements import ConstraintRow, StringStretch
+from freebody.measures.base import Measure
+from freebody.measures.displacement import Displacement
+from freebody.measures.geometry import ZERO
+from freebody.model.elements import ConstraintRow, NonholonomicForm, StringStretch
 from freebody.model.noting import did_you_mean
 from freebody.model.state import State
 from freebody.questions.base import FORMS, NAME, PLACE, Described, Found, Path, Quantity, asked
@@ -29,6 +35,7 @@ class ReactionComponent(Quantity, kind="reaction component"):
     less: tuple[str, ...] = ()  # rows whose reactions are subtracted: the tension before a drum with friction
     further: tuple[str, ...] = ()  # rows whose reactions are added: the other places at which two outlines touch
     transmits: Dimension = FORCE
+    free_wheels: tuple[str, ...] = ()  # over which a string runs with the same tension on both sides
 
     example = """
 bodies: {bob: {particle: {mass: 1 kg}}}
@@ -42,6 +49,18 @@ questions: {it: tension of rod}
     @property
     def dimension(self) -> Dimension:
         return self.transmits
+
+    @property
+    def remarks(self) -> tuple[Message, ...]:
+        if not self.free_wheels:
+            return ()
+        return (
+            Message(
+                "the tension is the same throughout: {wheels} turns freely and has no inertia, so both parts have the "
+                "same moment about its axle",
+                wheels=listed(self.free_wheels),
+            ),
+        )
 
     is_reaction = True
     # the keys of its words, of a force and of a moment
@@ -92,6 +111,8 @@ def _multiplier(names: Names, found: Found, path: Path) -> Quantity | None:
     places = [place for row in rows if row.reaction == what for place in _places(row)]
     matching = [place for place in places if set(at) <= set(place[1].places)]
     is_whole = not at and names.connections[of].is_one_force
+    free_wheels = () if at or is_whole or len(matching) < 2 else _free_wheels(names, of, [s for _row, s in matching])
+    matching = matching[:1] if free_wheels else matching
     if len(matching) != 1 and not (matching and is_whole):
         ends = "; ".join(" - ".join(_listed(stretch.places)) for _row, stretch in places)
         names.problem(
@@ -111,7 +132,38 @@ def _multiplier(names: Names, found: Found, path: Path) -> Quantity | None:
     dimension = FORCE if row.measure.dimension == LENGTH else TORQUE / row.measure.dimension
     less = tuple(f"{of}.{component}" for component in stretch.less)
     further = tuple(other.name for other, _stretch in matching[1:])
-    return ReactionComponent(of, what, row.name, at, less, further, dimension)
+    return ReactionComponent(of, what, row.name, at, less, further, dimension, free_wheels)
+
+
+def _free_wheels(names: Names, of: str, stretches: Sequence[StringStretch]) -> tuple[str, ...]:
+    """The bodies between the stretches of a string, if none of them can take a moment; else nothing."""
+    bodies = [{place for place in s.places if place in names.bodies} for s in stretches]
+    between = tuple(dict.fromkeys(b for one, other in pairwise(bodies) for b in sorted(one & other)))
+    if len(between) != len(stretches) - 1 or any(s.less for s in stretches):
+        return ()
+    return between if all(_turns_freely(names, body, of) for body in between) else ()
+
+
+def _turns_freely(names: Names, body: str, of: str) -> bool:
+    """Whether nothing but the string has a moment about the centre of a body that has no inertia: there R T1 = R T2."""
+    own = names.bodies[body]
+    if names.space or own.fixed or not own.turns or own.inertia != ZERO:
+        return False
+    held = [row for row in names.constraint_rows if body in set(row.measure.bodies())]
+    joined = {name for name, spec in names.connections.items() if re.search(rf"\b{re.escape(body)}\b", repr(spec))}
+    if joined - {row.connection for row in held}:
+        return False  # by what touches or rubs
+    acting = [row.measure for row in held if row.connection != of]
+    acting += [load.measure for load in names.applied_loads if body in set(load.measure.bodies())]
+    return all(_is_of_centre(measure, body) for measure in acting)
+
+
+def _is_of_centre(measure: Measure | NonholonomicForm, body: str) -> bool:
+    """Whether a force along a measure acts at the mass centre, in whatever direction."""
+    if not isinstance(measure, Displacement) or measure.along.body == body:
+        return False
+    ends = [point for point in (measure.of, measure.origin) if point.body == body]
+    return all(c == ZERO for point in ends for c in point.offset)
 
 
 def _is_misnamed(names: Names, what: str, of: str, path: Path) -> bool:

@@ -11,11 +11,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
-from freebody.language.sentences import Message
+from freebody.language.expression import Symbol
+from freebody.language.sentences import Message, Sentence
 from freebody.language.units import ANGULAR_VELOCITY, DIMENSIONLESS, TIME, Dimension
 from freebody.measures.angle import Angle
 from freebody.model.noting import did_you_mean
-from freebody.questions.base import NAME, Found, Path, Quantity, angular_unit, asked
+from freebody.questions.base import NAME, Described, Found, Path, Quantity, angular_unit, asked
 from freebody.questions.reading import read_quantity
 
 if TYPE_CHECKING:
@@ -71,6 +72,10 @@ questions: {it: rate of psi in steady motion}
     def inner(self) -> tuple[Quantity, ...]:
         return (self.of,)
 
+    def sentence(self, system: Described) -> Sentence | None:
+        of = self.of.sentence(system)
+        return None if of is None else Sentence("what.in_steady_motion", {"of": of})
+
     @property
     def is_any_of_several(self) -> bool:
         return self.of.watched is not None
@@ -110,6 +115,13 @@ questions: {it: extremes of y over a turn of theta}
     @property
     def unit(self) -> str:
         return "1" if self.what == "time ratio" else self.of.unit
+
+    def sentence(self, system: Described) -> Sentence | None:
+        of = self.of.sentence(system)
+        if of is None or self.over is None:
+            return None
+        key = f"what.over_turn_{self.what.replace(' ', '_')}"
+        return Sentence(key, {"of": of, "over": Symbol(self.over) if self.over in system.measures else self.over})
 
     @property
     def is_of_turn(self) -> bool:

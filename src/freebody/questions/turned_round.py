@@ -243,7 +243,11 @@ questions: {it: value of alpha for which x when y = 0 is largest}
 """
 
     def sentence(self, system: Described) -> Sentence | None:
-        return None
+        what = self.of.sentence(system)
+        if what is None or self.end not in ("largest", "least"):
+            return None
+        key = f"what.extremal_{'place' if self.asks_place else 'value'}_{self.end}"
+        return Sentence(key, {"parameter": Symbol(self.parameter), "what": what})
 
 
 @dataclass(frozen=True)
@@ -270,7 +274,11 @@ questions: {it: acceleration of x as M -> 0}
 """
 
     def sentence(self, system: Described) -> Sentence | None:
-        return None
+        what = self.of.sentence(system)
+        if what is None:
+            return None
+        key = "what.limit_grows" if self.end == "grows" else "what.limit"
+        return Sentence(key, {"parameter": Symbol(self.parameter), "what": what, "target": self.target})
 
 
 @dataclass(frozen=True)

@@ -17,6 +17,7 @@ from freebody.language.expression import (
     add,
     divide,
     multiply,
+    n_operations,
     negate,
     number,
 )
@@ -42,6 +43,42 @@ def fraction_shown(top: Expr, bottom: Expr, *, turns: bool = True) -> Expr:
     up = multiply(number(ratio.numerator), *factors_of(rest_top))
     down = multiply(number(ratio.denominator), *factors_of(rest_bottom))
     return divide(up, down)
+
+
+def with_halves(e: Expr) -> Expr:
+    """2 a/(2 b + 2 c + d) as a/(b + c + d/2), as people have it whose inertia is m r^2/2: where more terms of a
+    sum below have a two than a one, no other number stands there, something is left above, and the whole becomes no
+    longer."""
+    if not isinstance(e, ProductOf):
+        return e
+    below = [f.base for f in e.factors if isinstance(f, PowerOf) and f.exponent == number(-1)]
+    sums = [base for base in below if isinstance(base, Sum)]
+    if len(sums) != 1 or sorted(set(map(_size, sums[0].terms))) != [1, 2]:
+        return e
+    twos = sum(_size(term) == 2 for term in sums[0].terms)
+    if 2 * twos <= len(sums[0].terms):
+        return e
+    factors = [f for f in e.factors if f != PowerOf(sums[0], number(-1))]
+    sized = [k for k, f in enumerate(factors) if isinstance(f, Sum)]
+    if isinstance(factors[0], Number) and factors[0].value.numerator % 2 == 0:
+        factors[0] = number(factors[0].value / 2)
+    elif len(sized) == 1:
+        factors[sized[0]] = _halved(factors[sized[0]])
+    else:
+        return e
+    if all(f == number(1) or f in [PowerOf(base, number(-1)) for base in below] for f in factors):
+        return e  # 2/(2 a + 2 b - c) has nothing else above
+    halved = divide(multiply(*factors), _halved(sums[0]))
+    return halved if n_operations(halved) <= n_operations(e) else e
+
+
+def _size(term: Expr) -> Fraction:
+    return abs(number_part(term)[0])
+
+
+def _halved(e: Expr) -> Expr:
+    assert isinstance(e, Sum)
+    return add(*(multiply(number(n / 2), *factors_of(rest)) for n, rest in map(number_part, e.terms)))
 
 
 def _sign_of_a_factor(ratio: Fraction, product: ProductOf) -> tuple[Fraction, Expr]:

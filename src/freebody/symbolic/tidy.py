@@ -23,6 +23,7 @@ from freebody.symbolic.signs_shown import (
     positive_first,
     root_shown,
     signed_product,
+    with_halves,
 )
 from freebody.symbolic.waves import Monomial, Terms, fourier, square_variants
 
@@ -63,7 +64,7 @@ def tidy(x: Ratio) -> Expr:
     if x.den is None:
         return top
     bottom = _poly(x.field, x.den)
-    return fraction_shown(top, bottom, turns=not sign_is_positive(x.denominator()))
+    return with_halves(fraction_shown(top, bottom, turns=not sign_is_positive(x.denominator())))
 
 
 def _root_of_a_quotient(x: Ratio) -> Expr | None:

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from freebody.language.expression.calculus import differentiate, substitute
 from freebody.language.expression.evaluation import FLOAT_FUNCTIONS, evaluate, rate_key
-from freebody.language.expression.inspection import depth, domain, free_symbols, has_jump, n_operations
+from freebody.language.expression.inspection import depth, domain, free_symbols, has_jump, in_one_order, n_operations
 from freebody.language.expression.rates import replace_rates
 from freebody.language.expression.tree import (
     ELLIPTIC,
@@ -28,6 +28,7 @@ from freebody.language.expression.tree import (
     ProductOf,
     Sum,
     Symbol,
+    VectorSymbol,
     add,
     children,
     divide,
@@ -57,6 +58,7 @@ __all__ = [
     "ProductOf",
     "Sum",
     "Symbol",
+    "VectorSymbol",
     "add",
     "children",
     "depth",
@@ -66,6 +68,7 @@ __all__ = [
     "evaluate",
     "free_symbols",
     "has_jump",
+    "in_one_order",
     "multiply",
     "n_operations",
     "name_problem",

@@ -81,6 +81,21 @@ def depth(expr: Expr) -> int:
     return deepest
 
 
+def in_one_order(expr: Expr) -> Expr:
+    """The same with factors and terms in an order that does not depend on how it was written."""
+    match expr:
+        case Sum(terms):
+            return Sum(tuple(sorted(map(in_one_order, terms), key=repr)))
+        case ProductOf(factors):
+            return ProductOf(tuple(sorted(map(in_one_order, factors), key=repr)))
+        case PowerOf(base, exponent):
+            return PowerOf(in_one_order(base), in_one_order(exponent))
+        case Call():
+            return expr.of(in_one_order)
+        case _:
+            return expr
+
+
 def n_operations(expr: Expr) -> int:
     """How many + - * / ** and function calls it takes to write the expression."""
     match expr:

@@ -87,6 +87,12 @@ class Symbol(_Operators):
 
 
 @dataclass(frozen=True, slots=True)
+class VectorSymbol(Symbol):
+    """A named vector. It stands as a factor of one power in each term of a sum, so that a formula with vectors is one
+    formula for each component."""
+
+
+@dataclass(frozen=True, slots=True)
 class Sum(_Operators):
     """terms[0] + terms[1] + ..."""
 

@@ -16,6 +16,7 @@ _DOTS = ("", r"\dot", r"\ddot", r"\dddot", r"\ddddot")
 
 class _Latex(Typesetter):
     dot = r" \cdot "
+    comma = "{,}"
 
     def in_brackets(self, text: str) -> str:
         return rf"\left({text}\right)"
@@ -41,13 +42,15 @@ class _Latex(Typesetter):
     def integral(self, letter: str, arguments: Sequence[str]) -> str:
         return rf"{letter}\!{self.in_brackets(', '.join(arguments))}"
 
-    def name(self, name: str, n_dots: int) -> tuple[str, int]:
+    def name(self, name: str, n_dots: int, *, is_vector: bool = False) -> tuple[str, int]:
         """The letter, which carries the dots of a rate, and its index: theta1 -> \\theta, _{1}."""
         letters, written = letters_and_index(name)
         if letters in LETTER_OF:
             letter = r"\lambda" if letters == "lam" else rf"\{letters}"
         else:
             letter = letters if len(letters) == 1 else rf"\mathrm{{{letters}}}"
+        if is_vector:
+            letter = rf"\boldsymbol{{{letter}}}"
         index = f"_{{{written}}}" if written else ""
         if len(written) > 1 and not written.isdigit():
             index = rf"_{{\mathrm{{{written.replace(' ', '~')}}}}}"

@@ -61,8 +61,10 @@ class _MathML(Typesetter):
     def integral(self, letter: str, arguments: Sequence[str]) -> str:
         return f"<mi>{letter}</mi>{_APPLIED}{in_brackets('<mo>,</mo>'.join(arguments))}"
 
-    def name(self, name: str, n_dots: int) -> tuple[str, int]:
+    def name(self, name: str, n_dots: int, *, is_vector: bool = False) -> tuple[str, int]:
         letter, index = _letter_and_index(name, n_dots)
+        if is_vector:  # browsers know no bold letters in mathematics but by their style
+            letter = f'<mrow style="font-weight:bold">{letter}</mrow>'
         return (f"<msub>{letter}{index}</msub>" if index else letter), ATOM
 
     def digits(self, mantissa: str, exponent: str) -> str:

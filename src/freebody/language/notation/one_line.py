@@ -10,7 +10,18 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
 
-from freebody.language.expression import MINUS_ONE, Call, Expr, Number, PowerOf, ProductOf, Sum, Symbol, children
+from freebody.language.expression import (
+    MINUS_ONE,
+    Call,
+    Expr,
+    Number,
+    PowerOf,
+    ProductOf,
+    Sum,
+    Symbol,
+    VectorSymbol,
+    children,
+)
 from freebody.language.notation.parts import (
     ATOM,
     LETTER_OF,
@@ -24,6 +35,7 @@ from freebody.language.notation.parts import (
     quotient,
     signed_terms,
     split_name,
+    with_sign,
 )
 
 _SUBSCRIPT = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
@@ -38,11 +50,15 @@ class _OneLineWriter:
     name: Callable[[str], str]
     call: Callable[[Call, str], str]
     power: Callable[[str, Expr, str], str]
+    vector: Callable[[str], str] | None = None  # else by its name
+    decimal: Callable[[str], str] | None = None  # else with a point
 
     def write(self, expr: Expr) -> tuple[str, int]:
         match expr:
             case Number(value):
                 return self._number(value)
+            case VectorSymbol(name) if self.vector is not None:
+                return self.vector(name), ATOM
             case Symbol(name):
                 return self.name(name), ATOM
             case Sum(terms):
@@ -65,7 +81,7 @@ class _OneLineWriter:
     def _number(self, value: Fraction) -> tuple[str, int]:
         size = abs(value)
         decimal = as_decimal(size)
-        text = decimal or str(size)
+        text = (self.decimal(decimal) if self.decimal else decimal) if decimal else str(size)
         strength = ATOM if decimal or size.denominator == 1 else PRODUCT
         return (f"-{text}", MINUS) if value < 0 else (text, strength)
 
@@ -121,6 +137,20 @@ def _text_name(name: str) -> str:
     return LETTER_OF.get(letters, letters) + stem + index.translate(_SUBSCRIPT)
 
 
+def _text_vector(name: str) -> str:
+    """The letter in bold italics, as vectors are printed."""
+    letters, rest = split_name(name)
+    stem, index = _split_index(rest)
+    return "".join(map(_bold, LETTER_OF.get(letters, letters))) + stem + index.translate(_SUBSCRIPT)
+
+
+def _bold(letter: str) -> str:
+    for first, last, bold in (("a", "z", "𝒂"), ("A", "Z", "𝑨"), ("α", "ω", "𝜶")):
+        if first <= letter <= last:
+            return chr(ord(bold) + ord(letter) - ord(first))
+    return letter
+
+
 def _split_index(rest: str) -> tuple[str, str]:
     found = re.fullmatch(r"(.*?)([0-9]*)", rest)
     stem, index = (found[1], found[2]) if found else (rest, "")
@@ -128,4 +158,4 @@ def _split_index(rest: str) -> tuple[str, str]:
 
 
 PYTHON = _OneLineWriter("*", str, _python_call, _python_power)
-TEXT = _OneLineWriter("·", _text_name, _text_call, _text_power)
+TEXT = _OneLineWriter("·", _text_name, _text_call, _text_power, _text_vector, with_sign)

@@ -10,8 +10,13 @@ Numbers are exact throughout.
 from __future__ import annotations
 
 import re
+from collections.abc import Callable, Generator
+from contextlib import contextmanager
+from contextvars import ContextVar
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import wraps
+from typing import Concatenate, ParamSpec, TypeVar
 
 from freebody.language.expression import (
     ONE,
@@ -111,6 +116,44 @@ def as_decimal(value: Fraction) -> str | None:
         return f"{stripped}e{len(digits) - len(stripped) - places}"
     digits = digits.rjust(places + 1, "0")
     return f"{digits[:-places]}.{digits[-places:]}"
+
+
+_SIGN: ContextVar[str] = ContextVar("sign", default=".")
+
+
+@contextmanager
+def decimals_with(sign: str) -> Generator[None]:
+    """Formulas for people are written with this sign of decimals meanwhile; those for programs have a point."""
+    before = _SIGN.set(sign)
+    try:
+        yield
+    finally:
+        _SIGN.reset(before)
+
+
+P = ParamSpec("P")
+First = TypeVar("First")
+Result = TypeVar("Result")
+Written = Callable[Concatenate[First, P], Result]
+
+
+def in_decimals_of(sign: Callable[[First], str]) -> Callable[[Written[First, P, Result]], Written[First, P, Result]]:
+    """For a function that writes formulas: decimals have the sign that its first argument asks for."""
+
+    def decorated(write: Written[First, P, Result]) -> Written[First, P, Result]:
+        @wraps(write)
+        def writes(first: First, *args: P.args, **more: P.kwargs) -> Result:
+            with decimals_with(sign(first)):
+                return write(first, *args, **more)
+
+        return writes
+
+    return decorated
+
+
+def with_sign(decimal: str, *, comma: str = ",") -> str:
+    """A decimal with the sign that is wanted. comma: how a format writes one."""
+    return decimal if _SIGN.get() == "." else decimal.replace(".", comma)
 
 
 def _decimal_places(denominator: int) -> int | None:

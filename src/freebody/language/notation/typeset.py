@@ -10,7 +10,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from typing import ClassVar
 
-from freebody.language.expression import Call, Expr, Number, PowerOf, ProductOf, Sum, Symbol, children
+from freebody.language.expression import Call, Expr, Number, PowerOf, ProductOf, Sum, Symbol, VectorSymbol, children
 from freebody.language.notation.parts import (
     ATOM,
     LETTER_OF_INTEGRAL,
@@ -24,6 +24,7 @@ from freebody.language.notation.parts import (
     signed_terms,
     spaced_index,
     split_name,
+    with_sign,
 )
 
 
@@ -32,6 +33,7 @@ class Typesetter(ABC):
 
     e: ClassVar[str] = "e"
     minus: ClassVar[str] = "-"  # before what follows it
+    comma: ClassVar[str] = ","  # in a decimal
     dot: ClassVar[str]  # between a factor and a number
     between: ClassVar[tuple[str, str]] = (" + ", " - ")  # terms
 
@@ -65,7 +67,7 @@ class Typesetter(ABC):
         """An elliptic integral or function by its letter."""
 
     @abstractmethod
-    def name(self, name: str, n_dots: int) -> tuple[str, int]:
+    def name(self, name: str, n_dots: int, *, is_vector: bool = False) -> tuple[str, int]:
         """A symbol with its index and the dots of its rates, and the strength that it binds with."""
 
     def digits(self, mantissa: str, exponent: str) -> str:
@@ -89,6 +91,8 @@ class Typesetter(ABC):
             case Number(value):
                 decimal = as_decimal(abs(value)) or (str(abs(value)) if is_whole(expr) else None)
                 return self._fraction((expr,)) if decimal is None else self._decimal(decimal, value < 0)
+            case VectorSymbol(name):
+                return self.name(name, 0, is_vector=True)
             case Symbol() | Call("rate"):
                 return self.name(*dotted(expr))
             case Sum(terms):
@@ -127,7 +131,7 @@ class Typesetter(ABC):
 
     def _decimal(self, decimal: str, is_negative: bool) -> tuple[str, int]:
         mantissa, _, exponent = decimal.partition("e")
-        text = self.digits(mantissa, exponent)
+        text = self.digits(with_sign(mantissa, comma=self.comma), exponent)
         return (self.minus + text, MINUS) if is_negative else (text, PRODUCT if exponent else ATOM)
 
     def _argument(self, argument: Expr, is_followed: bool) -> str:

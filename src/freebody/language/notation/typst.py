@@ -17,6 +17,7 @@ _DOTS = ("", "dot", "dot.double", "dot.triple", "dot.quad")
 
 class _Typst(Typesetter):
     dot = " ⋅ "
+    comma = '","'
 
     def in_brackets(self, text: str) -> str:
         return f"({text})"
@@ -42,12 +43,14 @@ class _Typst(Typesetter):
     def integral(self, letter: str, arguments: Sequence[str]) -> str:
         return f"{letter}({', '.join(arguments)})"
 
-    def name(self, name: str, n_dots: int) -> tuple[str, int]:
+    def name(self, name: str, n_dots: int, *, is_vector: bool = False) -> tuple[str, int]:
         """theta1' -> dot(θ)_1."""
         letters, index = letters_and_index(name)
         letter = LETTER_OF.get(letters, letters if len(letters) == 1 else f'"{letters}"')
         if letters in LETTER_OF and letters[0].isupper():
             letter = f"upright({letter})"
+        if is_vector:
+            letter = f"bold({letter})"
         written = "" if not index else f"_({index})" if index.isdigit() or len(index) == 1 else f'_"{index}"'
         if n_dots >= len(_DOTS):
             return f"{letter}^(({n_dots})){written}", POWER

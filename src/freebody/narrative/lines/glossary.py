@@ -7,7 +7,8 @@ stands for a quantity that the numeric route can tell on its own (a reaction, an
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections import ChainMap
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from contextlib import suppress
 from copy import copy
 from dataclasses import dataclass
@@ -18,7 +19,18 @@ from typing import Any, Literal, Self, cast
 import numpy as np
 
 from freebody.errors import CannotAnswer, ExpressionError
-from freebody.language.expression import FLOAT_FUNCTIONS, Call, Expr, ProductOf, Sum, Symbol, evaluate, rate_key
+from freebody.language.expression import (
+    FLOAT_FUNCTIONS,
+    Call,
+    Expr,
+    ProductOf,
+    Sum,
+    Symbol,
+    VectorSymbol,
+    evaluate,
+    free_symbols,
+    rate_key,
+)
 from freebody.language.sentences import Sentence
 from freebody.language.units import FORCE
 from freebody.measures.base import Measure
@@ -100,7 +112,16 @@ class World(SymbolValues):
         if isinstance(side, (Derivative, Difference)):
             return (value_of(side, self),)
         parts = side if isinstance(side, tuple) else (side,)
+        if not isinstance(side, tuple) and (names := free_symbols(side) & self.glossary.vectors.keys()):
+            return self._components(side, names)
         return tuple(float(evaluate(part, self, FLOAT_FUNCTIONS)) for part in parts)
+
+    def _components(self, side: Expr, names: Collection[str]) -> tuple[float, ...]:
+        """Of a formula with vectors, along the axes of the ground."""
+        vectors = {name: tuple(self.glossary.vectors[name](self)) for name in names}
+        n = min(map(len, vectors.values()))
+        each = [ChainMap({name: v[k] for name, v in vectors.items()}, cast("Any", self)) for k in range(n)]
+        return tuple(float(evaluate(side, values, FLOAT_FUNCTIONS)) for values in each)
 
     @cached_property
     def noise(self) -> float:
@@ -194,6 +215,7 @@ class Glossary:
     def __init__(self, setup: Setup) -> None:
         self.setup = setup
         self.meanings: dict[str, Meaning] = {}
+        self.vectors: dict[str, Callable[[World], Sequence[float]]] = {}  # by ground components
         self.formulas: dict[str, Expr] = {}  # checked formulas of symbols that are differentiated
         self.event: AskedEvent | None = None
         self._settled: Ratio | None = None  # where the event is none, but the time grows: by when all is settled
@@ -204,6 +226,7 @@ class Glossary:
         """The same symbols, with lines that have to hold only where something is so."""
         made = copy(self)
         made.meanings, made.formulas, made.is_one = dict(self.meanings), dict(self.formulas), is_one
+        made.vectors = dict(self.vectors)
         for name, value in [*made.__dict__.items()]:
             if isinstance(value, list) and all(isinstance(world, World) for world in cast("list[object]", value)):
                 del made.__dict__[name]  # worlds know the symbols that they were made for
@@ -223,6 +246,11 @@ class Glossary:
             for world in self.__dict__.get(name, ()):
                 world.forget(key)
         return meaning.symbol
+
+    def introduce_vector(self, symbol: VectorSymbol, what: Sentence, read: Callable[[World], Sequence[float]]) -> None:
+        """Gives a vector its meaning, by ground components. As a number it is the largest of these."""
+        self.vectors[symbol.name] = read
+        self.redefine(Meaning(symbol, what, lambda world: max(map(abs, read(world)))))
 
     def is_known(self, name: str) -> bool:
         return name in self.meanings or name in self.setup.system.parameters or name in self.measures or name == "t"

@@ -89,6 +89,7 @@ class Diagram:
     bodies: tuple[str, ...]  # nothing: the whole system
     caption: Sentence
     told: tuple[str, ...] = ()  # rows that never act, and of which the equations say so
+    turning: tuple[str, ...] = ()  # angles whose rates are drawn as vectors along their axes
 
 
 def ready(text: str) -> Argument:

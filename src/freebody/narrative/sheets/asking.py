@@ -11,6 +11,7 @@ from freebody.questions.base import Quantity
 from freebody.questions.clock import Clock
 from freebody.questions.conservation import Conserved
 from freebody.questions.event import OfQuantity
+from freebody.questions.motion import rates_of
 from freebody.questions.reading import Question
 from freebody.system.system import System
 
@@ -25,7 +26,7 @@ def _asking(q: Quantity, system: System, question: Question) -> Sentence:
     of = q.sentence(system)
     if of is None:
         return Sentence("ask.any", {"text": question.text})
-    return Sentence("ask.find", {"what": of, "when": _when(system, question)})
+    return Sentence("ask.find", {"what": of, "when": _when(question, system)})
 
 
 @_asking.register(Conserved)
@@ -35,13 +36,24 @@ def _asking_conserved(q: Conserved, system: System, question: Question) -> Sente
 
 def headline(system: System, question: Question) -> Sentence:
     """What is asked for, as a title has it."""
-    of = question.quantity.sentence(system)
+    return _headline(question.quantity, system, question)
+
+
+@singledispatch
+def _headline(q: Quantity, system: System, question: Question) -> Sentence:
+    of = q.sentence(system)
     if of is None:
         return Sentence("ask.quoted", {"text": question.text})
-    return Sentence("ask.headline", {"what": of, "when": _when(system, question)})
+    return Sentence("ask.headline", {"what": of, "when": _when(question, system)})
 
 
-def _when(system: System, question: Question) -> Argument:
+@_headline.register(Conserved)
+def _headline_conserved(q: Conserved, system: System, question: Question) -> Sentence:
+    of = q.of.sentence(system)
+    return Sentence("ask.quoted", {"text": question.text}) if of is None else Sentence("ask.conservation", {"what": of})
+
+
+def _when(question: Question, system: System) -> Argument:
     """At which instant it is meant."""
     q = question.quantity
     word = "time" if q.is_of_event else "until" if q.scope == "course" else "when"
@@ -58,11 +70,15 @@ def _when(system: System, question: Question) -> Argument:
         of = question.event.quantity.sentence(system)
         if of is not None:
             return Sentence(f"ask.{word}_quantity", {"what": of, "value": question.event.target})
-    left, equals, _right = question.event.text.partition("=")
+        return Sentence("ask.when_transition", {"text": question.event.text})
+    event = question.event
+    name = next((name for name, measure in system.measures.items() if measure == event.measure), None)
+    if name is not None:
+        return Sentence(f"ask.{word}", {"left": rates_of(name, event.order), "right": event.value})
+    left, equals, _right = event.text.partition("=")
     try:
-        if equals:
-            reached = {"left": parse(left.strip()), "right": question.event.value}
-            return Sentence(f"ask.{word}", reached)
+        if equals and " of " not in left:  # else words
+            return Sentence(f"ask.{word}", {"left": parse(left.strip()), "right": event.value})
     except ExpressionError:
         pass
     return Sentence("ask.when_transition", {"text": question.event.text})

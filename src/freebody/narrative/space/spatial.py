@@ -104,9 +104,13 @@ class SpatialTelling:
                 self._say_of_axes(q, axes.body)
         with self.script.stage("space.bound", "space.bound_hint"):
             for body in dict.fromkeys((*bodies, *((axes.body,) if axes.body != GROUND and q.order == 2 else ()))):
-                lines += kinematics.bound(body)
+                lines += kinematics.bound(body, rates_only=self._needs_no_angle(q))
         is_plain = len(totals) == 1 and not q.size and not (is_component and q.order == 2)
         return AnswerParts(tuple(dict.fromkeys(lines)), totals[0] if is_plain else None)
+
+    def _needs_no_angle(self, q: AngularVelocity) -> bool:
+        """Whether a component is along an axis that stands still, so that rates alone tell it."""
+        return q.along is not None and self.context.system.bodies[q.along.body].fixed and not q.size
 
     def _say_of_axes(self, q: AngularVelocity, body: str) -> None:
         """How an angular acceleration follows from an angular velocity along the same axes."""

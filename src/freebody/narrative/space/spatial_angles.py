@@ -6,11 +6,13 @@ from collections.abc import Collection, Iterable
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Call, Expr, Symbol
+from freebody.measures.base import Measure
 from freebody.model.elements import ConstraintRow, NonholonomicForm
 from freebody.narrative.lines.glossary import Meaning
 from freebody.narrative.lines.script import Argument, Legend, Sentence
 from freebody.narrative.principles.sides import balanced, readable
 from freebody.narrative.space.spatial_frames import Frames
+from freebody.narrative.space.spatial_vectors import VectorSums
 from freebody.questions.motion import OfMeasure, rates_of
 from freebody.study.eom import primitive_part
 from freebody.symbolic.field import Ratio
@@ -26,8 +28,15 @@ class Angles:
         self.model, self.bodies, self.field = frames.model, frames.bodies, frames.field
         self.independent = {c.name for c in self.model.coordinates}
         self.bound = {c.name for c in self.model.dependent}
-        self.lines: dict[str, tuple[int, ...]] = {}  # by angle: where its rate is told
+        self.lines: dict[tuple[str, bool], tuple[int, ...]] = {}  # where a rate is told, with its angle or without
+        self.tangents: dict[str, int] = {}  # by angle: where it is told by its tangent
         self._introduced: set[str] = set(introduced)
+        self.vectors = VectorSums(frames, {n for n, m in self.bodies.tree.angles.items() if self._is_given(n, m)})
+
+    def _is_given(self, name: str, measure: Measure) -> bool:
+        """Whether the rate of an angle is free, or that of a driver."""
+        driven = any(row.measure == measure and row.target is not None for row in self.system.constraint_rows)
+        return driven or name in self.independent
 
     # -- symbols ------------------------------------------------------------------------------
     def introduce(self, names: Iterable[str]) -> None:
@@ -36,27 +45,35 @@ class Angles:
         for name in names:
             if name in self.system.measures:
                 continue
-            measure = self.bodies.tree.angles[name]
+            measure = self.vectors.loops.measures[name]
             for order in (0, 1, 2):
                 symbol = rates_of(name, order)
-                what = Sentence("space.joint_angle", {"name": Symbol(name)})
+                what = self._meaning_of(name)
                 self.glossary.introduce(Meaning(symbol, what, OfMeasure(measure, order, name)))
             if name not in self._introduced:
-                entries.append((Symbol(name), Sentence("space.joint_angle", {"name": Symbol(name)}), "rad"))
+                entries.append((Symbol(name), self._meaning_of(name), "rad"))
                 self._introduced.add(name)
         if entries:
             self.frames.script.add(Legend(tuple(entries)))
 
+    def _meaning_of(self, name: str) -> Sentence:
+        for a in self.system.attitudes:
+            if any(self.vectors.loops.label(a, k) == name for k in range(len(a.turns))):
+                return Sentence("space.joint_angle", {"connection": a.connection})
+        return Sentence("space.free_angle")
+
     # -- rates --------------------------------------------------------------------------------
-    def explain(self, names: Iterable[str]) -> tuple[int, ...]:
-        """Lines that tell the rates of angles that are not free; those that only velocities bind are left out."""
+    def explain(self, names: Iterable[str], *, rates_only: bool = False) -> tuple[int, ...]:
+        """Lines that tell the rates of angles that are not free; those that only velocities bind are left out.
+        rates_only: nothing is wanted of where the angles are, so vectors will do where they lead there at once."""
         found: list[int] = []
         for name in names:
             if name in self.independent or name in self.bound:
                 continue
-            if name not in self.lines:
-                self.lines[name] = self._explained(name)
-            found += self.lines[name]
+            key = name, rates_only
+            if key not in self.lines:
+                self.lines[key] = (self._by_vectors(name) if rates_only else None) or self._explained(name)
+            found += self.lines[key]
         return tuple(dict.fromkeys(found))
 
     def value(self, name: str) -> Ratio:
@@ -66,6 +83,20 @@ class Angles:
     def rate(self, name: str) -> Ratio:
         """Its rate in independent speeds."""
         return self.field.lowest_terms(self.model.in_independent_speeds(self.model.rate(self.value(name))))
+
+    def _by_vectors(self, name: str) -> tuple[int, ...] | None:
+        """By the sum of angular velocities around a loop; None where that does not lead there at once."""
+        found = self.vectors.projection(name)
+        if found is None:
+            return None
+        angles = [t.name for t in found.loop.all]
+        self.introduce(angles)
+        line = self.vectors.write(found)
+        before = self.explain([n for n in angles if n in self.vectors.given])
+        value, uses = readable(self.rate(name)), (line, *before)
+        args: dict[str, Argument] = {"line": line, "lines": uses[1:]}
+        why = "space.loop_solved" if len(uses) == 1 else "space.loop_solved_with"
+        return (self.frames.script.line(rates_of(name, 1), tidy(value), why=why, args=args, uses=uses),)
 
     def _explained(self, name: str) -> tuple[int, ...]:
         row = self._row_for(name)
@@ -80,13 +111,16 @@ class Angles:
         place = self.frames.script.line(*balanced(tidy(primitive_part(equation))), why="space.loop", args=args)
         lines = [place]
         tangent = self._tangent(equation, name, place)
-        lines += [] if tangent is None else [tangent]
+        if tangent is not None:
+            lines.append(tangent)
+            self.tangents[name] = tangent
         raw = self.field.lowest_terms(self.field.rate(equation))
         sides, value = balanced(tidy(raw.numerator())), readable(self.rate(name))
         rate_line = self.frames.script.line(*sides, why="space.loop_rate", args={"line": place}, uses=(place,))
         if sides == (rates_of(name, 1), tidy(value)):
             return (rate_line,)
-        uses = tuple(dict.fromkeys((rate_line, *lines[1:], *before)))
+        places = (self.tangents[n] for n in others if n in self.tangents)
+        uses = tuple(dict.fromkeys((rate_line, *lines[1:], *places, *before)))
         key: dict[str, Argument] = {"line": rate_line, "lines": uses[1:]}
         why = "space.loop_solved" if len(uses) == 1 else "space.loop_solved_with"
         left = rates_of(name, 1)

@@ -10,7 +10,7 @@ from freebody.measures.geometry import GROUND
 from freebody.model.spins import body_axes
 from freebody.narrative.lines.glossary import Glossary, Meaning, World
 from freebody.narrative.lines.naming import component_names
-from freebody.narrative.lines.script import Legend, Script, Sentence
+from freebody.narrative.lines.script import Argument, Legend, Script, Sentence
 from freebody.questions.vectors import AXES, Basis, components_of, dot
 from freebody.study.setup import Setup
 from freebody.symbolic.field import Ratio
@@ -75,8 +75,10 @@ class Frames:
             for a in axes.basis
         )
 
-    def introduce(self, name: str, what: str, body: str, axes: Axes, reads: Reads, unit: str) -> tuple[Symbol, ...]:
-        """Symbols for the components of a vector."""
+    def introduce(
+        self, name: str, what: str, body: str, axes: Axes, reads: Reads, unit: str, **more: Argument
+    ) -> tuple[Symbol, ...]:
+        """Symbols for the components of a vector. more: what else its meaning names."""
         symbols = component_names(name)
         taken = {*self.system.parameters, *self.glossary.measures}
         if any(s.name in taken for s in symbols):
@@ -96,7 +98,7 @@ class Frames:
 
         entries: list[tuple[Expr, Sentence, str]] = []
         for k, symbol in enumerate(symbols):
-            said = Sentence(f"space.{what}", {"body": body, "axis": f"@{'xyz'[k]}", "axes": axes.words})
+            said = Sentence(f"space.{what}", {"body": body, "axis": f"@{'xyz'[k]}", "axes": axes.words, **more})
             self.glossary.redefine(Meaning(symbol, said, read(k), unit))
             entries.append((symbol, said, unit))
         self.script.add(Legend(tuple(entries)))

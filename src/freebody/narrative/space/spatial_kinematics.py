@@ -44,6 +44,7 @@ class SpatialKinematics(Frames):
         """A derivation begins: nothing has been told in it yet."""
         self.told.clear()
         self.angles.lines.clear()
+        self.angles.tangents.clear()
         self.velocity_lines = None
 
     # -- turning ------------------------------------------------------------------------------
@@ -65,6 +66,7 @@ class SpatialKinematics(Frames):
         key = "omega", body, axes.body
         if key not in self.told:
             angles = [(name, self.along(axis, axes)) for name, axis in self.turning(body)]
+            added = self._added(body, angles)
             self._say_axes(angles, axes)
             terms = [(rates_of(name, 1), axis) for name, axis in angles]
             if axes.body == body:
@@ -75,9 +77,9 @@ class SpatialKinematics(Frames):
             sides = tuple(
                 _sum([scaled(axis[k], rate) for rate, axis in terms if not axis[k].is_zero()]) for k in range(3)
             )
-            args: dict[str, Argument] = {"body": body, "axes": axes.words}
-            why = "space.added" if len(terms) > 1 else "space.one_axis"
-            self.told[key] = symbols, self.script.line(symbols, sides, why=why, args=args)
+            args: dict[str, Argument] = {"body": body, "axes": axes.words, "lines": added}
+            why = "space.added" if added else "space.one_axis"
+            self.told[key] = symbols, self.script.line(symbols, sides, why=why, args=args, uses=added)
         return self.told[key]
 
     def omega_rates(self, body: str, axes: Axes) -> tuple[Expr, ...]:
@@ -95,27 +97,39 @@ class SpatialKinematics(Frames):
         turning, _line = self.omega(axes.body, axes)
         return tuple(add(rate, *_cross_terms(turning, symbols, k)) for k, rate in enumerate(rates))
 
+    def _added(self, body: str, angles: Sequence[tuple[str, Vector]]) -> tuple[int, ...]:
+        """The line in which angular velocities are added up as vectors, where there are several."""
+        if len(angles) < 2:
+            return ()
+        key = "vectors", body
+        if key not in self.told:
+            self.told[key] = (), self.angles.vectors.added(body, [name for name, _axis in angles])
+        return (self.told[key][1],)
+
     def _say_axes(self, angles: Sequence[tuple[str, Vector]], axes: Axes) -> None:
         """Which angle turns about which axis."""
         for name, axis in angles:
             shown = Sentence("space.vector", {"x": tidy(axis[0]), "y": tidy(axis[1]), "z": tidy(axis[2])})
             args: dict[str, Argument] = {"name": Symbol(name), "axis": shown, "axes": axes.words}
-            self.script.say("space.turns_about", **args)
+            if len(angles) > 1:
+                args["e"] = self.angles.vectors.unit_vector(name)
+            self.script.say("space.turns_about" if len(angles) == 1 else "space.unit_vector_is", **args)
 
     def component(self, body: str, along: Direction) -> Expr:
         """The angular velocity of a body along one direction, as a sum over its angles."""
         e = components_of(along, self.state, 3)
         angles = self.turning(body)
+        self._added(body, angles)
         self._say_axes(angles, axes_of(None))
         parts = [
             (rates_of(name, 1), self.field.lowest_terms(self.field.element(dot(axis, e)))) for name, axis in angles
         ]
         return _sum([scaled(c, rate) for rate, c in parts if not c.is_zero()])
 
-    def bound(self, body: str) -> tuple[int, ...]:
-        """Lines that tell the rates by which a body is turned, where they are not free."""
+    def bound(self, body: str, *, rates_only: bool = False) -> tuple[int, ...]:
+        """Lines that tell the rates by which a body is turned, where they are not free; rates_only as in `Angles`."""
         names = [name for name, _axis in self.turning(body)]
-        lines = self.angles.explain(names)
+        lines = self.angles.explain(names, rates_only=rates_only)
         if any(n in self.angles.bound for n in names):
             lines += self.velocities_bound()
         return lines
@@ -190,6 +204,10 @@ class SpatialKinematics(Frames):
             def reads(world: World) -> Sequence[float]:
                 return tuple(OfPoint(body.center, 1).value(self.system, world.snapshot))
 
+            symbols, line = self._about_fixed_point(body, axes) or (None, 0)
+            if symbols is not None:
+                self.told[key] = symbols, line
+                return self.told[key]
             place = self.place(body.center, str(body.name))
             raw = self.along(self._raw_velocity(body), axes)
             symbols = self.introduce(f"v_{body.name}", "velocity", body.name, axes, reads, "m/s")
@@ -197,6 +215,38 @@ class SpatialKinematics(Frames):
             line = self.script.line(symbols, self.shown(raw), why="space.differentiated", args=args, uses=(place,))
             self.told[key] = symbols, line
         return self.told[key]
+
+    def _about_fixed_point(self, body: RigidBody, axes: Axes) -> tuple[tuple[Expr, ...], int] | None:
+        """v = omega x r along the axes of a body that turns about a point of the ground and has the centre fixed in it:
+        so the arm r has constant components there. None where there is no such point."""
+        if axes.body == GROUND:
+            return None
+        for name in sorted(self.system.bodies[GROUND].points, key=lambda n: n == "origin"):
+            point = self.system.bodies[GROUND].point(name)
+            arm = self.along([self.state.value(Displacement(body.center, point, a)) for a in AXES], axes)
+            if all(self.field.lowest_terms(self.model.rate(x)).is_zero() for x in arm):
+                return self._carried(body, point, name, arm, axes)
+        return None
+
+    def _carried(
+        self, body: RigidBody, point: Point, name: str, arm: Vector, axes: Axes
+    ) -> tuple[tuple[Expr, ...], int]:
+        def reads(world: World) -> Sequence[float]:
+            ends = (OfPoint(p, 0).value(self.system, world.snapshot) for p in (body.center, point))
+            return [a - b for a, b in zip(*ends, strict=True)]
+
+        def moves(world: World) -> Sequence[float]:
+            return tuple(OfPoint(body.center, 1).value(self.system, world.snapshot))
+
+        said: dict[str, Argument] = {"body": body.name, "point": name, "carrier": axes.body, "axes": axes.words}
+        r = self.introduce(f"r_{name}_{body.name}", "arm_from", body.name, axes, reads, "m", point=name)
+        r_line = self.script.line(r, self.shown(arm), why="space.arm_from_is", args=said)
+        w, w_line = self.omega(axes.body, axes)
+        v = self.introduce(f"v_{body.name}", "velocity", body.name, axes, moves, "m/s")
+        formal = tuple(add(*_cross_terms(w, r, k)) for k in range(3))
+        shown = self.shown(self.along(self._raw_velocity(body), axes))
+        uses = (w_line, r_line, *self.bound(axes.body))
+        return v, self.script.line(v, formal, shown, why="space.transfer", args={"lines": uses}, uses=uses)
 
     def place(self, point: Point, name: str) -> int:
         """Where a point is, by ground components."""

@@ -27,11 +27,11 @@ def report_of(explanation: WorkedSolutions) -> Report:
     system = explanation.system
 
     @cache
-    def draw(bodies: tuple[str, ...], told: tuple[str, ...]) -> Picture | None:
+    def draw(bodies: tuple[str, ...], told: tuple[str, ...], turning: tuple[str, ...]) -> Picture | None:
         from freebody.study.pictures.picture import free_body, picture
 
         try:
-            return free_body(system, *bodies, told=told) if bodies else picture(system)
+            return free_body(system, *bodies, told=told) if bodies else picture(system, turning=turning)
         except FreebodyError:  # a derivation without its picture is better than none
             return None
 
@@ -41,7 +41,8 @@ def report_of(explanation: WorkedSolutions) -> Report:
         blocks.append(Paragraph(authored(system.about, system)))
     for stage in explanation.opening:
         blocks.append(Section(catalogue.tell(stage.title), tuple(telling.blocks(stage.items))))
-    blocks += [_section(system, catalogue, telling, d) for d in explanation.derivations]
+    routes: set[str] = set()  # of checks that have been described
+    blocks += [_section(system, catalogue, telling, d, routes) for d in explanation.derivations]
     title = system.title or "freebody"
     solution = catalogue.word("report.worked_solution")
     report = Report(title, catalogue.language, solution, tuple(blocks), catalogue.report_words)
@@ -53,7 +54,7 @@ def plain_derivations(explanation: WorkedSolutions) -> dict[str, Any]:
     from freebody.present.report.formats.terminal import terminal_text
 
     catalogue = Catalogue(explanation.language)
-    telling = Telling(catalogue, lambda _bodies, _told: None)
+    telling = Telling(catalogue, lambda _bodies, _told, _turning: None)
 
     def told(stage: DerivationStage) -> dict[str, Any]:
         report = Report("", catalogue.language, "", tuple(telling.blocks(stage.items)), catalogue.report_words)
@@ -71,7 +72,7 @@ def plain_derivations(explanation: WorkedSolutions) -> dict[str, Any]:
     return {"opening": [told(stage) for stage in explanation.opening], "derivations": derivations}
 
 
-def _section(system: System, catalogue: Catalogue, telling: Telling, d: Derivation) -> Section:
+def _section(system: System, catalogue: Catalogue, telling: Telling, d: Derivation, routes: set[str]) -> Section:
     title = with_symbols(catalogue.titled(headline(system, d.question)), d.question, system)
     blocks: list[Block] = []
     if d.compared:
@@ -88,5 +89,7 @@ def _section(system: System, catalogue: Catalogue, telling: Telling, d: Derivati
     if d.answer.evidence is not None:
         e = d.answer.evidence
         args = {"n": e.draws, "route": ready(e.route), "worst": f"@{e.worst_relative_difference:.0e}"}
-        blocks.append(Remark(catalogue.tell(Sentence("report.evidence", args)), "evidence"))
+        key = "report.evidence_again" if e.route in routes else "report.evidence"
+        routes.add(e.route)
+        blocks.append(Remark(catalogue.tell(Sentence(key, args)), "evidence"))
     return Section(title, tuple(blocks))

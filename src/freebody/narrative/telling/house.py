@@ -22,7 +22,7 @@ from freebody.language.expression import (
 )
 from freebody.model.style import HouseStyle
 from freebody.narrative.principles.sides import positive_first
-from freebody.present.report.blocks import Emphasis, Formula, Side
+from freebody.present.report.blocks import Emphasis, Formula, Report, Side
 
 _DECIMAL = re.compile(r"(?<![\w.])(\d+)\.(\d+)(?![\w.])")
 _EXPRESSIONS = (Number, Symbol, Sum, ProductOf, PowerOf, Call)
@@ -31,7 +31,10 @@ Part = TypeVar("Part")
 
 def in_style(part: Part, style: HouseStyle) -> Part:
     """A report, or a part of one."""
-    return part if style.is_plain else cast("Part", _House(style).written(part))
+    if style.is_plain:
+        return part
+    made = _House(style).written(part)
+    return cast("Part", replace(made, decimal=style.decimal) if isinstance(made, Report) else made)
 
 
 class _House:

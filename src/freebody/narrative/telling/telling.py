@@ -41,7 +41,7 @@ from freebody.present.report.formulas.rows import formula_width
 
 _IN_A_LINE = 36  # characters of a formula that stands within a text
 Entry = tuple[Expr, Sentence, str]  # a symbol, what it means, its unit
-Draw = Callable[[tuple[str, ...], tuple[str, ...]], Picture | None]
+Draw = Callable[[tuple[str, ...], tuple[str, ...], tuple[str, ...]], Picture | None]
 
 
 class Telling:
@@ -51,7 +51,7 @@ class Telling:
         self.catalogue = catalogue
         self.draw = draw
         self.n_figures = 0
-        self.shown: dict[tuple[tuple[str, ...], tuple[str, ...]], int] = {}  # figures by the bodies that they show
+        self.shown: dict[tuple[tuple[str, ...], ...], int] = {}  # figures by what they show
 
     def stages(self, stages: Sequence[DerivationStage]) -> tuple[Block, ...]:
         """Every stage as a step that can be revealed."""
@@ -120,7 +120,9 @@ class Telling:
             case Listing(items):
                 yield Bullets(tuple(self.catalogue.tell(s) for s in items))
             case Legend(entries):
-                yield Bullets(tuple(self._meanings(entries)))
+                shown = [entry for entry in entries if entry[1].key != "symbol.asked"]  # the heading says that
+                if shown:
+                    yield Bullets(tuple(self._meanings(shown)))
             case FormulaTable(header, rows, marks):
                 cells = tuple(tuple(self._cell(c) for c in row) for row in rows)
                 yield Table(tuple(self.catalogue.tell(h) for h in header), cells, marks)
@@ -172,7 +174,7 @@ class Telling:
 
     def _figure(self, diagram: Diagram) -> Figure | int | None:
         """The figure of a diagram; the number of the one that shows the same already."""
-        shown = (diagram.bodies, diagram.told)
+        shown = (diagram.bodies, diagram.told, diagram.turning)
         picture = self.draw(*shown)
         if picture is None:
             return None

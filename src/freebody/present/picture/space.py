@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import islice, zip_longest
 
 import numpy as np
 
 from freebody.language.expression import ZERO, Call, Symbol, differentiate
-from freebody.measures.turn import Turn
+from freebody.measures.base import Measure
+from freebody.measures.combination import Composed
+from freebody.measures.geometry import Direction
+from freebody.measures.turn import Alignment, Turn
 from freebody.model.glyphs import ForceArrow, MomentArrow
 from freebody.present.corner import corner_marks
 from freebody.present.figures import Array, Place
@@ -180,36 +183,58 @@ class WholeInSpace(Whole):
         angles: tuple[float, float],
         *,
         perspective: bool,
+        turning: Collection[str] = (),
     ) -> None:
-        """poses: (1, n_moving, 3) centres and (1, n_moving, 3, 3) axes."""
+        """poses: (1, n_moving, 3) centres and (1, n_moving, 3, 3) axes; turning: angles of which nothing but the rates
+        is drawn, along their axes; nothing: all that are named, and dimensions."""
         drawing = SpatialDrawing.of(Scene.of(system, places.number), *poses)
         sketch = SpaceSketch(drawing, angles, perspective=perspective)
         centers = {form.name: drawing.poses.centers[0, form.index] for form in drawing.scene.figures}
         super().__init__(system, places, drawing.scene, sketch, centers)
         self.poses, self.in_space, self.solid, self.drawn_in_space = drawing.poses, sketch, loads, drawing
-        self.shells = shells_of(drawing.scene, poses)
+        self.shells, self.turning = shells_of(drawing.scene, poses), turning
 
     def at(self, place: Place) -> Array:
         return self.sketch.seen(self.poses.place(place, 0))
 
     def draw_signs(self) -> None:
         """Angular velocities of named angles, along the axes about which they are counted, and dimensions."""
-        for called, measure in self.system.measures.items():
-            if called in self.system.looks.hide:
-                continue
-            if isinstance(measure, Turn) and measure.of.body in self.places.index:
-                self._spin(called, measure)
+        measures = {**dict(self.system.offered), **self.system.measures}
+        for called in self.turning or self.system.measures:
+            found = None if called not in measures else self._axis_of(measures[called])
+            if found is not None and (self.turning or called not in self.system.looks.hide):
+                self._spin(called, *found)
+        if self.turning:
+            return
         dimensions = SpaceDimensions(self.system, self.sketch, self.places, self.scene, self.poses, self.shells)
         dimensions.shown |= {formula(Symbol(hidden)).text for hidden in self.system.looks.hide}
         n_before = len(self.sketch.shapes)
         dimensions.draw()
         self.in_space.make_room(n_before)
 
-    def _spin(self, called: str, measure: Turn) -> None:
-        """A vector along start x side, beside the joint of the body whose axis is parallel to it."""
-        turned, base = self.places.heading(measure.of).body, self.places.heading(measure.start)
-        side = self.places.heading(measure.side)
-        axis = np.cross(self.poses.heading(base, 0), self.poses.heading(side, 0))
+    def _axis_of(self, measure: Measure) -> tuple[int, Array] | None:
+        """The body that turns by an angle, and the unit vector about which it does; None for what is no angle of a
+        body. With the cosine or sine c = b . a of an angle, dc/dt = omega . (b x a), omega of the body of b against
+        that of a; where it is the other body that moves, it turns about the opposite vector."""
+        match measure:
+            case Turn(of, start, side):
+                first, second, base, sign = start, side, start.body, 1.0
+            case Composed(Call("acos" | "asin" as function, argument), ((_name, Alignment(of, along)),)):
+                sign = (-1.0 if function == "acos" else 1.0) * (1.0 if isinstance(argument, Symbol) else -1.0)
+                first, second, base = of, along, along.body
+            case _:
+                return None
+        if of.body not in self.places.index:
+            of, sign = Direction(base, of.components), -sign
+        if of.body not in self.places.index:
+            return None
+        one, other = (self.poses.heading(self.places.heading(d), 0) for d in (first, second))
+        axis = sign * np.cross(one, other)
+        size = float(np.linalg.norm(axis))
+        return None if size < _EDGE_ON else (self.places.heading(of).body, axis / size)
+
+    def _spin(self, called: str, turned: int, axis: Array) -> None:
+        """A vector along an axis, beside the joint of the body whose axis is parallel to it."""
         joint = next((j for j in joints_of(self.scene, self.poses) if self._is_about(j, turned, axis)), None)
         form = next((f for f in self.scene.figures if f.index == turned), None)
         anchor = joint.second if joint is not None else form.center if form is not None else None
@@ -220,8 +245,8 @@ class WholeInSpace(Whole):
         if joint is not None and joint.axis is not None:
             along = self.poses.heading(joint.axis, 0)
             far = self.shells.tip(joint) * float(along @ axis)
-        # from where the shaft ends, on the side to which it points
-        foot = at + axis * (max(far, 0.0) + 1.6 * u)
+        # beyond the end of the shaft: away from it, or towards it from where it is borne
+        foot = at + axis * (far - 7.6 * u if far < 0.0 else far + 1.6 * u)
         tip = self.sketch.seen(foot + 6.0 * u * axis)
         start = self.sketch.seen(foot)
         if float(np.hypot(*(tip - start))) < _SHORTEST:
@@ -238,9 +263,9 @@ class WholeInSpace(Whole):
 
     def _rate(self, called: str) -> Label:
         """The symbol of the rate of an angle: as it is given or driven, else that of the angle with a dot."""
-        measure = self.system.measures[called]
-        given = self.system.start_rates.get(called, ZERO)
-        for row in self.system.constraint_rows:
+        measure = self.system.measures.get(called)
+        given = ZERO if self.turning else self.system.start_rates.get(called, ZERO)
+        for row in () if self.turning else self.system.constraint_rows:
             if row.measure == measure and row.target is not None:
                 given = differentiate(row.target, "t")
         return formula(given) if isinstance(given, Symbol) else formula(Call("rate", Symbol(called)))

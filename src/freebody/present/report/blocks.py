@@ -236,7 +236,8 @@ Block = (
 class Report:
     """A whole document. words: what the writers themselves have to say in the report's language: "hint", "show the
     step", "show next", "show all", "equation", "figure", "contents", "right", "wrong"; English where one is missing.
-    is_summary: it is the sheet of a result, which a terminal writes closely."""
+    is_summary: it is the sheet of a result, which a terminal writes closely; decimal: the sign of decimals in
+    formulas."""
 
     title: str
     language: str
@@ -244,6 +245,7 @@ class Report:
     blocks: tuple[Block, ...]
     words: dict[str, str]
     is_summary: bool = False
+    decimal: Literal[".", ","] = "."
 
 
 def text(*pieces: Piece) -> Text:

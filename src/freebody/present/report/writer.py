@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import ClassVar, Generic, Literal, TypeVar
 
+from freebody.language.notation.parts import in_decimals_of
 from freebody.present.report.blocks import (
     Block,
     Bullets,
@@ -58,6 +59,14 @@ class ReportFormat:
 
     def __post_init__(self) -> None:
         ReportFormat.known[self.suffix] = self
+
+
+def _decimal_of(report: Report) -> str:
+    return report.decimal
+
+
+# for a function that writes a report
+in_its_decimals = in_decimals_of(_decimal_of)
 
 
 class BlockWriter(ABC, Generic[Written]):

@@ -158,6 +158,8 @@ def _between(
     if kind in ("impulse", "angular impulse"):  # what closes or strikes has an impulse of its own
         closing = {row.connection for row in names.constraint_rows if row.closes} | names.struck_at_start
         joints = [joint for joint in joints if joint in closing] or joints
+    if not of and kind == "tension" and len(joints) > 1:
+        return  # of several strings one has to be named, though not all may have one tension
     has_sides = kind in ("reaction", "moment", "impulse")
     if has_sides and len(of) == 1 and not ends and on and len(joints) != 1:
         return

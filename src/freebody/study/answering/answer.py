@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from freebody.assess.verdict import Judgement, Verdict
-from freebody.language.expression import Expr
+from freebody.language.expression import Expr, in_one_order
 from freebody.language.notation import stated_plain, to_latex, to_python
 from freebody.present.report.blocks import Report
 from freebody.present.report.results import Result, summary
@@ -60,6 +60,7 @@ class Answer(Result):
     choice: str | None = None
     options: dict[str, Verdict] = field(default_factory=dict[str, Verdict])
     author_notes: tuple[str, ...] = ()
+    form: tuple[Expr, ...] = ()  # the same as the right option writes it, part by part; nothing: no other form
     evidence: Evidence | None = None
     symbol: str = ""
     cases: tuple[AnswerCase, ...] = ()  # all of them, where there are several
@@ -149,16 +150,24 @@ def made(
         question.quantity.unit if unit is None else unit,
         value,
         tuple(conditions),
-        tuple(notes),
+        (*notes, *question.quantity.remarks),
         reason,
         choice=None if judgement is None else judgement.choice,
         options={} if judgement is None else judgement.options,
         author_notes=() if judgement is None else judgement.notes,
+        form=() if judgement is None else _other_form(judgement.form, expression),
         evidence=evidence,
         cases=cases,
         why_no_value=why_no_value,
         understood=question.understood,
     )
+
+
+def _other_form(form: tuple[Expr, ...], expression: Expr | tuple[Expr, ...] | None) -> tuple[Expr, ...]:
+    """What an option writes, if it differs from the answer by more than the order of factors and terms."""
+    own = expression if isinstance(expression, tuple) else () if expression is None else (expression,)
+    is_alike = len(form) == len(own) and all(in_one_order(a) == in_one_order(b) for a, b in zip(form, own, strict=True))
+    return () if is_alike or not own else form
 
 
 def refused(

@@ -10,10 +10,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from freebody.errors import CannotAnswer
-from freebody.language.expression import ZERO
+from freebody.errors import CannotAnswer, UnitError
+from freebody.language.expression import ZERO, Expr
 from freebody.language.notation import Stated, compared, joined, reworded, to_python, to_text
 from freebody.language.sentences import Message, further
+from freebody.language.units import TIME, dimension_of
 from freebody.numeric.friction_branches import margin
 from freebody.numeric.friction_limits import RestProblem, rest_problem
 from freebody.questions.reading import Question
@@ -33,6 +34,7 @@ from freebody.symbolic.field import Ratio
 from freebody.symbolic.inequalities import without_implied
 from freebody.symbolic.linear import RHS
 from freebody.symbolic.tidy import tidy
+from freebody.system.system import System
 from freebody.tolerances import ROUND_OFF
 
 ROUTE = Message("the linear programs of all reactions: whether any hold the system")
@@ -186,12 +188,22 @@ def _answer(
         question,
         tidy(element),
         value,
-        unit="1" if main is None else "(SI)",
+        unit=_unit_of(tidy(element), study.setup.system),
         conditions=tuple(b.text() for b in kept) or (Message("it always holds"),),
         notes=notes,
         judgement=judged(question, element, study.setup.model, study.setup.system),
         evidence=witness.evidence(),
     )
+
+
+def _unit_of(reserve: Expr, system: System) -> str:
+    """The unit of a reserve, which has that of the inequality it was brought from."""
+    names = {p.name: p.dimension for p in system.parameters.values()}
+    names |= {name: measure.dimension for name, measure in (*system.offered, *system.measures.items())} | {"t": TIME}
+    try:
+        return str(dimension_of(reserve, names))
+    except UnitError:  # a symbol of a start value, of which no dimension is kept
+        return ""
 
 
 def _reserves(study: RestHolding, first: Looked) -> list[str]:

@@ -9,7 +9,7 @@ from typing import Any
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
-from freebody.language.units import DIMENSIONLESS, LENGTH, Dimension
+from freebody.language.units import ENERGY
 from freebody.model.elements import ConstraintRow
 from freebody.numeric.friction_branches import margin, spread
 from freebody.numeric.friction_limits import FrictionCone, RestProblem, rest_problem, unresisted
@@ -242,5 +242,4 @@ def _reserve(touching: TouchingAtRest, problem: RestProblem, draw: Draw) -> tupl
 
 def unit_of(row: ConstraintRow) -> str:
     """The unit of a reaction."""
-    dimension: Dimension = row.measure.dimension
-    return {LENGTH: "N", DIMENSIONLESS: "N m"}.get(dimension, "(SI)")
+    return str(ENERGY / row.measure.dimension)

@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from freebody.errors import CannotAnswer, InputError
+from freebody.language.notation.parts import in_decimals_of
 from freebody.language.sentences import Message
 from freebody.model.glyphs import Coil, ForceArrow, MomentArrow
 from freebody.model.noting import did_you_mean
@@ -19,6 +20,7 @@ from freebody.present.picture.picture import Picture, checked_path
 from freebody.present.picture.whole import Whole, WholeInPlane, described
 from freebody.present.places import Places
 from freebody.study.pictures.free_body import FreeBody, checked_bodies
+from freebody.study.pictures.general_position import general_position
 from freebody.study.pictures.instant import Instant, instant_of
 from freebody.study.pictures.touching import closed_bounds
 from freebody.study.worded import in_words
@@ -28,7 +30,12 @@ SHOWN = ("velocity", "acceleration", "force", "instant-centres")
 View = tuple[float, float] | None  # azimuth and elevation; nothing: from where most is seen
 
 
+def _decimal_of(system: System) -> str:
+    return system.style.decimal
+
+
 @in_words
+@in_decimals_of(_decimal_of)
 def picture(
     system: System,
     *,
@@ -36,14 +43,18 @@ def picture(
     show: Sequence[str] = (),
     view: View = None,
     perspective: bool = False,
+    turning: Collection[str] = (),
 ) -> Picture:
     """The system with what joins and pushes it, coordinates, dimensions and axes.
 
     at: [s] in its motion, else at the start; show: of `SHOWN`, what to draw over it; view: in space, azimuth and
-    elevation from which one looks [deg]. Raises InputError for other words, CannotAnswer for what there is not."""
+    elevation from which one looks [deg]; turning: in space, angles whose rates are drawn along their axes, instead of
+    dimensions. Raises InputError for other words, CannotAnswer for what there is not."""
     show = _checked(system, show)
     _check_view(system, view, perspective=perspective)
     found = instant_of(system, at, in_motion=bool(set(show) & {"acceleration", "force"}), at_rest=not show)
+    if at is None and not show:
+        found = general_position(system) or found
     title = system.title if not at else f"{system.title}, t = {at:g} s"
     moving = [body.name for body in system.moving]
     acting: Sequence[ShownForce] = ()
@@ -54,7 +65,7 @@ def picture(
     if system.space:
         from freebody.study.pictures.picture_in_space import whole_in_space
 
-        whole = whole_in_space(found, acting, view, perspective=perspective)
+        whole = whole_in_space(found, acting, view, perspective=perspective, turning=turning)
     else:
         whole = _in_the_plane(found, acting)
     if show:
@@ -65,6 +76,7 @@ def picture(
 
 
 @in_words
+@in_decimals_of(_decimal_of)
 def free_body(
     system: System,
     *bodies: str,
@@ -89,6 +101,8 @@ def free_body(
             Message("{show} is drawn of the whole system; of bodies cut free there is force", show=show[0])
         )
     found = instant_of(system, at, in_motion="force" in show, at_rest=True)
+    if at is None and not show:
+        found = general_position(system) or found
     forces = FreeBody(found.snapshot, bodies, closed=closed_bounds(found.snapshot), labels=labels, told=told).forces()
     if "force" in show:
         forces = tuple(_valued(force, found) for force in forces)

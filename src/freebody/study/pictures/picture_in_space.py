@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 
 import numpy as np
 
@@ -20,14 +20,16 @@ from freebody.study.pictures.points import points_of
 View = tuple[float, float] | None
 
 
-def whole_in_space(found: Instant, acting: Sequence[ShownForce], view: View, *, perspective: bool) -> WholeInSpace:
+def whole_in_space(
+    found: Instant, acting: Sequence[ShownForce], view: View, *, perspective: bool, turning: Collection[str] = ()
+) -> WholeInSpace:
     """A system in space at an instant."""
     system = found.snapshot.reference.system
     places = Places(system, found.snapshot.reference.number)
     loads = [force for force in acting if force.kind == "load"]
     poses = poses_of(found)
     angles = view or best_angles(Scene.of(system, places.number), *poses)
-    return WholeInSpace(system, places, poses, loads, angles, perspective=perspective)
+    return WholeInSpace(system, places, poses, loads, angles, perspective=perspective, turning=turning)
 
 
 def free_body(

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from freebody.language.units import DIMENSIONLESS
+from freebody.language.units import DIMENSIONLESS, ENERGY
 from freebody.measures.base import Measure
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference
@@ -124,7 +124,7 @@ class Equilibria(Result):
             if value is None:
                 yield f"{what} is not unique"
             else:
-                unit = {"1": "N m", "m": "N"}.get(str(row.measure.dimension), "(SI)")
+                unit = ENERGY / row.measure.dimension
                 is_nothing = abs(value) <= ROUND_OFF * largest
                 yield f"{what} {number_text(0.0 if is_nothing else value)} {unit}"
 

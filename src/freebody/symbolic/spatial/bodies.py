@@ -22,7 +22,7 @@ from freebody.language.units import DIMENSIONLESS
 from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, ZERO, Components, Direction, Point, SpatialPose, Vector
-from freebody.model.elements import RigidBody, Rotation
+from freebody.model.elements import Attitude, RigidBody, Rotation
 from freebody.model.rotations import UNIT, singular_pose
 from freebody.symbolic.bodies import Bodies, ElementMap, IsNegative, Parts
 from freebody.symbolic.field import Ratio
@@ -156,6 +156,18 @@ class SpatialBodies(Bodies):
                 found.append((step.name, (x, y, z)))
             turned = _product(turned, self._rotation(step))
         return found
+
+    def axes_of_joint(self, a: Attitude) -> list[tuple[Triple, ...]]:
+        """The axes of the angles of a joint by ground components, as the bodies have them in which they are fixed: the
+        first of them in its first body, the last one in its second."""
+        found: list[list[Triple]] = [[] for _turn in a.turns]
+        for k, body, constant in ((0, a.first, a.before), (-1, a.second, a.after)):
+            x, y, z = (self._direction(column) for column in constant)
+            turned = _product(self._rotations.get(body, self._identity()), (x, y, z))
+            p, q, r = self._direction(a.turns[k][0])
+            one, two, three = (turned[0][i] * p + turned[1][i] * q + turned[2][i] * r for i in range(3))
+            found[k].append((one, two, three))
+        return [tuple(axes) for axes in found]
 
     # -- poses --------------------------------------------------------------------------------
     def _moving(self, k: int, body: RigidBody) -> SpatialPose[Ratio]:

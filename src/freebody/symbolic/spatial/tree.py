@@ -14,7 +14,7 @@ from freebody.language.expression import Symbol
 from freebody.measures.base import Measure
 from freebody.measures.geometry import GROUND, ONE, ZERO, Components
 from freebody.model.elements import Attitude, Rotation
-from freebody.model.named_angles import angles_of
+from freebody.model.named_angles import angles_of, offered_name
 from freebody.model.names import Names
 from freebody.model.rotations import UNIT, Columns, rotation, transposed
 from freebody.system.order import in_one_order
@@ -129,7 +129,7 @@ class _Grower:
         self.rows |= {f"{a.connection}.{component}" for component in a.components}
         turns: list[RotationStep] = []
         for axis, own, measure in a.turns:
-            label = self._names.get(measure, f"{a.connection}_{own}")
+            label = self._names.get(measure, offered_name(a.connection, own, measure))
             self.angles[label] = measure
             turns.append(RotationStep(axis=axis, name=label))
         steps = [RotationStep(a.before), *turns, RotationStep(transposed(a.after))]

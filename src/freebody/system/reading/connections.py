@@ -13,6 +13,7 @@ from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.model.carriers import is_distance_kept
 from freebody.model.elements import Attitude, ConstraintRow, DryFriction, UnilateralConstraint
+from freebody.model.named_angles import offered_name
 from freebody.model.names import Names
 from freebody.questions.event import AskedEvent, read_event
 from freebody.system.reading.loads import happening
@@ -96,7 +97,7 @@ def read_rows(
                 names.problem(told)
             rows += [_in_numbers(names, replace(row, connection=name, closes=name in closing)) for row in held]
             if len(names.problems) == n_before:
-                offered += [(f"{name}_{key}", m) for key, m in connection.offers(names)]
+                offered += [(offered_name(name, key, m), m) for key, m in connection.offers(names)]
     if names.problems:
         return rows, offered
     kept = [row for row in rows if not row.if_needed]

@@ -29,7 +29,7 @@ from freebody.present.report.blocks import (
 from freebody.present.report.formulas.mathml import MathMLFormulas
 from freebody.present.report.formulas.rows import formula_width, rows
 from freebody.present.report.words import capital
-from freebody.present.report.writer import BlockWriter, ReportFormat
+from freebody.present.report.writer import BlockWriter, ReportFormat, in_its_decimals
 
 _ROW_WIDTH = 64  # characters of a displayed formula before it is broken into rows
 _LABEL_WIDTH = 26  # a longer label may be broken
@@ -89,6 +89,7 @@ def html_fragment(report: Report) -> str:
     return f'<div class="freebody-report">\n{style}\n{_body(report, f"r{digest}-", "div")}\n</div>'
 
 
+@in_its_decimals
 def _body(report: Report, prefix: str, element: str) -> str:
     subtitle = f'<p class="subtitle">{_words(report.subtitle)}</p>' if report.subtitle else ""
     writer = _Writer(report, prefix)

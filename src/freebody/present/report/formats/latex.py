@@ -22,13 +22,14 @@ from freebody.present.report.blocks import (
     Text,
 )
 from freebody.present.report.formulas.displayed import WRITER, Dialect, aligned_rows
-from freebody.present.report.formulas.rows import formula_width
+from freebody.present.report.formulas.rows import formula_width, text_width
 from freebody.present.report.latex_text import latex_words, math_words
 from freebody.present.report.words import capital, word
-from freebody.present.report.writer import BlockWriter, ReportFormat
+from freebody.present.report.writer import BlockWriter, ReportFormat, in_its_decimals
 from freebody.present.theme import PAGES, THEMES
 
 _ROW_WIDTH, _COLUMN_WIDTH = 72, 28  # characters of a displayed formula
+_SET = 0.8  # how wide one is in print, by its width on a terminal
 _HEADINGS = {1: "section", 2: "section", 3: "subsection", 4: "subsubsection"}
 _LOOKS = {
     "code": r"\texttt{{{}}}",
@@ -39,14 +40,17 @@ _LOOKS = {
 _MARKS = {"": "", "right": r"\textcolor{frright}{$\checkmark$}", "wrong": r"\textcolor{frwrong}{$\times$}"}
 
 _COLORS = {f"fr{name}": PAGES["light"][name] for name in ("muted", "accent", "right", "wrong")}
-# \frfitted{width}{what} shrinks what is wider; \frbox{colour}{text} is a frame.
+# \frfitted{width}{what} shrinks what is wider, \frdrawing{what} what is wider or higher than a drawing may be;
+# \frbox{colour}{text} is a frame.
 MACROS = r"""\providecommand{\frfitted}[2]{\sbox0{#2}\ifdim\wd0>#1\resizebox{#1}{!}{\usebox0}\else\usebox0\fi}
+\providecommand{\frdrawing}[1]{\sbox0{#1}\ifdim\ht0>52mm\sbox0{\resizebox{!}{52mm}{\usebox0}}\fi\frfitted{\linewidth}{\usebox0}}
 \providecommand{\frbox}[2]{\par\medskip\noindent{\setlength{\fboxsep}{6pt}%
   \fcolorbox{#1}{white}{\parbox{\dimexpr\linewidth-2\fboxsep-2\fboxrule}{#2}}}\par\medskip}
 """
 PACKAGES = "amsmath, amssymb, textcomp, xcolor, graphicx, booktabs, array, tikz, hyperref"
 
 
+@in_its_decimals
 def latex_document(report: Report) -> str:
     """The text of a .tex file."""
     language = word(report, "babel")
@@ -54,17 +58,27 @@ def latex_document(report: Report) -> str:
     named = {"ink": light.ink, "muted": light.muted, "faint": light.faint, "paper": light.paper, **_COLORS}
     defined = _defined("definecolor", named)
     subtitle = rf"\par\smallskip{{\color{{frmuted}}{latex_words(report.subtitle)}}}" if report.subtitle else ""
-    return rf"""\documentclass[11pt,a4paper]{{article}}
+    return rf"""\documentclass[10pt,a4paper,fleqn]{{article}}
 \usepackage[utf8]{{inputenc}}
 \usepackage[T1]{{fontenc}}
 \usepackage{{lmodern}}
 \usepackage[{language}]{{babel}}
-\usepackage[margin=25mm]{{geometry}}
+\usepackage[hmargin=20mm,top=18mm,bottom=20mm]{{geometry}}
 \usepackage{{amsmath,amssymb,textcomp,xcolor,graphicx,booktabs,array,tikz}}
 \usetikzlibrary{{arrows.meta,calc,patterns,decorations.pathmorphing}}
 \usepackage[hidelinks]{{hyperref}}
 \setlength{{\parindent}}{{0pt}}
-\setlength{{\parskip}}{{6pt plus 2pt}}
+\setlength{{\parskip}}{{4pt plus 1pt}}
+\setlength{{\mathindent}}{{1em}}
+\makeatletter % lists and headings close to the text that they belong to
+\def\@listi{{\leftmargin\leftmargini\topsep2pt\partopsep0pt\parsep0pt\itemsep1pt}}\let\@listI\@listi\@listi
+\renewcommand{{\section}}{{\@startsection{{section}}{{1}}{{0pt}}{{2.2ex plus .5ex}}{{1ex}}%
+  {{\normalfont\Large\bfseries}}}}
+\renewcommand{{\subsection}}{{\@startsection{{subsection}}{{2}}{{0pt}}{{1.8ex plus .5ex}}{{.8ex}}%
+  {{\normalfont\large\bfseries}}}}
+\makeatother
+\AtBeginDocument{{\abovedisplayskip5pt plus 2pt\belowdisplayskip5pt plus 2pt%
+  \abovedisplayshortskip3pt\belowdisplayshortskip4pt}}
 \setcounter{{secnumdepth}}{{0}}
 \allowdisplaybreaks
 {defined}{MACROS}\hypersetup{{pdftitle={{{latex_words(report.title)}}}}}
@@ -77,6 +91,7 @@ def latex_document(report: Report) -> str:
 """
 
 
+@in_its_decimals
 def latex_fragment(report: Report) -> str:
     """The body alone, to be read by \\input where the packages named in its first line are loaded."""
     colors = _defined("providecolor", _COLORS)
@@ -176,8 +191,9 @@ class _Writer(BlockWriter[str]):
         head = f"{texts.pop(0)} \\\\\n\\midrule\n" if table.header else ""
         body = f" \\\\\n{space}".join(texts)
         return (
-            f"\\begin{{center}}\\renewcommand{{\\arraystretch}}{{1.3}}\n\\begin{{tabular}}{{{kinds}@{{}}}}\n\\toprule\n"
-            f"{head}{body} \\\\\n\\bottomrule\n\\end{{tabular}}\n\\end{{center}}"
+            f"{{\\par\\nopagebreak\\centering\\renewcommand{{\\arraystretch}}{{1.2}}\n"
+            f"\\begin{{tabular}}{{{kinds}@{{}}}}\n\\toprule\n"
+            f"{head}{body} \\\\\n\\bottomrule\n\\end{{tabular}}\\par}}"
         )
 
     def entries(self, entries: Entries) -> str:
@@ -190,12 +206,17 @@ class _Writer(BlockWriter[str]):
         return f"\\begin{{description}}\n{inner}\n\\end{{description}}"
 
     def cell(self, text: Text) -> str:
-        return r"{\everymath{\displaystyle}" + self.text(text) + "}"
+        """A formula is no wider than its column."""
+        parts = (
+            rf"\frfitted{{\linewidth}}{{${WRITER.formula(p)}$}}" if isinstance(p, Formula) else self.text((p,))
+            for p in text
+        )
+        return r"{\everymath{\displaystyle}" + "".join(parts) + "}"
 
     def drawing(self, figure: Figure) -> str:
         name = rf"\textbf{{{capital(self.word('figure'))} {figure.number}}}"
         return (
-            f"\\phantomsection\\label{{fig:{figure.number}}}\\frfitted{{\\linewidth}}{{%\n{figure.picture.tikz()}}}\\\\[4pt]\n"
+            f"\\phantomsection\\label{{fig:{figure.number}}}\\frdrawing{{%\n{figure.picture.tikz()}}}\\\\[4pt]\n"
             f"{{\\small {name}\\enspace {self.text(figure.caption)}}}"
         )
 
@@ -237,14 +258,28 @@ def _shrunk(formula: str) -> str:
 def _column_kinds(table: Table) -> str:
     """Columns of long texts are paragraphs that share the width of the line."""
     every = [row for row in (table.header, *table.rows) if row]
-    lengths = [0] * max(map(len, every), default=0)
-    for row in every:
-        for k, cell in enumerate(row):
-            lengths[k] = max(lengths[k], sum(len(p) if isinstance(p, str) else 12 for p in cell))
-    if sum(lengths) <= 75:
-        return "l" * len(lengths)
-    wide = [max(length, 6) for length in lengths]
-    return "".join(rf">{{\raggedright\arraybackslash}}p{{{0.82 * n / sum(wide):.3f}\linewidth}}" for n in wide)
+    n = max(map(len, every), default=0)
+    columns = [[row[k] for row in every if k < len(row)] for k in range(n)]
+    lengths = [max(map(text_width, column), default=0) for column in columns]
+    if sum(lengths) <= _ROW_WIDTH:
+        return "l" * n
+    solid = [
+        max((formula_width(p) for cell in column for p in cell if isinstance(p, Formula)), default=0)
+        for column in columns
+    ]
+    shares = _shares(lengths, solid)
+    return "".join(rf">{{\raggedright\arraybackslash}}p{{{0.86 * share:.3f}\linewidth}}" for share in shares)
+
+
+def _shares(lengths: Sequence[int], solid: Sequence[int]) -> list[float]:
+    """Of the width of a line by column: short ones have what they need, and long ones at least their widest formula, up
+    to a half of the line; they share the rest."""
+    room, short = float(_ROW_WIDTH), _ROW_WIDTH // len(lengths)
+    least = [max(n, 4) if n <= short else max(min(_SET * s, room / 2), 4) for n, s in zip(lengths, solid, strict=True)]
+    more = [0.0 if n <= short else max(n - own, 1.0) for n, own in zip(lengths, least, strict=True)]
+    left = max(room - sum(least), 0.0)
+    widths = [own + left * extra / (sum(more) or 1.0) for own, extra in zip(least, more, strict=True)]
+    return [width / sum(widths) for width in widths]
 
 
 ReportFormat(".tex", "LaTeX", lambda report, path, _code: [(path, latex_document(report).encode())], place=2)

@@ -29,7 +29,7 @@ from freebody.present.report.formulas.displayed import WRITER, Dialect, aligned_
 from freebody.present.report.formulas.rows import rows
 from freebody.present.report.latex_text import web_words
 from freebody.present.report.words import capital, word
-from freebody.present.report.writer import BlockWriter, ReportFormat
+from freebody.present.report.writer import BlockWriter, ReportFormat, in_its_decimals
 
 _ROW_WIDTH = 72
 _MARKS = {"": "", "right": "✓", "wrong": "✗"}
@@ -38,6 +38,7 @@ _SPECIAL = re.compile(r"([`*_\[\]|~#])")
 _AT_START = re.compile(r"^(\s*\d*)((?<!\d)[-+=](?=[-+=\s]|$)|(?<=\d)[.)](?=\s|$))")
 
 
+@in_its_decimals
 def markdown_files(report: Report, name: str) -> tuple[str, dict[str, str]]:
     """The text of NAME.md, and the drawings by the path relative to it: NAME-figures/1.svg and so on."""
     files: dict[str, str] = {}

@@ -14,9 +14,10 @@ from typing import Any
 from freebody.language.plain_text import plain
 from freebody.present.report.blocks import Block, Figure, Report, Section
 from freebody.present.report.formats.markdown import MarkdownWriter
-from freebody.present.report.writer import ReportFormat
+from freebody.present.report.writer import ReportFormat, in_its_decimals
 
 
+@in_its_decimals
 def notebook_text(report: Report, *, code: str = "") -> str:
     """The text of an .ipynb. code: what the first cell runs, as the loading of the system; without, no such cell."""
     cells: list[dict[str, Any]] = []

@@ -31,7 +31,7 @@ from freebody.present.report.formulas.line import LineFormulas
 from freebody.present.report.formulas.rows import Row, rows, side_width
 from freebody.present.report.formulas.stacked import StackedFormulas
 from freebody.present.report.words import capital
-from freebody.present.report.writer import BlockWriter, ReportFormat
+from freebody.present.report.writer import BlockWriter, ReportFormat, in_its_decimals
 
 WIDTH, SUMMARY_WIDTH, MAX_WIDTH, MIN_WIDTH = 100, 110, 120, 40
 _INDENT = 4
@@ -45,6 +45,7 @@ _WHERE_IT_IS = "--full or --formula long shows it, --json has it, too"
 _SHORT_BRACKETS = re.compile(r"\([^()]{1,30}\)")
 
 
+@in_its_decimals
 def terminal_text(report: Report, width: int | None = None, *, is_short: bool = False) -> str:
     """The report in lines of at most `width` characters; only a table, or a word too long, may be wider. Of a summary
     only labelled texts are broken; if it `is_short`, what nobody would read is told by its size."""

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from dataclasses import replace
 from importlib import import_module
 from importlib.util import find_spec
 from pathlib import Path
@@ -19,25 +20,31 @@ from freebody.language.plain_text import plain
 from freebody.present.assets import asset
 from freebody.present.report.blocks import (
     Block,
+    Columns,
     Emphasis,
     Equation,
+    Equations,
     Figure,
+    Figures,
     Formula,
+    Paragraph,
     Report,
     Section,
     Step,
     Table,
     Text,
 )
-from freebody.present.report.formulas.rows import formula_width, rows
+from freebody.present.report.formulas.rows import formula_width, rows, text_width
 from freebody.present.report.formulas.typst import TypstFormulas, quoted
 from freebody.present.report.words import capital, word
-from freebody.present.report.writer import BlockWriter, ReportFormat
+from freebody.present.report.writer import BlockWriter, ReportFormat, in_its_decimals
 
-_ROW_WIDTH, _COLUMN_WIDTH = 68, 30  # characters of a displayed formula
+_ROW_WIDTH, _BESIDE_WIDTH, _COLUMN_WIDTH = 68, 42, 30  # characters of a displayed formula
+_LED = 1.3  # of these, how long words with a formula behind them may be: letters are narrower than signs
 _FORMULAS = TypstFormulas()
 
 
+@in_its_decimals
 def typst_files(report: Report) -> tuple[str, dict[str, str]]:
     """The text of a .typ file, and the drawings by the names by which it reads them."""
     writer = _Writer(report)
@@ -77,6 +84,7 @@ class _Writer(BlockWriter[str]):
         self.width = _ROW_WIDTH
         self.drawings: dict[str, str] = {}
         self.labels: set[str] = set()
+        self.run_in = ""  # a title that stands before the next words
 
     def word(self, key: str) -> str:
         """As it is: it becomes a string of Typst together with what stands beside it."""
@@ -84,10 +92,58 @@ class _Writer(BlockWriter[str]):
 
     # -- blocks -----------------------------------------------------------------------------------
     def blocks(self, blocks: Sequence[Block]) -> str:
-        return "\n\n".join(self.block(block) for block in blocks)
+        found: list[str] = []
+        waiting = list(blocks)
+        while waiting:
+            n = _n_beside(waiting)
+            if n:
+                found.append(self._beside_figure(waiting[:n]))
+            else:
+                n = next((k for k in range(1, len(waiting)) if _n_beside(waiting[k:])), len(waiting))
+                found.append(self.flowing(waiting[:n]))
+            waiting = waiting[n:]
+        return "\n\n".join(found)
+
+    def _beside_figure(self, blocks: Sequence[Block]) -> str:
+        """A figure, and beside it what else stands in its part and in those after it."""
+        head, *others = blocks
+        assert isinstance(head, Section | Step)
+        figure, *own = head.blocks
+        before, self.width = self.width, _BESIDE_WIDTH
+        left = self.flowing((replace(head, blocks=tuple(own)), *others))
+        self.width = before
+        assert isinstance(figure, Figure)
+        return f"#wrapped({quoted(_file_of(figure))})[\n{self.block(figure)}\n][\n{left}\n]"
+
+    def flowing(self, blocks: Sequence[Block]) -> str:
+        """Under each other; a short formula stands on the line of the words that lead to it."""
+        found: list[str] = []
+        waiting: Paragraph | None = None
+        for block in blocks:
+            if waiting is not None and isinstance(block, Equations) and self._is_led(waiting, block.lines[0]):
+                found.append(self._led(waiting, block.lines[0]))
+                waiting, rest = None, block.lines[1:]
+                found += [self.equations(rest)] if rest else []
+                continue
+            found += [self.block(waiting)] if waiting is not None else []
+            waiting = block if isinstance(block, Paragraph) else None
+            found += [] if waiting is not None else [self.block(block)]
+        found += [self.block(waiting)] if waiting is not None else []
+        return "\n\n".join(found)
+
+    def _is_led(self, words: Paragraph, line: Equation) -> bool:
+        if line.label or line.note or len(rows(line.formula, self.width)) > 1:
+            return False
+        return text_width(words.text) + formula_width(line.formula) < _LED * self.width
+
+    def _led(self, words: Paragraph, line: Equation) -> str:
+        (row,) = rows(line.formula, self.width)
+        shown = f"{_FORMULAS.left(row)} {_FORMULAS.right(row)}"
+        return f"#led([{self.paragraph(words.text)}], {_displayed(shown)}, {self.number(line)})"
 
     def paragraph(self, text: Text) -> str:
-        return self.text(text)
+        lead, self.run_in = self.run_in, ""
+        return lead + self.text(text)
 
     def equations(self, lines: Sequence[Equation]) -> str:
         return f"#equations(({''.join(self.equation(line) + ', ' for line in lines)}))"
@@ -109,7 +165,13 @@ class _Writer(BlockWriter[str]):
         return f"#beside({''.join(f'[{self.figure(figure)}], ' for figure in figures)})"
 
     def step(self, step: Step) -> str:
-        return f"#step([{self.text(step.title)}])[\n{self.blocks(step.blocks)}\n]"
+        """A part with its title, which runs in where words follow."""
+        first, *rest = step.blocks or (Paragraph(()),)
+        if not isinstance(first, Paragraph):
+            return f"#step([{self.text(step.title)}])[\n{self.blocks(step.blocks)}\n]"
+        lead = Paragraph((*(("\u2003",) if first.text else ()), *first.text))
+        self.run_in = f"#strong[{self.text(step.title)}]"
+        return f"#block(above: 0.85em)[\n{self.flowing((lead, *rest))}\n]"
 
     def section(self, section: Section) -> str:
         level = max(1, section.level - 1)
@@ -129,10 +191,12 @@ class _Writer(BlockWriter[str]):
         parts = "".join(f"({_displayed(_FORMULAS.left(row))}, {_displayed(_FORMULAS.right(row))}), " for row in broken)
         label = f"[{self.words(equation.label)}]" if equation.label else "none"
         note = f"[{self.text(equation.note)}]" if equation.note else "none"
-        number = "none"
-        if equation.number is not None:
-            number = f"[({equation.number}) {self.anchor(f'eq-{equation.number}')}]"
-        return f"(rows: ({parts}), label: {label}, note: {note}, number: {number})"
+        return f"(rows: ({parts}), label: {label}, note: {note}, number: {self.number(equation)})"
+
+    def number(self, equation: Equation) -> str:
+        if equation.number is None:
+            return "none"
+        return f"[({equation.number}) {self.anchor(f'eq-{equation.number}')}]"
 
     def anchor(self, name: str) -> str:
         """A label to be linked to, at the first place that has this name."""
@@ -151,7 +215,7 @@ class _Writer(BlockWriter[str]):
         return f"#grid-of(({header}), ({body}), ({''.join(mark + ', ' for mark in marks) if any(table.marks) else ''}))"
 
     def figure(self, figure: Figure) -> str:
-        name = f"{figure.number}.svg"
+        name = _file_of(figure)
         self.drawings[name] = _still(figure.picture.svg())
         described = _words(f"{figure.picture.title}. {figure.picture.description}")
         lead = _words(f"{capital(self.word('figure'))} {figure.number}")
@@ -177,6 +241,31 @@ class _Writer(BlockWriter[str]):
 
     def figure_link(self, number: int) -> str:
         return self.link(f"fig-{number}", f"{self.word('figure')} {number}")
+
+
+def _n_beside(blocks: Sequence[Block]) -> int:
+    """How many parts stand beside the figure with which the first one begins; none where it does not."""
+    head = blocks[0]
+    if not isinstance(head, Section | Step) or not head.blocks or not isinstance(head.blocks[0], Figure):
+        return 0
+    if isinstance(head, Step):
+        return min(3, len(blocks)) if not _has_figure(blocks[1:3]) else 1
+    n = 1
+    while n < len(blocks) and isinstance(blocks[n], Section) and not _has_steps(blocks[n]):
+        n += 1
+    return n
+
+
+def _has_steps(block: Block) -> bool:
+    return isinstance(block, Section) and any(isinstance(inner, Step | Columns) for inner in block.blocks)
+
+
+def _has_figure(blocks: Sequence[Block]) -> bool:
+    return any(isinstance(inner, Figure | Figures) for b in blocks if isinstance(b, Step) for inner in b.blocks)
+
+
+def _file_of(figure: Figure) -> str:
+    return f"{figure.number}.svg"
 
 
 def _words(text: str) -> str:

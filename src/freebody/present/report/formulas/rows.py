@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from freebody.language.expression import Expr, Sum, Symbol
 from freebody.language.notation.parts import signed_terms
 from freebody.language.notation.stacked import stacked
-from freebody.present.report.blocks import Derivative, Difference, Formula, Side
+from freebody.present.report.blocks import Derivative, Difference, Emphasis, Formula, Piece, Reference, Side, Text
 
 
 @dataclass(frozen=True)
@@ -50,6 +50,23 @@ def rows(formula: Formula, width: int) -> list[Row]:
 def formula_width(formula: Formula) -> int:
     """[characters] of all sides on one row"""
     return sum(side_width(side) + 3 for side in formula.sides)
+
+
+def text_width(text: Text) -> int:
+    """[characters] of words with formulas among them"""
+    return sum(map(_piece_width, text))
+
+
+def _piece_width(piece: Piece) -> int:
+    match piece:
+        case str():
+            return len(piece)
+        case Formula():
+            return formula_width(piece)
+        case Emphasis(words, _look):
+            return len(words)
+        case Reference():
+            return 4
 
 
 def side_width(side: Side) -> int:
