@@ -317,6 +317,15 @@ def _lost(names: Names, found: Found, path: Path) -> Quantity | None:
     r"(?:energy (?:lost|dissipated)|loss of (?:mechanical )?energy|heat)"
     rf" (?:in|by|at|through|to) (?:the )?{_NAME}",
     rank=_RANK_OF_ONE,
+    example="""
+ground: {lines: {floor: {along: right}}}
+bodies: {ball: {sphere: {mass: 1 kg, radius: 0.1 m}}}
+connections: {touch: {contact: {between: [ball, floor], friction: 0.3}}}
+loads: {weight: {gravity: 9.81 m/s^2}}
+measures: {x: {travel of ball along floor}}
+start: {x: 0, rate(x): 2 m/s}
+questions: {it: energy lost in touch until rolling begins}
+""",
 )
 def _lost_in(names: Names, found: Found, path: Path) -> Quantity | None:
     of = str(found["of"])

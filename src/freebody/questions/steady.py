@@ -9,7 +9,7 @@ frequency | frequencies | period of small oscillations [of MEASURE] about steady
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Literal, TypeGuard
 
 from freebody.language.expression import Symbol
 from freebody.language.sentences import Message, Sentence
@@ -85,7 +85,7 @@ questions: {it: rate of psi in steady motion}
         return True
 
 
-def is_steady_place(q: Quantity) -> bool:
+def is_steady_place(q: Quantity) -> TypeGuard[SteadyValue]:
     """Whether a question asks where something stays in a steady motion."""
     return isinstance(q, SteadyValue) and q.of.watched is not None and q.of.watched[1] == 0
 

@@ -22,7 +22,7 @@ from freebody.questions.happening import StableEquilibrium, StableSteadyMotion
 from freebody.questions.period import Period
 from freebody.questions.reading import AskedEvent, Question, QuestionEvent
 from freebody.questions.small_motion import Equilibrium, OfSmallMotion, SmallOscillations
-from freebody.questions.steady import Extremes, SteadyValue
+from freebody.questions.steady import Extremes
 from freebody.study.answering import about_rest, loops
 from freebody.study.answering import evidence as proof
 from freebody.study.answering.answer import Answer, Evidence, Value, made
@@ -164,7 +164,7 @@ class QuestionSolver:
 
             return solved_for(self.setup, self.question, steady_stability(self.setup, is_so=q.of.is_so))
 
-        if isinstance(q.of, SteadyValue):
+        if q.of.scope == "steady motion":
             from freebody.study.steady.place_for import at_place
 
             if formulas := at_place(self.setup, self.question):

@@ -13,7 +13,7 @@ from dataclasses import replace
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.questions.reading import Question
-from freebody.questions.steady import SteadyValue, is_steady_place
+from freebody.questions.steady import is_steady_place
 from freebody.study.answering.answer import Evidence
 from freebody.study.answering.crosscheck import element_at
 from freebody.study.answering.draws import Draw
@@ -29,7 +29,7 @@ def at_place(setup: Setup, question: Question) -> list[Formula]:
     """What has the wanted value exactly where the motion is steady at the wanted place; nothing where something else is
     asked for, or several conditions hold."""
     wanted = question.quantity.wanted
-    if wanted is None or wanted.relation != "=" or not isinstance(wanted.of, SteadyValue):
+    if wanted is None or wanted.relation != "=":
         return []
     if not is_steady_place(wanted.of):
         return []
