@@ -88,7 +88,7 @@ def explain(
             )
         )
     asked = system.questions if question is None else (known.get(question) or system.question(question),)
-    asked = tuple(placed(system, asked)[0])
+    asked = tuple(placed(system, asked, solve)[0])
     system = system if asked == system.questions else replace(system, questions=asked)
     context = Context(system)
     # the setup of a motion in phases is that of its first one, with too few draws to check an answer

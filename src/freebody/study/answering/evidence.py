@@ -4,6 +4,7 @@ numeric route, which shares only the statements of the measures. A disagreement 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from contextlib import suppress
 from functools import partial
 
 from freebody.errors import CannotAnswer
@@ -26,6 +27,7 @@ from freebody.study.answering.draws import Draw
 from freebody.study.answering.finding import NotHere
 from freebody.study.answering.magnitude import magnitude
 from freebody.study.answering.numbers import at_event
+from freebody.study.answering.witness import motion_to
 from freebody.study.mobility.centres import moving_for
 from freebody.study.setup import Setup, rank_freedoms
 from freebody.symbolic.conditions import Condition
@@ -102,7 +104,9 @@ def along_motion(
         raise NotHere(
             Message("a formula is found only for {needs}, and the given numbers do not keep to it", needs=needs)
         )
-    if is_short and not broken(setup, of_parameters) and (missed := broken(setup, signs)):
+    # where neither the signs nor what they lead to are so, numbers tell whether the event comes
+    is_open = not broken(setup, of_parameters) or _comes(setup, event)
+    if is_short and is_open and (missed := broken(setup, signs)):
         raise NotHere(
             Message(
                 "a formula is found only for motions that keep to {needs}, as at the start; this one does not do so "
@@ -120,6 +124,15 @@ def along_motion(
             )
         )
     return check.evidence()
+
+
+def _comes(setup: Setup, event: AskedEvent) -> bool:
+    """Whether an event comes within a minute, at the model's own values."""
+    draw = setup.draws[0]
+    with suppress(CannotAnswer, ArithmeticError, ValueError):
+        motion_to(draw.reference, draw.start(), LONGEST, event)
+        return True
+    return False
 
 
 def freedom(setup: Setup, question: str, dof: int) -> Evidence:

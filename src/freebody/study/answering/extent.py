@@ -40,8 +40,10 @@ def find(setup: Setup, question: str, measure: Measure, side: int, name: str) ->
         (Condition(part, relation, Message("it turns")) for part, relation in found.conditions),
         NeverHappens(Message("it does not turn")),
     )
-    held = [c for c in kept_on_the_way(setup, found) if c.purpose != TAKEN]  # that is asked of all of the motion
-    conditions += [*taken_throughout(setup), *held]
+    taken, kept = taken_throughout(setup), kept_on_the_way(setup, found)
+    if not any(c.element.field.ingredients(c.element) & setup.model.moving for c in taken):
+        kept = [*taken, *(c for c in kept if c.purpose != TAKEN)]  # told of all of the motion, in parameters
+    conditions += kept
     check = CrossCheck(question, Message("numerical integration until it has turned on both sides"), MOTION_TOLERANCE)
     evidence = checked(setup, check, x, conditions, lambda draw: extent_in_numbers(draw, measure, side))
     if evidence is None:

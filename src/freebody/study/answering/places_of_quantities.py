@@ -8,7 +8,7 @@ is the first such place is seen in numbers, at the model's own values and at oth
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -24,6 +24,7 @@ from freebody.questions.event import OfQuantity, QuantityEvent
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
 from freebody.study.answering.draws import Draw
+from freebody.study.answering.solution import Solution
 from freebody.study.answering.witness import states_at
 from freebody.study.setup import Setup
 from freebody.system.system import System
@@ -33,6 +34,7 @@ _N_STEPS = 192
 _ROUNDS = 4
 _SAME = 1e-5  # relative: a place found in numbers, and a formula
 _N_DRAWS = 4  # other than the model's own values, at which the first place is compared
+Solver = Callable[[System], Solution]  # what answers the questions of a system
 _FOR_ALL = "for all "
 
 
@@ -44,13 +46,13 @@ class PlacedEvent(OfQuantity):
     told: str = ""
 
 
-def placed(system: System, questions: Sequence[Question]) -> tuple[list[Question], dict[str, str]]:
+def placed(system: System, questions: Sequence[Question], solve: Solver) -> tuple[list[Question], dict[str, str]]:
     """The questions with events of measures for those of quantities; and why that was not possible, by their ids."""
     found, refused = list[Question](), dict[str, str]()
     for q in questions:
         if isinstance(q.event, QuantityEvent):
             try:
-                q = replace(q, event=_place(system, q, q.event))
+                q = replace(q, event=_place(system, q, q.event, solve))
             except (CannotAnswer, ModelError) as error:
                 refused[q.id] = str(error)
         found.append(q)
@@ -68,14 +70,14 @@ def with_place(question: Question, answer: Answer) -> Answer:
     return replace(answer, conditions=conditions, notes=answer.notes if is_place else (*answer.notes, event.told))
 
 
-def _place(system: System, question: Question, event: QuantityEvent) -> PlacedEvent:
+def _place(system: System, question: Question, event: QuantityEvent, solve: Solver) -> PlacedEvent:
     """Raises CannotAnswer where there is no such place, or no formula for it."""
     if system.bounds or system.dry_friction or system.blows:
         raise CannotAnswer(Message("events of forces and speeds are told where no contact or friction changes the law"))
     setup = Setup(system)
     name, measure = _coordinate(setup, question)
     own = _first_place(setup.draws[0], setup.system, event, measure)
-    asked = _asked_for_place(system, event, name, measure, own)
+    asked = _asked_for_place(system, event, name, measure, own, solve)
     expressions = asked.expression
     for e in expressions if isinstance(expressions, tuple) else (expressions,):
         if e is not None and _is_first(setup, event, measure, e):
@@ -101,10 +103,10 @@ def _coordinate(setup: Setup, question: Question) -> tuple[str, Measure]:
     raise CannotAnswer(Message("give {x} a name among the measures, so that the event has a place", x=c.name))
 
 
-def _asked_for_place(system: System, event: QuantityEvent, name: str, measure: Measure, own: float) -> Answer:
+def _asked_for_place(
+    system: System, event: QuantityEvent, name: str, measure: Measure, own: float, solve: Solver
+) -> Answer:
     """The answer to: for which place has the quantity its value there?"""
-    from freebody.study.answering.solve import solve
-
     p = _free_name(system)
     unit = "rad" if measure.dimension == DIMENSIONLESS else str(measure.dimension)
     document = system.document.with_value(("parameters", p), {"value": f"{own!r} {unit}", "sign": "any"})

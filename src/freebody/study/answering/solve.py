@@ -36,18 +36,15 @@ def solve(system: System, question: str | None = None, *, setup: Setup | None = 
 
     Raises ModelError if the system cannot be assembled or the question cannot be read. A question without a closed
     form, or one whose closed form fails its check, has an Answer that says why and shows no formula."""
-    questions, no_place = placed(system, system.questions if question is None else (system.question(question),))
+    asked = system.questions if question is None else (system.question(question),)
+    questions, no_place = placed(system, asked, solve)
     found = _solved(system, [q for q in questions if q.id not in no_place], setup)
-    answers, one = {a.id: a for a in found.answers}, partial(_one, system)
+    answers = {a.id: a for a in found.answers}
     told = [
-        with_place(q, with_other_turns(q, answers[q.id], one)) if q.id in answers else refused(q, no_place[q.id])
+        with_place(q, with_other_turns(system, q, answers[q.id])) if q.id in answers else refused(q, no_place[q.id])
         for q in questions
     ]
     return replace(found, answers=tuple(_without_gaps(system, a) for a in told))
-
-
-def _one(system: System, question: Question) -> Answer:
-    return _solved(system, (question,), None).answers[0]
 
 
 def _without_gaps(system: System, answer: Answer) -> Answer:
