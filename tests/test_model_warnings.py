@@ -76,6 +76,17 @@ parameters: {m: 1 kg, F: 2 N}
 bodies: {bob: {particle: {mass: m}}}
 loads: {push: {force: {at: PLACE, along: right, magnitude: F}}}
 """
+WEDGE = """
+parameters: {m: 2 kg, M: 5 kg, a: 35 deg, h: 0.6 m, g: 9.81 m/s^2}
+ground: {lines: {floor: {along: right}}}
+bodies: {wedge: {body: {mass: M}, lines: {face: {along: a}}}, block: {particle: {mass: m}NEAR}}
+connections:
+  f: {slider: {body: wedge, along: floor}}
+  s: {slot: {pin: block, along: wedge.face, on: wedge, through: wedge.origin}}
+loads: {weight: {gravity: g}}
+measures: {x: x of wedge, s: {distance from wedge.origin to block}}
+start: {x: 0, s: h/sin(a)}
+"""
 ON_RAIL = "slider: {body: wheel, along: right}"
 SLIDE, SLOT = "slider: {body: rod.end, along: right}", "slot: {pin: rod.end, along: right}"
 
@@ -98,6 +109,7 @@ def warned(text: str) -> list[tuple[str, str]]:
             "locked rotation",
             "nothing can move. If a point of rod is guided, write slot: {",
         ),
+        (WEDGE.replace("NEAR", ""), "side open", "how far block is from wedge.origin, but not on which side"),
         (PUSH.replace("PLACE", "ground"), "no effect", "push acts on ground, which cannot move"),
         (WHEEL.replace("GUIDE", ON_RAIL), "locked rotation", "so that motor has no effect"),
     ],
@@ -120,6 +132,7 @@ def test_what_is_unlikely_is_told_once_with_its_cure(text: str, kind: str, says:
         CRANK.replace("GUIDE", SLOT),
         WHEEL.replace("GUIDE", "slot: {pin: wheel, along: right}"),
         PUSH.replace("PLACE", "bob"),
+        WEDGE.replace("NEAR", ", near: {at: [1 m, 1 m]}"),
         RACK.replace("GUIDES", "guide: {slider: {body: bar, along: right}}"),
     ],
 )
