@@ -15,7 +15,13 @@ from typing import Any
 from freebody.language.expression import Call, Expr, Sum, add, divide, multiply, n_operations, negate, number, power
 from freebody.symbolic.field import Field, Ratio
 from freebody.symbolic.polynomials import Poly, declaration_order, has_lonely_symbol, primitive
-from freebody.symbolic.signs import Sign, sign_is_negative, sign_is_positive, sign_of
+from freebody.symbolic.roots_in_quotients import (
+    is_root_generator,
+    root_on_top,
+    strict_sign,
+    without_numeric_roots,
+)
+from freebody.symbolic.signs import sign_is_negative, sign_is_positive
 from freebody.symbolic.signs_shown import (
     factors_of,
     fraction_shown,
@@ -54,7 +60,7 @@ class Gathers(Enum):
 
 def tidy(x: Ratio) -> Expr:
     """The readable expression of an element."""
-    x = _root_on_top(_without_numeric_roots(x.field.lowest_terms(x)))
+    x = root_on_top(without_numeric_roots(x.field.lowest_terms(x)))
     if x.den is not None and sign_is_negative(x.denominator()):
         x = Ratio(x.field, -x.num, -x.den)
     shorter = _root_of_a_quotient(x) or _over_a_root(x) or _complement(x)
@@ -74,7 +80,7 @@ def _root_of_a_quotient(x: Ratio) -> Expr | None:
     if x.den is None:
         return None
     _unit, factors = field.factor(x.num)
-    roots = [base for base, e in factors if e == 1 and len(base.generators()) == 1 and _is_root_generator(field, base)]
+    roots = [base for base, e in factors if e == 1 and len(base.generators()) == 1 and is_root_generator(field, base)]
     if len(roots) != 1:
         return None
     inside = field.radicand(field.index(roots[0]))
@@ -86,7 +92,7 @@ def _root_of_a_quotient(x: Ratio) -> Expr | None:
         changed = True
     for base, _e in below:
         rest = inside.numerator() / base
-        if rest.den is None and (sign := _strict_sign(base) or _strict_sign(rest)):
+        if rest.den is None and (sign := strict_sign(base) or strict_sign(rest)):
             inside, outside = inside / base / base, outside * base * sign
             changed = True
     if not changed:
@@ -124,52 +130,6 @@ def _over_a_root(x: Ratio) -> Expr | None:
         if sum(map(len, above.terms())) + 1 < sum(map(len, x.terms())):
             return divide(tidy(above), root_shown(tidy(field.radicand(g))))
     return None
-
-
-def _strict_sign(x: Ratio) -> int:
-    """1 or -1 where that is known, else 0."""
-    return {Sign.POSITIVE: 1, Sign.NEGATIVE: -1}.get(sign_of(x), 0)
-
-
-def _is_root_generator(field: Field, base: Ratio) -> bool:
-    (index,) = base.generators()
-    generator = field.generators[index]
-    return generator.kind == "root" and bool(generator.made_of) and len(base.num) == 1
-
-
-def _root_on_top(x: Ratio) -> Ratio:
-    """a/(b sqrt(r)) = a sqrt(r)/(b r)."""
-    field = x.field
-    if x.den is None:
-        return x
-    _unit, factors = field.factor(x.den)
-    for base, _e in factors:
-        if len(base.generators()) == 1 and _is_root_generator(field, base):
-            return field.quotient((x.numerator() * base).num, (x.denominator() * base).num)
-    return x
-
-
-def _without_numeric_roots(x: Ratio) -> Ratio:
-    """1/(a + b sqrt(n)) = (a - b sqrt(n))/(a^2 - n b^2) for roots of numbers n: where a - b sqrt(n) vanishes for no
-    values, which the right side would exclude, and where that is not longer."""
-    field = x.field
-    while x.den is not None:
-        den = x.denominator()
-        roots = [g for g in den.generators() if field.generators[g].kind == "root" and not field.generators[g].made_of]
-        if not roots:
-            return x
-        parts = den.coefficients(roots[0])
-        if len(parts) != 2:
-            return x
-        conjugate = parts[0] - parts[1] * field.variable(roots[0])
-        if _strict_sign(conjugate) == 0:
-            return x
-        # multiplying numerator and denominator separately keeps the root out of the denominator
-        plain = field.quotient((x.numerator() * conjugate).num, (den * conjugate).num)
-        if len(plain.num) + len(plain.denominator().num) > len(x.num) + len(den.num):
-            return x
-        x = plain
-    return x
 
 
 def _poly(field: Field, poly: Poly) -> Expr:

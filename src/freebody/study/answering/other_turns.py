@@ -17,7 +17,6 @@ from freebody.questions.event import QuestionEvent
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
 from freebody.study.answering.numbers import number_of
-from freebody.study.answering.simulated_numbers import number_with_changes
 from freebody.study.setup import Setup
 from freebody.system.system import System
 
@@ -49,6 +48,8 @@ def _comes(system: System, question: Question) -> bool:
     changes = bool(system.bounds or system.dry_friction or system.blows)
     with suppress(CannotAnswer, ArithmeticError, ValueError):
         if changes:
+            from freebody.study.answering.simulated_numbers import number_with_changes  # loads all of contact
+
             return number_with_changes(system, question) is not None
         number_of(Setup(system), question.quantity, question.event)
         return True
