@@ -70,7 +70,7 @@ def test_the_place_is_said() -> None:
 def test_what_is_never_so_is_refused() -> None:
     found = posed(PENDULUM, "theta when tension of rope = 5*m*g")
     assert found.expression is None
-    assert "does not come" in str(found.reason)
+    assert "is not seen" in str(found.reason)
 
 
 def test_the_first_of_several_places_is_meant() -> None:
@@ -78,6 +78,19 @@ def test_the_first_of_several_places_is_meant() -> None:
     found = posed(PENDULUM, "theta when tension of rope = m*g")
     assert isinstance(found.value, float)
     assert found.value > 0
+
+
+def test_a_value_that_is_only_touched_is_reached() -> None:
+    # the tension is largest at the lowest point, m g (3 - 2 cos a), and no more than that
+    found = posed(PENDULUM, "theta when tension of rope = m*g*(3 - 2*cos(a))")
+    assert found.value == pytest.approx(0.0, abs=1e-9)
+    assert found.evidence is not None
+
+
+def test_what_holds_at_the_start_is_meant_the_next_time() -> None:
+    # at the start S = m g cos a, and again where the pendulum turns on the other side
+    found = posed(PENDULUM, "theta when tension of rope = m*g*cos(a)")
+    assert found.value is None or found.value == pytest.approx(-1.0471975512)
 
 
 def test_a_motion_of_several_freedoms_is_refused() -> None:

@@ -31,11 +31,12 @@ def with_other_turns(system: System, question: Question, answer: Answer) -> Answ
     is_elsewhere = answer.expression is not None and answer.value is None  # it comes with other numbers
     if not (answer.is_missed or is_elsewhere) or not question.quantity.is_of_state or question.quantity.wanted:
         return answer
+    setup = None if system.bounds or system.dry_friction or system.blows else Setup(system)
     for n in _TURNS:
         value = event.value + number(2 * n) * PI
         text = f"{event.text.partition('=')[0].strip()} = {_shown(value, event.value, n)}"
         other = replace(question, event=replace(event, value=value, text=text), options={}, key=None)
-        if _comes(system, other):
+        if _comes(system, setup, other):
             told = Message("angles are counted on, and the same direction is passed at {other}", other=text)
             if answer.is_missed:
                 return replace(answer, reason=further(answer.reason, told), never=False)
@@ -43,15 +44,14 @@ def with_other_turns(system: System, question: Question, answer: Answer) -> Answ
     return answer
 
 
-def _comes(system: System, question: Question) -> bool:
-    """Whether an event comes within a minute, in numbers."""
-    changes = bool(system.bounds or system.dry_friction or system.blows)
+def _comes(system: System, setup: Setup | None, question: Question) -> bool:
+    """Whether an event comes within a minute, in numbers. setup: None where contacts or friction change the law."""
     with suppress(CannotAnswer, ArithmeticError, ValueError):
-        if changes:
+        if setup is None:
             from freebody.study.answering.simulated_numbers import number_with_changes  # loads all of contact
 
             return number_with_changes(system, question) is not None
-        number_of(Setup(system), question.quantity, question.event)
+        number_of(setup, question.quantity, question.event)
         return True
     return False
 

@@ -24,6 +24,7 @@ from freebody.questions.event import OfQuantity, QuantityEvent
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
 from freebody.study.answering.draws import Draw
+from freebody.study.answering.scope import is_scope
 from freebody.study.answering.solution import Solution
 from freebody.study.answering.witness import states_at
 from freebody.study.setup import Setup
@@ -33,9 +34,9 @@ _SPANS = (0.0625, 0.25, 1.0, 4.0, 16.0, 60.0)  # [s] of a motion in which the ev
 _N_STEPS = 192
 _ROUNDS = 4
 _SAME = 1e-5  # relative: a place found in numbers, and a formula
+_ZERO = 1e-9  # by the largest value: a gap that counts as none
 _N_DRAWS = 4  # other than the model's own values, at which the first place is compared
 Solver = Callable[[System], Solution]  # what answers the questions of a system
-_FOR_ALL = "for all "
 
 
 @dataclass(frozen=True)
@@ -52,7 +53,7 @@ def placed(system: System, questions: Sequence[Question], solve: Solver) -> tupl
     for q in questions:
         if isinstance(q.event, QuantityEvent):
             try:
-                q = replace(q, event=_place(system, q, q.event, solve))
+                q = replace(q, event=_place(system, q.event, solve))
             except (CannotAnswer, ModelError) as error:
                 refused[q.id] = str(error)
         found.append(q)
@@ -64,24 +65,24 @@ def with_place(question: Question, answer: Answer) -> Answer:
     event = question.event
     if not isinstance(event, PlacedEvent) or answer.expression is None:
         return answer
-    own = [c for c in answer.conditions if not (event.conditions and str(c).startswith(_FOR_ALL))]
+    own = [c for c in answer.conditions if not (event.conditions and is_scope(c))]
     conditions = tuple(dict.fromkeys((*own, *event.conditions))) or answer.conditions
     is_place = answer.expression == event.value
     return replace(answer, conditions=conditions, notes=answer.notes if is_place else (*answer.notes, event.told))
 
 
-def _place(system: System, question: Question, event: QuantityEvent, solve: Solver) -> PlacedEvent:
+def _place(system: System, event: QuantityEvent, solve: Solver) -> PlacedEvent:
     """Raises CannotAnswer where there is no such place, or no formula for it."""
     if system.bounds or system.dry_friction or system.blows:
         raise CannotAnswer(Message("events of forces and speeds are told where no contact or friction changes the law"))
     setup = Setup(system)
-    name, measure = _coordinate(setup, question)
+    name, measure = _coordinate(setup)
     own = _first_place(setup.draws[0], setup.system, event, measure)
     asked = _asked_for_place(system, event, name, measure, own, solve)
     expressions = asked.expression
     for e in expressions if isinstance(expressions, tuple) else (expressions,):
         if e is not None and _is_first(setup, event, measure, e):
-            conditions = tuple(c for c in asked.conditions if not str(c).startswith(_FOR_ALL))
+            conditions = tuple(c for c in asked.conditions if not is_scope(c))
             equation = compared(Symbol(name), "=", e)
             told = reworded(Message("'{event}' is so at {place}", event=event.text, place=equation), equation)
             return PlacedEvent(measure, 0, e, event.text, event.quantity, event.target, conditions, told)
@@ -91,7 +92,7 @@ def _place(system: System, question: Question, event: QuantityEvent, solve: Solv
     raise CannotAnswer(Message("{what}: {why}", what=number, why=asked.reason) if asked.reason else number)
 
 
-def _coordinate(setup: Setup, question: Question) -> tuple[str, Measure]:
+def _coordinate(setup: Setup) -> tuple[str, Measure]:
     """The named measure that tells the place of the one coordinate."""
     coordinates = setup.model.coordinates
     if len(coordinates) != 1:
@@ -112,7 +113,7 @@ def _asked_for_place(
     document = system.document.with_value(("parameters", p), {"value": f"{own!r} {unit}", "sign": "any"})
     text = f"value of {p} for which {event.phrase} = {event.value_text} when {name} = {p}"
     document = document.with_value(("questions",), [{"find": text}])
-    return solve(System._read(document, system.file)).answers[0]  # pyright: ignore[reportPrivateUsage]
+    return solve(System.from_text(document.dumps(), system.file)).answers[0]
 
 
 def _free_name(system: System) -> str:
@@ -138,31 +139,68 @@ def _is_first(setup: Setup, event: QuantityEvent, measure: Measure, place: Expr)
 
 
 def _first_place(draw: Draw, system: System, event: QuantityEvent, measure: Measure) -> float:
-    """Where the motion is when the quantity first has the value after the start, by an integration. Raises CannotAnswer
-    where that is not within a minute."""
+    """Where the motion is when the quantity first has the value after the start, by an integration: crossed, or only
+    touched where it turns. Raises CannotAnswer where that is not seen within a minute."""
     start, target = draw.start(), draw.reference.number(event.target)
 
-    def gaps(times: Array) -> tuple[list[float], list[float]]:
+    def along(times: Array) -> _Gaps:
         seen = states_at(draw.reference, start, times)
-        return [float(event.quantity.value(system, s)) - target for s in seen], [s.value(measure) for s in seen]
+        values = [float(event.quantity.value(system, s)) - target for s in seen]
+        return _Gaps(times, values, [s.value(measure) for s in seen], max(abs(target), *map(abs, values)))
 
     begin = start.t
     for end in _SPANS:
-        times: Array = np.linspace(begin, start.t + end, _N_STEPS + 1)
-        values, places = gaps(times)
-        k = _crossing(values)
-        if k is None:
-            begin = start.t + end
+        gaps = along(np.linspace(begin, start.t + end, _N_STEPS + 1))
+        for part in gaps.candidates(is_start=begin == start.t):
+            place = _refined(along, part, gaps.size)
+            if place is not None:
+                return place
+        begin = start.t + end
+    raise CannotAnswer(Message("'{event}' is not seen within {t:g} s", event=event.text, t=_SPANS[-1]))
+
+
+@dataclass(frozen=True)
+class _Gaps:
+    """What a quantity lacks to a value along a part of a motion, and where the motion is then."""
+
+    times: Array
+    values: list[float]
+    places: list[float]
+    size: float  # of the quantity
+
+    def candidates(self, *, is_start: bool) -> list[tuple[float, float]]:
+        """The parts of the time in which the gap may vanish: where it changes its sign, or is nearer to zero than
+        beside. is_start: a gap that is zero at the beginning is that of the start."""
+        v, t, small = self.values, self.times, _ZERO * self.size
+        first = next((k for k, x in enumerate(v) if abs(x) > small), len(v)) if is_start else 0
+        found: list[tuple[float, float]] = []
+        for k in range(first + 1, len(v)):
+            if v[k - 1] * v[k] < 0.0:
+                found.append((float(t[k - 1]), float(t[k])))
+            elif abs(v[k]) < abs(v[k - 1]) and (k + 1 == len(v) or abs(v[k]) <= abs(v[k + 1])):
+                found.append((float(t[k - 1]), float(t[min(k + 1, len(v) - 1)])))
+        return found
+
+    @property
+    def crossing(self) -> int | None:
+        """The first interval, by its end, in which the gap changes its sign."""
+        v = self.values
+        return next((k for k in range(1, len(v)) if v[k - 1] * v[k] < 0.0), None)
+
+
+def _refined(along: Callable[[Array], _Gaps], part: tuple[float, float], size: float) -> float | None:
+    """The place at which the gap vanishes in a part of the time; None where it only comes near zero."""
+    low, high = part
+    place = None
+    for _ in range(_ROUNDS):
+        gaps = along(np.linspace(low, high, _N_STEPS + 1))
+        k = gaps.crossing
+        if k is not None:
+            share = gaps.values[k - 1] / (gaps.values[k - 1] - gaps.values[k])
+            place = gaps.places[k - 1] + share * (gaps.places[k] - gaps.places[k - 1])
+            low, high = float(gaps.times[k - 1]), float(gaps.times[k])
             continue
-        for _ in range(_ROUNDS):
-            times = np.linspace(float(times[k - 1]), float(times[k]), _N_STEPS + 1)
-            values, places = gaps(times)
-            k = _crossing(values) or _N_STEPS
-        share = values[k - 1] / (values[k - 1] - values[k]) if values[k - 1] != values[k] else 1.0
-        return places[k - 1] + share * (places[k] - places[k - 1])
-    raise CannotAnswer(Message("'{event}' does not come within {t:g} s", event=event.text, t=_SPANS[-1]))
-
-
-def _crossing(values: Sequence[float]) -> int | None:
-    """The first interval, by its end, in which values change their sign or vanish at the end."""
-    return next((k for k in range(1, len(values)) if values[k - 1] * values[k] < 0.0 or values[k] == 0.0), None)
+        k = min(range(len(gaps.values)), key=lambda n: abs(gaps.values[n]))
+        place = gaps.places[k] if abs(gaps.values[k]) <= _ZERO * size else None
+        low, high = float(gaps.times[max(k - 1, 0)]), float(gaps.times[min(k + 1, _N_STEPS)])
+    return place

@@ -32,3 +32,8 @@ def for_all(system: System, elements: Sequence[Ratio] | None = None) -> str:
     acute = [p.name for p in shown if p.acute]
     ranges = [Stated(f"0 < {to_text(Symbol(a))} < 90°", f"(0 < {a}) & ({a} < pi/2)") for a in acute]
     return reworded(in_turn([scope, *ranges]), joined(ranges))
+
+
+def is_scope(condition: str) -> bool:
+    """Whether a condition says that there is none."""
+    return condition.startswith((FOR_ALL, FOR_ALL_VALUES))
