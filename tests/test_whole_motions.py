@@ -83,6 +83,27 @@ def test_what_holds_of_a_whole_motion_needs_its_signs_all_along(question: str) -
     assert _conditions(CART, question) == ["l > v·√(m/k)"]
 
 
+HUNG = """
+parameters: {m: 2 kg, M: 1 kg, k: 120 N/m, l: 0.4 m, v: 1 m/s, r: 0.1 m, g: 9.81 m/s^2}
+ground: {points: {A: [-2*r, 0], P: [-r, 2 m]}}
+bodies: {load: {particle: {mass: m}}, tray: {particle: {mass: 0}}, wheel: {disk: {mass: M, radius: r}}}
+connections:
+  axle: {pin: [ground.P, wheel.center]}
+  rope: {string: {from: tray, over: [wheel], to: load, grips: [wheel]}}
+loads:
+  weight: {gravity: g}
+  spring: {spring: {first: ground.A, second: tray, stiffness: k, length: l}}
+measures: {y: {height of tray above ground.A}}
+start: {y: l + m*g/k, rate(y): v}
+"""
+
+
+def test_a_period_needs_its_strings_taut_all_along() -> None:
+    # the spring pulls the massless tray with m g + k (y - y0), at the least m g - k v/w, and w^2 = k/(m + M/2)
+    is_formula(HUNG, "period of y", "2*pi*sqrt((m + M/2)/k)", factors=(1.0, 1.02))
+    assert _conditions(HUNG, "period of y") == ["v ≤ m·g·√(2/(k·(2·m + M)))"]
+
+
 def test_a_ball_that_is_thrown_down_the_slope_is_highest_at_the_start() -> None:
     found = posed(SLOPE.replace("b: 50 deg", "b: 10 deg"), "greatest n")
     assert found.value == 0.0

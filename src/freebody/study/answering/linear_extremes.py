@@ -15,7 +15,7 @@ from freebody.study.answering.crosscheck import MOTION_TOLERANCE, CrossCheck, br
 from freebody.study.answering.draws import Draw
 from freebody.study.answering.finding import Finding, NotHere
 from freebody.study.answering.motion_values import extremes_over_cycle
-from freebody.study.answering.repeated import checked, taken_throughout
+from freebody.study.answering.repeated import checked, held_throughout
 from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition, insisted
 from freebody.symbolic.field import Ratio
@@ -64,7 +64,7 @@ def find(setup: Setup, question: str, of: Quantity, followed: FollowedMeasure, s
     values = tuple(f.lowest_terms(followed.rest + followed.slope * reached.at) for reached in found)
     never = NeverHappens(Message("it does not turn"))
     needs = (Condition(x, r, Message("it turns")) for reached in found for x, r in reached.conditions)
-    conditions = [*insisted(needs, never), *taken_throughout(setup)]
+    conditions = [*insisted(needs, never), *held_throughout(setup)]
 
     def numbers(draw: Draw) -> tuple[float, ...]:
         low, high = extremes_over_cycle(setup, draw, followed.measure, of)

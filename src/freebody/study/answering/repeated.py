@@ -51,7 +51,7 @@ def find(setup: Setup, question: str, measure: Measure | None) -> Finding:
     conditions = insisted(
         (Condition(x, relation, Message("the motion repeats itself")) for x, relation in found.conditions),
         NeverHappens(Message("the motion does not repeat itself")),
-    ) + taken_throughout(setup)
+    ) + held_throughout(setup)
     check = CrossCheck(question, Message("numerical integration over more than one period"), MOTION_TOLERANCE)
     evidence = checked(setup, check, period, conditions, lambda draw: followed(setup, watched, draw, found))
     if evidence is None:
@@ -79,6 +79,12 @@ def taken_throughout(setup: Setup) -> list[Condition]:
     taken = [Condition(state.here(setup.model.express(x)), ">", TAKEN) for x in setup.model.samples.assumed]
     needed = [condition for c in taken if (condition := require(c.element, c.relation, c.purpose)[0]) is not None]
     return kept_throughout(setup.motion, needed)
+
+
+def held_throughout(setup: Setup) -> list[Condition]:
+    """The same, and that ideal strings pull and contacts push in all of the motion."""
+    held = setup.in_free_coordinates(setup.holding(setup.state), setup.state)
+    return kept_throughout(setup.motion, held)
 
 
 def checked(
