@@ -87,6 +87,11 @@ def test_a_value_that_is_only_touched_is_reached() -> None:
     assert found.evidence is not None
 
 
+def test_what_nothing_joins_changes_no_event() -> None:
+    text = PENDULUM.replace("bodies: {", "bodies: {other: {particle: {mass: 7 kg}, at: [50 m, 60 m]}, ")
+    is_formula(text, "theta when tension of rope = m*g", "acos((1 + 2*cos(a))/3)", factors=(1.0, 1.02))
+
+
 def test_what_holds_at_the_start_is_meant_the_next_time() -> None:
     # at the start S = m g cos a, and again where the pendulum turns on the other side
     found = posed(PENDULUM, "theta when tension of rope = m*g*cos(a)")

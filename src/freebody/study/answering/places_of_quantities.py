@@ -24,6 +24,7 @@ from freebody.questions.event import OfQuantity, QuantityEvent
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
 from freebody.study.answering.draws import Draw
+from freebody.study.answering.parts import part_for
 from freebody.study.answering.scope import is_scope
 from freebody.study.answering.solution import Solution
 from freebody.study.answering.witness import states_at
@@ -53,7 +54,9 @@ def placed(system: System, questions: Sequence[Question], solve: Solver) -> tupl
     for q in questions:
         if isinstance(q.event, QuantityEvent):
             try:
-                q = replace(q, event=_place(system, q.event, solve))
+                of_event = replace(q, event=None, quantity=q.event.quantity)
+                part = part_for(system, system.groups, of_event) or system
+                q = replace(q, event=_place(system, part, q.event, solve))
             except (CannotAnswer, ModelError) as error:
                 refused[q.id] = str(error)
         found.append(q)
@@ -71,11 +74,11 @@ def with_place(question: Question, answer: Answer) -> Answer:
     return replace(answer, conditions=conditions, notes=answer.notes if is_place else (*answer.notes, event.told))
 
 
-def _place(system: System, event: QuantityEvent, solve: Solver) -> PlacedEvent:
-    """Raises CannotAnswer where there is no such place, or no formula for it."""
-    if system.bounds or system.dry_friction or system.blows:
+def _place(system: System, part: System, event: QuantityEvent, solve: Solver) -> PlacedEvent:
+    """part: of the system, in which the event is. Raises CannotAnswer where there is no such place, or no formula."""
+    if part.bounds or part.dry_friction or part.blows:
         raise CannotAnswer(Message("events of forces and speeds are told where no contact or friction changes the law"))
-    setup = Setup(system)
+    setup = Setup(part)
     name, measure = _coordinate(setup)
     own = _first_place(setup.draws[0], setup.system, event, measure)
     asked = _asked_for_place(system, event, name, measure, own, solve)
