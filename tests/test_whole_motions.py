@@ -158,6 +158,17 @@ def test_functions_of_given_angles_are_gathered(x: object, text: str) -> None:
     assert to_text(tidy(x)) == text  # type: ignore[arg-type]
 
 
+@pytest.mark.parametrize("first", ["asin", "acos"])
+def test_an_arc_is_shown_alike_whatever_was_made_before(first: str) -> None:
+    field = SignedField()
+    a, b = (field.parameter(name, positive=True) for name in "ab")
+    made = functions(field)
+    made[first](a / b)
+    asin, acos = made["asin"](a / b), made["acos"](a / b)
+    shown = [to_text(tidy(x)) for x in (asin, 2 * acos, made["acos"](-a / b), field.pi - 2 * acos)]
+    assert shown == ["asin(a/b)", "2·acos(a/b)", "π - acos(a/b)", "2·asin(a/b)"]
+
+
 @pytest.mark.parametrize(
     ("x", "sign"),
     [

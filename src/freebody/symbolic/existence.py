@@ -17,11 +17,8 @@ from freebody.symbolic.field import Ratio
 
 DIVISOR, ROOT, LOG = Message("divisor"), Message("under the root"), Message("logarithm of a positive number")
 MODULUS = Message("the modulus of the elliptic integral is below one")
-_ARCS = {
-    "asin": (Message("asin of at most 1"), Message("asin of at least -1")),
-    "acos": (Message("acos of at most 1"), Message("acos of at least -1")),
-}
-FORMAL = (DIVISOR, ROOT, LOG, MODULUS, *_ARCS["asin"], *_ARCS["acos"])
+_ARC = Message("a sine or cosine of at most 1"), Message("a sine or cosine of at least -1")
+FORMAL = (DIVISOR, ROOT, LOG, MODULUS, *_ARC)
 
 
 def exists(elements: Iterable[Ratio]) -> list[Condition]:
@@ -63,7 +60,7 @@ def _needs(x: Ratio, seen: set[int]) -> Iterator[tuple[Ratio, str, str]]:
             name, u = f.arguments[g]
             yield from _needs(u, seen)
             if name in ("asin", "acos"):
-                yield 1 - u, ">=", _ARCS[name][0]
-                yield 1 + u, ">=", _ARCS[name][1]
+                yield 1 - u, ">=", _ARC[0]
+                yield 1 + u, ">=", _ARC[1]
             elif name == "log":
                 yield u, ">", LOG

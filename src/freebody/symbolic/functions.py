@@ -280,6 +280,12 @@ def _arc_or_known(field: Field, name: str, x: Ratio, slope: Callable[[Ratio], Ra
     return _arc(field, name, x, slope)
 
 
+def complement_atom(field: Field, name: str, u: Ratio) -> Ratio:
+    """asin u or acos u as an atom of its own, beside that of the other name: for what is shown alone."""
+    root = field.sqrt(1 - u * u)
+    return _arc(field, name, u, lambda _u: (1 if name == "asin" else -1) / root)
+
+
 def _by_complement(field: Field, name: str, x: Ratio) -> Ratio | None:
     """asin or acos by an atom of the other one, or of the opposite argument, where there is one."""
     for g, (known, u) in field.arguments.items():

@@ -14,6 +14,7 @@ from typing import Any
 
 from freebody.language.expression import Call, Expr, Sum, add, divide, multiply, n_operations, negate, number, power
 from freebody.symbolic.field import Field, Ratio
+from freebody.symbolic.functions import complement_atom
 from freebody.symbolic.polynomials import Poly, declaration_order, has_lonely_symbol, primitive
 from freebody.symbolic.roots_in_quotients import (
     is_root_generator,
@@ -59,11 +60,26 @@ class Gathers(Enum):
 
 
 def tidy(x: Ratio) -> Expr:
-    """The readable expression of an element."""
+    """The readable expression of an element: with asin u or with acos u = pi/2 - asin u, whichever is shorter, so
+    that it does not matter by which of them the element was made."""
+    shown, f = _as_it_is(x), x.field
+    for g in sorted(x.generators() & f.arguments.keys()):
+        name, u = f.arguments[g]
+        if name not in _COMPLEMENTS:
+            continue
+        other = complement_atom(f, _COMPLEMENTS[name], u)
+        turned = _as_it_is(f.substitute(x, {g: f.pi / 2 - other}))
+        sizes = n_operations(turned), n_operations(shown)
+        if sizes[0] < sizes[1] or (sizes[0] == sizes[1] and name == "asin"):
+            shown = turned
+    return shown
+
+
+def _as_it_is(x: Ratio) -> Expr:
     x = root_on_top(without_numeric_roots(x.field.lowest_terms(x)))
     if x.den is not None and sign_is_negative(x.denominator()):
         x = Ratio(x.field, -x.num, -x.den)
-    shorter = _root_of_a_quotient(x) or _over_a_root(x) or _complement(x)
+    shorter = _root_of_a_quotient(x) or _over_a_root(x)
     if shorter is not None:
         return shorter
     top = _poly(x.field, x.num)
@@ -102,18 +118,6 @@ def _root_of_a_quotient(x: Ratio) -> Expr | None:
         return divide(front, root_shown(tidy(upside_down)))
     root = root_shown(tidy(inside))
     return root if front == number(1) else multiply(*factors_of(front), root)
-
-
-def _complement(x: Ratio) -> Expr | None:
-    """pi/2 - acos u is asin u, and pi/2 - asin u is acos u."""
-    f = x.field
-    arcs = [g for g in x.generators() if f.arguments.get(g, ("", x))[0] in _COMPLEMENTS]
-    if len(arcs) != 1 or x.denominator().generators():
-        return None
-    name, u = f.arguments[arcs[0]]
-    rest = f.pi / 2 - f.variable(arcs[0])
-    other = Call(_COMPLEMENTS[name], tidy(u))
-    return other if x == rest else negate(other) if x == -rest else None
 
 
 def _over_a_root(x: Ratio) -> Expr | None:
