@@ -131,7 +131,7 @@ def test_a_link_turns_fully(name: str) -> None:
     values = found.value if isinstance(found.value, tuple) else (found.value,)
     assert all(x >= 0 for x in values if x is not None) is so
     word = "turns fully" if so else "does not turn fully"
-    assert any(note.startswith("with the given numbers") and note.endswith(word) for note in found.notes)
+    assert found.verdict.startswith("with the given numbers") and found.verdict.endswith(word)
 
 
 @pytest.mark.parametrize("seed", range(6))

@@ -51,14 +51,16 @@ def _result(context: Context, script: Script, question: Question, answer: Answer
             sides = (*sides, answer.form if n > 1 else answer.form[0])
         with suppress(CannotAnswer, ExpressionError):
             script.line(*sides, when=_when(question))
+    if answer.verdict:
+        script.say("result.verdict", text=ready(answer.verdict))
     if answer.conditions and question.quantity.scope != "every motion":  # that is what was derived
         key = question.quantity.verdict if question.quantity.is_verdict else "result.holds"
         script.say(key, conditions=tuple(ready(c) for c in answer.conditions))
     script.add_all(limiting_cases(context, question, answer))
-    if answer.unit not in ("", "1"):
+    if answer.unit not in ("", "1") and not answer.verdict:
         key = "result.dimensions" if _dimensions_fit(context, question, answer) else "result.unit"
         script.say(key, unit=f"@{raised(answer.unit)}")
-    if answer.value is not None:
+    if answer.value is not None and not answer.verdict:
         values = answer.value if isinstance(answer.value, tuple) else (answer.value,)
         shown = ", ".join(f"{v:.5g}" for v in values)
         unit = "" if answer.unit in ("", "1") else f" {raised(answer.unit)}"

@@ -105,6 +105,8 @@ connections: {touch: {contact: {between: [block, floor], friction: 0.35}}}
 loads: {weight: {gravity: 9.81 m/s^2}, pull: {force: {at: block, along: right, magnitude: F}}}
 questions: {it: does it hold}
 """
+    is_verdict = True
+    verdict = "rest.verdict"
 
 
 @dataclass(frozen=True)

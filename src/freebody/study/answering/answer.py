@@ -67,6 +67,7 @@ class Answer(Result):
     why_no_value: str = ""  # of an answer with an expression
     never: bool = False  # it is proved that the event does not happen after the start; `reason` says why
     understood: str = ""  # the question in the words of the grammar
+    verdict: str = ""  # yes or no with the given numbers, of a question that asks whether
     is_missed: bool = False  # the event does not come in the motion, as far as that is known
 
     @property
@@ -106,6 +107,7 @@ class Answer(Result):
             "id": self.id,
             "question": self.question,
             "understood": self.understood or self.question,
+            "verdict": self.verdict or None,
             "expression": shown,
             "latex": self.latex,
             "unit": self.unit,
@@ -141,6 +143,7 @@ def made(
     evidence: Evidence | None = None,
     cases: tuple[AnswerCase, ...] = (),
     why_no_value: str = "",
+    verdict: str = "",
 ) -> Answer:
     """The answer to a question. unit: where it is not that of what is asked."""
     return Answer(
@@ -159,6 +162,7 @@ def made(
         evidence=evidence,
         cases=cases,
         why_no_value=why_no_value,
+        verdict=verdict,
         understood=question.understood,
     )
 

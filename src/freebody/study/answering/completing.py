@@ -78,6 +78,7 @@ class AnswerCompletion:
             unit=found.unit,
             conditions=conditions,
             notes=found.notes,
+            verdict=found.verdict,
             judgement=judgement,
             evidence=found.evidence,
         )

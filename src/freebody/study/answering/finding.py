@@ -46,6 +46,7 @@ class Finding:
     notes: list[str] = field(default_factory=list[str])
     says: list[str] = field(default_factory=list[str])
     may_be_complex: bool = False  # roots in it need not be real
+    verdict: str = ""  # yes or no with the given numbers, of a question that asks whether
     unit: str | None = None  # where it is not that of the quantity
     has_value: bool = True  # at the model's own numbers and start
     is_complete: bool = False  # whether its conditions are all there are

@@ -40,6 +40,8 @@ class ShownAnswer(Protocol):
     @property
     def understood(self) -> str: ...
     @property
+    def verdict(self) -> str: ...
+    @property
     def expression(self) -> Expr | tuple[Expr, ...] | None: ...
     @property
     def unit(self) -> str: ...
@@ -72,6 +74,7 @@ def answer_section(answer: ShownAnswer) -> Section:
 def answer_blocks(answer: ShownAnswer) -> Iterator[Block]:
     if answer.understood not in ("", answer.question):
         yield from entries(entry("understood", answer.understood))
+    yield from map(line, filter(None, (answer.verdict,)))
     if answer.expression is None:
         word = "never: " if answer.never else "" if "no closed form" in answer.reason else "no closed form: "
         yield from map(line, f"{word}{answer.reason}".splitlines())

@@ -158,10 +158,10 @@ def _answer(
     first = looked[0]
     always = without_implied([b.condition for b in barriers if b.condition is not None and not b.where])
     kept = [b for b in barriers if b.condition is not None and (b.where or b.condition in always)]
-    notes: list[str] = []
+    notes, verdict = list[str](), ""
     if study.setup.has_values:
-        verdict = Message("it holds") if first.is_held else Message("it does not hold: {words}", words=first.seen.words)
-        notes.append(Message("at the model's own values {verdict}", verdict=verdict))
+        told = Message("it holds") if first.is_held else Message("it does not hold: {words}", words=first.seen.words)
+        verdict = Message("with the given numbers {verdict}", verdict=told)
     notes += _reserves(study, first)
     witness = CrossCheck(question.text, ROUTE, 1e-12)
     for at in looked:
@@ -191,6 +191,7 @@ def _answer(
         unit=_unit_of(tidy(element), study.setup.system),
         conditions=tuple(b.text() for b in kept) or (Message("it always holds"),),
         notes=notes,
+        verdict=verdict,
         judgement=judged(question, element, study.setup.model, study.setup.system),
         evidence=witness.evidence(),
     )

@@ -46,11 +46,11 @@ def _full_turn(q: FullTurn, setup: Setup, question: Question) -> Finding:
         turning = links.turning(q.link)
     except CannotAnswer:
         return _full_turn_by_coordinate(q, setup, question)
-    notes = _case(links)
+    notes, verdict = _case(links), ""
     does = Message("with the given numbers {link} turns fully", link=q.link)
     does_not = Message("with the given numbers {link} does not turn fully", link=q.link)
     if setup.has_values:
-        notes.insert(0, does if links.does_turn(q.link) else does_not)
+        verdict = does if links.does_turn(q.link) else does_not
     if turning.needs:
         notes.append(Message("what must not be negative; where it is zero the linkage passes a change point"))
     evidence = _turns_in_numbers(setup, question.text, q.link, turning.conditions)
@@ -59,7 +59,7 @@ def _full_turn(q: FullTurn, setup: Setup, question: Question) -> Finding:
         says = Message("{link} turns fully for all lengths", link=q.link)
     lengths = margins(links, q.link)
     element = lengths[0] if len(lengths) == 1 else lengths or setup.model.field.one
-    return Finding(element, evidence, says=[says], notes=notes, unit="m" if lengths else "1", is_complete=True)
+    return Finding(element, evidence, says=[says], notes=notes, verdict=verdict, unit="m" if lengths else "1", is_complete=True)
 
 
 def _case(links: FourLinks) -> list[str]:
@@ -128,13 +128,12 @@ def _full_turn_by_coordinate(q: FullTurn, setup: Setup, question: Question) -> F
         else Message("{link} turns fully for all lengths", link=q.link)
     )
     notes: list[str] = [*turning.notes]
-    if setup.has_values:
-        notes.insert(0, Message("with the given numbers {link} turns fully", link=q.link))
+    verdict = Message("with the given numbers {link} turns fully", link=q.link) if setup.has_values else ""
     if conditions:
         notes.append(Message("as it is assembled at the start; other lengths may allow it in another way"))
     needs = tuple(c.element for c in conditions)
     element = needs[0] if len(needs) == 1 else needs or model.field.one
-    return Finding(element, evidence, says=[says], notes=notes, unit="" if needs else "1", is_complete=True)
+    return Finding(element, evidence, says=[says], notes=notes, verdict=verdict, unit="" if needs else "1", is_complete=True)
 
 
 def _all_round(setup: Setup, turning: TurningAngle) -> list[Condition]:

@@ -53,17 +53,17 @@ def equilibrium_stability(setup: Setup, question: Question, at_rest: AtRest) -> 
     if not signs:
         raise CannotAnswer(NOTHING_DRIVES_BACK)
     conditions = at_rest(rest, ">=")
-    notes = [*_what_is_zero(free), *_at_own_values(setup, signs)]
+    notes, verdict = _what_is_zero(free), _verdict_on(setup, signs)
     try:
         squares = [-mode.square for mode in free.modes if not mode.square.is_zero()]
     except CannotAnswer:
         evidence = compared(setup, question, signs, free.equilibrium, conditions, _verdict)
-        return _finding(signs, evidence, conditions, [_SIGNS, *notes], stable_if(signs), unit="")
+        return _finding(signs, evidence, conditions, [_SIGNS, *notes], stable_if(signs), verdict, unit="")
     ordered = squares[::-1]
     evidence = compared(setup, question, ordered, free.equilibrium, conditions, _roots)
     if linear.is_damped:
         notes.append(Message("without damping; dissipative damping leaves the verdict as it is"))
-    return _finding(ordered, evidence, conditions, [_SQUARES, *notes], stable_if(signs))
+    return _finding(ordered, evidence, conditions, [_SQUARES, *notes], stable_if(signs), verdict)
 
 
 def _finding(
@@ -72,10 +72,11 @@ def _finding(
     conditions: list[Condition],
     notes: list[str],
     says: str,
+    verdict: str,
     unit: str | None = None,
 ) -> Finding:
     element = x[0] if len(x) == 1 else tuple(x)
-    return Finding(element, evidence, conditions, notes, [says], may_be_complex=True, unit=unit)
+    return Finding(element, evidence, conditions, notes, [says], may_be_complex=True, verdict=verdict, unit=unit)
 
 
 def _what_is_zero(free: FreeOscillations) -> list[str]:
@@ -89,14 +90,12 @@ def _what_is_zero(free: FreeOscillations) -> list[str]:
     return [Message("{n} more exponents are zero: there the linear equations do not decide", n=n_zero)]
 
 
-def _at_own_values(setup: Setup, signs: Sequence[Ratio]) -> list[str]:
+def _verdict_on(setup: Setup, signs: Sequence[Ratio]) -> str:
     if not setup.has_values:
-        return []
+        return ""
     draw = setup.draws[0]
     is_stable = all(v > 0 for v in element_at(setup, tuple(signs), draw, draw.start()))
-    return [
-        Message("stable at the model's own values") if is_stable else Message("not stable at the model's own values")
-    ]
+    return Message("stable with the given numbers") if is_stable else Message("not stable with the given numbers")
 
 
 # -- evidence ---------------------------------------------------------------------------------

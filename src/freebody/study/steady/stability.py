@@ -46,7 +46,7 @@ def steady_stability(setup: Setup, question: Question) -> Finding:
     f = setup.model.field
     shown = [f.lowest_terms(f.follow(x, given)) for x in (signs if roots is None else roots)]
     says = stable_if([f.lowest_terms(f.follow(x, given)) for x in signs])
-    notes = [*rates_shown(setup, linear), *places_shown(linear), _what(roots), *_at_own_values(setup, signs)]
+    notes = [*rates_shown(setup, linear), *places_shown(linear), _what(roots)]
     if linear.n_zero > 0:
         notes.append(
             Message(
@@ -56,7 +56,7 @@ def steady_stability(setup: Setup, question: Question) -> Finding:
         )
     element = shown[0] if len(shown) == 1 else tuple(shown)
     unit = "" if roots is None else None  # coefficients of powers of s have several
-    return Finding(element, evidence, notes=notes, says=[says], may_be_complex=True, unit=unit)
+    return Finding(element, evidence, notes=notes, says=[says], may_be_complex=True, verdict=_verdict_on(setup, signs), unit=unit)
 
 
 def signs_of(linear: Linear) -> list[Ratio]:
@@ -81,19 +81,17 @@ def _what(roots: Sequence[Ratio] | None) -> str:
     )
 
 
-def _at_own_values(setup: Setup, signs: Sequence[Ratio]) -> list[str]:
+def _verdict_on(setup: Setup, signs: Sequence[Ratio]) -> str:
     """Whether the motion of the start is stable with the numbers of the model."""
     if not setup.has_values:
-        return []
+        return ""
     draw = setup.draws[0]
     try:
         values = element_at(setup, tuple(signs), draw, draw.start())
     except (CannotAnswer, ArithmeticError):
-        return []
+        return ""
     is_stable = all(v > 0 for v in values)
-    return [
-        Message("stable at the model's own values") if is_stable else Message("not stable at the model's own values")
-    ]
+    return Message("stable with the given numbers") if is_stable else Message("not stable with the given numbers")
 
 
 def rates_shown(setup: Setup, linear: Linear, given: Mapping[int, Ratio] = MappingProxyType({})) -> list[str]:
