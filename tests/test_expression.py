@@ -211,6 +211,27 @@ def test_evaluation_in_floats_agrees_with_python():
     assert evaluate(parse("x'"), {"rate(x)": 4.0}) == 4.0
 
 
+@pytest.mark.parametrize(
+    ("text", "same"),
+    [
+        ("|a - b|", "abs(a - b)"),
+        ("2|x|", "2*abs(x)"),
+        ("||a| - b|", "abs(abs(a) - b)"),
+        ("|a + b*|c||", "abs(a + b*abs(c))"),
+        ("|a (2|b|)|", "abs(a*(2*abs(b)))"),
+        ("|x|^2", "abs(x)^2"),
+    ],
+)
+def test_bars_are_a_size(text: str, same: str) -> None:
+    assert parse(text) == parse(same)
+
+
+@pytest.mark.parametrize("text", ["|a", "a|", "||", "|a|b|", "(|a)|"])
+def test_bars_that_do_not_pair_are_refused(text: str) -> None:
+    with pytest.raises(ExpressionError):
+        parse(text)
+
+
 def test_evaluation_works_in_other_arithmetics():
     functions = {name: getattr(np, name) for name in ("sin", "sqrt")}
     points = np.linspace(0, 1, 5)

@@ -47,8 +47,8 @@ def test_sphere_slides_by_the_law_of_friction_until_its_slip_velocity_vanishes()
 def test_that_it_goes_on_rolling_is_shown_by_the_friction_it_needs() -> None:
     _found, derivation = of("sphere_launched_down_incline", "speed")
     told = [shown(line) for line in lines_of(derivation.stages)]
-    assert "abs(F) ≤ μ·N" in told
-    assert "abs(F) = 2·m·g·sin(θ)/7 ≤ m·μ·g·cos(θ)" in told
+    assert "|F| ≤ μ·N" in told
+    assert "|F| = 2·m·g·sin(θ)/7 ≤ m·μ·g·cos(θ)" in told
     assert "μ > 2·tan(θ)/7" in told
 
 

@@ -4,7 +4,7 @@
     product  = signed {("*" | "/") signed | power}        a power side by side is a product: 2 m g
     signed   = {"+" | "-"} power                           so -x^2 is -(x^2)
     power    = primary {superscript} ["^" signed]          so a^b^c is a^(b^c)
-    primary  = number | name {"'"} | function "(" sum ["," sum] ")" | "(" sum ")"
+    primary  = number | name {"'"} | function "(" sum ["," sum] ")" | "(" sum ")" | "|" sum "|"
 
 Nothing is ever executed. Every limit is checked before the work it bounds.
 """
@@ -67,7 +67,7 @@ _TOKEN = re.compile(
     r"(?P<space>\s+)"
     r"|(?P<number>(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)"
     rf"|(?P<name>[A-Za-z{''.join(_LETTERS)}][{_REST}]*|√)"
-    r"|(?P<operator>\*\*|[-+*/^(),·⋅×−])"
+    r"|(?P<operator>\*\*|[-+*/^(),|·⋅×−])"
     r"|(?P<superscript>⁻?[⁰¹²³⁴⁵⁶⁷⁸⁹]+)"
     r"|(?P<prime>['′]+)"
 )
@@ -165,6 +165,7 @@ class _Parser:
         self._tokens = tokens
         self._at = 0
         self._nesting = 0
+        self._bars = 0  # of sizes that are open
 
     @property
     def _now(self) -> _Token:
@@ -208,7 +209,7 @@ class _Parser:
                 column = self._now.column
                 factor = self._signed()
                 factors.append(_power(factor, Number(Fraction(-1)), column) if divided else factor)
-            elif token.kind in ("number", "name", "("):
+            elif token.kind in ("number", "name", "(") or (token.kind == "|" and not self._bars):
                 self._check_side_by_side(token, divided)
                 factors.append(self._power())
             elif token.kind in ("superscript", "prime"):
@@ -277,6 +278,8 @@ class _Parser:
                 return self._symbol(token)
             case "(":
                 return self._inside(token)
+            case "|":
+                return self._size(token)
             case ",":
                 raise ExpressionError(_hint_for(","), column)
             case "end":
@@ -287,12 +290,24 @@ class _Parser:
                 )
 
     def _inside(self, opening: _Token) -> Expr:
+        bars, self._bars = self._bars, 0
         inner = self._sum()
+        self._bars = bars
         self._refuse_comma()
         if self._now.kind != ")":
             raise ExpressionError(Message("this bracket is never closed"), opening.column)
         self._take()
         return inner
+
+    def _size(self, opening: _Token) -> Expr:
+        """|x|; a bar after a value closes the bar before it."""
+        self._bars += 1
+        inner = self._sum()
+        if self._now.kind != "|":
+            raise ExpressionError(Message("this bar is never closed"), opening.column)
+        self._take()
+        self._bars -= 1
+        return Call("abs", inner)
 
     def _call(self, token: _Token) -> Expr:
         if token.text == "elliptic_F":

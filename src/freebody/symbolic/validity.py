@@ -13,7 +13,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from freebody.language.expression import Call, n_operations
-from freebody.language.notation import Stated, compared, reworded, to_text
+from freebody.language.notation import Stated, compared, reworded
 from freebody.language.sentences import Message, in_turn, turns
 from freebody.symbolic.conditions import Condition, both, relation_text, require, with_purposes
 from freebody.symbolic.decide import decide, possible, sign_given
@@ -227,11 +227,7 @@ def _bounded(g: Ratio, relation: str, q: Ratio) -> tuple[Stated, int]:
         q, sign = -q, -sign
     shown = readable(q)
     is_known = sign in (Sign.POSITIVE, Sign.NONNEGATIVE)
-    statement = compared(left, relation, shown if is_known else Call("abs", shown))
-    if not is_known:
-        left_text = statement.partition("abs(")[0]
-        statement = Stated(f"{left_text}|{to_text(shown)}|", statement.expression)
-    return statement, n_operations(shown)
+    return compared(left, relation, shown if is_known else Call("abs", shown)), n_operations(shown)
 
 
 def _parameters(field: Field, x: Ratio) -> list[int]:

@@ -127,6 +127,8 @@ _TEXT_CALLS = {"sqrt": "√", **LETTER_OF_INTEGRAL}
 def _text_call(call: Call, argument: str) -> str:
     if call.function == "rate":
         return argument + "'"
+    if call.function == "abs":
+        return f"|{argument}|"
     return f"{_TEXT_CALLS.get(call.function, call.function)}({argument})"
 
 

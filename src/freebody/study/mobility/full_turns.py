@@ -59,7 +59,9 @@ def _full_turn(q: FullTurn, setup: Setup, question: Question) -> Finding:
         says = Message("{link} turns fully for all lengths", link=q.link)
     lengths = margins(links, q.link)
     element = lengths[0] if len(lengths) == 1 else lengths or setup.model.field.one
-    return Finding(element, evidence, says=[says], notes=notes, verdict=verdict, unit="m" if lengths else "1", is_complete=True)
+    return Finding(
+        element, evidence, says=[says], notes=notes, verdict=verdict, unit="m" if lengths else "1", is_complete=True
+    )
 
 
 def _case(links: FourLinks) -> list[str]:
@@ -133,7 +135,9 @@ def _full_turn_by_coordinate(q: FullTurn, setup: Setup, question: Question) -> F
         notes.append(Message("as it is assembled at the start; other lengths may allow it in another way"))
     needs = tuple(c.element for c in conditions)
     element = needs[0] if len(needs) == 1 else needs or model.field.one
-    return Finding(element, evidence, says=[says], notes=notes, verdict=verdict, unit="" if needs else "1", is_complete=True)
+    return Finding(
+        element, evidence, says=[says], notes=notes, verdict=verdict, unit="" if needs else "1", is_complete=True
+    )
 
 
 def _all_round(setup: Setup, turning: TurningAngle) -> list[Condition]:

@@ -56,7 +56,9 @@ def steady_stability(setup: Setup, question: Question) -> Finding:
         )
     element = shown[0] if len(shown) == 1 else tuple(shown)
     unit = "" if roots is None else None  # coefficients of powers of s have several
-    return Finding(element, evidence, notes=notes, says=[says], may_be_complex=True, verdict=_verdict_on(setup, signs), unit=unit)
+    return Finding(
+        element, evidence, notes=notes, says=[says], may_be_complex=True, verdict=_verdict_on(setup, signs), unit=unit
+    )
 
 
 def signs_of(linear: Linear) -> list[Ratio]:
