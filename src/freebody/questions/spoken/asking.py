@@ -9,14 +9,13 @@ from typing import TYPE_CHECKING
 
 from freebody.questions.spoken import given, lookup, of_forces, of_motion, of_systems, poses
 from freebody.questions.spoken.composing import SILENT, Groups, composed
+from freebody.questions.spoken.frames import framed
 from freebody.questions.spoken.lexicon import Word
 from freebody.questions.spoken.words import Clause
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
 
-_MOTION = ("velocity", "speed", "acceleration", "angular velocity", "angular acceleration")
-_OSCILLATES = ("natural frequency", "natural frequencies", "period", "period of small oscillations", "damped frequency")
 _OF_QUANTITY = ("stroke", "time ratio", "extremes", "steady amplitude", "phase lag", "resonance frequency")
 __all__ = ["of_forces", "of_motion", "of_systems", "quantities"]  # the rooms of quantities are found when this is read
 
@@ -33,7 +32,7 @@ def quantities(names: Names, clause: Clause) -> Groups:
     if clause.has("quantity", "ratio", "difference", "sum"):
         yield from _of_two(names, clause)
         return
-    clause = _inferred(names, clause)
+    clause = framed(names, clause)
     if clause.has("verb", "exert", "act"):
         clause = clause.without("verb", "exert", "act")
     degrees = [degree for degree in clause.all("degree") if degree != "value"]
@@ -45,47 +44,6 @@ def quantities(names: Names, clause: Clause) -> Groups:
 
 def _is_of_force(clause: Clause) -> bool:
     return clause.has("quantity") and not clause.has("ask", "fast", "far")
-
-
-def _inferred(names: Names, clause: Clause) -> Clause:
-    """The clause with the quantity that its question word and its verb stand for."""
-    ask, verbs = set(clause.all("ask")), set(clause.all("verb"))
-    quantity = ""
-    if "accelerate" in verbs and not clause.has("quantity") and (not ask or ask & {"fast", "much", "large"}):
-        is_turned = clause.has("part", "angular") or any(
-            lookup.axle_of(names, name) == "center" for _, name in clause.names
-        )
-        quantity = "angular acceleration" if is_turned else "acceleration"
-        clause = clause.without("part", "angular")
-    elif "fast" in ask and not clause.has("quantity") and "end" not in verbs:
-        quantity = "angular velocity" if "turn" in verbs else "speed"
-    elif "where" in ask and not clause.has("quantity") and verbs <= {"move"}:
-        quantity = "position"
-    elif "high" in ask and not clause.has("quantity") and not verbs:
-        quantity = "height"
-    if quantity:
-        kept = [w for w in clause.words if w.kind not in ("ask", "verb")]
-        return Clause([Word("quantity", quantity), *kept])
-    if "where" in ask and clause.has("verb", "hold") and verbs <= {"hold", "move"} and not clause.has("quantity"):
-        return Clause([Word("quantity", "equilibrium"), *clause.without("ask").without("verb").words])
-    if "where" in ask and clause.has(
-        "quantity", "equilibrium", "instant centre", "dead points", "position", "resonance frequency"
-    ):
-        return clause.without("ask").without("verb")
-    moving = (
-        {"move", "turn", "roll", "fly", "slide", "fall", "rise", "reach"}
-        if clause.has("quantity", *_MOTION)
-        else {"move"}
-    )
-    if clause.all("quantity") == ["deflection"] and ask <= {"far", "much", "large"} and not verbs:
-        return clause.without("ask")
-    if clause.has("quantity", "deceleration") and ask <= {"fast", "large", "much"}:
-        return clause.without("ask")
-    moving |= {"tip"} if clause.has("quantity", "angular velocity", "angular acceleration") else set()
-    moving |= {"turn"} if clause.has("quantity", *_OSCILLATES) else set()
-    if ask <= {"what", "large", "much", "with", "for", "many"} and verbs <= moving:
-        return clause.without("ask").without("verb")
-    return clause
 
 
 def _extreme(names: Names, clause: Clause, degrees: list[str]) -> Groups:

@@ -15,7 +15,7 @@ from freebody.questions.spoken.events import GOES_ON
 from freebody.questions.spoken.instants import is_throughout, timed
 from freebody.questions.spoken.lexicon import Word
 from freebody.questions.spoken.limits import limits
-from freebody.questions.spoken.sentence import Sentence, parted
+from freebody.questions.spoken.sentence import Sentence, parted, told_who
 from freebody.questions.spoken.stated import stated
 from freebody.questions.spoken.words import Clause
 
@@ -48,6 +48,7 @@ def meanings(names: Names, words: list[Word]) -> Groups:
         yield from limits(names, lasting, modal)
     yield from turning_round.parameters(names, [_AS_LARGE.get(word, word) for word in lasting], meanings)
     sentence = parted(words)
+    sentence = sentence and told_who(names, sentence)
     if sentence is not None and all(mark in _MARKS for mark, _ in sentence.others):
         for told in (_limit, _structure, _conserved, lost, time, stopping, counted, timed):
             yield from told(names, sentence)

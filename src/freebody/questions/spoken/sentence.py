@@ -3,12 +3,17 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
-from freebody.questions.spoken import dimensions
+from freebody.questions.spoken import dimensions, lookup
 from freebody.questions.spoken.lexicon import Word
 from freebody.questions.spoken.words import Clause
 
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
 _COMMA = Word("preposition", ",")
+_IT = Word("pronoun", "it")
 
 
 @dataclass(frozen=True)
@@ -43,6 +48,20 @@ def parted(words: list[Word]) -> Sentence | None:
     if len(main) != 1:
         return None
     return Sentence(Clause(main[0]), tuple((mark, Clause(own)) for mark, own in parts if mark))
+
+
+def told_who(names: Names, sentence: Sentence) -> Sentence:
+    """The sentence with the body that `it` is: the only one that the main clause names, where several move."""
+    main = [name for _, name in sentence.main.names]
+    who = [name for name in dict.fromkeys(main) if name in lookup.moving(names)]
+    if len(who) != 1 or len(lookup.massive(names)) < 2 or any(name in names.connections for name in main):
+        return sentence
+    others: list[tuple[str, Clause]] = []
+    for mark, own in sentence.others:
+        is_open = not any(name in lookup.moving(names) or name in names.measures for _, name in own.names)
+        words = [Word("name", who[0]) if word == _IT and is_open else word for word in own.words]
+        others.append((mark, Clause(words)))
+    return Sentence(sentence.main, tuple(others))
 
 
 def clock(clause: Clause) -> str | None:

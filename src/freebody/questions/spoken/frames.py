@@ -1,0 +1,131 @@
+"""What a question word and a verb ask for together, and which verbs say no more than a quantity does.
+
+How fast does it turn: its angular velocity. How hard does the wall push on the ladder: a normal force. What speed does it
+reach: its speed. A frame is taken from the meanings of words alone; their order is of no account.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from freebody.questions.spoken import lookup
+from freebody.questions.spoken.lexicon import Word
+from freebody.questions.spoken.words import Clause
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+_PLAIN_ASKS = frozenset({"what", "large", "much", "with", "for", "many"})
+_GOING = frozenset({"move", "turn", "roll", "fly", "slide", "fall", "rise", "reach"})
+_ACTING = frozenset({"act", "exert"})
+MOTION = ("velocity", "speed", "acceleration", "angular velocity", "angular acceleration")
+OSCILLATION = ("natural frequency", "natural frequencies", "period", "period of small oscillations", "damped frequency")
+FORCES = (
+    *("force", "contact force", "tension", "normal force", "friction force", "reaction", "bearing reaction"),
+    *("spring force", "axial force", "tooth force", "moment", "torque", "driving torque", "driving force", "impulse"),
+)
+_WHERE = ("equilibrium", "instant centre", "dead points", "position", "resonance frequency")
+# verbs that say no more than a quantity does: the speed that it reaches, the force that acts
+_LIGHT = {
+    **dict.fromkeys(MOTION, _GOING),
+    **dict.fromkeys(("angular velocity", "angular acceleration"), _GOING | {"tip"}),
+    **dict.fromkeys(OSCILLATION, frozenset({"move", "turn"})),
+    **dict.fromkeys(FORCES, _ACTING | {"move", "carry"}),
+    **dict.fromkeys(("highest place", "lowest place"), _GOING),
+    "dead points": frozenset({"move", "reach", "stop"}),
+    "deceleration": frozenset({"move", "stop", "slide", "roll", "rise", "fall"}),
+    "angular deceleration": frozenset({"move", "stop", "turn"}),
+}
+# the quantity to which another one changes, by the time
+_RATES = {
+    **dict.fromkeys(("velocity", "speed"), "acceleration"),
+    **dict.fromkeys(("position", "displacement", "height"), "velocity"),
+    "angular velocity": "angular acceleration",
+    "angle": "angular velocity",
+}
+
+
+@dataclass(frozen=True)
+class Frame:
+    """asks: question words, of which one leads it ("" where none need); verbs: of which one is in it; beside: verbs that
+    may be in it as well, None where all but one may that ends it."""
+
+    quantity: str
+    asks: frozenset[str]
+    verbs: frozenset[str] = frozenset()
+    beside: frozenset[str] | None = frozenset()
+
+    def fits(self, asks: set[str], verbs: set[str]) -> bool:
+        is_asked = asks <= self.asks if asks else "" in self.asks
+        is_done = bool(verbs & self.verbs) if self.verbs else True
+        is_beside = "end" not in verbs if self.beside is None else verbs <= self.verbs | self.beside
+        return is_asked and is_done and is_beside
+
+
+_FRAMES = (
+    Frame("acceleration", frozenset({"", "fast", "much", "large", "with"}), frozenset({"accelerate"}), _GOING),
+    Frame("angular velocity", frozenset({"fast"}), frozenset({"turn"}), None),
+    Frame("speed", frozenset({"fast"}), frozenset(), None),
+    Frame("position", frozenset({"where"}), frozenset(), frozenset({"move"})),
+    Frame("height", frozenset({"high"})),
+    Frame("equilibrium", frozenset({"where"}), frozenset({"hold"}), frozenset({"move"})),
+    Frame("force", frozenset({"large", "much", "what", "with"}), frozenset({"exert"}), _ACTING | {"move"}),
+)
+
+
+def framed(names: Names, clause: Clause) -> Clause:
+    """The clause with the quantity that its question words and its verbs stand for, and without what says no more."""
+    clause = _changing(clause)
+    asked, asks, verbs = clause.all("quantity"), set(clause.all("ask")), set(clause.all("verb"))
+    kept = [w for w in clause.words if w.kind not in ("ask", "verb")]
+    if not asked:
+        frame = next((frame for frame in _FRAMES if frame.fits(asks, verbs)), None)
+        return clause if frame is None else _with_quantity(names, frame.quantity, kept)
+    is_where = "where" in asks and bool({*asked} & {*_WHERE})
+    light = frozenset().union(*(_LIGHT.get(quantity, frozenset({"move"})) for quantity in asked))
+    is_plain = asks <= _PLAIN_ASKS and verbs <= light
+    is_far = asked == ["deflection"] and asks <= {"far", "much", "large"} and not verbs
+    is_slowed = asked[0] in ("deceleration", "angular deceleration") and asks <= {"fast", *_PLAIN_ASKS}
+    if is_where or is_plain or is_far or (is_slowed and verbs <= light):
+        return Clause(kept)
+    return clause
+
+
+def _with_quantity(names: Names, quantity: str, words: list[Word]) -> Clause:
+    """Words with the quantity of a frame, as what is named has it."""
+    of = [word.what for word in words if word.kind == "name"]
+    if quantity == "acceleration":
+        is_turned = Word("part", "angular") in words or any(lookup.axle_of(names, name) == "center" for name in of)
+        words = [word for word in words if word != Word("part", "angular")]
+        quantity = "angular acceleration" if is_turned else quantity
+    elif quantity == "force":
+        quantity = _exerted(names, of)
+        if words and words[-1] == Word("preposition", "with"):  # what does the wall push with
+            words = words[:-1]
+    return Clause([Word("quantity", quantity), *words])
+
+
+def _exerted(names: Names, of: list[str]) -> str:
+    """The force that something exerts: a rope pulls, a wall pushes."""
+    for name in of:
+        own = {row.reaction for row in names.constraint_rows if row.connection == name}
+        for kind in ("tension", "normal force"):
+            if kind in own:
+                return kind
+    if any(name in names.loads or name in names.connections for name in of):
+        return "force"
+    return "contact force"
+
+
+def _changing(clause: Clause) -> Clause:
+    """The rate at which a quantity changes is another quantity."""
+    asked = clause.all("quantity")
+    rate = Word("quantity", "rate of")
+    if len(asked) != 2 or rate not in clause.words:
+        return clause
+    [of] = [quantity for quantity in asked if quantity != rate.what] or [""]
+    if of not in _RATES:
+        return clause
+    kept = [word for word in clause.words if word != rate]
+    return Clause([Word("quantity", _RATES[of]) if word == Word("quantity", of) else word for word in kept])
