@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping, Sequence, Set
 from contextlib import suppress
 
 import numpy as np
@@ -19,6 +19,7 @@ from freebody.numeric.instant import forces
 from freebody.numeric.jet_geometry import JetGeometry
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference
+from freebody.numeric.split import RANK_CUT, Split, stack
 from freebody.system.system import System
 
 PENETRATION = 1e-9  # by the size of the system: less than this is round-off
@@ -160,9 +161,17 @@ def _foot(
     return best[1]
 
 
-def _reach(reference: Reference, g: JetGeometry, bound: UnilateralConstraint, gap: float) -> float:
-    """How near a place is to touching; edges that face away come last."""
-    return gap if not bound.obstacle or gap >= -PENETRATION * reference.sizes.length else math.inf
+def _reach(reference: Reference, g: JetGeometry, bound: UnilateralConstraint, gap: float) -> tuple[bool, float, int]:
+    """How near a place is to touching, least for the nearest; edges that face away come last, the least deep of them
+    first. Where that leaves several, as for what nobody has put out of the middle of a body, the loads drive it onto
+    one."""
+    away = bool(bound.obstacle) and gap < -PENETRATION * reference.sizes.length
+    if not away:
+        return away, gap, 0
+    driven = _driven(reference, g)
+    hardest = float(np.abs(driven / reference.sizes.unit_moves).max(initial=0.0)) or 1.0
+    fall = bound.row.sign * float(reference.jet(g, bound.row.measure, bound.name).row(len(driven)) @ driven)
+    return away, round(-gap / (PENETRATION * reference.sizes.length)), round(fall / (PENETRATION * hardest))
 
 
 def _turning(reference: Reference, bounds: tuple[UnilateralConstraint, ...], closing: set[str]) -> dict[str, str]:
@@ -207,7 +216,7 @@ def far_sides(reference: Reference, q: Array, bounds: Sequence[UnilateralConstra
     # gap, its rate and what the loads accelerate it with, by the size, the speed and the acceleration of the system
     v = reference.velocities(q)
     g = reference.geometry(q, v, 0.0)
-    driven = forces(reference, g) / np.where(reference.masses > 0.0, reference.masses, np.inf)
+    driven = _driven(reference, g, {bound.name for bound in facing})
     jets = {b.name: reference.jet(g, b.row.measure, b.name) for b in facing}
     slopes = {b.name: b.row.sign * jets[b.name].row(len(q)) for b in facing}
     size, fastest = reference.sizes.length, float(np.abs(v / reference.sizes.unit_moves).max(initial=0.0))
@@ -228,6 +237,20 @@ def far_sides(reference: Reference, q: Array, bounds: Sequence[UnilateralConstra
             if one.obstacle == other.obstacle and np.abs(a + b).max() <= PENETRATION * np.abs(a).max():
                 found.add(max(one, other, key=depth).name)
     return found
+
+
+def _driven(reference: Reference, g: JetGeometry, free: Set[str] = frozenset()) -> Array:
+    """The accelerations that the loads cause with what is held, but for some rows; they drive also what has no mass: it
+    is lent that of the heaviest body."""
+    n = len(reference.masses)
+    shares = (reference.sizes.length / reference.sizes.unit_moves) ** 2  # a turn moves points by the size of the system
+    heaviest = float((reference.masses / shares).max(initial=0.0)) or 1.0
+    M = np.where(reference.masses > 0.0, reference.masses, heaviest * shares)
+    gaps = [reference.gap(row, g) for row in reference.system.constraint_rows if row.name not in free]
+    split = Split(stack([gap.row(n) for gap in gaps], n), reference.sizes.small_moves, RANK_CUT)
+    a, N = split.least(np.array([-gap.bias for gap in gaps])), split.null
+    loose: Array = N @ np.linalg.solve(N.T @ (M[:, None] * N), N.T @ (forces(reference, g) - M * a))
+    return a + loose
 
 
 def is_within(reference: Reference, g: JetGeometry, bound: UnilateralConstraint, slack: float | None = None) -> bool:

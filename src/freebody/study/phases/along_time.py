@@ -35,6 +35,7 @@ _SOON = 1e-12  # [s] a time that is none
 _BESIDE = 1e-6  # of a time: just before and just after it
 _LONG = 20.0  # units of time of a law that a motion without an end is looked at
 _SHARES = tuple((k + 0.5) / 60 for k in range(60))  # of a motion at which it is looked at
+_TIMES = tuple(10.0 ** ((k - 29.5) / 10) for k in range(60))  # [s] where no law of the motion has a unit of time
 
 
 def in_time(course: UniformMotion, watches: Sequence[PhaseWatch], sets: Sets, indices: Chosen) -> PossibleEnds:
@@ -154,7 +155,7 @@ def by_laws(course: MotionInTime, watches: Sequence[PhaseWatch], sets: Sets, ind
     horizon = _LONG * np.max(_units_of_time(course, watches, sets), axis=0, initial=0.0)
     until = np.where(np.isfinite(ends), ends, horizon)
     for watch in watches:
-        seen = np.array([at(watch, share * until) for share in _SHARES])
+        seen = np.array([at(watch, np.where(until > 0.0, s * until, t)) for s, t in zip(_SHARES, _TIMES, strict=True)])
         with np.errstate(invalid="ignore"):
             missed = (seen < -_NOW * np.abs(seen).max(axis=0)).any(axis=0)
         if (missed & mine).any():

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass, replace
 
@@ -13,6 +13,7 @@ from freebody.language.expression import Expr
 from freebody.language.notation import joined, reworded
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure
+from freebody.questions.event import QuestionEvent
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer, AnswerCase, Evidence, Value, made
 from freebody.study.answering.crosscheck import TooLittleCompared
@@ -24,7 +25,7 @@ from freebody.study.phases.branch import AnswerBranch
 from freebody.study.phases.decide import NOTHING, as_test, cells
 from freebody.study.phases.evidence import compare
 from freebody.study.phases.kept import in_first_modes
-from freebody.study.phases.nodes import WayToPhase
+from freebody.study.phases.nodes import PhaseNode, WayToPhase
 from freebody.study.phases.numbers import Chosen, holds
 from freebody.study.phases.pieces import at_turning_impacts, pieces
 from freebody.study.phases.result import relations
@@ -75,30 +76,27 @@ def _at_first_turn(tree: PhaseTree, question: Question) -> Answer:
     assert turn is not None
     of, event, side = turn
     root = tree.roots[0]
-    state, phase = root.phase.start_instant, root.phase
-    rate = tree.to_home(phase, state.rate(event.measure))
-    if rate.is_zero():
-        rate = tree.to_home(phase, state.acceleration(event.measure))
-    open_ = np.flatnonzero(side * tree.numbers(rate) > 0)
+    rate = _rate_of(tree, root, event.measure)
+    open_ = np.arange(tree.sets.n) if rate.is_zero() else np.flatnonzero(side * tree.numbers(rate) > 0)
     found: list[tuple[Question, AnswerBranch]] = []
 
-    def take(asked: Question, branches: Iterable[AnswerBranch]) -> None:
+    def take(asked: Question, branches: Iterable[tuple[AnswerBranch, Ratio]]) -> None:
         nonlocal open_
-        for piece in branches:
+        for piece, out in branches:
             sets = np.intersect1d(piece.sets, open_)
+            sets = sets[side * tree.numbers(out)[sets] > 0]
             if len(sets):
-                needed = tree.conditions([(side * rate, ">", "")], sets)
+                needed = tree.conditions([(side * out, ">", "")], sets)
                 found.append((asked, replace(piece, sets=sets, conditions=[*piece.conditions, *needed])))
                 open_ = np.setdiff1d(open_, sets)
 
     # an impact may turn it: behind one the first place without speed is on the other side
     asked = replace(question, quantity=of, event=event)
     with suppress(CannotAnswer):
-        smooth = (p for p in pieces(tree, asked) if all(node.impact is None for node in p.nodes[1:]))
-        take(asked, [p for p in smooth if p.nodes[0] is root])
+        take(asked, [o for p in pieces(tree, asked) if p.nodes[0] is root for o in _setting_out(tree, p, event)])
     struck = replace(question, quantity=of)
     way = WayToPhase((root,), (), (*tree.assumed, *root.conditions))
-    take(struck, at_turning_impacts(tree, struck, event.measure, side, way))
+    take(struck, [(p, rate) for p in at_turning_impacts(tree, struck, event.measure, side, way)])
     own = next(((q, p) for q, p in found if 0 in p.sets or not tree.system.has_values), None)
     is_plain = question.event is None and question.transition is None
     if own is None and is_plain and tree.system.has_values and side * tree.numbers(rate)[0] < 0.0:
@@ -109,6 +107,24 @@ def _at_first_turn(tree: PhaseTree, question: Question) -> Answer:
     answer = _of_branches(tree, own[0], [p for q, p in found if q is own[0]])
     answer = replace(answer, notes=(*answer.notes, Message("there it first turns on that side")))
     return _no_farther(tree, answer, event.measure, side)
+
+
+def _rate_of(tree: PhaseTree, node: PhaseNode, measure: Measure) -> Ratio:
+    """The rate with which a measure begins a phase, from rest its acceleration."""
+    state = node.phase.start_instant
+    rate = tree.to_home(node.phase, state.rate(measure))
+    return tree.to_home(node.phase, state.acceleration(measure)) if rate.is_zero() else rate
+
+
+def _setting_out(tree: PhaseTree, piece: AnswerBranch, event: QuestionEvent) -> Iterator[tuple[AnswerBranch, Ratio]]:
+    """A turn without an impact since the measure set out, with the rate with which it did: what is struck at rest sets
+    out with that."""
+    for k, node in enumerate(piece.nodes):
+        rate = _rate_of(tree, node, event.measure)
+        if not rate.is_zero():
+            if all(later.impact is None for later in piece.nodes[k + 1 :]):
+                yield piece, rate
+            return
 
 
 def _no_farther(tree: PhaseTree, answer: Answer, measure: Measure, side: int) -> Answer:

@@ -55,7 +55,7 @@ def pieces(tree: PhaseTree, question: Question) -> list[AnswerBranch]:
     elif question.transition is not None:
         found = list(_at_transition(tree, question, question.transition, roots))
     elif question.event is not None:
-        found = list(_at_event(tree, question, question.event, roots, met))
+        found = list(_at_event(tree, question, question.event, roots, met, is_first=True))
     else:
         found = [_at_instant(tree, question, way) for way in roots]
     if not found:
@@ -254,17 +254,40 @@ def _at_the_start(tree: PhaseTree, question: Question, way: WayToPhase, why: str
 
 # -- a measure reaches a value ----------------------------------------------------------------
 def _at_event(
-    tree: PhaseTree, question: Question, event: AskedEvent, ways: list[WayToPhase], met: list[str]
+    tree: PhaseTree,
+    question: Question,
+    event: AskedEvent,
+    ways: list[WayToPhase],
+    met: list[str],
+    *,
+    is_first: bool = False,
 ) -> Iterator[AnswerBranch]:
-    """In every phase up to the event; `met` collects why there is no closed form on some ways."""
+    """In every phase up to the event; `met` collects why there is no closed form on some ways. is_first: in no phase
+    before was the event still to come."""
     for way in ways:
         try:
-            watches = list(watches_of(tree, way, event))
+            watches = list(sides(tree, way.last.phase, event, way.last.began, "is reached", way.last.sets))
         except CannotAnswer as error:
             met.append(str(error))
             continue
         for watch, sets, given in watches:
-            yield from _in_phase(tree, question, event, way, watch, sets, given, met)
+            if watch is not None:
+                yield from _in_phase(tree, question, event, way, watch, sets, given, met)
+            elif is_first:
+                yield from _behind_phase_at_event(tree, question, event, way, sets, met)
+
+
+def _behind_phase_at_event(
+    tree: PhaseTree, question: Question, event: AskedEvent, way: WayToPhase, sets: Chosen, met: list[str]
+) -> Iterator[AnswerBranch]:
+    """Where it is so at the start and all along the first phase, the next time is meant: what is at rest until it is
+    struck comes to rest."""
+    for edge in way.last.edges:
+        for after in edge.nodes:
+            later = np.intersect1d(after.sets, sets)
+            if len(later):
+                on = way.on(edge, replace(after, sets=later))
+                yield from _at_event(tree, question, event, [on], met, is_first=True)
 
 
 def _in_phase(

@@ -182,17 +182,29 @@ class LawMotion(MotionInTime):
         raise CannotAnswer(Message("it is no polynomial in the time"))
 
     def zeros(self, x: Ratio) -> list[CourseZero]:
-        """Of factors that are linear in one coordinate, or in its rate. Raises CannotAnswer for any other."""
+        """Of factors that are linear in one coordinate, or in its rate, or of the time alone. Raises CannotAnswer for
+        any other."""
         f = self.model.field
         found: list[CourseZero] = []
         for base, _exponent in f.factor(self.plain(x).num)[1]:
             inside = f.ingredients(base)
             moving = [(c, law) for c, law in self._each if inside & {c.index, c.speed}]
-            if len(moving) > 1 or f.index(f.time) in inside:
+            if f.index(f.time) in inside and not moving:
+                found += self._at_times(base)
+            elif len(moving) > 1 or f.index(f.time) in inside:
                 raise CannotAnswer(Message("it depends on several coordinates, or on the time as well"))
             for c, law in moving:
                 found += self._instants(base, c, law)
         return found
+
+    def _at_times(self, base: Ratio) -> Iterator[CourseZero]:
+        """Where a polynomial of the time vanishes."""
+        f = self.model.field
+        index = f.index(f.time)
+        if any(index in f.generators[g].made_of for g in f.ingredients(base) if g != index):
+            raise CannotAnswer(Message("it is no polynomial in the time"))
+        for time in polynomial_roots(self.model, base.coefficients(index)):
+            yield CourseZero(time, self.values(time), needs=(time,))
 
     @property
     def _each(self) -> Iterator[tuple[Coordinate, MotionLaw]]:

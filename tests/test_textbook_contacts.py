@@ -1,0 +1,89 @@
+"""Contacts as textbooks ask for them, against answers derived by hand in the line beside them."""
+
+from __future__ import annotations
+
+import pytest
+
+import freebody as fb
+from conftest import assert_same_function
+from freebody.language.notation import to_python
+from freebody.numeric.contact.start import assembled_touching
+from freebody.numeric.reference import Reference
+
+BEAM_OVER_PEG = """
+parameters: {W: 200 N, L: 3 m, alpha: 35 deg, h: 1.2 m, mu: 0.5}
+ground: {lines: {floor: {along: right}}, points: {peg: [h/tan(alpha), h]}}
+bodies: {beam: {rod: {length: L}, angle: alpha, at: [L*cos(alpha)/2, L*sin(alpha)/2]}}
+connections:
+  floor: {contact: {between: [beam.start, floor], friction: mu}}
+  peg: {contact: {between: [beam, ground.peg]}}
+loads: {w: {force: {at: beam.center, along: down, magnitude: W}}}
+"""
+RISING_FORCE = """
+parameters: {m: 10 kg, mu: 0.3, c: 6 N/s, T: 8 s, g: 9.81 m/s^2}
+ground: {lines: {floor: {along: right}}}
+bodies: {block: {particle: {mass: m}}}
+connections: {f: {contact: {between: [block, floor], friction: mu}}}
+loads: {w: {gravity: g}, F: {force: {at: block, along: right, magnitude: c*t}}}
+measures: {x: x of block}
+start: {x: 0, rate(x): 0}
+"""
+PILE = """
+parameters: {m1: 500 kg, m2: 200 kg, h: 1.5 m, R: 60 kN, g: 9.81 m/s^2}
+bodies:
+  hammer: {particle: {mass: m1}, at: [0, h], velocity: [0, 0]}
+  pile: {disk: {mass: m2, radius: 0.1 m}, at: [0, -0.1 m], velocity: [0, 0], points: {P: [0, 0.1 m]}}
+connections:
+  g1: {slider: {body: hammer, along: up}}
+  g2: {slider: {body: pile, along: up}}
+  hit: {contact: {between: [hammer, pile]}}
+  soil: {dry_friction: {measure: y, force: R}}
+loads: {w: {gravity: g}}
+measures: {y: y of pile.P}
+"""
+
+
+@pytest.mark.parametrize(
+    ("model", "question", "expected", "near"),
+    [
+        # N at the peg by moments about the foot, N h/sin a = W L/2 cos a; then F = N sin a <= mu (W - N cos a). The
+        # beam has no mass of its own
+        (
+            BEAM_OVER_PEG,
+            "least mu so that it stays at rest",
+            "L*sin(alpha)**2*cos(alpha)/(2*h - L*sin(alpha)*cos(alpha)**2)",
+            {"L": 3.0, "h": 1.2, "alpha": 0.6},
+        ),
+        # it slips from c t = mu m g on, with m x'' = c (t - t1)
+        (RISING_FORCE, "velocity of x at t = T", "c/(2*m)*(T - mu*m*g/c)**2", {}),
+        (RISING_FORCE, "x at t = T", "c/(6*m)*(T - mu*m*g/c)**3", {}),
+        # both go on with m1 sqrt(2 g h)/(m1 + m2), and R - (m1 + m2) g stops them
+        (PILE, "least y", "-m1**2*g*h/((m1 + m2)*(R - (m1 + m2)*g))", {}),
+    ],
+)
+def test_contacts_that_textbooks_ask_for(model: str, question: str, expected: str, near: dict[str, float]) -> None:
+    (answer,) = fb.solve(fb.System.from_text(model), question).answers
+    assert answer.expression is not None, answer.reason
+    assert answer.value is not None
+    assert_same_function(to_python(answer.expression), expected, near)
+
+
+def test_what_nobody_has_placed_lies_on_top_of_the_plank() -> None:
+    """Top and bottom of the plank are equally near: the weight drives the disk onto the top."""
+    system = fb.System.from_text(
+        """
+parameters: {m: 6 kg, M: 4 kg, a: 0.1 m, g: 9.81 m/s^2}
+bodies:
+  plank: {rectangle: {mass: M, width: 3 m, height: 0.1 m}}
+  disk: {disk: {mass: m, radius: a}}
+connections:
+  gl: {slider: {body: plank, along: right}}
+  c: {contact: {between: [disk, plank]}}
+loads: {G: {gravity: g}}
+measures: {X: x of plank, x: x of disk, y: y of disk}
+start: {X: 0, x: 0, rate(X): 0, rate(x): 0}
+"""
+    )
+    reference = Reference(system, {"m": 6.0, "M": 4.0, "a": 0.1, "g": 9.81})
+    q = assembled_touching(reference)
+    assert reference.snapshot(q, 0 * q).value(system.measures["y"]) == pytest.approx(0.15)
