@@ -649,6 +649,18 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
         "impulse": "m*M*v/(m + M)",
         "height": "m**2*v**2/(2*g*(m + M)**2) - L",
     },
+    # about the contact point I = m R^2 (3/2 - 8/(3 pi) cos(phi)), the mass centre 4 R/(3 pi) below the centre
+    "rocking_half_disk": {
+        "equation": "-8*sin(phi)*(R*rate(phi)**2 + g)/(R*(9*pi - 16*cos(phi)))",
+        "period": "2*pi*sqrt(R*(9*pi - 16)/(8*g))",
+        "speed": "-4*sqrt(g*(1 - cos(phi_0))/(R*(9*pi - 16)))",
+    },
+    # mass 3 M/4, its centre R/6 from the axle, I = M R^2/2 - (M/4)(R^2/8 + R^2/4) = 13/32 M R^2
+    "disk_with_a_hole": {
+        "period": "2*pi*sqrt(13*R/(4*g))",
+        "energy": "13*M*R**2*rate(theta)**2/64",
+        "force": "41*M*g/52",
+    },
     "throw_at_target": {
         "angles": [
             "atan((v0**2 + sqrt(v0**4 - 2*v0**2*h*g - s**2*g**2))/(s*g))",
