@@ -661,6 +661,22 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
         "energy": "13*M*R**2*rate(theta)**2/64",
         "force": "41*M*g/52",
     },
+    # r^2 phi' = r_0 v_0 and the energy: the ellipse with the pericentre r_0
+    "planet_orbit": {
+        "equation": "r*rate(phi)**2 - mu/r**2",
+        "energy": "m/2*(rate(r)**2 + r**2*rate(phi)**2) - m*mu/r",
+        "apogee": "r_0**2*v_0**2/(2*mu - r_0*v_0**2)",
+        "circle": "sqrt(mu/r_0)",
+    },
+    # m d'' = m g - rho g A d
+    "floating_buoy": {"depth": "m/(rho*A)", "period": "2*pi*sqrt(m/(rho*A*g))", "deepest": "2*m/(rho*A)"},
+    # J phi'' = T_0 (1 - phi'/omega_0) - T_L, an exponential approach to the steady speed
+    "motor_runs_up": {
+        "equation": "(T_0*(1 - rate(phi)/omega_0) - T_L)/J",
+        "steady": "omega_0*(1 - T_L/T_0)",
+        "time": "J*omega_0/T_0*log((1 - T_L/T_0)/(3/4 - T_L/T_0))",
+        "power": "T_0*rate(phi)*(1 - rate(phi)/omega_0)",
+    },
     "throw_at_target": {
         "angles": [
             "atan((v0**2 + sqrt(v0**4 - 2*v0**2*h*g - s**2*g**2))/(s*g))",
