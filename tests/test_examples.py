@@ -661,11 +661,11 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
         "energy": "13*M*R**2*rate(theta)**2/64",
         "force": "41*M*g/52",
     },
-    # r^2 phi' = r_0 v_0 and the energy: the ellipse with the pericentre r_0
+    # polar coordinates; in a circle v^2/r = mu/r^2, and what comes to rest at infinity has no energy
     "planet_orbit": {
         "equation": "r*rate(phi)**2 - mu/r**2",
         "energy": "m/2*(rate(r)**2 + r**2*rate(phi)**2) - m*mu/r",
-        "apogee": "r_0**2*v_0**2/(2*mu - r_0*v_0**2)",
+        "escape": "sqrt(2*mu/r_0)",
         "circle": "sqrt(mu/r_0)",
     },
     # m d'' = m g - rho g A d
