@@ -649,6 +649,34 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
         "impulse": "m*M*v/(m + M)",
         "height": "m**2*v**2/(2*g*(m + M)**2) - L",
     },
+    # about the contact point I = m R^2 (3/2 - 8/(3 pi) cos(phi)), the mass centre 4 R/(3 pi) below the centre
+    "rocking_half_disk": {
+        "equation": "-8*sin(phi)*(R*rate(phi)**2 + g)/(R*(9*pi - 16*cos(phi)))",
+        "period": "2*pi*sqrt(R*(9*pi - 16)/(8*g))",
+        "speed": "-4*sqrt(g*(1 - cos(phi_0))/(R*(9*pi - 16)))",
+    },
+    # mass 3 M/4, its centre R/6 from the axle, I = M R^2/2 - (M/4)(R^2/8 + R^2/4) = 13/32 M R^2
+    "disk_with_a_hole": {
+        "period": "2*pi*sqrt(13*R/(4*g))",
+        "energy": "13*M*R**2*rate(theta)**2/64",
+        "force": "41*M*g/52",
+    },
+    # polar coordinates; in a circle v^2/r = mu/r^2, and what comes to rest at infinity has no energy
+    "planet_orbit": {
+        "equation": "r*rate(phi)**2 - mu/r**2",
+        "energy": "m/2*(rate(r)**2 + r**2*rate(phi)**2) - m*mu/r",
+        "escape": "sqrt(2*mu/r_0)",
+        "circle": "sqrt(mu/r_0)",
+    },
+    # m d'' = m g - rho g A d
+    "floating_buoy": {"depth": "m/(rho*A)", "period": "2*pi*sqrt(m/(rho*A*g))", "deepest": "2*m/(rho*A)"},
+    # J phi'' = T_0 (1 - phi'/omega_0) - T_L, an exponential approach to the steady speed
+    "motor_runs_up": {
+        "equation": "(T_0*(1 - rate(phi)/omega_0) - T_L)/J",
+        "steady": "omega_0*(1 - T_L/T_0)",
+        "time": "J*omega_0/T_0*log((1 - T_L/T_0)/(3/4 - T_L/T_0))",
+        "power": "T_0*rate(phi)*(1 - rate(phi)/omega_0)",
+    },
     "throw_at_target": {
         "angles": [
             "atan((v0**2 + sqrt(v0**4 - 2*v0**2*h*g - s**2*g**2))/(s*g))",

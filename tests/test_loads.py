@@ -26,7 +26,7 @@ def test_load_passes_the_conformance_suite(kind: str, check: str) -> None:
     LOAD_CHECKS[check](kind)
 
 
-@pytest.mark.parametrize("kind", ["damper", "torsional_damper"])
+@pytest.mark.parametrize("kind", ["damper", "torsional_damper", "drag"])
 def test_dampers_only_take_energy(kind: str) -> None:
     reference = Reference(loaded(kind))
     q = reference.assemble()
@@ -179,6 +179,129 @@ loads: {it: {law: {measure: {expression: x2 - x1}, force: c*(rate(x1) - rate(x2)
 """,
         {"acceleration of x1": "c*(rate(x2) - rate(x1))/m1", "acceleration of x2": "c*(rate(x1) - rate(x2))/m2"},
     ),
+    # m v' = -k v^2: v = v0/(1 + k v0 t/m), and v dv/ds = -k v^2/m: v = v0 exp(-k s/m)
+    "a boat that coasts": (
+        "drag",
+        """
+parameters: {m: 2 kg, k: 0.3 kg/m, v0: 4 m/s}
+bodies: {boat: {particle: {mass: m}}}
+connections: {course: {slider: {body: boat, along: 30 deg}}}
+measures: {s: travel of boat along 30 deg}
+loads: {it: {drag: {body: boat, quadratic: k}}}
+start: {s: 0, rate(s): v0}
+""",
+        {
+            "time when rate(s) = v0/2": "m/(k*v0)",
+            "s when rate(s) = v0/2": "m*log(2)/k",
+            "force of it at start": "k*v0**2",
+        },
+    ),
+    # v^2 = (m g/k)(1 - exp(-2 k h/m)); freely falling, so that there is no other motion
+    "fall against the air": (
+        "drag",
+        """
+parameters: {m: 2 kg, k: 0.3 kg/m, g: 9.81 m/s^2, h: 10 m}
+bodies: {ball: {particle: {mass: m}}}
+loads: {weight: {gravity: g}, it: {drag: {body: ball, quadratic: k}}}
+measures: {y: drop of ball}
+start: {y: 0, rate(y): 0}
+""",
+        {
+            "velocity of y when y = h": "sqrt(m*g/k*(1 - exp(-2*k*h/m)))",
+            "terminal velocity of y": "sqrt(m*g/k)",
+        },
+    ),
+    # linear in each component: v_x = v0 cos(alpha) exp(-c t/m), and m v_y' = -m g - c v_y
+    "throw against the air": (
+        "drag",
+        """
+parameters: {m: 2 kg, c: 0.3 kg/s, g: 9.81 m/s^2, v0: 10 m/s, alpha: 40 deg}
+bodies: {ball: {particle: {mass: m}, velocity: [v0*cos(alpha), v0*sin(alpha)]}}
+loads: {weight: {gravity: g}, it: {drag: {body: ball, linear: c}}}
+measures: {x: x of ball, y: y of ball}
+start: {x: 0, y: 0}
+""",
+        {"velocity of x when rate(y) = 0": "v0*cos(alpha)/(1 + c*v0*sin(alpha)/(m*g))", "force of it at start": "c*v0"},
+    ),
+    # J w' = T_0 (1 - w/w_0)
+    "motor runs up a wheel": (
+        "motor",
+        """
+parameters: {J: 2 kg m^2, T_0: 3 N m, w_0: 50 rad/s}
+bodies: {wheel: {body: {inertia: J, mass: 1 kg}}}
+connections: {axle: {pin: [ground.O, wheel]}}
+measures: {phi: angle of wheel}
+loads: {it: {motor: {on: wheel, stall_torque: T_0, no_load_speed: w_0}}}
+start: {phi: 0, rate(phi): 0}
+""",
+        {
+            "time when rate(phi) = w_0/2": "J*w_0*log(2)/T_0",
+            "torque of it at start": "T_0",
+            "power of it": "T_0*rate(phi)*(1 - rate(phi)/w_0)",
+        },
+    ),
+    # Kepler: r^2 phi' = r_0 v_0 and the energy give the ellipse; straight out, v^2/2 = mu/r - mu/h
+    "orbit": (
+        "attraction",
+        """
+parameters: {m: 2 kg, mu: 30 m^3/s^2, r_0: 4 m, v_0: 3 m/s}
+bodies: {planet: {particle: {mass: m}, at: [r_0, 0]}}
+loads: {it: {attraction: {center: ground.O, strength: mu}}}
+measures: {r: distance from ground.O to planet, phi: angle of line from ground.O to planet}
+start: {r: r_0, phi: 0, rate(r): 0, rate(phi): v_0/r_0}
+""",
+        {
+            "total energy": "m/2*(rate(r)**2 + r**2*rate(phi)**2) - m*mu/r",
+            "force of it": "m*mu/r**2",
+            "greatest r": "r_0/(2*mu/(r_0*v_0**2) - 1)",
+        },
+    ),
+    # two bodies pull each other: M a = -m mu/r^2 of the centre, which is a body
+    "fall to a body that is free": (
+        "attraction",
+        """
+parameters: {m: 2 kg, M: 5 kg, mu: 30 m^3/s^2, d: 3 m}
+bodies: {star: {particle: {mass: M}}, stone: {particle: {mass: m}, at: [d, 0]}}
+loads: {it: {attraction: {center: star, strength: mu, on: [stone]}}}
+""",
+        {
+            "acceleration of star along right at start": "m*mu/(M*d**2)",
+            "acceleration of stone along right at start": "-mu/d**2",
+        },
+    ),
+    # m d'' = m g - rho g A d
+    "buoy": (
+        "buoyancy",
+        """
+parameters: {m: 2 kg, rho: 1000 kg/m^3, A: 0.01 m^2, g: 9.81 m/s^2, h: 0.5 m}
+bodies: {buoy: {rectangle: {mass: m, width: 0.1 m, height: h}}}
+connections: {guide: {slider: {body: buoy, along: up}}}
+loads: {weight: {gravity: g}, it: {buoyancy: {at: buoy.bottom, density: rho, strength: g, area: A}}}
+measures: {d: drop of buoy.bottom}
+start: {d: 0, rate(d): 0}
+""",
+        {
+            "equilibrium of d": "m/(rho*A)",
+            "period of small oscillations": "2*pi*sqrt(m/(rho*A*g))",
+            "greatest d": "2*m/(rho*A)",
+            "force of it": "rho*A*g*d",
+        },
+    ),
+    # wholly immersed in a viscous liquid: m v' = (rho V - m) g - c v upwards
+    "ball that rises in oil": (
+        "buoyancy",
+        """
+parameters: {m: 0.1 kg, rho: 900 kg/m^3, V: 0.5 dm^3, c: 2 N s/m, g: 9.81 m/s^2}
+bodies: {ball: {particle: {mass: m}}}
+loads:
+  weight: {gravity: g}
+  it: {buoyancy: {at: ball, density: rho, strength: g, volume: V}}
+  oil: {drag: {body: ball, linear: c}}
+measures: {y: height of ball}
+start: {y: 0, rate(y): 0}
+""",
+        {"acceleration of y at start": "(rho*V - m)*g/m", "terminal velocity of y": "(rho*V - m)*g/c"},
+    ),
     # J = m v, and moments about the centre: J a = m r^2/2 w
     "impulse": (
         "impulse",
@@ -251,3 +374,51 @@ start: {r: 0.5 m, rate(r): 0}
 """
     dataset = fb.System.from_text(text).simulate(2.0).dataset
     assert dataset["it.force"].values == pytest.approx(2.0 * np.abs(np.cos(2.0 * dataset["time"].values)), abs=1e-6)
+
+
+def test_what_floats_may_dive_and_leave_the_water() -> None:
+    # with h the law is rho g A min(max(d, 0), h)
+    system = fb.System.from_text("""
+bodies: {buoy: {rectangle: {mass: 1 kg, width: 0.1 m, height: 0.4 m}}}
+loads:
+  it: {buoyancy: {at: buoy.bottom, density: 1000 kg/m^3, strength: 10 m/s^2, area: 0.01 m^2, height: 0.4 m}}
+measures: {d: drop of buoy.bottom}
+""")
+    assert not system.assumptions
+    reference = Reference(system)
+    (push,) = system.applied_loads
+    for y, force in ((0.5, 0.0), (0.2, 0.0), (0.1, 10.0), (-0.2, 40.0), (-0.9, 40.0)):
+        assert reference.snapshot(np.array((0.0, y, 0.0)), np.zeros(3)).law(push) == pytest.approx(force, abs=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("load", "told"),
+    [
+        ("drag: {body: b}", "give linear: c"),
+        ("motor: {on: b, stall_torque: 2 N m, no_load_speed: -5 rad/s}", "act the same way round"),
+        ("buoyancy: {at: b, density: 1 kg/m^3, strength: 1 m/s^2}", "give area"),
+        ("buoyancy: {at: b, density: 1 kg/m^3, strength: 1 m/s^2, volume: 1 m^3, height: 1 m}", "wholly immersed"),
+    ],
+)
+def test_loads_ask_for_what_is_left_open(load: str, told: str) -> None:
+    with pytest.raises(fb.ModelError, match=told):
+        fb.System.from_text(f"bodies: {{b: {{disk: {{mass: 1 kg, radius: 1 m}}}}}}\nloads: {{it: {{{load}}}}}")
+
+
+def test_drag_and_motor_in_space_are_those_of_the_plane() -> None:
+    system = fb.System.from_text("""
+space: true
+bodies:
+  ball: {particle: {mass: 2 kg}, velocity: [2 m/s, 3 m/s, 6 m/s]}
+  wheel: {disk: {mass: 1 kg, radius: 1 m, axis: x}}
+connections: {axle: {revolute: {first: ground.O, second: wheel, about: x}}}
+measures: {psi: angle of wheel about x}
+loads:
+  air: {drag: {body: ball, quadratic: 0.1 kg/m}}
+  motor: {motor: {on: wheel, stall_torque: 2 N m, no_load_speed: 50 rad/s, about: x}}
+questions: {force: force of air at start, slow: "acceleration of ball along z at start", spin: acceleration of psi}
+""")
+    solution = system.solve()
+    assert solution["force"].value == pytest.approx(4.9)  # 0.1 * 7^2
+    assert solution["slow"].value == pytest.approx(-4.9 * 6 / 7 / 2)
+    assert solution["spin"].value == pytest.approx(2 / 0.5)  # at rest

@@ -332,17 +332,21 @@ loads:
     assert s.acceleration(measured(s, "x")) == pytest.approx(x)
 
 
-def test_a_law_with_a_pole_at_zero_has_no_potential() -> None:
+def test_a_law_with_a_pole_at_zero_has_its_potential_from_infinity_or_none() -> None:
     s = start_of("""
 bodies: {ball: {particle: {mass: 2 kg}, at: [3 m, 4 m]}}
 parameters: {k: 5 N m^2, q: 2 N/m, l: 1 m}
 measures: {d: distance from ground.A to ball}
-loads: {attraction: {law: {measure: d, force: -k/d^2}}, root: {law: {measure: d, force: q*sqrt(l*d)}}}
+loads:
+  attraction: {law: {measure: d, force: -k/d^2}}
+  line: {law: {measure: d, force: -k/(l*d)}}
+  root: {law: {measure: d, force: q*sqrt(l*d)}}
 """)
-    attraction, root = s.reference.system.applied_loads
+    attraction, line, root = s.reference.system.applied_loads
     assert s.law(attraction) == pytest.approx(-0.2)
-    with pytest.raises(CannotAnswer, match="cannot be integrated"):
-        s.potential(attraction)
+    assert s.potential(attraction) == pytest.approx(-1, rel=1e-12)  # -k/d
+    with pytest.raises(CannotAnswer, match="cannot be integrated"):  # a logarithm, which has no end
+        s.potential(line)
     assert s.potential(root) == pytest.approx(-2 * 2 / 3 * 5**1.5, rel=1e-10)
 
 

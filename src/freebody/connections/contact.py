@@ -140,7 +140,7 @@ connections: {it: {contact: {between: [ball, floor], friction: 0.3, restitution:
 
 
 def _has_outline(body: Any) -> bool:
-    return body.radius is not None or bool(body.corners) or not body.turns
+    return (body.radius is not None and not body.edges) or bool(body.corners) or not body.turns
 
 
 def _is_misspelt(names: Names, *outlines: Outline) -> bool:

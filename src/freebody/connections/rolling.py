@@ -59,6 +59,11 @@ connections: {it: {rolling: {body: wheel, on: floor}}}
         if plane is not None:
             return rolling_rows(names, body, body.radius if own is None else own, plane)
         radius = names.radius(body.name, "body") if own is None else own
+        if body.is_part_of_a_circle and own is None:
+            told = Message(
+                "{connection}: {body} touches with its round side", connection=self.own_name(names), body=body.name
+            )
+            names.assumptions.append(told)
         if (self.on is None) == (self.inside is None):
             names.problem(Message("say what it rolls on: on: ground.floor (a line), on: drum, or inside: ring"))
             return []

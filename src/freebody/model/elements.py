@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
-from typing import Literal, TypeVar
+from typing import Generic, Literal, TypeVar
 
 from freebody.language.expression import Expr, Symbol
 from freebody.language.units import Dimension
@@ -18,6 +18,7 @@ from freebody.measures.geometry import GROUND, ZERO, Components, Direction, Geom
 from freebody.model.solids import NO_SOLID, SolidKind
 
 S = TypeVar("S", bound=Scalar)
+P = TypeVar("P")  # a place: components of it, or numbers
 
 # In the law of a load: the measure and its rate. No user can type these names.
 VALUE = Symbol("@value")
@@ -111,6 +112,15 @@ class Start:
 
 
 @dataclass(frozen=True)
+class Edge(Generic[P]):
+    """What is drawn of a flat shape: the edge of an area, of a hole in it, or a bent wire from its first place to its
+    last; one place alone is a point mass."""
+
+    places: tuple[P, ...]
+    look: Literal["area", "hole", "wire"] = "area"
+
+
+@dataclass(frozen=True)
 class RigidBody:
     """A body: mass, moment of inertia about the mass centre, and points by components from the mass centre."""
 
@@ -127,6 +137,9 @@ class RigidBody:
     is_placeholder: bool = False  # stands in for a body that could not be read
     corners: tuple[str, ...] = ()  # points on its straight-edged rim, in order
     is_ring: bool = False  # a circle with room inside
+    edges: tuple[
+        Edge[Components], ...
+    ] = ()  # what is drawn of it, from the mass centre, where that is no full circle or polygon
     # in space
     tensor: Components = ()  # of inertia about the mass centre in body axes: xx, yy, zz, xy, xz, yz
     round: str = ""  # what of it can roll: "disk" (its rim), "sphere", "cone"
@@ -146,6 +159,11 @@ class RigidBody:
     def center(self) -> Point:
         """The reference point: the centre of a round body's rim."""
         return self.point()
+
+    @property
+    def is_part_of_a_circle(self) -> bool:
+        """Whether its radius is that of an edge which does not go all the way round."""
+        return self.radius is not None and bool(self.edges)
 
     @property
     def mass_center(self) -> Point:

@@ -36,6 +36,8 @@ RING = SolidKind("ring", is_round=True, is_hoop=True, has_lengths=False)  # radi
 SPHERE = SolidKind("sphere", is_ball=True, is_thick=True, has_lengths=False)  # radius
 CYLINDER = SolidKind("cylinder", is_round=True, is_shaft=True, has_flat_end=True, is_thick=True)  # radius, length
 CONE = SolidKind("cone", is_round=True, is_tapered=True)  # radius, height
+FRUSTUM = SolidKind("frustum", is_round=True)  # radius of the base, of the top, height; from its reference point
+DOME = SolidKind("dome")  # radius; half a ball about its own x from its reference point
 ROD = SolidKind("rod")  # length
 BOX = SolidKind("box")  # along x, y, z
-PLATE = SolidKind("plate", is_sheet=True)  # none: it has corners
+PLATE = SolidKind("plate", is_sheet=True)  # none: it has corners or a curved edge

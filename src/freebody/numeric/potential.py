@@ -27,7 +27,8 @@ from freebody.tolerances import ROUNDED
 
 def potential(reference: NumericSystem, push: AppliedLoad, value: Callable[[Measure], float]) -> float:
     """Minus the integral of the law over its measure from 0 (for a measure of which only changes mean
-    something: from the start) to its value [J]. Raises CannotAnswer where the law has no potential."""
+    something: from the start; of a law with a pole at 0 that fades out: from infinity) to its value [J]. Raises
+    CannotAnswer where the law has no potential."""
     law, needed = push.law, free_symbols(push.law) - set(reference.frame.values) - {VALUE.name}
     own = {name for name, measure in push.measures if measure == push.measure}
     if isinstance(push.measure, NonholonomicForm):
@@ -42,8 +43,15 @@ def potential(reference: NumericSystem, push: AppliedLoad, value: Callable[[Meas
         names |= dict.fromkeys(own, x + origin)
         return np.broadcast_to(evaluate(law, names, ARRAY_FUNCTIONS), x.shape)
 
+    x = value(push.measure) - origin
     with named(push.name):
-        return -_integral(force, value(push.measure) - origin)
+        try:
+            return -_integral(force, x)
+        except (ValueError, ArithmeticError):
+            if origin or x <= 0.0:
+                raise
+            # with s = x/u:  V = integral of f(s) ds from x to infinity
+            return _integral(lambda u: force(x / u) * x / (u * u), 1.0)
 
 
 def work_between(reference: NumericSystem, push: AppliedLoad, start: float, end: float) -> float:

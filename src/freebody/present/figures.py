@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from freebody.measures.turned import within
 from freebody.model import glyphs
+from freebody.model.elements import Edge
 from freebody.model.solids import NO_SOLID, SolidKind
 
 Array = NDArray[np.float64]
@@ -88,6 +89,7 @@ class Figure:
     has_mass: bool = True
     has_place: bool = False  # the model says where it starts
     corners: tuple[Place, ...] = ()  # of a straight-edged rim, in order
+    edges: tuple[Edge[Place], ...] = ()  # what is drawn of it, where that is neither a polygon nor a full circle
     is_toothed: bool = False
     path: tuple[Place, ...] = ()  # through which it is drawn as a bent bar
     scale: float = 1.0  # how many times as large as others a point mass is drawn
@@ -104,8 +106,12 @@ class Figure:
 
     @property
     def outline(self) -> Array:
-        """(n, 2) [m] its corners, if they enclose an area; or those of the hull of its points, counter-clockwise: two
-        for a rod, one for a dot."""
+        """(n, 2) [m] its edge or its corners, if they enclose an area; or those of the hull of its points or of its
+        parts, counter-clockwise: two for a rod, one for a dot."""
+        if len(self.edges) == 1:
+            return np.array([p.xy for p in self.edges[0].places])
+        if self.edges:
+            return hull(np.array([p.xy for edge in self.edges if edge.look != "hole" for p in edge.places]))
         corners = np.array([p.xy for p in self.corners])
         if len(corners) > 2 and len(hull(corners)) > 2:
             return corners

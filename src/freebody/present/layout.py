@@ -223,6 +223,7 @@ def bounds(scene: Scene, poses: Array) -> tuple[Array, Array]:
     ends = [*((s.first, s.second) for s in scene.springs), *scene.pins, *scene.welds, *scene.rods]
     corners += [positions(poses, place) for pair in ends for place in pair]
     corners += [positions(poses, node.place) for rope in scene.ropes for node in rope.nodes]
+    corners += [positions(poses, at) for s in scene.signs if isinstance(s, glyphs.Relation) for at in s.points]
     for groove in scene.grooves:
         corners += [positions(poses, groove.center) + groove.radius * sign for sign in (-1.0, 1.0)]
     everything = np.concatenate(corners or [np.zeros((1, 2))])

@@ -238,11 +238,27 @@ class Pen:
         elif len(outline) == 2:
             points = capsule(tuple(outline[0]), tuple(outline[1]), surplus(figure, self.u))
             yield Path(rest, turn, points, fill, True, color)
+        elif figure.edges:
+            yield from self._edges(figure, rest, fill)
+            yield from self._arms(figure)
         else:
             yield Path(rest, turn, outline, fill, True, color)
             yield from self._arms(figure)
         if figure.has_mass and turn != GROUND and size > 4 * self.u:
             yield Path(figure.mass_center, turn, circle(0.22 * self.u), "mass center", True, color)
+
+    def _edges(self, figure: Figure, rest: Place, fill: str) -> Iterator[Path]:
+        """The parts of a flat body, and the holes in them."""
+        turn, color = figure.index, figure.number
+        at = np.array(figure.mass_center.xy if turn == GROUND else (0.0, 0.0))
+        looks = {"area": fill, "hole": "hole", "wire": "hoop" if turn != GROUND else "fixed rim"}
+        for edge in sorted(figure.edges, key=lambda edge: edge.look == "hole"):
+            points = np.array([place.xy for place in edge.places]) - at
+            if len(points) == 1:
+                points = points + circle(0.7 * self.u)
+                yield Path(rest, turn, points, "dot" if turn != GROUND else fill, True, color)
+            else:
+                yield Path(rest, turn, points, looks[edge.look], edge.look != "wire", color)
 
     def _arms(self, figure: Figure) -> Iterator[Path]:
         """A line from the mass centre to what is joined to a body outside its edges."""

@@ -11,6 +11,7 @@ import numpy as np
 
 from freebody.language.expression import ZERO, Expr
 from freebody.measures.geometry import GROUND as GROUND_NAME
+from freebody.measures.geometry import Point
 from freebody.model.elements import RigidBody
 from freebody.model.glyphs import (
     Ball,
@@ -225,12 +226,16 @@ class _Reader:
             corners=tuple(points[name] for name in body.corners),
             outside=tuple(dict.fromkeys(name for name, within in touched if not within)),
             inside=tuple(dict.fromkeys(name for name, within in touched if within)),
+            edges=tuple(
+                replace(edge, places=tuple(self.places.place(Point(body.name, at)) for at in edge.places))
+                for edge in body.edges
+            ),
             path=tuple(points[name] for name in self.system.looks.paths.get(body.name, ())),
             scale=self.system.looks.scale.get(body.name, 1.0),
         )
         if self.system.space:
             return self._solid(plain, body)
-        return plain if body.radius is None else self._wheel(plain, body, self.number(body.radius))
+        return plain if body.radius is None or body.edges else self._wheel(plain, body, self.number(body.radius))
 
     def _solid(self, plain: Figure, body: RigidBody) -> Figure:
         """The form of a body of space, and whether it is a gear wheel."""

@@ -17,6 +17,7 @@ from freebody.language.expression import (
     differentiate,
     free_symbols,
     number,
+    power,
     substitute,
     whole_exponent,
 )
@@ -117,14 +118,18 @@ class SymbolicState:
         return self.here(self.model.loads.law(push))
 
     def potential(self, push: AppliedLoad) -> Ratio:
-        """-integral of the law over its measure, for laws that are polynomials in it."""
+        """-integral of the law over its measure: from 0 for laws that are polynomials in it, from infinity for sums of
+        c/x^n with n > 1, which have a pole at 0 and fade out."""
         field = self.model.field
-        coefficients = law_polynomial(push)
+        inverse = inverse_powers(push)
+        coefficients = law_polynomial(push) if inverse is None else []
         assert not isinstance(push.measure, NonholonomicForm)
         value = self.model.value_of(push.measure) - self.model.loads.start_constant(push)
         total = field.zero
         for k, coefficient in enumerate(coefficients):
             total = total - self.scalar(coefficient) * value ** (k + 1) / (k + 1)
+        for n, coefficient in (inverse or {}).items():
+            total = total + self.scalar(coefficient) / (value ** (n - 1) * (n - 1))
         return self.here(total)
 
     def sqrt(self, x: Any) -> Ratio:
@@ -173,6 +178,41 @@ def law_polynomial(push: AppliedLoad) -> list[Expr]:
     raise CannotAnswer(
         Message("the law of {load} is no polynomial in its measure, so its potential is not closed", load=push.load)
     )
+
+
+def inverse_powers(push: AppliedLoad) -> dict[int, Expr] | None:
+    """Coefficients c_n of a law sum c_n/value^n with all n > 1, by n; None where it is not of that form."""
+    if isinstance(push.measure, NonholonomicForm) or push.measure.incremental or push.measures or push.general:
+        return None
+    found: dict[int, Expr] = {}
+    for term in push.law.terms if isinstance(push.law, Sum) else (push.law,):
+        monomial = _monomial(term)
+        if monomial is None or monomial[1] > -2 or {"t", "@rate"} & free_symbols(monomial[0]):
+            return None
+        found[-monomial[1]] = found.get(-monomial[1], number(0)) + monomial[0]
+    return found
+
+
+def _monomial(e: Expr) -> tuple[Expr, int] | None:
+    """(c, n) of c value^n; None for anything else."""
+    if "@value" not in free_symbols(e):
+        return e, 0
+    match e:
+        case Symbol():
+            return number(1), 1
+        case ProductOf(factors):
+            parts = [_monomial(factor) for factor in factors]
+            c, n = number(1), 0
+            for part in parts:
+                if part is None:
+                    return None
+                c, n = c * part[0], n + part[1]
+            return c, n
+        case PowerOf(base, exponent):
+            inner, k = _monomial(base), whole_exponent(e)
+            return None if inner is None or k is None else (power(inner[0], exponent), inner[1] * k)
+        case _:
+            return None
 
 
 def _is_polynomial(law: Expr) -> bool:

@@ -9,14 +9,17 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, ClassVar
 
-from freebody.language.expression import Expr, divide, number, power
+from freebody.language.expression import PI, Call, Expr, divide, number, power
 from freebody.measures.geometry import ZERO, Components
+from freebody.model.elements import Edge
 from freebody.model.kinds import Kinds
 from freebody.model.solids import NO_SOLID, SolidKind
 from freebody.model.spec import Spec
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
+
+N_SIDES = 64  # of a drawn circle
 
 
 @dataclass(frozen=True)
@@ -32,6 +35,7 @@ class Build:
     default_point: str = "center"
     corners: tuple[str, ...] = ()  # points of a straight-edged rim, in order
     is_ring: bool = False
+    edges: tuple[Edge[Components], ...] = ()  # what is drawn of it, where that is no full circle and not straight
     # in space
     tensor: Components = ()  # about the mass centre: xx, yy, zz, xy, xz, yz
     round: str = ""
@@ -68,3 +72,9 @@ def half(e: Expr) -> Expr:
 def square(e: Expr) -> Expr:
     """e^2."""
     return power(e, number(2))
+
+
+def circle(radius: Expr) -> tuple[Components, ...]:
+    """Places on a full circle about the reference point, from its x axis to there again."""
+    angles = [divide(2 * k * PI, number(N_SIDES)) for k in range(N_SIDES + 1)]
+    return tuple((radius * Call("cos", angle), radius * Call("sin", angle)) for angle in angles)

@@ -1,19 +1,23 @@
-"""A rigid body made of simple ones: masses add up, moments of inertia by parallel axes (Huygens-Steiner)."""
+"""A rigid body made of simple ones: masses add up, moments of inertia by parallel axes (Huygens-Steiner). A hole is a
+part whose mass counts negative."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any, cast
 
-from pydantic import ValidationError
+from pydantic import Field, ValidationError
 
-from freebody.language.expression import Call, Expr
+from freebody.language.expression import Call, Expr, negate
 from freebody.language.sentences import Message
 from freebody.language.units import LENGTH
 from freebody.measures.geometry import ZERO, Components
 from freebody.model.chains import read_chain
+from freebody.model.elements import Edge
 from freebody.model.noting import did_you_mean
 from freebody.model.rotations import UNIT, Columns, applied, columns_of
-from freebody.model.shapes.base import Build, Shape
+from freebody.model.shapes.base import Build, Shape, circle
 from freebody.model.tensors import moved, turned
 
 if TYPE_CHECKING:
@@ -26,9 +30,13 @@ Placed = tuple[Build, Components, Columns]  # a part, its mass centre, its axes
 class Composite(Shape, kind="composite"):
     """`composite: {parts: {hub: {disk: {mass: M, radius: R}}, arm: {rod: {mass: m, length: L}, at: [R, 0]}}}`: every
     part is a shape whose reference point stands at `at` in the body's own frame, turned by `angle`, or, in space, by
-    `turned`. Points: `origin`, and the reference point of every part by its name."""
+    `turned`. Points: `origin`, and the reference point of every part by its name.
+
+    `holes` are written as parts and taken away, each with the mass of what was there: a plate of mass M with a hole
+    where m has been cut out weighs M - m."""
 
     parts: dict[str, Any]
+    holes: dict[str, Any] = Field(default_factory=dict[str, Any])
 
     example = "{parts: {hub: {disk: {mass: 2 kg, radius: 0.2 m}}, tip: {particle: {mass: 1 kg}, at: [0.5 m, 0]}}}"
 
@@ -37,14 +45,22 @@ class Composite(Shape, kind="composite"):
         moment: Components = names.origin
         placed: list[Placed] = []
         points: dict[str, Components] = {"origin": names.origin}
-        for name, value in self.parts.items():
-            with names.at("parts", name):
+        edges: list[Edge[Components]] = []
+        listed = [("parts", name, value) for name, value in self.parts.items()]
+        listed += [("holes", name, value) for name, value in self.holes.items()]
+        for field, name, value in listed:
+            with names.at(field, name):
                 found = _part(names, value)
+                if name in points:
+                    names.problem(Message("{name} is there already; call it otherwise", name=name))
             if found is None:
                 continue
             build, at, axes = found
+            if field == "holes":
+                build = _taken_away(build)
             center = tuple(a + c for a, c in zip(at, _turned(axes, build.center_of_mass, len(at)), strict=True))
             points[name] = at
+            edges += _edges(build, at, axes, is_hole=field == "holes")
             mass = mass + build.mass
             moment = tuple(m + build.mass * c for m, c in zip(moment, center, strict=True))
             placed.append((build, center, axes))
@@ -52,12 +68,36 @@ class Composite(Shape, kind="composite"):
             names.problem(
                 Message("a composite needs parts, e.g. parts: {{hub: {{disk: {{mass: m, radius: R}}}}}}"), "parts"
             )
+        if (left := names.numeric(mass)) is not None and left < 0.0:
+            names.problem(Message("the holes weigh {more:.4g} kg more than the parts", more=-left), "holes")
         if mass == ZERO:
-            return Build(ZERO, ZERO, points=points, default_point="origin")
+            return Build(ZERO, ZERO, points=points, default_point="origin", edges=tuple(edges))
         middle = tuple(m / mass for m in moment)
         tensor = _tensor(placed, middle) if names.space else ()
         inertia = tensor[2] if tensor else _polar(placed, middle)
-        return Build(mass, inertia, middle, points, default_point="origin", tensor=tensor)
+        return Build(mass, inertia, middle, points, default_point="origin", tensor=tensor, edges=tuple(edges))
+
+
+def _edges(build: Build, at: Components, axes: Columns, *, is_hole: bool) -> Iterator[Edge[Components]]:
+    """What is drawn of a part."""
+    own = build.edges
+    if not own and build.radius is not None:
+        own = (Edge(circle(build.radius), "wire" if build.is_ring else "area"),)
+    elif not own:
+        corners = tuple(build.points[corner] for corner in build.corners) or ((ZERO, ZERO),)
+        own = (Edge(corners, "wire" if len(corners) == 2 else "area"),)
+    for edge in own:
+        places = tuple(
+            tuple(a + c for a, c in zip(at, _turned(axes, place, len(at)), strict=True)) for place in edge.places
+        )
+        yield Edge(places, "hole" if is_hole else edge.look)
+
+
+def _taken_away(build: Build) -> Build:
+    """A part that is not there: its mass and moments of inertia count negative."""
+    return replace(
+        build, mass=negate(build.mass), inertia=negate(build.inertia), tensor=tuple(negate(c) for c in build.tensor)
+    )
 
 
 def _polar(placed: list[Placed], middle: Components) -> Expr:

@@ -40,7 +40,7 @@ def about_axis(axis: Components, along: Expr, across: Expr) -> Components:
     )
 
 
-def _axis(names: Names, spec: Shape) -> Components:
+def own_axis(names: Names, spec: Shape) -> Components:
     """The axis of a round shape in space, z unless it says otherwise."""
     given = getattr(spec, "axis", "z")
     if not names.space:
@@ -93,7 +93,7 @@ def _wheel(names: Names, spec: Disk | Ring, m: Expr, r: Expr, own: Expr, solid: 
     """A thin round body. own: its moment of inertia about its axis unless one is given; half of it about a diameter."""
     given = names.optional(spec, "inertia", INERTIA)
     inertia = own if given is None else given
-    axis = _axis(names, spec)
+    axis = own_axis(names, spec)
     tensor = about_axis(axis, inertia, half(inertia)) if axis else ()
     return Build(
         m, inertia, radius=r, is_ring=solid.is_hoop, tensor=tensor, round="disk", axis=axis, solid=solid, sizes=(r,)
@@ -138,7 +138,7 @@ class Cylinder(Shape, kind="cylinder"):
     def build(self, names: Names) -> Build:
         m, r, length = (names.positive(self, f, d) for f, d in (("mass", MASS), ("radius", LENGTH), ("length", LENGTH)))
         along = half(m * square(r))
-        axis = _axis(names, self)
+        axis = own_axis(names, self)
         end = half(length)
         return Build(
             m,
@@ -170,7 +170,7 @@ class Cone(Shape, kind="cone"):
     def build(self, names: Names) -> Build:
         m, r, h = (names.positive(self, f, d) for f, d in (("mass", MASS), ("radius", LENGTH), ("height", LENGTH)))
         along = divide(3 * m * square(r), number(10))
-        axis = _axis(names, self)
+        axis = own_axis(names, self)
         zero = (ZERO, ZERO, ZERO)
         return Build(
             m,

@@ -11,12 +11,24 @@ from freebody.model import solids
 from freebody.model.solids import SolidKind
 from freebody.present.figures import Array, Figure, Place, Triple
 from freebody.present.space.pieces import Piece, ball
-from freebody.present.space.solids import Solid, band, basis, box, marked, marked_cone, plate, prism
+from freebody.present.space.solids import (
+    Solid,
+    band,
+    basis,
+    box,
+    marked,
+    marked_cone,
+    plate,
+    prism,
+    tube,
+    turned_on_axis,
+)
 
 THIN = 0.045  # half the thickness of a disk by its radius
 HOOP = (0.07, 0.035)  # half the width and half the depth of a ring by its radius
 GEAR = 0.08  # that of a gear wheel
 _N_TEETH = 32
+_N_RINGS = 8  # of half a ball
 
 
 def convex(form: Figure, u: float) -> Solid | None:
@@ -31,7 +43,10 @@ def _box(form: Figure, u: float) -> Solid:
 
 
 def _plate(form: Figure, u: float) -> Solid | None:
-    return plate(np.array([corner.at for corner in form.corners])) if len(form.corners) > 2 else None
+    corners = form.edges[0].places if form.edges else form.corners
+    if form.edges and form.edges[0].look == "wire":
+        return None
+    return plate(np.array([corner.at for corner in corners])) if len(corners) > 2 else None
 
 
 def _cylinder(form: Figure, u: float) -> Solid:
@@ -41,6 +56,18 @@ def _cylinder(form: Figure, u: float) -> Solid:
 
 def _cone(form: Figure, u: float) -> Solid:
     return marked_cone(*form.sizes).moved(_own_axes(form), form.center.at)
+
+
+def _frustum(form: Figure, u: float) -> Solid:
+    base, top, height = form.sizes
+    return turned_on_axis(((base, 0.0), (top, height))).moved(_own_axes(form), form.center.at)
+
+
+def _dome(form: Figure, u: float) -> Solid:
+    (radius,) = form.sizes
+    heights = np.linspace(0.0, 0.5 * np.pi, _N_RINGS, endpoint=False)
+    profile = [(radius * float(np.cos(a)), radius * float(np.sin(a))) for a in heights]
+    return turned_on_axis((*profile, (0.02 * radius, radius))).moved(basis((1.0, 0.0, 0.0)), form.center.at)
 
 
 def _disk(form: Figure, u: float) -> Solid:
@@ -63,6 +90,8 @@ _CONVEX: dict[SolidKind, Callable[[Figure, float], Solid | None]] = {
     solids.PLATE: _plate,
     solids.CYLINDER: _cylinder,
     solids.CONE: _cone,
+    solids.FRUSTUM: _frustum,
+    solids.DOME: _dome,
     solids.DISK: _disk,
     solids.ROD: _rod,
 }
@@ -109,6 +138,9 @@ def body_pieces(form: Figure, used: Collection[Triple], u: float, *, is_fixed: b
         hoop = "fixed hoop" if is_fixed else "hoop"
         for part in band(radius, HOOP[0] * radius, HOOP[1] * radius):
             yield Piece(part.moved(axes, form.center.at), middle, form.index, hoop, color)
+    elif form.solid.is_sheet and form.edges and solid is None:
+        for part in tube(np.array([place.at for place in form.edges[0].places]), 0.4 * u):
+            yield Piece(part, middle, form.index, look, color)
     elif solid is not None:
         yield Piece(solid, middle, form.index, look, color)
     else:
@@ -145,12 +177,13 @@ def _arms(
     form: Figure, solid: Solid | None, used: Collection[Triple], u: float, look: str, color: int
 ) -> Iterator[Piece]:
     """A bar from the middle of a body to what is joined to it outside its solid."""
+    start = form.center.at if not form.solid.is_tapered else (0.0, 0.0, 0.0)
+    if form.edges and form.edges[0].look == "wire":
+        start = form.edges[0].places[len(form.edges[0].places) // 2].at
     for tip in used:
         gap = _gap(form, solid, np.array(tip))
-        if gap > 0.5 * u:
-            yield _bar(
-                form, form.center.at if not form.solid.is_tapered else (0.0, 0.0, 0.0), tip, 0.5 * u, look, color
-            )
+        if gap > 0.5 * u and _apart(start, tip) > 0.5 * u:
+            yield _bar(form, start, tip, 0.5 * u, look, color)
 
 
 def _gap(form: Figure, solid: Solid | None, tip: Array) -> float:

@@ -132,6 +132,19 @@ def prism(radius: float, low: float, high: float, n: int = N_SIDES, *, is_open: 
     return solid(points, faces, range(n), (n, n + 1) if is_open else ())
 
 
+def turned_on_axis(profile: Sequence[tuple[float, float]], n: int = N_SIDES) -> Solid:
+    """A convex solid of revolution about z, by the radii and heights of its circles from below; its caps the last two
+    faces."""
+    a = np.linspace(0.0, 2 * np.pi, n, endpoint=False)
+    points = np.concatenate([np.column_stack((r * np.cos(a), r * np.sin(a), np.full(n, z))) for r, z in profile])
+    m = len(profile) - 1
+    sides = [
+        (j * n + k, j * n + (k + 1) % n, (j + 1) * n + (k + 1) % n, (j + 1) * n + k) for j in range(m) for k in range(n)
+    ]
+    faces = [*sides, tuple(range(n - 1, -1, -1)), tuple(range(m * n, (m + 1) * n))]
+    return solid(points, faces, range(m * n))
+
+
 def marked(bar: Solid, n_teeth: int = 1) -> Solid:
     """A round bar with a radius on each cap, so that its turning is seen, and lines along its side: one, or teeth."""
     n = len(bar.points) // 2

@@ -226,7 +226,7 @@ class FreeBody:
     def _resultant(self, applied_loads: Sequence[AppliedLoad], *, only_outside: bool) -> Iterator[ShownForce]:
         """A force of several components in the sense in which it acts in this pose: where it is zero it has none."""
         total = self._total(applied_loads)
-        if total < sum(self._unsettled(push) for push in applied_loads):
+        if total <= sum(self._unsettled(push) for push in applied_loads):
             return
         parts = {push: self.snapshot.law(push) / total for push in applied_loads}
 

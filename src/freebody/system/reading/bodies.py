@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping
+from dataclasses import replace
 from typing import Any, cast
 
 from freebody.language.document.writer import flow_text
@@ -11,7 +12,7 @@ from freebody.language.sentences import Message
 from freebody.language.units import LENGTH
 from freebody.measures.geometry import GROUND, Components
 from freebody.model.chains import read_chain
-from freebody.model.elements import BodyPlane, Line, RigidBody, Rotation
+from freebody.model.elements import BodyPlane, Edge, Line, RigidBody, Rotation
 from freebody.model.names import placeholder
 from freebody.model.noting import did_you_mean
 from freebody.model.shapes.base import Build, Shape
@@ -117,6 +118,7 @@ class BodySections:
             start=start,
             corners=self._outline(entry, offsets) or build.corners,
             is_ring=build.is_ring,
+            edges=tuple(self._edge_from_mass_center(edge, build) for edge in build.edges),
             tensor=build.tensor,
             round=build.round,
             axis=build.axis,
@@ -175,10 +177,17 @@ class BodySections:
         own = {build.default_point: names.origin} | {key: self._full(at) for key, at in build.points.items()}
         for point, pair in (self.source.open.points(entry.get("points"), name, own.__contains__) or {}).items():
             own[point] = names.components(pair, LENGTH, "points", point)
-        offsets = {k: tuple(c + negate(m) for c, m in zip(at, middle, strict=True)) for k, at in own.items()}
+        offsets = {k: self._from_mass_center(at, middle) for k, at in own.items()}
         offsets["mass_center"] = names.origin
         offsets.setdefault("center", names.origin)
         return offsets
+
+    def _from_mass_center(self, at: Components, middle: Components) -> Components:
+        return tuple(c + negate(m) for c, m in zip(self._full(at), middle, strict=True))
+
+    def _edge_from_mass_center(self, edge: Edge[Components], build: Build) -> Edge[Components]:
+        middle = self._full(build.center_of_mass)
+        return replace(edge, places=tuple(self._from_mass_center(at, middle) for at in edge.places))
 
     def _held_in_place(self, entry: dict[str, Any]) -> dict[str, Any]:
         """A fixed body is where it is said to be near: nothing is left to search for."""

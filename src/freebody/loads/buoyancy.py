@@ -1,0 +1,79 @@
+"""Buoyancy: the weight of the liquid that a body displaces (Archimedes).
+
+    wholly immersed      F = rho g V
+    partly immersed      F = rho g A d,   d the depth of its bottom, A its level cross-section
+
+An upright floating body bobs with the period 2 pi sqrt(m/(rho g A)). Source: Archimedes, On floating bodies; White,
+Fluid Mechanics, sec. 2.8; French, Vibrations and Waves, ch. 3.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
+
+from freebody.language.expression import Call, divide, multiply, number
+from freebody.language.sentences import Message
+from freebody.language.units import ACCELERATION, AREA, DENSITY, LENGTH, VOLUME
+from freebody.loads.base import Load
+from freebody.measures.displacement import Displacement
+from freebody.measures.geometry import Direction, Point
+from freebody.model import glyphs
+from freebody.model.elements import VALUE, AppliedLoad
+from freebody.model.glyphs import Glyph
+from freebody.model.spec import Formula
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+
+class Buoyancy(Load, kind="buoyancy"):
+    """`buoyancy: {at: buoy.bottom, density: rho, strength: g, area: A}`: pushes up with rho g A d, d how far the point
+    is below the surface, which is level with `surface` (a point, default the origin of the ground); of what stays
+    upright and floats. With `height: h` it may also dive (d more than h) or leave the water (d < 0). `volume: V` in
+    place of area: wholly immersed, rho g V."""
+
+    at: str
+    density: Formula
+    strength: Formula
+    area: Formula | None = None
+    height: Formula | None = None
+    volume: Formula | None = None
+    surface: str | None = None
+
+    stores_energy = True
+    example = """
+bodies: {buoy: {rectangle: {mass: 1 kg, width: 0.1 m, height: 0.4 m}}}
+loads: {it: {buoyancy: {at: buoy.bottom, density: 1000 kg/m^3, strength: 9.81 m/s^2, area: 0.01 m^2}}}
+"""
+
+    def applied_loads(self, names: Names) -> list[AppliedLoad]:
+        point = names.point(self.at, "at")
+        if (self.area is None) == (self.volume is None):
+            names.problem(Message("give area, the level cross-section of what floats, or volume, of what is immersed"))
+            return []
+        weight = names.positive(self, "density", DENSITY) * names.positive(self, "strength", ACCELERATION)
+        if self.volume is not None:
+            if self.height is not None:
+                names.problem(Message("height goes with area; a volume is wholly immersed"), "height")
+            lifted = multiply(weight, names.positive(self, "volume", VOLUME))
+            return [AppliedLoad("", Displacement(point, names.ground_origin, self._up(names)), lifted)]
+        surface = names.ground_origin if self.surface is None else names.point(self.surface, "surface")
+        height = Displacement(point, surface, self._up(names))
+        by_depth = multiply(weight, names.positive(self, "area", AREA))
+        if self.height is None:
+            names.assumptions.append(self._assumed(names, point))
+            return [AppliedLoad("", height, -(by_depth * VALUE))]
+        h = names.positive(self, "height", LENGTH)
+        # |d| - |d - h| + h is twice the depth between 0 and h: 0 above the water, 2 h below it
+        within = divide(Call("abs", VALUE) - Call("abs", VALUE + h) + h, number(2))
+        return [AppliedLoad("", height, by_depth * within)]
+
+    def _up(self, names: Names) -> Direction:
+        return names.compass["up"]
+
+    def _assumed(self, names: Names, point: Point) -> Message:
+        return Message("{body} floats upright: it neither dives nor leaves the water", body=point.body)
+
+    def glyphs(self, names: Names) -> Iterable[Glyph]:
+        yield glyphs.ForceArrow(names.point(self.at), self._up(names))
