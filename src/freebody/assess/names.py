@@ -31,6 +31,11 @@ class NameTable:
                 self._elements[f"{c.name}_0"] = model.samples.start_symbols[c.index]
                 self.dimensions[f"{c.name}_0"] = self.dimensions[c.name]
 
+    @property
+    def all_names(self) -> list[str]:
+        """What may stand in an answer: parameters, measures, coordinates and their start values."""
+        return list(self.dimensions)
+
     def __contains__(self, key: str) -> bool:
         if key in self._elements or key in self._moving or _rated(key) in self._moving:
             return True
