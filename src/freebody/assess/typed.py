@@ -1,7 +1,7 @@
 """Typed answers judged against a solved question: what is right, in which way, and why what is not is wrong.
 
-The order is that of the options (`options`): the reading, its names, its units, equality. What is not equal is looked at
-once more: whether something is counted the other way (`conventions`), whether it is right under a condition
+The order is that of the options (`options`): the reading, its names, its units, equality. What is not equal is looked
+at once more: whether something is counted the other way (`conventions`), whether it is right under a condition
 (`provisos`); only what was seen to differ is called incorrect. What can be neither proved nor refuted is undecided.
 """
 
@@ -76,7 +76,7 @@ class TypedJudgement:
 class Wanted:
     """What is known of the answer beside its formula: its value in numbers at the model's own (None: none), the
     conditions under which it holds, other cases with theirs, whether its sign is a convention and of which measure,
-    whether its parts have no order, and whether the value is one of the start only."""
+    whether its parts have an order, and whether numbers of the model hide units in it (20 for 20 rad/s)."""
 
     value: tuple[float, ...] | None
     conditions: tuple[str, ...] = ()
@@ -84,6 +84,7 @@ class Wanted:
     is_signed: bool = False
     measure: str = ""
     has_order: bool = True
+    hides_units: bool = False
 
 
 class AnswerJudge:
@@ -142,10 +143,15 @@ class AnswerJudge:
         if self._missing(exprs):
             return False
         try:
-            check_dimensions(self.setting, exprs)
+            self._check_units(exprs)
         except Settled:
             return False
         return True
+
+    def _check_units(self, exprs: tuple[Expr, ...]) -> None:
+        """Raises Settled where the units of a formula do not fit."""
+        if not self.wanted.hides_units:
+            check_dimensions(self.setting, exprs)
 
     def _missing(self, exprs: Sequence[Expr]) -> list[str]:
         """Names that the problem does not have."""
@@ -169,7 +175,7 @@ class AnswerJudge:
         if answer.is_number:
             return self._number(cast("tuple[TypedNumber, ...]", answer.parts))
         try:
-            check_dimensions(self.setting, exprs)
+            self._check_units(exprs)
             return self._formula(exprs)
         except Settled as settled:
             if (number := self._put_in(exprs)) is not None:
@@ -231,9 +237,8 @@ class AnswerJudge:
     def _equal(self, found: Compared) -> TypedJudgement:
         assert found.equality is not None
         how = found.equality.words if not found.equality.is_proved else Message("proved in the field")
-        own = {str(c) for c in self.wanted.conditions}
         needs = [f"{to_text(tidy(c))} > 0" for pair in found.pairs for c in pair.option.conditions]
-        if needs and not own & set(needs) and found.equality.is_proved and not self._hold(found.pairs):
+        if needs and found.equality.is_proved and not self._hold(found.pairs):
             condition = listed(needs)
             return TypedJudgement(
                 "correct_only_if", Message("correct only if {condition}", condition=condition), condition, "", how
@@ -243,9 +248,13 @@ class AnswerJudge:
         return TypedJudgement("correct", found.equality.words, decided_by=how)
 
     def _hold(self, pairs: Sequence[ComponentPair]) -> bool:
-        """Whether what the roots of an answer need is so wherever the answer is one: at all points of its region."""
-        points = list(self.setting.points())
-        return all(point.number(c) > 0 for pair in pairs for c in pair.option.conditions for point in points)
+        """Whether what the roots of an answer need is so wherever the right one has a value."""
+        for point in self.setting.points():
+            for pair in pairs:
+                has_value = point.number(pair.answer).is_finite()
+                if has_value and not all(point.number(c) > 0 for c in pair.option.conditions):
+                    return False
+        return True
 
     def _case(self, exprs: tuple[Expr, ...]) -> str | None:
         """The conditions of another case of the answer that this is."""

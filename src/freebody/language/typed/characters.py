@@ -1,4 +1,4 @@
-"""One way to write what keyboards and word processors write in several: signs, fractions, indices, dots over letters."""
+"""One way to write what keyboards and word processors write in several: signs, fractions, indices, dots over names."""
 
 from __future__ import annotations
 

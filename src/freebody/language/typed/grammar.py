@@ -33,6 +33,7 @@ from freebody.language.expression import (
     number,
     power,
 )
+from freebody.language.expression.tree import ELLIPTIC
 from freebody.language.guards import checked_power, exact_number, refuse_huge
 from freebody.language.sentences import Message
 from freebody.language.typed.words import Vocabulary
@@ -44,17 +45,19 @@ MAX_DEPTH = 60
 _GREEK = "\u0370-\u03ff\u00b5\u2126"
 _TOKEN = re.compile(
     r"(?P<space>\s+)"
-    r"|(?P<number>(?:[0-9]+[.,]?[0-9]*|[.,][0-9]+)(?:[eE][+-]?[0-9]+(?![A-Za-z0-9]))?)"
+    r"|(?P<number>(?:[0-9]+(?:\.[0-9]*|,[0-9]+)?|[.,][0-9]+)(?:[eE][+-]?[0-9]+(?![A-Za-z0-9]))?)"
     rf"|(?P<word>[A-Za-z{_GREEK}](?:[A-Za-z0-9{_GREEK}₀-₉]|_\{{[A-Za-z0-9{_GREEK}₀-₉ ,]*\}}|_)*|√)"
     r"|(?P<operator>\*\*|[-+*/^()\[\]{}|])"
     r"|(?P<superscript>⁻?[⁰¹²³⁴⁵⁶⁷⁸⁹]+)"
     r"|(?P<prime>'+)"
+    r"|(?P<separator>[,;])"
     r"|(?P<degree>°)"
     r"|(?P<percent>%)"
 )
 _SAME = {"**": "^", "[": "(", "{": "(", "]": ")", "}": ")"}
 _SUPERSCRIPTS = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
 _ARCS = {"sin": "asin", "cos": "acos", "tan": "atan"}
+_ELLIPTIC = {"K": "elliptic_K", "F": "elliptic_F"}
 _RECIPROCALS = {"cot": "tan", "sec": "cos", "csc": "sin"}
 
 
@@ -193,22 +196,27 @@ class _Parser:
 
     def _divisor(self, above: list[Expr]) -> Expr:
         """What stands behind a bar, to the power -1. Behind a bracket, a function, or a number below a number, the
-        fraction is closed: 1/2 m v^2."""
+        fraction is closed: 1/2 m v^2. A function is no part of a divisor: g/L sin(x)."""
         first = self._now
         below = self._signed()
-        while self._now.is_glued:  # T/mg
+        while self._now.is_glued or (first.kind == "number" and self._is_pi_at_once()):  # T/mg, 1/2π
             below = multiply(below, self._power())
         is_closed = first.kind in ("(", "function", "|")
         is_number = isinstance(below, Number) and all(isinstance(x, Number) for x in above)
-        if self._begins_factor() and not is_closed and not (is_number and self._now.text != "pi"):
+        if self._begins_factor() and self._now.kind != "function" and not is_closed and not is_number:
             self.has_open_divisor = True
             while self._begins_factor() and self._is_taken():
                 below = multiply(below, self._power())
         return checked_power(below, MINUS_ONE, first.column)
 
+    def _is_pi_at_once(self) -> bool:
+        return self._now.text == "pi" and not self._now.after_space
+
     def _is_taken(self) -> bool:
         """Whether a divisor takes the next factor."""
-        return self._takes == 2 or (self._takes == 1 and self._now.kind == "name" and not self._now.after_space)
+        if self._takes == 1:
+            return self._now.kind == "name" and not self._now.after_space
+        return self._takes == 2 and self._now.kind != "function"
 
     def _signed(self) -> Expr:
         self._nesting += 1
@@ -287,6 +295,8 @@ class _Parser:
 
     def _symbol(self, token: _Token) -> Expr:
         dots = token.dots
+        if token.text in _ELLIPTIC and self._now.kind == "(" and self._vocabulary.known(token.text) is None:
+            return self._elliptic(_ELLIPTIC[token.text])
         if self._now.kind == "prime" and not self._now.after_space:
             dots += len(self._take().text)
         if dots > 3 or (dots and token.text == "pi"):
@@ -300,6 +310,8 @@ class _Parser:
     def _call(self, token: _Token) -> Expr:
         """sin(x), sin x, sin^2 x, sin²(x), tan^-1(x)."""
         name, exponent = token.text, None
+        if name in ELLIPTIC:
+            return self._elliptic(name)
         if self._now.kind == "superscript":
             exponent = self._raised(self._take())
         elif self._now.kind == "^":
@@ -316,13 +328,24 @@ class _Parser:
     def _made(self, name: str, argument: Expr, token: _Token) -> Expr:
         if name in _RECIPROCALS:
             return power(Call(_RECIPROCALS[name], argument), MINUS_ONE)
-        if name == "elliptic_F":
-            raise ExpressionError(Message("elliptic_F cannot be read in an answer"), token.column)
         if name == "rate" and not (
             isinstance(argument, Symbol) or (isinstance(argument, Call) and argument.function == "rate")
         ):
             raise ExpressionError(Message("rate(...) takes the name of one measure, as in rate(x)"), token.column)
         return Call(name, argument)
+
+    def _elliptic(self, name: str) -> Expr:
+        """K(k), F(phi, k): of a modulus; of an angle and a modulus."""
+        if self._now.kind != "(":
+            raise self._unexpected(self._now)
+        opening = self._take()
+        if name == "elliptic_K":
+            return Call(name, self._inside(opening, ")"))
+        angle = self._sum()
+        if self._now.kind != "separator":
+            raise self._unexpected(self._now)
+        self._take()
+        return Call(name, angle, self._inside(opening, ")"))
 
     def _bare_argument(self, token: _Token) -> Expr:
         """What a function without brackets is of: a number, a word, or a number times a word."""
@@ -345,7 +368,12 @@ class _Parser:
             self.has_open_argument = True
             while self._is_wide and self._now.kind in ("name", "("):
                 factors.append(self._power())
-        if self._now.kind in ("^", "superscript") or (self._now.kind == "/" and not self._now.after_space):
+        if self._now.kind == "/" and not self._now.after_space:  # sin x/2
+            self.has_open_argument = True
+            if self._is_wide:
+                column = self._take().column
+                factors.append(checked_power(self._primary(), MINUS_ONE, column))
+        if self._now.kind in ("^", "superscript"):
             raise self._unclear(token)
         return multiply(*factors)
 

@@ -71,7 +71,7 @@ class _Latex:
         text = self._formula("")
         if self._now:
             raise ExpressionError(Message("'{x}' is not expected here", x=self._now))
-        return text
+        return re.sub(r" +_\{", "_{", text)
 
     def _formula(self, end: str) -> str:
         """Items up to a token, which is left."""

@@ -10,6 +10,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
+from fractions import Fraction
 
 from freebody.errors import ExpressionError, UnitError
 from freebody.language.expression import Expr, evaluate, free_symbols
@@ -18,7 +19,7 @@ from freebody.language.typed.characters import normalized
 from freebody.language.typed.grammar import readings
 from freebody.language.typed.latex import is_latex, plain_of_latex
 from freebody.language.typed.words import Vocabulary
-from freebody.language.units import Dimension, parse_unit
+from freebody.language.units import DIMENSIONLESS, Dimension, Unit, parse_unit
 
 MAX_CHARACTERS = 1000
 _MOST_READINGS = 8
@@ -36,6 +37,7 @@ _NUMBER = r"[+-]?\s*(?:[0-9]+[.,]?[0-9]*|[.,][0-9]+)(?:[eE][+-]?[0-9]+)?"
 _QUANTITY = re.compile(
     rf"(?P<number>{_NUMBER}(?:\s*\*\s*10\s*\^\s*\(?[+-]?[0-9]{{1,2}}\)?)?)\s*(?P<unit>[A-Za-zµμ°Ω%\[(].*)?", re.S
 )
+_PERCENT = Unit(DIMENSIONLESS, Fraction(1, 100))
 _SPELT_UNITS = (
     (re.compile(r"\b(k?)N\*?m(m?)\b"), r"\1N m\2"),
     (re.compile(r"\bkg\*?m\b"), "kg m"),
@@ -249,7 +251,7 @@ def _quantity(text: str, vocabulary: Vocabulary) -> TypedNumber | None:
             if free_symbols(expr):
                 continue
             value = float(evaluate(expr, {}))
-            known = parse_unit(_spelt(unit))
+            known = _PERCENT if unit == "%" else parse_unit(_spelt(unit))
         except (ExpressionError, UnitError, ArithmeticError, ValueError, TypeError):
             continue
         si = value * float(known.factor) * 3.141592653589793**known.pi_power

@@ -3,16 +3,25 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
-from functools import lru_cache
+from functools import cached_property, lru_cache
 
 from freebody.assess.numbers import Tolerance
+from freebody.assess.solved import SolvedAnswer
 from freebody.assess.typed import AnswerJudge, Form, Policy, TypedJudgement, Wanted
-from freebody.errors import InputError
+from freebody.errors import FreebodyError, InputError, UnitError
+from freebody.language.expression import ZERO, Expr
+from freebody.language.notation import to_python
 from freebody.language.plain_text import plain, shortened
-from freebody.language.sentences import Message
+from freebody.language.sentences import Message, Sentence
+from freebody.language.typed import TypedNumber
+from freebody.language.units import dimension_of
 from freebody.model.noting import did_you_mean
+from freebody.narrative.context import Context
 from freebody.narrative.marking.found import CheckedAnswer
+from freebody.narrative.mistakes.mistakes import KnownMistakes
+from freebody.narrative.mistakes.wrong_options import FAILURES
 from freebody.narrative.telling.catalogue import Catalogue
 from freebody.questions.base import Quantity
 from freebody.questions.reading import Question
@@ -48,7 +57,9 @@ def check(
     marked = marked_question(system, question)
     text = plain(answer)
     judgement = marked.judge(answer[:_LONGEST], policy)
-    return CheckedAnswer(marked.question, shortened(text, 300), judgement, language, title=system.title)
+    said = marked.mistake(judgement)
+    leads = "" if said is None else Catalogue(language).plain(said)
+    return CheckedAnswer(marked.question, shortened(text, 300), judgement, language, leads, system.title)
 
 
 def _policy(form: str, unit: str, tolerance: str, gravity: Sequence[float]) -> Policy:
@@ -73,6 +84,22 @@ class MarkedQuestion:
         if self.judging is not None:
             return self.judging.with_policy(policy).judge(text)
         return self._as_option(text)
+
+    def mistake(self, judgement: TypedJudgement) -> Sentence | None:
+        """The mistake that leads to what is not right, where one is known."""
+        if judgement.verdict not in ("incorrect", "correct_only_if") or judgement.mistake or judgement.answer is None:
+            return None
+        parts = judgement.answer.parts
+        with suppress(FreebodyError, *FAILURES):
+            if judgement.answer.is_number:
+                return self._known.behind_numbers([p.value for p in parts if isinstance(p, TypedNumber)])
+            text = ", ".join(map(to_python, judgement.exprs))
+            return self._known.behind({"a": f"[{text}]" if len(parts) > 1 else text}).get("a")
+        return None
+
+    @cached_property
+    def _known(self) -> KnownMistakes:
+        return KnownMistakes(Context(self.system), self.question, self.answer)
 
     def _as_option(self, text: str) -> TypedJudgement:
         """Of what is no formula (a count, a condition) the answer is judged as an option would be."""
@@ -116,12 +143,24 @@ def _judge_of(question: Question, answer: Answer) -> AnswerJudge | None:
         (c.expression if isinstance(c.expression, tuple) else (c.expression,), c.conditions) for c in answer.cases
     )
     q = question.quantity
+    parts = answer.expression if isinstance(answer.expression, tuple) else (answer.expression,)
     wanted = Wanted(
         value,
         answer.conditions,
         cases,
         is_signed=q.sign_is_conventional,
         measure=q.counted_along,
+        hides_units=_hides_units(answer.solved, parts),
         has_order=not (q.is_any_of_several or q.scope == "small motion" or _is_of_values(q)),
     )
     return AnswerJudge(answer.solved, wanted)
+
+
+def _hides_units(solved: SolvedAnswer, parts: Sequence[Expr]) -> bool:
+    """Whether the formula of the answer has another unit than the answer: numbers of the model, as 20 rad/s, stand in
+    it without theirs."""
+    known = solved.setting().names.dimensions
+    try:
+        return any(part != ZERO and dimension_of(part, known) != solved.dimension for part in parts)
+    except UnitError:
+        return True
