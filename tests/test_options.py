@@ -5,7 +5,9 @@ from fractions import Fraction
 
 import pytest
 
-from freebody.assess.options import Judgement, judge
+from freebody.assess.options import judge
+from freebody.assess.solved import SolvedAnswer
+from freebody.assess.verdict import Judgement
 from freebody.language.expression import Expr
 from freebody.language.parser import parse
 from freebody.language.units import (
@@ -130,7 +132,7 @@ class Bench:
             else answer
         )
         question = Question("q", "what is asked", DegreesOfFreedom(), options=options, key=key)
-        return judge(question, found, dimension, self.model, self.system, up_to_constant=up_to_constant)
+        return judge(question, SolvedAnswer(found, dimension, self.model, self.system, up_to_constant))
 
     def reason(self, option: str, answer: str, dimension: Dimension) -> str:
         return self.judge({"a": option}, answer, dimension).options["a"].reason

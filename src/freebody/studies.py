@@ -19,6 +19,7 @@ from freebody.narrative.words import languages
 
 if TYPE_CHECKING:
     from freebody.narrative.explain import Explanation
+    from freebody.narrative.marking.found import CheckedAnswer
     from freebody.numeric.options import SimulationOptions
     from freebody.present.picture.picture import Picture
     from freebody.study.answering.solution import Solution
@@ -148,6 +149,44 @@ class Studies:
         self, question: str | None = None, *, method: str = "auto", compare: str | None = None, language: str = "en"
     ) -> Explanation:
         """Derive the answers step by step, with pictures."""
+        ...
+
+    @study(
+        "freebody.narrative.marking.check",
+        "check",
+        busy="solving the question",
+        options=[
+            Option("question", ("--question",), "The question: its id in the file, or one in words.", default=...),
+            Option("answer", ("--answer",), "The answer as it is typed: plain text or LaTeX.", default=...),
+            Option("form", ("--form",), "any, formula or number.", default="any"),
+            Option("unit", ("--unit",), "Whether numbers need one: optional or required.", default="optional"),
+            Option("tolerance", ("--tolerance",), "Of numbers: '1 %', '0.05 N' or '3 digits'.", default="1 %"),
+            Option(
+                "gravity",
+                ("--gravity",),
+                "A further value of g that is accepted, as 10; repeatable.",
+                list[str],
+                metavar="VALUE",
+                read="freebody.study.given.gravity",
+            ),
+            Option("language", ("--language",), f"{' or '.join(reversed(languages()))}.", default="en"),
+        ],
+    )
+    def check(
+        self,
+        question: str,
+        answer: str,
+        *,
+        form: str = "any",
+        unit: str = "optional",
+        tolerance: str = "1 %",
+        gravity: Sequence[float] = (),
+        language: str = "en",
+    ) -> CheckedAnswer:
+        """Judge an answer that somebody typed to a question.
+
+        question: its id, or one in words; form: any, formula or number; unit: optional or required; tolerance: of
+        numbers; gravity: further values of g that are accepted [m/s^2]."""
         ...
 
     @study("freebody.study.eom", "eom", busy="deriving the equations of motion")

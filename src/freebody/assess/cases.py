@@ -80,7 +80,7 @@ def special_case(pair: ComponentPair, option: Ratio) -> str | None:
             continue
         if _kind(mine) != _kind(its):
             if _is_seen(pair, case, mine, its):
-                return _told(case, mine, its)
+                return _told(pair, case, mine, its)
             continue
         if not isinstance(mine, Ratio) or not isinstance(its, Ratio) or mine == its:
             continue
@@ -88,7 +88,7 @@ def special_case(pair: ComponentPair, option: Ratio) -> str | None:
             simpler.append((_size(its) + _size(mine), case, mine, its))
     for _sum, case, mine, its in sorted(simpler, key=lambda s: s[0])[:_N_SHOWN]:
         if is_readable(tidy(mine), tidy(its)) and _is_seen(pair, case, mine, its):
-            return _told(case, mine, its)
+            return _told(pair, case, mine, its)
     return None
 
 
@@ -148,7 +148,7 @@ def _size(x: Ratio) -> int:
     return sum(1 + len(monomial) for part in parts for monomial in x.field.terms(part))
 
 
-def _told(case: LimitingCase, mine: Limit, its: Limit) -> str:
+def _told(pair: ComponentPair, case: LimitingCase, mine: Limit, its: Limit) -> str:
     tends = case.value is None
 
     def is_(limit: Limit) -> str:
@@ -166,4 +166,6 @@ def _told(case: LimitingCase, mine: Limit, its: Limit) -> str:
         return Message("gives {x}", x=words) if is_mine else Message("is {x}", x=words)
 
     its_words, my_words = told(its, is_mine=False), told(mine, is_mine=True)
+    if pair.setting.is_typed:
+        return Message("{case} the right answer {its}, this one {mine}", case=case.words, its=its_words, mine=my_words)
     return Message("{case} the answer {its}, this option {mine}", case=case.words, its=its_words, mine=my_words)

@@ -66,6 +66,25 @@ def how_equal(pair: ComponentPair) -> Equality | None:
     return _exactly_equal(pair) or _numerically_equal(pair)
 
 
+def surely_differs(pair: ComponentPair) -> bool:
+    """Whether the two were seen to differ: by an enclosure of the difference without zero, or because one has a value
+    where the other has none. On poses of a mechanism, by more than these are uncertain."""
+    if pair.setting.up_to_constant or pair.is_looped:
+        return True  # as `how_equal` compares them
+    n_without = 0
+    for point in pair.setting.points(pair.option.conditions):
+        mine, its = pair.numbers(point)
+        if not its.is_finite():
+            continue
+        if not mine.is_finite():
+            n_without += 1
+            continue
+        difference = mine - its
+        if not difference.contains(0):
+            return True
+    return n_without >= _N_POINTS
+
+
 def _exactly_equal(pair: ComponentPair) -> Equality | None:
     """How the two were proved equal in the field, or None."""
     option = pair.option

@@ -42,6 +42,12 @@ def _told_at(pair: ComponentPair, point: EvaluationPoint, numbers: str = "") -> 
     unit = unit_behind(pair.setting.dimension)
     mine, its = map(digits, pair.numbers(point))
     mine, its = mine if mine == NOT_REAL else f"{mine}{unit}", f"{its}{unit}"
+    if pair.setting.is_typed:
+        if numbers:
+            told = Message("for {numbers}: this gives {mine}, right is {its}", numbers=numbers, mine=mine, its=its)
+        else:
+            told = Message("with the model's own numbers: this gives {mine}, right is {its}", mine=mine, its=its)
+        return told
     if numbers:
         return Message("for {numbers}: option {mine}, answer {its}", numbers=numbers, mine=mine, its=its)
     return Message("with the model's own numbers: option {mine}, answer {its}", mine=mine, its=its)

@@ -20,16 +20,22 @@ class NameTable:
         self._elements = dict(model.parameters)
         self._moving: dict[str, Measure | Ratio] = dict(system.offered)
         self.dimensions = {name: m.dimension for name, m in system.offered} | {"t": TIME}
-        for c in model.coordinates:
+        self._moving |= system.measures
+        # a measure that is a coordinate is its generator, not the arc of a sine that the geometry has
+        for c in (*model.dependent, *model.coordinates):
             self._moving[c.name] = model.field.variable(c.index)
             self.dimensions[c.name] = DIMENSIONLESS if c.is_angle else LENGTH
-        self._moving |= system.measures
         self._functions = {p.name: self._elements[p.name] for p in system.parameters.values() if p.form is not None}
         self.dimensions |= system.dimensions()
         for c in model.coordinates:
             if c.index in model.samples.start_symbols:
                 self._elements[f"{c.name}_0"] = model.samples.start_symbols[c.index]
                 self.dimensions[f"{c.name}_0"] = self.dimensions[c.name]
+
+    @property
+    def all_names(self) -> list[str]:
+        """What may stand in an answer: parameters, measures, coordinates and their start values."""
+        return list(self.dimensions)
 
     def __contains__(self, key: str) -> bool:
         if key in self._elements or key in self._moving or _rated(key) in self._moving:

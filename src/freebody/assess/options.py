@@ -15,52 +15,38 @@ The reasons are tried in this order, and the first that applies is given:
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 
 from freebody.assess.comparing import ComponentPair, Equality, how_equal
 from freebody.assess.points import working_precision
-from freebody.assess.reading import as_option, read
+from freebody.assess.reading import MOST_TERMS, as_option, read
 from freebody.assess.reasons import why_wrong
-from freebody.assess.setting import Answer, Setting
+from freebody.assess.setting import Setting
+from freebody.assess.solved import SolvedAnswer
 from freebody.assess.verdict import Judgement, Settled, Verdict, wrong_key
 from freebody.assess.words import of_component, places
+from freebody.language.expression import Expr
 from freebody.language.sentences import Message, listed
-from freebody.language.units import Dimension
 from freebody.questions.reading import Question
-from freebody.symbolic.field import Ratio
-from freebody.symbolic.model import SymbolicModel
-from freebody.system.system import System
 
-__all__ = ["Answer", "Judgement", "Verdict", "judge"]
+__all__ = ["Compared", "compared", "judge"]
 
 
-def judge(
-    question: Question,
-    answer: Answer,
-    dimension: Dimension,
-    model: SymbolicModel,
-    system: System,
-    *,
-    up_to_constant: bool = False,
-    region: Sequence[Ratio] = (),
-) -> Judgement:
-    """Judges every option of a question against its answer.
-
-    `answer` is an element of the model's field in SI units, a pair (x, y) of them, or a count; without one
-    (None) only options that no answer can equal are judged, the others are left out and noted. With
-    `up_to_constant` an option may differ from the answer by what does not change in the motion (energies). Where the
-    answer is one only while some elements are positive (`region`), no reason is looked for elsewhere.
-    """
-    setting = Setting(answer, dimension, model, system, up_to_constant, region)
+def judge(question: Question, solved: SolvedAnswer) -> Judgement:
+    """Judges every option of a question against its answer."""
+    if not question.options:
+        return Judgement(None, {}, (), against=solved)
+    setting = solved.setting()
     with working_precision():
         found = {letter: _verdict(setting, text) for letter, text in question.options.items()}
     verdicts = {letter: v for letter, v in found.items() if v is not None}
     right = [letter for letter, v in verdicts.items() if v.verdict == "right"]
-    notes = _notes(question, found, right) if question.options else ()
+    notes = _notes(question, found, right)
     if len(right) != 1:
-        return Judgement(None, verdicts, notes)
-    is_same = verdicts[right[0]].is_proved and not up_to_constant
+        return Judgement(None, verdicts, notes, against=solved)
+    is_same = verdicts[right[0]].is_proved and not solved.up_to_constant
     form = tuple(read(setting, question.options[right[0]])) if is_same else ()
-    return Judgement(right[0], verdicts, notes, form)
+    return Judgement(right[0], verdicts, notes, form, against=solved)
 
 
 def _verdict(setting: Setting, text: str) -> Verdict | None:
@@ -69,19 +55,38 @@ def _verdict(setting: Setting, text: str) -> Verdict | None:
         exprs = read(setting, text)
         if setting.answers is None:
             return None
-        options = [as_option(setting, expr) for expr in exprs]
-    except Settled as found:
-        return found.verdict
+        found = compared(setting, exprs)
+    except Settled as settled:
+        return settled.verdict
+    if found.equality is None:
+        pair, where = found.different
+        return Verdict("wrong", of_component(where, why_wrong(pair)))
+    return Verdict("right", found.equality.words, found.equality.is_proved)
+
+
+@dataclass(frozen=True)
+class Compared:
+    """Components beside those of the answer. equality: how they were found equal, None where one was not."""
+
+    pairs: tuple[ComponentPair, ...]
+    equality: Equality | None
+    different: tuple[ComponentPair, str]  # the first that is not equal, and its axis; else the last one
+
+
+def compared(setting: Setting, exprs: Sequence[Expr], most_terms: int = MOST_TERMS) -> Compared:
+    """Expressions that fit compared with the answer. Raises Settled where one divides by zero."""
+    assert setting.answers is not None
+    options = [as_option(setting, expr, most_terms) for expr in exprs]
+    pairs = tuple(ComponentPair(setting, o, a) for o, a in zip(options, setting.answers, strict=True))
     evidence: list[Equality] = []
-    for option, answer, where in zip(options, setting.answers, places(len(options)), strict=True):
-        pair = ComponentPair(setting, option, answer)
+    for pair, where in zip(pairs, places(len(pairs)), strict=True):
         equal = how_equal(pair)
         if equal is None:
-            return Verdict("wrong", of_component(where, why_wrong(pair)))
+            return Compared(pairs, None, (pair, where))
         evidence.append(equal)
     # of the components of a vector the one with the weakest evidence speaks for all
     weakest = max(evidence, key=lambda e: (not e.is_proved, len(e.words)))
-    return Verdict("right", weakest.words, weakest.is_proved)
+    return Compared(pairs, weakest, (pairs[-1], ""))
 
 
 def _notes(question: Question, found: Mapping[str, Verdict | None], right: list[str]) -> tuple[str, ...]:

@@ -6,7 +6,7 @@ What does not fit is settled here: told of the innermost faulty part, in the wor
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from freebody.assess.names import named_in
@@ -36,6 +36,7 @@ from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.tidy import tidy
 
 MOST_TERMS = 20_000  # multiplied out; beyond, numbers decide
+_TOO_MANY = 10**9
 
 
 @dataclass(frozen=True)
@@ -54,7 +55,7 @@ def read(setting: Setting, text: str) -> list[Expr]:
     """The components of an option. Raises Settled where it cannot be the answer by its form."""
     exprs = _parsed(setting, text)
     _check_names(setting, exprs)
-    _check_dimensions(setting, exprs)
+    check_dimensions(setting, exprs)
     return exprs
 
 
@@ -73,12 +74,12 @@ def _parsed(setting: Setting, text: str) -> list[Expr]:
         raise Settled("unreadable", Message("cannot be read: {error}", error=error)) from None
     n_wanted = len(exprs) if setting.answers is None else len(setting.answers)
     if len(exprs) != n_wanted:
-        mine, its = _shape(len(exprs)), _shape(n_wanted)
+        mine, its = shape(len(exprs)), shape(n_wanted)
         raise Settled("wrong", Message("is {mine}, the answer is {its}", mine=mine, its=its))
     return exprs
 
 
-def _shape(n_components: int) -> str:
+def shape(n_components: int) -> str:
     """What a list of so many expressions is."""
     match n_components:
         case 1:
@@ -121,7 +122,8 @@ def _check_names(setting: Setting, exprs: list[Expr]) -> None:
         )
 
 
-def _check_dimensions(setting: Setting, exprs: list[Expr]) -> None:
+def check_dimensions(setting: Setting, exprs: Sequence[Expr]) -> None:
+    """Raises Settled where the units of a component do not fit."""
     dimensions = setting.names.dimensions
     for expr, where in zip(exprs, places(len(exprs)), strict=True):
         if fault := _dimension_fault(expr, dimensions):
@@ -162,7 +164,7 @@ def _unsigned(term: Expr) -> Expr:
 
 
 # -- elements of the field --------------------------------------------------------------------
-def as_option(setting: Setting, expr: Expr) -> OptionComponent:
+def as_option(setting: Setting, expr: Expr, most_terms: int = MOST_TERMS) -> OptionComponent:
     """A component with its element. Raises Settled where it divides by zero."""
     conditions: dict[Ratio, None] = {}
     open_signs: list[Ratio] = []
@@ -182,7 +184,7 @@ def as_option(setting: Setting, expr: Expr) -> OptionComponent:
     keys = tuple(named_in(expr))
     found: Ratio | None = None
     try:
-        if max(_n_terms(expr)) > MOST_TERMS:
+        if max(_n_terms(expr)) > most_terms:
             raise CannotAnswer(Message("too long to multiply out"))
         found = element(setting.field, expr, {k: setting.names.element(k) for k in keys}, is_negative)
     except CannotAnswer:
@@ -193,7 +195,13 @@ def as_option(setting: Setting, expr: Expr) -> OptionComponent:
 
 
 def _n_terms(expr: Expr) -> tuple[int, int]:
-    """At most so many terms has the expression above and below its bar when it is multiplied out."""
+    """At most so many terms has the expression above and below its bar when it is multiplied out; what is too many is
+    not counted further."""
+    above, below = _counted(expr)
+    return min(above, _TOO_MANY), min(below, _TOO_MANY)
+
+
+def _counted(expr: Expr) -> tuple[int, int]:
     match expr:
         case Sum() | ProductOf():
             above, below = zip(*map(_n_terms, children(expr)), strict=True)

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from typing import Any
 
-from freebody.assess.names import NameTable
-from freebody.assess.points import EvaluationPoint, drawn, real
+from freebody.assess.names import NameTable, named_in
+from freebody.assess.points import BALL_FUNCTIONS, EvaluationPoint, drawn, is_free, real
+from freebody.language.expression import Expr
 from freebody.language.units import Dimension
 from freebody.symbolic.field import Ratio
+from freebody.symbolic.functions import element
 from freebody.symbolic.model import SymbolicModel
 from freebody.system.system import System
 
@@ -29,7 +31,11 @@ class Setting:
         system: System,
         up_to_constant: bool,
         region: Sequence[Ratio] = (),
+        *,
+        is_typed: bool = False,
     ) -> None:
+        """is_typed: what is judged is an answer that somebody gave, and no option of a question."""
+        self.is_typed = is_typed
         self.region = tuple(region)  # positive wherever the answer is one
         self.field = model.field
         self.model = model
@@ -69,3 +75,22 @@ class Setting:
     def poses(self) -> list[EvaluationPoint]:
         """Poses of a mechanism with loops, else none."""
         return [EvaluationPoint(self.field, drawn(self.field, 0, {}), pose) for pose in self._poses]
+
+    def value_with(self, changed: Mapping[int, float]) -> tuple[float, ...] | None:
+        """The answer in numbers at the model's own, with others for some parameters; None where it needs more."""
+        numbers = {**self.own_numbers, **{g: real(Fraction(repr(float(x)))) for g, x in changed.items()}}
+        assert self.answers is not None
+        free = {g for x in self.answers for g in self.field.ingredients(x) if is_free(self.field, g)}
+        pi = self.field.index(self.field.pi)
+        if not free - {pi} <= numbers.keys() or not free & changed.keys():
+            return None
+        point = EvaluationPoint(self.field, lambda _g: real(0), {**numbers, pi: BALL_FUNCTIONS["pi"]})
+        found = [point.number(x) for x in self.answers]
+        return tuple(map(float, found)) if all(x.is_finite() for x in found) else None
+
+    def difference(self, a: Expr, b: Expr) -> Ratio:
+        """Of two expressions in the names of the problem. Raises CannotAnswer for what the field cannot say."""
+        keys = {**named_in(a), **named_in(b)}
+        values = {key: self.names.element(key) for key in keys}
+        first, second = (element(self.field, x, values, lambda _x: False) for x in (a, b))
+        return self.field.lowest_terms(self.model.in_independent_speeds(first - second))

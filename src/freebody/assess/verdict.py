@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Literal
 
+from freebody.assess.solved import SolvedAnswer
 from freebody.language.expression import Expr
 from freebody.language.sentences import Message, listed
 
@@ -22,13 +23,14 @@ class Verdict:
 
 @dataclass(frozen=True)
 class Judgement:
-    """The one right option (None unless there is exactly one), all verdicts, notes to the author, and what the right
-    option writes, part by part, where it is proved to be the answer."""
+    """The one right option (None unless there is exactly one), all verdicts, notes to the author, what the right option
+    writes, part by part, where it is proved to be the answer, and what the options were judged against."""
 
     choice: str | None
     options: dict[str, Verdict]
     notes: tuple[str, ...]
     form: tuple[Expr, ...] = ()
+    against: SolvedAnswer | None = field(default=None, compare=False, repr=False)
 
 
 def judgement_of(verdicts: dict[str, Verdict], key: str | None, answer: str = "") -> Judgement:

@@ -20,31 +20,23 @@ from functools import lru_cache
 from freebody.errors import ExpressionError
 from freebody.language.expression import (
     FUNCTIONS,
-    MAX_EXPONENT,
     PI,
     Call,
     Expr,
     Number,
-    PowerOf,
-    ProductOf,
-    Sum,
     Symbol,
     add,
     depth,
     multiply,
     name_problem,
     negate,
-    power,
-    whole_exponent,
 )
+from freebody.language.guards import checked_power, exact_number, exponent_too_large, refuse_huge
 from freebody.language.sentences import Message
 
 MAX_CHARACTERS = 10_000
 MAX_TOKENS = 2_000
 MAX_NESTING = 100
-MAX_DIGITS = 30
-MAX_DECIMAL_EXPONENT = 300
-_MAX_BITS = 10_000  # of all numbers that fold into one
 
 _GREEK_NAMES = (
     "alpha beta gamma delta epsilon zeta eta theta iota kappa lam mu nu xi omicron pi rho sigma tau "
@@ -194,7 +186,7 @@ class _Parser:
             minus = self._take().kind == "-"
             term = self._product()
             terms.append(negate(term) if minus else term)
-        self._refuse_huge(terms, start)
+        refuse_huge(terms, start)
         return add(*terms)
 
     def _product(self) -> Expr:
@@ -208,7 +200,7 @@ class _Parser:
                 divided = token.kind == "/"
                 column = self._now.column
                 factor = self._signed()
-                factors.append(_power(factor, Number(Fraction(-1)), column) if divided else factor)
+                factors.append(checked_power(factor, Number(Fraction(-1)), column) if divided else factor)
             elif token.kind in ("number", "name", "(") or (token.kind == "|" and not self._bars):
                 self._check_side_by_side(token, divided)
                 factors.append(self._power())
@@ -216,7 +208,7 @@ class _Parser:
                 raise ExpressionError(Message("'{text}' has nothing to stand on", text=token.text), token.column)
             else:
                 break
-        self._refuse_huge(factors, start)
+        refuse_huge(factors, start)
         return multiply(*factors)
 
     def _check_side_by_side(self, token: _Token, divided: bool) -> None:
@@ -258,20 +250,20 @@ class _Parser:
             token = self._take()
             digits = token.text.translate(_SUPERSCRIPTS)
             if len(digits) > 4:
-                raise _exponent_too_large(token.column)
-            base = _power(base, Number(Fraction(int(digits))), token.column)
+                raise exponent_too_large(token.column)
+            base = checked_power(base, Number(Fraction(int(digits))), token.column)
         if self._now.kind != "^":
             return base
         self._take()
         column = self._now.column
-        return _power(base, self._signed(), column)
+        return checked_power(base, self._signed(), column)
 
     def _primary(self) -> Expr:
         token = self._take()
         column = token.column
         match token.kind:
             case "number":
-                return Number(_exact(token))
+                return Number(exact_number(token.text, token.column))
             case "name" if token.text in FUNCTIONS:
                 return self._call(token)
             case "name":
@@ -338,52 +330,6 @@ class _Parser:
             for _ in self._take().text[:MAX_NESTING]:
                 result = _rate(result, token.column)
         return result
-
-    def _refuse_huge(self, parts: list[Expr], column: int) -> None:
-        # The bits of a product, and of a sum over its common denominator, are at most those of its parts.
-        if sum(map(_bits, parts)) > _MAX_BITS:
-            raise ExpressionError(Message("the numbers here make one with too many digits"), column)
-
-
-def _power(base: Expr, exponent: Expr, column: int) -> Expr:
-    if isinstance(exponent, Number):
-        size = abs(exponent.value)
-        if isinstance(base, PowerOf) and (inner := whole_exponent(base)) is not None:
-            size *= abs(inner)
-        if size > MAX_EXPONENT:
-            raise _exponent_too_large(column)
-        if isinstance(base, Number) and size * _bits(base) > _MAX_BITS:
-            raise ExpressionError(Message("this power has too many digits"), column)
-    try:
-        return power(base, exponent)
-    except ZeroDivisionError:
-        raise ExpressionError(Message("division by zero"), column) from None
-
-
-def _exponent_too_large(column: int) -> ExpressionError:
-    return ExpressionError(Message("an exponent may be at most {most} in magnitude", most=MAX_EXPONENT), column)
-
-
-def _bits(expr: Expr) -> int:
-    match expr:
-        case Number(value):
-            return value.numerator.bit_length() + value.denominator.bit_length()
-        case Sum(parts) | ProductOf(parts):
-            return sum(_bits(part) for part in parts if isinstance(part, Number))
-        case _:
-            return 0
-
-
-def _exact(token: _Token) -> Fraction:
-    mantissa, _, exponent = token.text.lower().partition("e")
-    if len(mantissa.replace(".", "")) > MAX_DIGITS:
-        raise ExpressionError(Message("a number may have at most {most} digits", most=MAX_DIGITS), token.column)
-    if len(exponent) > 6 or abs(int(exponent or 0)) > MAX_DECIMAL_EXPONENT:
-        limit = Message("the exponent of ten is at most {most}", most=MAX_DECIMAL_EXPONENT)
-        raise ExpressionError(
-            Message("{text} is too large or too small: {limit}", text=token.text[:40], limit=limit), token.column
-        )
-    return Fraction(token.text)
 
 
 def _rate(argument: Expr, column: int) -> Expr:

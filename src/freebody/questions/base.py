@@ -282,6 +282,17 @@ class Quantity:
         return None
 
     @property
+    def sign_is_conventional(self) -> bool:
+        """Whether its sign only says which sense is counted as positive: that of a coordinate or a component, not that
+        of a tension or an energy."""
+        return False
+
+    @property
+    def counted_along(self) -> str:
+        """The name of the measure whose positive sense is that of the quantity; nothing where it has none."""
+        return ""
+
+    @property
     def is_any_of_several(self) -> bool:
         """Whether each of several values that are found is one: the roots of an equation, and no components."""
         return False

@@ -11,6 +11,7 @@ from freebody.language.sentences import NOTHING, Argument, Message, Sentence, li
 from freebody.language.units import DIMENSIONLESS, LENGTH, TIME, Dimension
 from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
+from freebody.measures.distance import Distance
 from freebody.measures.geometry import GROUND, Direction, Point
 from freebody.model.noting import did_you_mean
 from freebody.model.phrases import read_measure
@@ -78,6 +79,14 @@ questions: {it: acceleration of x}
     def watched(self) -> tuple[Measure, int]:
         return self.measure, self.order
 
+    @property
+    def sign_is_conventional(self) -> bool:
+        return not isinstance(self.measure, Distance)
+
+    @property
+    def counted_along(self) -> str:
+        return self.name
+
     def value(self, system: Described, state: State[Any]) -> Any:
         return (state.value, state.rate, state.acceleration)[self.order](self.measure)
 
@@ -113,6 +122,10 @@ questions: {it: acceleration of ball}
     @property
     def dimension(self) -> Dimension:
         return LENGTH / TIME**self.order
+
+    @property
+    def sign_is_conventional(self) -> bool:
+        return self.along is not None and not self.size
 
     @property
     def kinematic_order(self) -> int:
@@ -173,6 +186,10 @@ questions: {it: angular velocity of wheel at start}
     @property
     def unit(self) -> str:
         return angular_unit(self.dimension)
+
+    @property
+    def sign_is_conventional(self) -> bool:
+        return self.along is not None and not self.size
 
     @property
     def kinematic_order(self) -> int:

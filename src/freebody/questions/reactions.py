@@ -64,6 +64,10 @@ questions: {it: reaction of rod on bob}
     said_as: ClassVar[tuple[str, str]] = ("force", "moment")
 
     @property
+    def sign_is_conventional(self) -> bool:
+        return not self.size
+
+    @property
     def may_jump(self) -> bool:
         return True
 

@@ -24,6 +24,9 @@ if TYPE_CHECKING:
     from freebody.model.names import Names
 
 
+_WITH_SENSE = ("tension", "normal force")  # pull and push, whatever is counted as positive
+
+
 @dataclass(frozen=True)
 class ReactionComponent(Quantity, kind="reaction component"):
     """What one row of a connection transmits: tension, normal force, tooth force ..."""
@@ -65,6 +68,10 @@ questions: {it: tension of rod}
     is_reaction = True
     # the keys of its words, of a force and of a moment
     said_as: ClassVar[tuple[str, str]] = ("force", "moment")
+
+    @property
+    def sign_is_conventional(self) -> bool:
+        return self.reaction not in _WITH_SENSE
 
     @property
     def may_jump(self) -> bool:

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from freebody.errors import InputError
 from freebody.language.expression import Expr
 from freebody.language.sentences import Message, lines
-from freebody.language.units import DIMENSIONLESS, TIME, parse_quantity
+from freebody.language.units import ACCELERATION, DIMENSIONLESS, TIME, parse_quantity
 from freebody.measures.base import Measure
 from freebody.model.names import Names
 from freebody.model.noting import did_you_mean
@@ -67,6 +67,17 @@ def turning_rate(text: str) -> float:
         quantity = parse_quantity(text)
     if quantity.dimension != DIMENSIONLESS / TIME:
         raise InputError(Message("{text} is no rate of an angle; write 10 or 30 rad/s", text=text))
+    return float(quantity.value)
+
+
+def gravity(text: str) -> float:
+    """An acceleration of gravity [m/s^2]: a number, or a number with a unit. Raises InputError for anything else."""
+    try:
+        return float(text)
+    except ValueError:
+        quantity = parse_quantity(text)
+    if quantity.dimension != ACCELERATION:
+        raise InputError(Message("{text} is no acceleration; write 10 or 9.81 m/s^2", text=text))
     return float(quantity.value)
 
 

@@ -26,7 +26,8 @@ from freebody.language.expression import (
     ProductOf,
     power,
 )
-from freebody.language.parser import GREEK, MAX_DIGITS
+from freebody.language.guards import MAX_DIGITS
+from freebody.language.parser import GREEK
 
 # An underscore between two words of small letters, as in bottom_left.
 _BETWEEN_WORDS = re.compile(r"(?<=[a-z]{2})_(?=[a-z]{2})")

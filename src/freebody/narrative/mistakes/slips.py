@@ -10,6 +10,7 @@ import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import singledispatch
+from itertools import permutations
 from typing import Any
 
 from freebody.assess.setting import Setting
@@ -139,8 +140,10 @@ def slips(question: Question, setting: Setting, answers: Sequence[Ratio], *, bre
         yield Mistake(Sentence("mistake.inverted"), power=-1)
     yield from _of_kind(question.quantity, f)
     yield from _special(setting, used)
-    for p in _parameters(model, setting, used):
+    names = _parameters(model, setting, used)
+    for p in names:
         yield from _of_parameter(setting, p)
+    yield from _mixed_up(setting, names)
     if breaks_units:
         yield from _with_other_units(model, setting, used)
 
@@ -194,9 +197,24 @@ def _of_parameter(setting: Setting, name: str) -> Iterator[Mistake]:
     shown = {"p": Symbol(name)}
     if unit in (MASS, INERTIA) or (unit == DIMENSIONLESS and g not in setting.angles):
         yield Mistake(Sentence("mistake.zero", shown), {g: f.zero})
+    if unit == DIMENSIONLESS and g not in setting.angles:
+        yield Mistake(Sentence("mistake.sense", shown), {g: -x}, is_common=False)
     if unit == LENGTH:
         yield Mistake(Sentence("mistake.twice", shown), {g: 2 * x}, is_common=False)
         yield Mistake(Sentence("mistake.half", shown), {g: x / 2}, is_common=False)
+
+
+def _mixed_up(setting: Setting, names: Sequence[str]) -> Iterator[Mistake]:
+    """A parameter in the place of another of its kind, and two that have changed places: a wrong arm, a wrong mass."""
+    f, known, units = setting.field, setting.model.parameters, setting.names.dimensions
+    for a, b in permutations(names, 2):
+        if units[a] != units[b] or (f.index(known[a]) in setting.angles) != (f.index(known[b]) in setting.angles):
+            continue
+        shown = {"p": Symbol(a), "q": Symbol(b)}
+        if names.index(a) < names.index(b):
+            both = {f.index(known[a]): known[b], f.index(known[b]): known[a]}
+            yield Mistake(Sentence("mistake.swapped", shown), both, is_common=False)
+        yield Mistake(Sentence("mistake.instead", shown), {f.index(known[a]): known[b]}, is_common=False)
 
 
 def _with_other_units(model: SymbolicModel, setting: Setting, used: Sequence[int]) -> Iterator[Mistake]:

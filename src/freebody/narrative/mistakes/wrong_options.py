@@ -23,6 +23,7 @@ from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
 from freebody.study.answering.draws import SEED
 from freebody.symbolic.field import Ratio
+from freebody.symbolic.sample import Sample
 from freebody.tolerances import ROUND_OFF, ROUNDED
 
 _N_MOTIONS = 2
@@ -55,29 +56,28 @@ class WantedOption:
 class WrongOptions:
     """The wrong options of a question. Raises CannotAnswer for an answer that the field cannot say."""
 
-    def __init__(self, context: Context, question: Question, answer: Answer, letters: Sequence[str]) -> None:
+    def __init__(self, context: Context, question: Question, answer: Answer) -> None:
         q = question.quantity
         self.context = context
         self.question = question
         self.model = context.setup.model
-        self.letters = letters
         self.up_to_constant = q.is_up_to_constant
         self.setting = Setting(None, q.dimension, self.model, context.system, self.up_to_constant)
         given = answer.expression if isinstance(answer.expression, tuple) else (answer.expression,)
         self.answer = self._elements([e for e in given if e is not None])
+        self._motions: list[tuple[Sample, Sample, bool]] = []
 
-    def read(self) -> tuple[list[WantedOption], list[Point]]:
-        """The options that can be compared, and the points at which they are."""
-        wanted = [w for letter in self.letters if (w := self._option(letter)) is not None]
+    def read(self, options: Mapping[str, str]) -> tuple[list[WantedOption], list[Point]]:
+        """The options that can be compared, and the points at which they are. options: their texts by letter."""
+        wanted = [w for letter, text in options.items() if (w := self._option(letter, text)) is not None]
         points = self._points()  # last: numbers for all roots that stand in an option
         for w in wanted:
             w.numbers = [PointAnswers(w.parts, p).of(Mistake(Sentence(""))) for p in points]
         return wanted, points
 
-    @property
-    def some_break_units(self) -> bool:
+    def some_break_units(self, options: Mapping[str, str]) -> bool:
         """Whether an option has another unit than the answer."""
-        return any(self._breaks_units(self.question.options[letter]) for letter in self.letters)
+        return any(map(self._breaks_units, options.values()))
 
     def may_be(self, seen: Sequence[tuple[float, ...]], wanted: WantedOption) -> bool:
         """Whether numbers at the points are those of an option; where only differences count, their changes."""
@@ -96,6 +96,13 @@ class WrongOptions:
             if not difference.is_zero() and not (self.up_to_constant and difference.is_constant()):
                 return False
         return True
+
+    def own_point(self) -> Point:
+        """The model's own numbers. Raises CannotAnswer where it has none."""
+        if not self.context.setup.has_values:
+            raise CannotAnswer(Message("the model has no numbers"))
+        draw = self.context.setup.draws[0]
+        return self.model.field.complete(self.model.samples.numbers(draw.sample(draw.start())))
 
     # -- reading ------------------------------------------------------------------------------
     def _elements(self, exprs: Sequence[Expr]) -> Elements:
@@ -127,8 +134,7 @@ class WrongOptions:
         except FAILURES:
             return False
 
-    def _option(self, letter: str) -> WantedOption | None:
-        text = self.question.options[letter]
+    def _option(self, letter: str, text: str) -> WantedOption | None:
         try:
             parts = self._elements(self._parsed(text))
         except FAILURES:
@@ -137,15 +143,22 @@ class WrongOptions:
 
     def _points(self) -> list[Point]:
         """Random motions; of each draw two instants, where only differences count."""
-        setup, found = self.context.setup, list[Point]()
-        for k, draw in list(enumerate(setup.draws))[1 : 1 + _N_MOTIONS]:
-            for later in range(2 if self.up_to_constant else 1):
-                sample = draw.sample(draw.anywhere(SEED + k + 50 * later, 0.37 + 0.2 * later, 0.3))
-                values = self.model.samples.numbers(sample, draw.sample())
-                found.append(self._faster(values) if later else self.model.field.complete(values))
+        found = list[Point]()
+        for sample, anywhere, is_later in self._drawn():
+            values = self.model.samples.numbers(sample, anywhere)
+            found.append(self._faster(values) if is_later else self.model.field.complete(values))
         if not found:
             raise CannotAnswer(Message("there are no random motions"))
         return found
+
+    def _drawn(self) -> Sequence[tuple[Sample, Sample, bool]]:
+        """The states of the motions, drawn once; the last says whether it is the later one of two."""
+        if not self._motions:
+            for k, draw in list(enumerate(self.context.setup.draws))[1 : 1 + _N_MOTIONS]:
+                for later in range(2 if self.up_to_constant else 1):
+                    sample = draw.sample(draw.anywhere(SEED + k + 50 * later, 0.37 + 0.2 * later, 0.3))
+                    self._motions.append((sample, draw.sample(), bool(later)))
+        return self._motions
 
     def _faster(self, values: dict[int, Any]) -> Point:
         """The same pose with other speeds."""

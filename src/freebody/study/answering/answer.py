@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
+from freebody.assess.solved import SolvedAnswer
 from freebody.assess.verdict import Judgement, Verdict
 from freebody.language.expression import Expr, in_one_order
 from freebody.language.notation import stated_plain, to_latex, to_python
@@ -69,6 +70,7 @@ class Answer(Result):
     understood: str = ""  # the question in the words of the grammar
     verdict: str = ""  # yes or no with the given numbers, of a question that asks whether
     is_missed: bool = False  # the event does not come in the motion, as far as that is known
+    solved: SolvedAnswer | None = field(default=None, repr=False, compare=False)  # what others are judged against
 
     @property
     def report(self) -> Report:
@@ -159,6 +161,7 @@ def made(
         options={} if judgement is None else judgement.options,
         author_notes=() if judgement is None else judgement.notes,
         form=() if judgement is None else _other_form(judgement.form, expression),
+        solved=None if judgement is None else judgement.against,
         evidence=evidence,
         cases=cases,
         why_no_value=why_no_value,

@@ -70,7 +70,7 @@ class AnswerCompletion:
             found.notes += integrals_named(parts)
             told = texts(needed, until_event=self.reached is not None)
             conditions = found.says + told or [for_all(self.setup.system, parts)]
-        judgement = self._judge(found.element) if q.options else None
+        judgement = self._judge(found.element)
         return made(
             q,
             expression,
@@ -153,8 +153,8 @@ class AnswerCompletion:
         except (CannotAnswer, ArithmeticError, ValueError):
             return [start]
 
-    def _judge(self, element: Elements | Fraction) -> Judgement | None:
-        if isinstance(element, Fraction) and self.question.quantity.scope == "structure":
+    def _judge(self, element: Elements | Fraction) -> Judgement:
+        if isinstance(element, Fraction) and self.question.quantity.scope == "structure" and self.question.options:
             with suppress(CannotAnswer):
                 from freebody.study.mobility.mobility import judged as judged_by_count
 

@@ -12,6 +12,7 @@ from fractions import Fraction
 from typing import Any
 
 from freebody.assess.options import judge
+from freebody.assess.solved import SolvedAnswer
 from freebody.assess.verdict import Judgement
 from freebody.errors import BudgetExhausted, CannotAnswer, ExpressionError, NeverHappens, NotReached, RoutesDisagree
 from freebody.language.sentences import Message, further
@@ -96,14 +97,11 @@ def judged(
     model: SymbolicModel,
     system: System,
     region: Sequence[Ratio] = (),
-) -> Judgement | None:
+) -> Judgement:
     """The options of a question against its answer. region: what is positive where the answer is one."""
-    if not question.options:
-        return None
     answer: Any = element
-    quantity = question.quantity
-    constant = quantity.is_up_to_constant
-    return judge(question, answer, quantity.dimension, model, system, up_to_constant=constant, region=region)
+    q = question.quantity
+    return judge(question, SolvedAnswer(answer, q.dimension, model, system, q.is_up_to_constant, tuple(region)))
 
 
 def why(system: System, error: Exception) -> str:

@@ -1,0 +1,1 @@
+"""Answers that people type, checked by the mechanics."""

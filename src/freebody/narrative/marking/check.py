@@ -1,0 +1,166 @@
+"""An answer that somebody typed to a question of a system: what it is worth, and why."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from contextlib import suppress
+from dataclasses import dataclass, replace
+from functools import cached_property, lru_cache
+
+from freebody.assess.numbers import Tolerance
+from freebody.assess.solved import SolvedAnswer
+from freebody.assess.typed import AnswerJudge, Form, Policy, TypedJudgement, Wanted
+from freebody.errors import FreebodyError, InputError, UnitError
+from freebody.language.expression import ZERO, Expr
+from freebody.language.notation import to_python
+from freebody.language.plain_text import plain, shortened
+from freebody.language.sentences import Message, Sentence
+from freebody.language.typed import TypedNumber
+from freebody.language.units import dimension_of
+from freebody.model.noting import did_you_mean
+from freebody.narrative.context import Context
+from freebody.narrative.marking.found import CheckedAnswer
+from freebody.narrative.mistakes.mistakes import KnownMistakes
+from freebody.narrative.mistakes.wrong_options import FAILURES
+from freebody.narrative.telling.catalogue import Catalogue
+from freebody.questions.base import Quantity
+from freebody.questions.reading import Question
+from freebody.study.answering.answer import Answer
+from freebody.study.answering.solve import solve
+from freebody.study.worded import in_words
+from freebody.system.system import System
+
+FORMS: tuple[Form, ...] = ("any", "formula", "number")
+_LONGEST = 100_000  # characters that are looked at at all
+
+
+@in_words
+def check(
+    system: System,
+    question: str,
+    answer: str,
+    *,
+    form: str = "any",
+    unit: str = "optional",
+    tolerance: str = "1 %",
+    gravity: Sequence[float] = (),
+    language: str = "en",
+) -> CheckedAnswer:
+    """Judges a typed answer to a question: its id in the file, or one in words. The system is solved once; each further
+    answer to the same question is compared with what was found.
+
+    form: any, formula or number; unit: optional or required; tolerance: '1 %', '0.05 N' or '3 digits'; gravity: further
+    values of g that are accepted [m/s^2]. Raises InputError for a question that cannot be read and for a policy that is
+    none; an answer that cannot be read has the verdict `unreadable`."""
+    Catalogue(language)
+    policy = _policy(form, unit, tolerance, gravity)
+    marked = marked_question(system, question)
+    text = plain(answer)
+    judgement = marked.judge(answer[:_LONGEST], policy)
+    said = marked.mistake(judgement)
+    leads = "" if said is None else Catalogue(language).plain(said)
+    return CheckedAnswer(marked.question, shortened(text, 300), judgement, language, leads, system.title)
+
+
+def _policy(form: str, unit: str, tolerance: str, gravity: Sequence[float]) -> Policy:
+    if unit not in ("optional", "required"):
+        raise InputError(Message("unit is optional or required, not {unit}", unit=unit))
+    for known in FORMS:
+        if form == known:
+            return Policy(known, unit == "required", Tolerance.read(tolerance), tuple(gravity))
+    raise InputError(Message("there is no form {form}.{hint}", form=form, hint=did_you_mean(form, FORMS)))
+
+
+@dataclass(frozen=True)
+class MarkedQuestion:
+    """A solved question that answers are compared with. judging: None where there is no formula."""
+
+    system: System
+    question: Question
+    answer: Answer
+    judging: AnswerJudge | None
+
+    def judge(self, text: str, policy: Policy) -> TypedJudgement:
+        if self.judging is not None:
+            return self.judging.with_policy(policy).judge(text)
+        return self._as_option(text)
+
+    def mistake(self, judgement: TypedJudgement) -> Sentence | None:
+        """The mistake that leads to what is not right, where one is known."""
+        if judgement.verdict not in ("incorrect", "correct_only_if") or judgement.mistake or judgement.answer is None:
+            return None
+        parts = judgement.answer.parts
+        with suppress(FreebodyError, *FAILURES):
+            if judgement.answer.is_number:
+                return self._known.behind_numbers([p.value for p in parts if isinstance(p, TypedNumber)])
+            text = ", ".join(map(to_python, judgement.exprs))
+            return self._known.behind({"a": f"[{text}]" if len(parts) > 1 else text}).get("a")
+        return None
+
+    @cached_property
+    def _known(self) -> KnownMistakes:
+        return KnownMistakes(Context(self.system), self.question, self.answer)
+
+    def _as_option(self, text: str) -> TypedJudgement:
+        """Of what is no formula (a count, a condition) the answer is judged as an option would be."""
+        if not self.answer.is_answered and not self.answer.conditions:
+            return TypedJudgement("undecided", self.answer.reason)
+        asked = replace(self.question, options={"a": text}, key=None)
+        found = solve(replace(self.system, questions=(asked,))).answers[0].options.get("a")
+        if found is None:
+            return TypedJudgement("undecided", Message("there is nothing to compare it with"))
+        verdict = {"right": "correct", "wrong": "incorrect", "unreadable": "unreadable"}[found.verdict]
+        return TypedJudgement(verdict, found.reason)  # type: ignore[arg-type]
+
+
+@lru_cache(maxsize=64)
+def marked_question(system: System, question: str) -> MarkedQuestion:
+    """A question of a system with its answer, solved once."""
+    known = {q.id: q for q in system.questions}
+    if question.isidentifier() and question not in known:
+        told = Message(
+            "there is no question with the id {question}.{hint}", question=question, hint=did_you_mean(question, known)
+        )
+        raise InputError(told)
+    asked = replace(known.get(question) or system.question(question), options={}, key=None)
+    answer = solve(replace(system, questions=(asked,))).answers[0]
+    return MarkedQuestion(system, asked, answer, _judge_of(asked, answer))
+
+
+def _is_of_values(q: Quantity) -> bool:
+    """Whether values of a parameter are asked for, of which there may be several."""
+    return q.wanted is not None and q.wanted.relation == "="
+
+
+def _judge_of(question: Question, answer: Answer) -> AnswerJudge | None:
+    """None for a count, and for what has no formula."""
+    if answer.solved is None or answer.solved.element is None or answer.expression is None:
+        return None
+    if question.quantity.scope == "structure":
+        return None
+    value = answer.value if isinstance(answer.value, tuple) else None if answer.value is None else (answer.value,)
+    cases = tuple(
+        (c.expression if isinstance(c.expression, tuple) else (c.expression,), c.conditions) for c in answer.cases
+    )
+    q = question.quantity
+    parts = answer.expression if isinstance(answer.expression, tuple) else (answer.expression,)
+    wanted = Wanted(
+        value,
+        answer.conditions,
+        cases,
+        is_signed=q.sign_is_conventional,
+        measure=q.counted_along,
+        hides_units=_hides_units(answer.solved, parts),
+        has_order=not (q.is_any_of_several or q.scope == "small motion" or _is_of_values(q)),
+    )
+    return AnswerJudge(answer.solved, wanted)
+
+
+def _hides_units(solved: SolvedAnswer, parts: Sequence[Expr]) -> bool:
+    """Whether the formula of the answer has another unit than the answer: numbers of the model, as 20 rad/s, stand in
+    it without theirs."""
+    known = solved.setting().names.dimensions
+    try:
+        return any(part != ZERO and dimension_of(part, known) != solved.dimension for part in parts)
+    except UnitError:
+        return True

@@ -1,0 +1,115 @@
+"""What is found about one answer, as a result."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any, cast
+
+from freebody.assess.typed import TypedJudgement
+from freebody.language.expression import Expr
+from freebody.language.notation import to_latex, to_python
+from freebody.language.typed import TypedNumber
+from freebody.narrative.telling.catalogue import Catalogue
+from freebody.present.report.blocks import Block, Emphasis, Entry, Equation, Equations, Formula, Paragraph, Report
+from freebody.present.report.results import Result, entries, entry, line
+from freebody.questions.reading import Question
+
+
+@dataclass(frozen=True)
+class CheckedAnswer(Result):
+    """The verdict on one answer. text: as it was typed; leads: the mistake that leads to it, in words of the language,
+    where one was found by its formula."""
+
+    question: Question
+    text: str
+    judgement: TypedJudgement
+    language: str = "en"
+    leads: str = ""
+    title: str = ""
+
+    @property
+    def verdict(self) -> str:
+        return self.judgement.verdict
+
+    @property
+    def is_complete(self) -> bool:
+        return self.verdict == "correct"
+
+    @property
+    def reason(self) -> str:
+        return self._said(self.judgement.reason)
+
+    @property
+    def condition(self) -> str:
+        return self._said(self.judgement.condition)
+
+    @property
+    def mistake(self) -> str:
+        return self.leads or self._said(self.judgement.mistake)
+
+    @property
+    def counterexample(self) -> str:
+        return self._said(self.judgement.counterexample)
+
+    @property
+    def decided_by(self) -> str:
+        return self._said(self.judgement.decided_by)
+
+    def _said(self, text: str) -> str:
+        return text and Catalogue(self.language).said(text)
+
+    def to_plain(self) -> dict[str, Any]:
+        """The verdict as plain data: the JSON document of the command line."""
+        return {
+            "question": self.question.id,
+            "answer": self.text,
+            "verdict": self.verdict,
+            "reason": self.reason or None,
+            "condition": self.condition or None,
+            "mistake": self.mistake or None,
+            "counterexample": self.counterexample or None,
+            "decided_by": self.decided_by or None,
+            "reading": self._reading(),
+        }
+
+    def _reading(self) -> dict[str, Any] | None:
+        answer = self.judgement.answer
+        if answer is None:
+            return None
+        shown = [_shown(part) for part in answer.parts]
+        latex = [to_latex(part) if not isinstance(part, TypedNumber) else part.text for part in answer.parts]
+        return {"expression": shown[0] if len(shown) == 1 else shown, "latex": latex, "label": answer.label or None}
+
+    @property
+    def report(self) -> Report:
+        """The verdict, after the answer as it was read."""
+        catalogue = Catalogue(self.language)
+        title = self.title or "freebody"
+        return Report(title, self.language, "", tuple(self._blocks(catalogue)), catalogue.report_words, is_summary=True)
+
+    def _blocks(self, catalogue: Catalogue) -> Iterator[Block]:
+        yield line(Emphasis(self.question.id, "code"), f"  {self.question.text}")
+        answer = self.judgement.answer
+        if answer is None:
+            yield from entries(entry(catalogue.word("marking.answer"), self.text))
+        else:
+            formulas = [p for p in answer.parts if not isinstance(p, TypedNumber)]
+            numbers = [p.text for p in answer.parts if isinstance(p, TypedNumber)]
+            yield from entries(entry(catalogue.word("marking.read_as"), *numbers))
+            if formulas:
+                yield Paragraph((catalogue.word("marking.read_as"),))
+                yield Equations(tuple(Equation(Formula((cast(Expr, p),))) for p in formulas))
+        yield Paragraph((Emphasis(catalogue.word(f"marking.{self.verdict}"), "strong"),))
+        yield from entries(*self._said_of(catalogue))
+
+    def _said_of(self, catalogue: Catalogue) -> Iterator[Entry]:
+        yield entry(catalogue.word("marking.reason"), *filter(None, [self.reason]))
+        yield entry(catalogue.word("marking.mistake"), *filter(None, [self.mistake]))
+        is_new = self.counterexample and self.counterexample != self.reason
+        yield entry(catalogue.word("marking.numbers"), *filter(None, [self.counterexample if is_new else ""]))
+        yield entry(catalogue.word("marking.decided_by"), *filter(None, [self.decided_by]))
+
+
+def _shown(part: Expr | TypedNumber) -> str:
+    return part.text if isinstance(part, TypedNumber) else to_python(part)
