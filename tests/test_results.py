@@ -34,6 +34,7 @@ RESULTS: dict[str, tuple[str, Callable[[fb.System], Result]]] = {
         lambda system: system.inverse_dynamics({"theta": lambda t: (0.3 + t, 1.0, 0.0)}, [0.1 * k for k in range(41)]),
     ),
     "turn": ("slider_crank", lambda system: system.over_a_turn("theta", rate=5.0, n=24)),
+    "sweep": ("atwood_machine", lambda system: system.sweep({"m1": "1..3 kg:3"})),
     "simulate": ("bouncing_ball", lambda system: system.simulate(1.0)),
     "phases": ("block_on_rough_incline", fb.System.phases),
 }

@@ -38,6 +38,8 @@ if TYPE_CHECKING:
     from freebody.study.simulation.simulator import Simulator
     from freebody.study.small_motion.equilibrium import equilibria
     from freebody.study.small_motion.modes import modes
+    from freebody.study.sweeps.result import Sweep
+    from freebody.study.sweeps.sweep import sweep
 
 _HOMES = {
     "System": "freebody.api",
@@ -51,6 +53,7 @@ _HOMES = {
     "Simulation": "freebody.study.simulation.simulate",
     "Simulator": "freebody.study.simulation.simulate",
     "Equations": "freebody.study.eom",
+    "Sweep": "freebody.study.sweeps.result",
     "effort": "freebody.budgets",
     "FreebodyError": "freebody.errors",
     "InputError": "freebody.errors",
@@ -75,6 +78,7 @@ __all__ = [
     "Simulator",
     "Solution",
     "Statics",
+    "Sweep",
     "System",
     "conserved",
     "draw",
@@ -92,6 +96,7 @@ __all__ = [
     "simulate",
     "solve",
     "statics",
+    "sweep",
 ]
 
 

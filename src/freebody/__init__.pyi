@@ -88,6 +88,8 @@ from freebody.study.simulation.simulate import simulate as simulate
 from freebody.study.simulation.simulator import Simulator as Simulator
 from freebody.study.small_motion.equilibrium import equilibria as equilibria
 from freebody.study.small_motion.modes import modes as modes
+from freebody.study.sweeps.result import Sweep as Sweep
+from freebody.study.sweeps.sweep import sweep as sweep
 
 _Text = str | Written
 _Formula = Formula | Expr

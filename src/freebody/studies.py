@@ -33,6 +33,7 @@ if TYPE_CHECKING:
     from freebody.study.simulation.simulate import Simulation
     from freebody.study.small_motion.found import Equilibria
     from freebody.study.small_motion.modes import At, NaturalModes
+    from freebody.study.sweeps.result import Sweep
 
 P = ParamSpec("P")
 R = TypeVar("R")
@@ -207,6 +208,31 @@ class Studies:
         """Simulate the motion of a model.
 
         until: [s]; options: how it is followed, as one value or by name: `tolerance=1e-12`."""
+        ...
+
+    @study("freebody.study.sweeps.sweep", "sweep")
+    def sweep(
+        self,
+        vary: Mapping[str, Any] | None = None,
+        *,
+        over: Mapping[str, Any] | None = None,
+        sample: str | None = None,
+        seed: int = 0,
+        find: Sequence[str] = (),
+        record: Sequence[str] = (),
+        until: float | None = None,
+        events: Sequence[str] = (),
+        options: SimulationOptions | None = None,
+        threads: int = 1,
+        out: str | Path | Sequence[str | Path] = (),
+        resume: bool = False,
+        **given: Any,
+    ) -> Sweep:
+        """Look at many cases: parameters and start values vary, answers and motions are found in each.
+
+        vary: by name, a text as "1..3 kg:50" or numbers in SI; over: what every case is gone over; sample:
+        "sobol:4096", a grid if nothing is said; find: questions; record: of the motion up to `until` [s], as
+        "maximum of x"; options: how it is followed; out: files to write."""
         ...
 
     @study(

@@ -1,4 +1,4 @@
-"""How far a simulation is, on a terminal."""
+"""How far a simulation, or a sweep of many cases, is, on a terminal."""
 
 from __future__ import annotations
 
@@ -14,6 +14,19 @@ PATIENCE = 0.5  # seconds before a bar appears
 @contextmanager
 def progress_bar(until: float) -> Generator[Callable[[float, int], None]]:
     """Shows simulated time and rate on a terminal's error stream if a run takes longer than `PATIENCE`."""
+    with _bar("simulating", "{task.completed:8.4g} of {task.total:g} s", "{task.fields[rate]:.3g} s/s") as update:
+        yield lambda now, _steps: update(now, until)
+
+
+@contextmanager
+def count_bar(what: str) -> Generator[Callable[[int, int], None]]:
+    """The same for cases that are done, of those that there are; what: is done before the first of them."""
+    with _bar(what, "{task.completed:,.0f} of {task.total:,.0f} cases", "{task.fields[rate]:.3g} /s") as update:
+        yield lambda done, n: update(done, n)
+
+
+@contextmanager
+def _bar(what: str, count: str, rate: str) -> Generator[Callable[[float, float], None]]:
     import time
 
     from rich.console import Console
@@ -22,18 +35,12 @@ def progress_bar(until: float) -> Generator[Callable[[float, int], None]]:
 
     began = time.perf_counter()
     console = Console(stderr=True)
-    bar: Any = Bar(
-        TextColumn("{task.completed:8.4g} of {task.total:g} s"),
-        BarColumn(),
-        TextColumn("{task.fields[rate]:.3g} s/s"),
-        TimeRemainingColumn(),
-        console=console,
-        transient=True,
-    )
-    task = bar.add_task("", total=until, rate=0.0)
+    columns = (TextColumn(count), BarColumn(), TextColumn(rate), TimeRemainingColumn())
+    bar: Any = Bar(*columns, console=console, transient=True)
+    task = bar.add_task("", total=1.0, rate=0.0)
     shown = False
 
-    def update(now: float, _steps: int) -> None:
+    def update(now: float, total: float) -> None:
         nonlocal shown
         spent = time.perf_counter() - began
         if not shown and spent > PATIENCE and console.is_terminal:
@@ -41,10 +48,10 @@ def progress_bar(until: float) -> Generator[Callable[[float, int], None]]:
             bar.start()
             shown = True
         if shown:
-            bar.update(task, completed=now, rate=now / spent)
+            bar.update(task, completed=now, total=total, rate=now / spent)
 
     with ExitStack() as before:
-        before.enter_context(busy("simulating"))
+        before.enter_context(busy(what))
         try:
             yield update
         finally:

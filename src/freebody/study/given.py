@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 
 from freebody.errors import InputError
 from freebody.language.expression import Expr
@@ -88,3 +88,16 @@ def azimuth_and_elevation(text: str) -> tuple[float, float]:
     except ValueError:
         raise InputError(Message("give azimuth and elevation in degrees, e.g. --view 30,20")) from None
     return azimuth, elevation
+
+
+def ranges_of(texts: Iterable[str]) -> dict[str, str]:
+    """`m1 = 1..3 kg:50` as the range of a name. Raises InputError if it cannot be read."""
+    found: dict[str, str] = {}
+    for text in texts:
+        name, equals, value = (piece.strip() for piece in text.partition("="))
+        if not equals or not name or not value:
+            raise InputError(Message("'{text}': write name=range, as m1=1..3 kg:50", text=text))
+        if name in found:
+            raise InputError(Message("{name} is varied twice", name=name))
+        found[name] = value
+    return found

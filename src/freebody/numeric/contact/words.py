@@ -47,6 +47,18 @@ def events_between(bounded: Bounded, before: ModeOf | None, after: After, t: flo
         yield Event(t, *_slips(drag, old, new))
 
 
+def event_names(bounded: Bounded) -> list[str]:
+    """What the events of contacts and friction may be called."""
+    found: list[str] = []
+    for barrier in bounded.barriers:
+        a, b = barrier.words
+        found += [_opens(barrier)[0], _closes(barrier)[0], _rebounds(barrier)[0], _rest(barrier)[0]]
+        found.append(Message("{a} jams on {b}" if b else "{a} jams", a=a, b=b))
+    for drag in bounded.drags:
+        found += [_slips(drag, old, new)[0] for old, new in ((0, 1), (1, 0), (1, -1))]
+    return list(dict.fromkeys(found))
+
+
 def _closes(row: UnilateralRow) -> tuple[str, str]:
     a, b = row.words
     if row.kind == "string":

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -173,10 +174,11 @@ class Observer(Packed):
             observe(self.layout, self.room, times, states, accelerations, *tables)
         # turns are counted on from the nearest step, since there may be many between two output times
         nearest = course.tracks.nearest(times) if known else []
-        for k, step in enumerate(nearest):
+        edges = [0, *(np.flatnonzero(np.diff(nearest)) + 1), n_times] if nearest else []
+        for start, stop in pairwise(edges):  # the times near one step
             for place, bearings in known:
-                self.room.measures[place, NEAR] = bearings[step]
-            at = slice(k, k + 1)
+                self.room.measures[place, NEAR] = bearings[nearest[start]]
+            at = slice(start, stop)
             observe(self.layout, self.room, times[at], states[at], accelerations[at], *(table[at] for table in tables))
         return {m: tuple(table[:, self.rows[m]].copy() for table in tables) for m in self.measures}  # type: ignore[misc]
 

@@ -99,21 +99,7 @@ class QuestionSolver:
         )
 
     def _number_instead(self) -> Value:
-        """The value of the numeric route where there is no closed form, at the start or at the event."""
-        q = self.question
-        if q.quantity.scope == "steady motion" and self.setup.has_values:
-            from freebody.study.steady.ask import number as number_of_steady
-
-            return number_of_steady(q.quantity, self.setup, q)
-        if q.quantity.scope == "linkage" and self.setup.has_values:
-            from freebody.study.mobility.loop_answers import value_of as number_of_loop
-
-            return number_of_loop(q.quantity, self.setup)
-        if not self.setup.has_values or q.quantity.wanted is not None:
-            return None
-        if q.event is not None and not q.quantity.is_of_state:
-            return None  # it says of which equilibrium it is asked
-        return number_of(self.setup, q.quantity, q.event)
+        return number_instead(self.setup, self.question)
 
     def _find(self) -> Finding:
         q = self.question.quantity
@@ -351,6 +337,27 @@ class QuestionSolver:
 
     def _completion(self) -> AnswerCompletion:
         return AnswerCompletion(self.setup, self.question, self._state, self._reached)
+
+
+def number_instead(setup: Setup, question: Question) -> Value:
+    """The value of the numeric route where there is no closed form, at the start or at the event. Raises CannotAnswer
+    where it has none."""
+    q = question.quantity
+    if not setup.has_values:
+        return None
+    if q.scope == "steady motion":
+        from freebody.study.steady.ask import number as number_of_steady
+
+        return number_of_steady(q, setup, question)
+    if q.scope == "linkage":
+        from freebody.study.mobility.loop_answers import value_of as number_of_loop
+
+        return number_of_loop(q, setup)
+    if q.wanted is not None:
+        return None
+    if question.event is not None and not q.is_of_state:
+        return None  # it says of which equilibrium it is asked
+    return number_of(setup, q, question.event)
 
 
 def _roots(q: Quantity, x: Elements | Fraction) -> tuple[Elements | Fraction, ...]:

@@ -10,6 +10,7 @@ import numpy as np
 from freebody.language.expression import free_symbols
 from freebody.model.elements import DryFriction
 from freebody.numeric.jets import Array
+from freebody.system.system import System
 
 if TYPE_CHECKING:
     from freebody.study.simulation.motion import SimulatedMotion
@@ -38,13 +39,18 @@ def contact_series(result: SimulatedMotion, names: Mapping[str, str]) -> dict[st
             {"flag_values": list(range(5)), "flag_meanings": MEANINGS, "long_name": f"contact state of {name}"},
         )
     column = {row.name: k for k, row in enumerate(system.rows)}
-    for rub in system.dry_friction:
-        data[f"{_stem(names[rub.name])}.used_friction"] = (
+    for name, rub in zip(friction_names(system, names), system.dry_friction, strict=True):
+        data[name] = (
             "time",
             used_friction(result, rub, column),
             {"units": "1", "long_name": f"friction of {rub.name} by the largest that holds at rest"},
         )
     return data
+
+
+def friction_names(system: System, names: Mapping[str, str]) -> list[str]:
+    """`<friction>.used_friction` of all dry friction. names: of reactions, by row."""
+    return [f"{_stem(names[rub.name])}.used_friction" for rub in system.dry_friction]
 
 
 def final_states(result: SimulatedMotion) -> dict[str, str]:

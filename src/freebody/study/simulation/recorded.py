@@ -45,6 +45,7 @@ from freebody.numeric.jets import Array
 from freebody.numeric.potential import ARRAY_FUNCTIONS
 from freebody.numeric.rotation import matrices, rotation_vectors
 from freebody.present.recording import Recording, Series
+from freebody.study.simulation.contact_series import friction_names
 from freebody.study.simulation.observed import observed
 from freebody.system.system import System
 
@@ -153,9 +154,20 @@ def reaction_names(rows: Sequence[ConstraintRow]) -> list[str]:
 
 def series_names(system: System) -> list[str]:
     """What a dataset of the system has over time alone: measures, reactions, loads and energies."""
-    of_measures = [f"{name}{suffix}" for name in system.measures for suffix in ("", "_rate", "_acceleration")]
-    of_loads = [f"{load}.force" for load in _with_force(system)]
-    return [*of_measures, *reaction_names(system.rows), *of_loads, "kinetic_energy", "potential_energy", "work"]
+    return [name for name in series_units(system) if not name.endswith(".used_friction")]
+
+
+def series_units(system: System) -> dict[str, str]:
+    """The same with their units, and the used parts of friction."""
+    units: dict[str, str] = {}
+    for name, measure in system.measures.items():
+        unit = unit_of(measure.dimension)
+        units |= {name: unit, f"{name}_rate": f"{unit}/s", f"{name}_acceleration": f"{unit}/s^2"}
+    names = dict(zip((row.name for row in system.rows), reaction_names(system.rows), strict=True))
+    units |= {names[row.name]: _unit_of_reaction(row) for row in system.rows}
+    units |= {f"{load}.force": _unit_of_force(own) for load, own in _with_force(system).items()}
+    used = friction_names(system, names) if system.dry_friction else ()
+    return units | dict.fromkeys(("kinetic_energy", "potential_energy", "work"), "J") | dict.fromkeys(used, "1")
 
 
 def _with_force(system: System) -> dict[str, list[AppliedLoad]]:
@@ -166,14 +178,21 @@ def _with_force(system: System) -> dict[str, list[AppliedLoad]]:
     return {load: p for load, p in own.items() if system.loads[load].pulls_with([0.0] * len(p), float) is not None}
 
 
+def _unit_of_reaction(row: ConstraintRow) -> str:
+    return "N" if row.measure.dimension == LENGTH else "N m" if row.measure.dimension == DIMENSIONLESS else "SI"
+
+
+def _unit_of_force(own: Sequence[AppliedLoad]) -> str:
+    return "N m" if own[0].measure.dimension == DIMENSIONLESS else "N"
+
+
 def _reactions(result: MeasuredMotion) -> dict[str, Any]:
     data: dict[str, Any] = {}
     names = reaction_names(result.rows)
     for k, row in enumerate(result.rows):
         unique = result.course.unique[:, k]
         values = np.where(unique, row.sign * result.course.multipliers[:, k], np.nan)
-        unit = "N" if row.measure.dimension == LENGTH else "N m" if row.measure.dimension == DIMENSIONLESS else "SI"
-        attributes = _named(unit, f"{row.reaction} of {row.connection}")
+        attributes = _named(_unit_of_reaction(row), f"{row.reaction} of {row.connection}")
         if not unique.all():
             attributes["non_unique"] = (
                 "connections hold the same thing more than once: this reaction has no unique value"
@@ -216,8 +235,7 @@ def _loads(result: MeasuredMotion) -> dict[str, Any]:
     data: dict[str, Any] = {}
     for load, own in with_force.items():
         force = system.loads[load].pulls_with([_law(result, p, found) for p in own], np.sqrt)
-        unit = "N m" if own[0].measure.dimension == DIMENSIONLESS else "N"
-        data[f"{load}.force"] = ("time", force, _named(unit, f"force of {load}"))
+        data[f"{load}.force"] = ("time", force, _named(_unit_of_force(own), f"force of {load}"))
     return data
 
 

@@ -115,6 +115,7 @@ def simulate(
     options: SimulationOptions | None = None,
     values: Mapping[str, float] | None = None,
     events: Sequence[str] = (),
+    at: Sequence[float] = (),
     progress: Progress | None = None,
     from_result: Simulation | None = None,
     **given: Any,
@@ -123,7 +124,7 @@ def simulate(
 
     options: how it is followed; given: the same by name, as `tolerance=1e-6` or `method="moreau", step=1e-3`, and what
     differs from `options` where both are there. See `SimulationOptions` for their names, units and defaults. values: of
-    parameters, in SI. events: see `Simulator`.
+    parameters, in SI. events: see `Simulator`. at: further times at which it is looked at [s].
 
     Raises InputError for arguments without sense, CannotAnswer if the motion cannot begin; anything that goes wrong
     later is a status of the result, which keeps the motion up to there.
@@ -160,7 +161,7 @@ def simulate(
         course = simulator.run(1e-9, SimulationOptions(tolerance=options.tolerance), outputs=np.array([0.0]))
         course = replace(_first_instant(course), message=message)
         return Simulation(system, simulator, course, options)
-    outputs = _output_times(start, until, options.every)
+    outputs = _output_times(start, until, options.every, at)
     if options.by_steps:
         return _stepped(simulator, until, options, outputs, progress, before)
     y = simulator.start if state is None else state
@@ -178,11 +179,11 @@ def simulate(
     return Simulation(system, simulator, course, options, trusted)
 
 
-def _output_times(start: float, until: float, every: float | None) -> Array:
+def _output_times(start: float, until: float, every: float | None, at: Sequence[float]) -> Array:
     n = N_OUTPUTS if every is None else max(2, round((until - start) / every) + 1)
     times = np.linspace(start, until, n) if every is None else np.append(start + every * np.arange(n), until)
-    times = np.unique(times)
-    return times[times <= until]
+    times = np.unique([*times, *at])
+    return times[(times >= start) & (times <= until)]
 
 
 def _stepped(

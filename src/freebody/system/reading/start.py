@@ -34,7 +34,7 @@ def read_start(source: Source, measures: Mapping[str, Measure]) -> tuple[dict[st
     for key, value in source.mapping("start").items():
         if _is_mode(source, key):
             continue
-        name = key if key in measures else _of_rate(key, {*measures, *names.broken})
+        name = key if key in measures else rate_of(key, {*measures, *names.broken})
         if name not in measures:
             known = [*measures, *(f"rate({m})" for m in measures)]
             told = Message("{key} is no named measure or rate of one.{hint}", key=key, hint=did_you_mean(key, known))
@@ -50,7 +50,7 @@ def read_start(source: Source, measures: Mapping[str, Measure]) -> tuple[dict[st
     return start, rates
 
 
-def _of_rate(key: str, known: Container[str]) -> str:
+def rate_of(key: str, known: Container[str]) -> str:
     """What a key is the rate of; the key itself where it is none of these."""
     for before, after in (("rate(", ")"), ("", "'"), ("", "_dot"), ("rate of ", ""), ("velocity of ", "")):
         inner = key.removeprefix(before).removesuffix(after)

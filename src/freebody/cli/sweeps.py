@@ -1,0 +1,120 @@
+"""Many cases of one system."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from freebody.cli.options import Effort, Json, ModelFile, Set, model_of, seconds_of
+from freebody.cli.output import print_result, print_written
+from freebody.numeric.engine.integrators import integrators  # their names alone
+
+_List = list[str] | None
+
+
+def sweep(
+    file: ModelFile,
+    vary: Annotated[
+        _List,
+        typer.Option(
+            "--vary",
+            metavar="NAME=RANGE",
+            help="A parameter or start value: 'm1=1..3 kg:50', 'mu=0.1, 0.2', 'm=normal(2 kg, 5 %)' (repeatable).",
+        ),
+    ] = None,
+    over: Annotated[
+        _List,
+        typer.Option(
+            "--over", metavar="NAME=RANGE", help="Gone over in every case, as 'theta=0..360 deg' (repeatable)."
+        ),
+    ] = None,
+    sample: Annotated[
+        str | None,
+        typer.Option("--sample", help="Which cases: grid, sobol:4096, lhs:500, random:1000, or a table, cases.csv."),
+    ] = None,
+    seed: Annotated[int, typer.Option("--seed", help="The same seed draws the same cases.")] = 0,
+    find: Annotated[
+        _List,
+        typer.Option(
+            "--find", help="A question, by its id in the file or in words (repeatable); else all of the file."
+        ),
+    ] = None,
+    record: Annotated[
+        _List,
+        typer.Option(
+            "--record",
+            help="Of the motion: 'final x', 'maximum of rope.tension', 'x at 2 s', 'time when x = 0' (repeatable).",
+        ),
+    ] = None,
+    until: Annotated[
+        str | None, typer.Option("--until", help="How long the motion is followed, as 10 or 200 ms.")
+    ] = None,
+    event: Annotated[
+        _List, typer.Option("--event", help="Look for this as well, as 'stop when y of ball = 0' (repeatable).")
+    ] = None,
+    tolerance: Annotated[float, typer.Option("--tolerance", help="Error allowed in a step of a motion.")] = 1e-9,
+    method: Annotated[str, typer.Option("--method", help=f"auto, {', '.join(integrators())} or moreau.")] = "auto",
+    step: Annotated[str | None, typer.Option("--step", help="The step of a fixed-step method, as 1 ms.")] = None,
+    every: Annotated[str | None, typer.Option("--every", help="Distance of output times, as 10 ms.")] = None,
+    max_steps: Annotated[int, typer.Option("--max-steps", help="A motion stops after so many steps.")] = 10_000_000,
+    threads: Annotated[int, typer.Option("--threads", help="For motions, and what has no formula.")] = 1,
+    block: Annotated[int, typer.Option("--block", help="Cases that are in memory at once.")] = 4096,
+    out: Annotated[
+        list[Path] | None,
+        typer.Option(
+            "-o", "--out", help="Write .nc, .zarr, .csv or .parquet, or a report: .html, .md, ... (repeatable)."
+        ),
+    ] = None,
+    resume: Annotated[
+        bool, typer.Option("--resume", help="Go on with an interrupted sweep into the same file.")
+    ] = False,
+    as_json: Json = False,
+    effort: Effort = 1.0,
+    set_: Set = None,
+) -> None:
+    """Look at many cases: parameters and start values vary, answers and motions are found in each."""
+    from freebody.present.busy import busy
+    from freebody.present.progress_bar import count_bar
+
+    with busy("reading the model"):
+        from freebody.numeric.options import SimulationOptions
+        from freebody.study.given import ranges_of
+        from freebody.study.sweeps.sweep import sweep as run
+
+        system = model_of(file, set_)
+        options = SimulationOptions(
+            tolerance=tolerance,
+            method=method,
+            step=None if step is None else seconds_of(step, "--step"),
+            every=None if every is None else seconds_of(every, "--every"),
+            max_steps=max_steps,
+        )
+    with count_bar("finding formulas") as progress:
+        found = run(
+            system,
+            ranges_of(vary or ()),
+            over=ranges_of(over or ()),
+            sample=sample,
+            seed=seed,
+            find=find or (),
+            record=record or (),
+            until=None if until is None else seconds_of(until, "--until"),
+            events=event or (),
+            options=options,
+            threads=threads,
+            block=block,
+            out=out or (),
+            resume=resume,
+            progress=progress,
+        )
+    print_result(found, system, as_json=as_json)
+    if not found.is_complete:
+        from freebody.cli.running import say
+
+        kept = f" and kept in {found.store.folder}; --resume goes on" if found.store.folder else ""
+        say(f"interrupted: {found.n_done:,} of {found.n:,} cases are done{kept}")
+        raise typer.Exit(130)
+    if not as_json:
+        print_written(found.files)

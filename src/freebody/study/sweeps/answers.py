@@ -1,0 +1,198 @@
+"""Answers of `solve` in many cases: the closed form of the case that holds, compiled to a function of arrays.
+
+An answer is a formula under conditions, or a case distinction of them. What the conditions say of a case decides which
+formula is used; where none is known to hold, the numeric route answers (numbers), and where it has none either, the
+case is outside of what the answer knows. A formula whose conditions cannot be read as relations between parameters is
+used nowhere.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from contextlib import suppress
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from freebody.errors import CannotAnswer, ExpressionError, FreebodyError
+from freebody.language.expression import Expr
+from freebody.language.notation import Stated, to_python
+from freebody.language.sentences import Message, further
+from freebody.language.truth import read_statement
+from freebody.numeric.jets import Array
+from freebody.numeric.vectorised import VectorFunction, VectorStatement
+from freebody.questions.reading import Question
+from freebody.study.answering.answer import Answer, Value, refused
+from freebody.study.answering.closed_form import number_instead
+from freebody.study.answering.scope import is_scope
+from freebody.study.answering.simulated_numbers import number_with_changes
+from freebody.study.answering.solve import solve
+from freebody.study.setup import Setup
+from freebody.study.simulation.simulator import has_phases
+from freebody.study.sweeps.evaluators import Codes, Column, Evaluator, Found, Values, not_admissible
+from freebody.study.sweeps.statuses import CODES, FORMULA, NO_VALUE, NOT_ADMISSIBLE, NOT_ASSEMBLED, NUMBERS, OUTSIDE
+from freebody.study.sweeps.varied import with_values
+from freebody.study.worded import FAILED
+from freebody.system.system import System
+
+_ROUND_OFF = 1e-12  # of the larger side, by which a condition that includes equality may miss
+
+
+@dataclass(frozen=True)
+class _Form:
+    """A formula, part by part, and the conditions under which it holds, None where they cannot be read."""
+
+    parts: VectorFunction
+    conditions: tuple[tuple[VectorStatement, str], ...] | None  # each with its words
+    expressions: tuple[Expr, ...]
+    said: tuple[str, ...]
+
+
+class AnswerEvaluator(Evaluator):
+    """One question in every case. A quantity of an instant that is not said is meant at the start."""
+
+    def __init__(self, system: System, question: Question) -> None:
+        super().__init__(system)
+        q = question.quantity
+        is_open = q.is_of_state and question.event is None and question.transition is None and q.wanted is None
+        self.question = replace(question, options={}, key=None, at_start=question.at_start or is_open)
+        self.name = question.id
+        self.answer = self._answered()
+        n = self._n_parts()
+        unit, text = self.answer.unit, question.text
+        axes = "xyz" if n == (3 if system.space else 2) and not q.is_any_of_several else "123456789"
+        labels = [""] if n == 1 else [f".{axes[k]}" if n <= len(axes) else f".{k + 1}" for k in range(n)]
+        self.columns = tuple(Column(f"{self.name}{label}", unit, text) for label in labels)
+        self.forms = tuple(self._forms())
+
+    def _answered(self) -> Answer:
+        try:
+            return solve(replace(self.system, questions=(self.question,))).answers[0]
+        except FreebodyError as error:
+            return refused(self.question, str(error))
+
+    def _n_parts(self) -> int:
+        for shown in (self.answer.expression, self.answer.value):
+            if shown is not None:
+                return len(shown) if isinstance(shown, tuple) else 1
+        return 1
+
+    def _forms(self) -> list[_Form]:
+        """The formulas, those with readable conditions in parameters alone."""
+        a = self.answer
+        if a.expression is None:
+            return []
+        cases = [(c.expression, c.conditions) for c in a.cases] or [(a.expression, a.conditions)]
+        found: list[_Form] = []
+        for expression, conditions in cases:
+            parts = expression if isinstance(expression, tuple) else (expression,)
+            if len(parts) != len(self.columns):
+                continue
+            with suppress(ExpressionError):  # a rate that is left open has no value in parameters
+                found.append(_Form(VectorFunction(parts), _read(conditions), parts, tuple(map(str, conditions))))
+        return found
+
+    # -- many cases ---------------------------------------------------------------------------
+    def together(self, values: Mapping[str, Array], n: int) -> tuple[Array, Codes]:
+        numbers, codes = super().together(values, n)
+        known = {**self._own, **values}
+        for form in self.forms:
+            if not form.parts.names <= known.keys() or form.conditions is None:
+                continue
+            holds = codes == CODES["not done"]
+            for condition, _text in form.conditions:
+                holds &= condition.at(known, n, round_off=_ROUND_OFF) > 0 if condition.names <= known.keys() else False
+            if not holds.any():
+                continue
+            found = np.column_stack(form.parts.at(known, n))
+            holds &= np.isfinite(found).all(axis=1)
+            numbers[holds] = found[holds]
+            codes[holds] = CODES[FORMULA]
+        return numbers, codes
+
+    @property
+    def _own(self) -> dict[str, float]:
+        """The parameters' own values, at the start where they are functions of time."""
+        return {p.name: p.value for p in self.system.parameters.values() if p.value is not None}
+
+    # -- one case -----------------------------------------------------------------------------
+    def alone(self, values: Values) -> Found:
+        """By the numeric route, where no formula is known to hold."""
+        nothing = (math.nan,) * len(self.columns)
+        if why := not_admissible(self.system, values):
+            return Found(nothing, NOT_ADMISSIBLE, why)
+        system = with_values(self.system, values)
+        try:
+            found = self._number(system)
+        except _NotAssembled as error:
+            return Found(nothing, NOT_ASSEMBLED, str(error))
+        except (FreebodyError, ValueError, *FAILED) as error:
+            return Found(nothing, self._without, further(*self._broken(values), str(error)))
+        parts = found if isinstance(found, tuple) else () if found is None else (found,)
+        if len(parts) != len(self.columns) or not all(map(math.isfinite, parts)):
+            why = further(*(self._broken(values) or [self._reason]))
+            return Found(nothing, self._without, why)
+        return Found(tuple(map(float, parts)), NUMBERS)
+
+    @property
+    def _without(self) -> str:
+        """The status of a case without a number."""
+        return OUTSIDE if self.forms else NO_VALUE
+
+    @property
+    def _reason(self) -> str:
+        return self.answer.reason or self.answer.why_no_value or Message("the numeric route has no number for it")
+
+    def _number(self, system: System) -> Value:
+        """The question by the numeric route. Raises CannotAnswer where it has no number."""
+        if has_phases(system):
+            try:
+                return number_with_changes(system, self.question)
+            except CannotAnswer:
+                _assembled(system)
+                raise
+        setup = _assembled(system)
+        return number_instead(setup, self.question)
+
+    def _broken(self, values: Values) -> list[str]:
+        """Conditions of the answer that are not true of a case."""
+        known = {**self._own, **values}
+        told: list[str] = []
+        for form in self.forms:
+            for condition, text in form.conditions or ():
+                if condition.names <= known.keys() and condition.at(known, 1, round_off=_ROUND_OFF)[0] < 0:
+                    told.append(Message("{condition} is not true there", condition=text))
+        return list(dict.fromkeys(told))
+
+    def described(self) -> dict[str, object]:
+        """The formulas and their conditions beside the units."""
+        forms = [
+            {"expression": [to_python(e) for e in form.expressions], "conditions": list(form.said)}
+            for form in self.forms
+        ]
+        return {name: {**about, "forms": forms} for name, about in super().described().items()}
+
+
+def _read(conditions: Sequence[str]) -> tuple[tuple[VectorStatement, str], ...] | None:
+    """Conditions as statements about arrays, those that say that there is none left out; None where one cannot be
+    read."""
+    found: list[tuple[VectorStatement, str]] = []
+    for text in conditions:
+        statement = read_statement(text.expression) if isinstance(text, Stated) else None
+        if statement is not None:
+            found.append((VectorStatement(statement), str(text)))
+        elif isinstance(text, Stated) or not is_scope(text):
+            return None
+    return tuple(found)
+
+
+class _NotAssembled(CannotAnswer):
+    """The start contradicts itself at these numbers."""
+
+
+def _assembled(system: System) -> Setup:
+    try:
+        return Setup(system, 1)
+    except FreebodyError as error:
+        raise _NotAssembled(str(error)) from error

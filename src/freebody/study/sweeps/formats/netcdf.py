@@ -1,0 +1,34 @@
+"""NetCDF 4: the axes of the sweep as dimensions, written in slabs along the first of them."""
+
+from __future__ import annotations
+
+from importlib import import_module
+from importlib.util import find_spec
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from freebody.present.files import replaced
+
+if TYPE_CHECKING:
+    from freebody.study.sweeps.result import Sweep
+
+SUFFIX = ".nc"
+EXTRA = "data"
+
+
+def missing() -> str:
+    return "" if find_spec("h5netcdf") else "h5netcdf"
+
+
+def write(result: Sweep, path: Path) -> None:
+    library: Any = import_module("h5netcdf")
+    with replaced(path) as file, library.File(file, "w") as out:
+        out.dimensions = dict(result.plan.dimensions)
+        for name, value in result.attributes.items():
+            out.attrs[name] = value
+        for of in result.variables():
+            variable = out.create_variable(of.name, of.dimensions, of.dtype)
+            for name, value in of.attributes.items():
+                variable.attrs[name] = value
+            for part, values in of.parts():
+                variable[part] = values

@@ -1,0 +1,126 @@
+"""Runs the cases of a sweep, block by block.
+
+What formulas tell is told for a whole block at once; the cases that are left go to a pool of threads, a few at a time.
+A case hangs on its own values alone, and blocks begin at multiples of `TILE`, so that no array operation sees a case at
+another place of a vector register: results are the same, bit for bit, for any number of threads and any block.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from concurrent.futures import Future, ThreadPoolExecutor, as_completed
+from itertools import pairwise
+
+import numpy as np
+from numpy.typing import NDArray
+
+from freebody.errors import InputError
+from freebody.language.sentences import Message
+from freebody.numeric.jets import Array
+from freebody.study.sweeps.evaluators import Codes, Evaluator, Found
+from freebody.study.sweeps.plan import Plan
+from freebody.study.sweeps.statuses import CODES, NOT_DONE
+from freebody.study.sweeps.store import Store
+
+TILE = 64
+BLOCK = 4096
+MOST_THREADS = 256
+_GROUP = 4  # cases that a thread takes at a time
+
+Progress = Callable[[int, int], None]  # cases done, cases in all
+_Job = list[tuple[int, list[int]]]  # cases of a block, each with the evaluators that have to look at it
+
+
+def check(threads: int, block: int) -> None:
+    """Raises InputError for numbers without sense."""
+    if not 1 <= threads <= MOST_THREADS:
+        raise InputError(Message("there are between 1 and {most} threads, not {n}", most=MOST_THREADS, n=threads))
+    if block < 1:
+        raise InputError(Message("a block has at least one case, not {n}", n=block))
+
+
+def run(
+    plan: Plan,
+    evaluators: Sequence[Evaluator],
+    store: Store,
+    *,
+    threads: int,
+    block: int,
+    progress: Progress | None = None,
+) -> bool:
+    """Does all cases that are not done; False where Ctrl-C ended it, and what was done until then is kept."""
+    size = -(-block // TILE) * TILE
+    pool = ThreadPoolExecutor(threads, thread_name_prefix="freebody-sweep")
+    try:
+        for start in range(0, plan.n, size):
+            stop = min(start + size, plan.n)
+            if not store.done[start:stop].all():
+                _Block(plan, evaluators, store, start, stop).run(pool, progress)
+            elif progress is not None:
+                progress(stop, plan.n)
+    except KeyboardInterrupt:
+        return False
+    finally:
+        pool.shutdown(wait=True, cancel_futures=True)
+        store.flush()
+    return True
+
+
+class _Block:
+    """The cases from one to another."""
+
+    def __init__(self, plan: Plan, evaluators: Sequence[Evaluator], store: Store, start: int, stop: int) -> None:
+        self.evaluators, self.store, self.start, self.n = evaluators, store, start, stop - start
+        self.n_all = plan.n
+        values = plan.cases(start, stop)
+        self.values = {v.parameter: np.ascontiguousarray(values[:, k]) for k, v in enumerate(plan.names)}
+        ends = np.cumsum([0, *(len(e.columns) for e in evaluators)])
+        self.columns = [slice(int(a), int(b)) for a, b in pairwise(ends)]
+        self.numbers: Array = np.full((self.n, int(ends[-1])), np.nan)
+        self.codes: Codes = np.zeros((self.n, len(evaluators)), dtype=np.int8)
+
+    def run(self, pool: ThreadPoolExecutor, progress: Progress | None) -> None:
+        for k, evaluator in enumerate(self.evaluators):
+            self.numbers[:, self.columns[k]], self.codes[:, k] = evaluator.together(self.values, self.n)
+        before = np.array(self.store.done[self.start : self.start + self.n], dtype=bool)
+        jobs = self._jobs(before)
+        self._keep(np.flatnonzero((self.codes != CODES[NOT_DONE]).all(axis=1) & ~before))
+        waiting: dict[Future[list[list[Found]]], _Job] = {}
+        n_done = self.n - sum(map(len, jobs))
+        try:
+            for job in jobs:
+                waiting[pool.submit(self._look, job)] = job
+            for future in as_completed(waiting):
+                self._take(waiting[future], future.result())
+                n_done += len(waiting[future])
+                if progress is not None:
+                    progress(self.start + n_done, self.n_all)
+        finally:
+            for future in waiting:
+                future.cancel()
+        if progress is not None:
+            progress(self.start + self.n, self.n_all)
+
+    def _jobs(self, before: NDArray[np.bool_]) -> list[_Job]:
+        """The cases that have to be looked at one by one, a few together."""
+        open_ = (self.codes == CODES[NOT_DONE]) & ~before[:, None]
+        cases = [(int(i), [int(k) for k in np.flatnonzero(open_[i])]) for i in np.flatnonzero(open_.any(axis=1))]
+        return [cases[i : i + _GROUP] for i in range(0, len(cases), _GROUP)]
+
+    def _look(self, job: _Job) -> list[list[Found]]:
+        found: list[list[Found]] = []
+        for i, which in job:
+            values = {name: float(x[i]) for name, x in self.values.items()}
+            found.append([self.evaluators[k].alone(values) for k in which])
+        return found
+
+    def _take(self, job: _Job, found: Sequence[Sequence[Found]]) -> None:
+        for (i, which), of_case in zip(job, found, strict=True):
+            for k, one in zip(which, of_case, strict=True):
+                self.numbers[i, self.columns[k]] = one.numbers
+                self.codes[i, k] = CODES[one.status]
+        self._keep(np.array([i for i, _which in job]))
+
+    def _keep(self, here: NDArray[np.int64]) -> None:
+        """What is done of the block goes to the store."""
+        self.store.put(here + self.start, self.numbers[here], self.codes[here])

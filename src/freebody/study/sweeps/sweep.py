@@ -1,0 +1,144 @@
+"""Many cases of one system: parameters and start values vary, answers and motions are looked at in every case."""
+
+from __future__ import annotations
+
+import hashlib
+import time
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+from freebody.errors import InputError
+from freebody.language.sentences import Message
+from freebody.numeric.options import SimulationOptions
+from freebody.study.sweeps import running
+from freebody.study.sweeps.answers import AnswerEvaluator
+from freebody.study.sweeps.evaluators import Evaluator
+from freebody.study.sweeps.formats import check_data_path, formats
+from freebody.study.sweeps.motions import MotionEvaluator
+from freebody.study.sweeps.plan import Given, Plan, plan
+from freebody.study.sweeps.result import Sweep
+from freebody.study.sweeps.running import BLOCK, Progress
+from freebody.study.sweeps.store import Store, folder_for, in_memory, on_disk
+from freebody.study.worded import in_words
+from freebody.system.system import System
+
+MOST_IN_MEMORY = 2_000_000_000  # bytes
+
+
+@in_words
+def sweep(
+    system: System,
+    vary: Mapping[str, Given] | None = None,
+    *,
+    over: Mapping[str, Given] | None = None,
+    sample: str | None = None,
+    seed: int = 0,
+    find: Sequence[str] = (),
+    record: Sequence[str] = (),
+    until: float | None = None,
+    events: Sequence[str] = (),
+    options: SimulationOptions | None = None,
+    threads: int = 1,
+    block: int = BLOCK,
+    out: str | Path | Sequence[str | Path] = (),
+    resume: bool = False,
+    progress: Progress | None = None,
+    **given: Any,
+) -> Sweep:
+    """Answers and motions of a system in many cases.
+
+    vary: how parameters, and start values of named measures and of their rates, vary: a text as "1..3 kg:50", or
+    numbers in SI; over: the same for what every case is gone over. sample: which cases; a grid if nothing is said.
+    seed: of what is drawn. find: questions, by id or in words; without `find` and `record` those of the model. record:
+    what is recorded of the motion up to `until` [s]; events: as of `simulate`; options, given: how it is followed.
+    threads: for what is computed case by case; block: cases that are in memory at once. out: files to write; the first
+    data file has a folder beside it until all is done, from which `resume` goes on.
+
+    Raises InputError for what cannot be read and for files that cannot be written. A case that fails is a status of the
+    result. After Ctrl-C the result has what was done."""
+    began = time.perf_counter()
+    running.check(threads, block)
+    cases = plan(system, vary or {}, over or {}, sample, seed)
+    followed = replace(options or SimulationOptions(), **given)
+    evaluators = _evaluators(cases, find, record, until, events, followed)
+    names = [v.name for v in cases.names] + [c.name for e in evaluators for c in e.columns]
+    for name in names:
+        if names.count(name) > 1:
+            raise InputError(Message("{name} would stand twice among the results; ask for it once", name=name))
+    paths = [Path(path) for path in ([out] if isinstance(out, str | Path) else out)]
+    for path in paths:
+        _check(path)
+    store = _store(system, cases, evaluators, (seed, until, events, followed), paths, resume=resume)
+    is_over = running.run(cases, evaluators, store, threads=threads, block=block, progress=progress)
+    found = Sweep(system, cases, evaluators, store, time.perf_counter() - began, threads)
+    if not is_over:
+        return found
+    written = tuple(file for path in paths for file in found.write(path))
+    _ = found.digest, found.counts, found.statistics, found.failures
+    store.remove()
+    return replace(found, files=written)
+
+
+def _evaluators(
+    cases: Plan,
+    find: Sequence[str],
+    record: Sequence[str],
+    until: float | None,
+    events: Sequence[str],
+    options: SimulationOptions,
+) -> tuple[Evaluator, ...]:
+    """What is asked of every case."""
+    system = cases.system
+    questions = list(system.questions) if not find and not record and until is None else []
+    by_id = {q.id: q for q in system.questions}
+    questions += [by_id[text] if text in by_id else replace(system.question(text), id=text) for text in find]
+    found: list[Evaluator] = [AnswerEvaluator(system, q) for q in questions]
+    if record and until is None:
+        raise InputError(Message("how long is the motion? Say until when it is followed, as --until '5 s'"))
+    if until is not None:
+        found.append(MotionEvaluator(system, record, until, options, events))
+    if not found:
+        raise InputError(Message("nothing is asked: the model has no questions; say what to find or to record"))
+    return tuple(found)
+
+
+def _check(path: Path) -> None:
+    """Raises InputError if a file cannot be written, before anything is computed."""
+    if path.suffix in formats():
+        check_data_path(path)
+        return
+    from freebody.present.report.write import check_report_path
+
+    try:
+        check_report_path(path)
+    except InputError as error:
+        known = ", ".join(formats())
+        raise InputError(Message("{error}; or, for data, {known}", error=error, known=known)) from error
+
+
+def _store(
+    system: System, cases: Plan, evaluators: Sequence[Evaluator], settings: Any, paths: Sequence[Path], *, resume: bool
+) -> Store:
+    """In a folder beside the first file of data, else in memory."""
+    columns = [f"{c.name} [{c.unit}]" for e in evaluators for c in e.columns]
+    data = [path for path in paths if path.suffix in formats()]
+    if not data:
+        if resume:
+            raise InputError(Message("only a sweep with a file of data can go on: give the same -o again"))
+        if cases.n * (len(columns) + 1) * 8 > MOST_IN_MEMORY:
+            raise InputError(Message("{n:,} cases do not fit into memory: write them to a file with -o", n=cases.n))
+        return in_memory(cases.n, len(columns), len(evaluators))
+    about = {
+        "model": _digest(system.to_yaml()),
+        "values": _digest(repr((cases.sampled, cases.over))),
+        "results": columns,
+        "settings": _digest(repr(settings)),
+        "cases": cases.n,
+    }
+    return on_disk(folder_for(data[0]), about, cases.n, len(columns), len(evaluators), resume=resume)
+
+
+def _digest(text: str) -> str:
+    return hashlib.sha256(text.encode()).hexdigest()
