@@ -51,6 +51,8 @@ def _type(schema: dict[str, Any]) -> str:
     if "anyOf" in schema:
         return " | ".join(_type(each) for each in schema["anyOf"])
     match schema.get("type"):
+        case "array" if "prefixItems" in schema:
+            return f"[{', '.join(_type(each) for each in schema['prefixItems'])}]"
         case "array":
             inner = _type(schema["items"])
             return f"({inner})[]" if "|" in inner else f"{inner}[]"

@@ -3,7 +3,7 @@ import { Latest, debounced } from "./latest";
 import * as server from "./server";
 import type { Told } from "./server";
 import { type Change, changeBetween } from "./text";
-import type { Answers, Element, MotionAnswer, Parameter, ReadAnswer, StudyAnswer } from "./wire";
+import type { Answers, Element, Kind, MotionAnswer, Parameter, ReadAnswer, StudyAnswer } from "./wire";
 import { WORDS, type Word } from "./words";
 
 export type Language = "en" | "de";
@@ -39,6 +39,8 @@ const kept = {
   },
 };
 
+const FRAMES = 301;
+const FEWER = 121; // while something is moved by hand
 const prefersDark = matchMedia("(prefers-color-scheme: dark)");
 
 export class Studio {
@@ -53,6 +55,7 @@ export class Studio {
   model = $state.raw<ReadAnswer | null>(null);
   modelText = $state("");
   parameters = $state.raw<Parameter[]>([]);
+  kinds = $state.raw<Kind[]>([]);
   canUndo = $state(false);
   canRedo = $state(false);
 
@@ -71,20 +74,22 @@ export class Studio {
   selected = $state<string | null>(null);
   time = $state(0);
   until = $state(3);
-  dialog = $state<"" | "commands" | "gallery" | "help" | "save" | "changed">("");
+  dialog = $state<"" | "add" | "commands" | "gallery" | "help" | "save" | "changed">("");
   derived = $state<string | null>(null);
 
   writer: Writer | null = null;
   private reading = new Latest();
   private moving = new Latest();
   private counting = new Latest();
+  private dragging = new Latest();
 
   constructor() {
     const language = kept.get("language") ?? navigator.language.slice(0, 2);
     this.language = language === "de" ? "de" : "en";
     this.theme = (kept.get("theme") as Theme | null) ?? (prefersDark.matches ? "dark" : "light");
+    document.documentElement.dataset.theme = this.theme;
     prefersDark.addEventListener("change", () => {
-      if (!kept.get("theme")) this.theme = prefersDark.matches ? "dark" : "light";
+      if (!kept.get("theme")) this.wear(prefersDark.matches ? "dark" : "light");
     });
   }
 
@@ -111,6 +116,7 @@ export class Studio {
     try {
       const opening = await server.open();
       this.files = opening.files;
+      this.kinds = opening.kinds;
       this.take(opening.file.name, opening.file.text, opening.file.version);
       if (!opening.file.text) {
         if (opening.is_file) this.load("");
@@ -201,15 +207,15 @@ export class Studio {
       if (!told.answer.is_model) return;
       this.model = told.answer;
       this.modelText = text;
-      this.follow();
+      this.follow(text);
       this.countSoon();
     });
   }
 
   /** Follows the motion of the text as it stands. */
-  follow(text = this.text): void {
+  follow(text = this.text, frames = FRAMES): void {
     this.moving.run(async () => {
-      const told = await this.asked("motion", { text, language: this.language, until: this.until, frames: 301 });
+      const told = await this.asked("motion", { text, language: this.language, until: this.until, frames });
       if (!told) return;
       if (told.answer) {
         this.motion = told.answer;
@@ -243,7 +249,7 @@ export class Studio {
   setParameter(parameter: Parameter, text: string): void {
     const { start, end } = parameter.span;
     this.writer?.change([{ from: start, to: end, insert: text }], "input.type.slider");
-    this.follow();
+    this.follow(this.text, FEWER);
   }
 
   /** Places of parameters after a change, until the text is read again. */
@@ -266,10 +272,23 @@ export class Studio {
     else if (told) this.failure = this.reason(told);
   }
 
-  async add(section: "bodies" | "connections" | "loads" | "measures" | "questions" | "parameters", name: string, value: unknown): Promise<void> {
+  /** Brings a point of a body from one place at the start to another, as far as it goes. */
+  drag(text: string, body: string, grabbed: [number, number], to: [number, number]): void {
+    this.dragging.run(async () => {
+      const told = await this.asked("drag", { text, language: this.language, body, grabbed, to });
+      if (told?.answer) {
+        this.rewrite(told.answer.text, "input.type.drag");
+        this.follow(this.text, FEWER);
+      } else if (told && told.status !== "replaced") this.failure = this.reason(told);
+    });
+  }
+
+  /** A new element; value: its YAML, in one line. */
+  async add(section: string, name: string, value: string): Promise<boolean> {
     const told = await this.asked("add", { text: this.text, language: this.language, section, name, value });
     if (told?.answer) this.rewrite(told.answer.text, "input.add");
     else if (told) this.failure = this.reason(told);
+    return Boolean(told?.answer);
   }
 
   // -- asking
@@ -304,8 +323,13 @@ export class Studio {
     this.readNow();
   }
   setTheme(theme: Theme): void {
-    this.theme = theme;
     kept.set("theme", theme);
+    this.wear(theme);
+  }
+  /** Colours are read from the page by what follows, so they are there first. */
+  private wear(theme: Theme): void {
+    document.documentElement.dataset.theme = theme;
+    this.theme = theme;
   }
   select(path: string | null, show = true): void {
     this.selected = path;

@@ -29,7 +29,7 @@ export function quantityOf(text: string): { value: number; rest: string } | null
 export function sliderRange(value: number, isPositive: boolean, unit: string): { min: number; max: number; step: number } {
   const isDegrees = /^\s*(deg|°)/.test(unit);
   const size = value === 0 ? 1 : 10 ** Math.ceil(Math.log10(Math.abs(value) * 1.5));
-  const max = isDegrees ? Math.max(90, Math.ceil(Math.abs(value) / 90) * 90) : round(Math.max(size * 0.3, Math.abs(value) * 2));
+  const max = isDegrees ? Math.max(isPositive ? 90 : 180, Math.ceil(Math.abs(value) / 90) * 90) : round(Math.max(size * 0.3, Math.abs(value) * 2));
   const step = 10 ** Math.floor(Math.log10(max / 100));
   return { min: isPositive ? step : -max, max, step };
 }

@@ -1,12 +1,12 @@
 // Written by tools/write_studio_types.py from freebody/studio/wire.py: do not edit.
 
-/** Add a body, connection, load, measure or question under a name that is free. value: the plain data. */
+/** Add an element at the end of a section, under its name or the next that is free. value: its YAML in one line */
 export interface AddRequest {
   text: string;
   language?: "en" | "de";
-  section: "bodies" | "connections" | "loads" | "measures" | "questions" | "parameters";
+  section: string;
   name: string;
-  value?: unknown;
+  value: string;
 }
 
 /** A question of the file. */
@@ -20,6 +20,15 @@ export interface Call {
   kind: string;
   topic: string;
   request: Record<string, unknown>;
+}
+
+/** Bring a point of a body, at the place `grabbed` [m] at the start, as near `to` another place as it goes. */
+export interface DragRequest {
+  text: string;
+  language?: "en" | "de";
+  body: string;
+  grabbed: [number, number];
+  to: [number, number];
 }
 
 /** Set the value at a path, as the YAML of a scalar; None takes it out. */
@@ -46,6 +55,7 @@ export interface Example {
   name: string;
   title: string;
   text: string;
+  is_template: boolean;
 }
 
 /** The same as files. */
@@ -80,6 +90,14 @@ export interface Fix {
 export interface Happening {
   time: number;
   name: string;
+}
+
+/** What a section may have. value: of the smallest example, as YAML in one line; about: what it is */
+export interface Kind {
+  section: string;
+  kind: string;
+  value: string;
+  about: string;
 }
 
 /** A value in the text that can be changed. path: to it; label: the last parts of it; text: as it stands there */
@@ -124,13 +142,14 @@ export interface OpenedFile {
   version: string;
 }
 
-/** What the page begins with. kinds: of bodies, connections and loads, with their smallest examples; studies: names of what can be asked for */
+/** What the page begins with. is_file: whether a file was named; kinds: of elements that can be added */
 export interface Opening {
   file: OpenedFile;
   files: string[];
   is_file: boolean;
   languages: string[];
   version: string;
+  kinds: Kind[];
 }
 
 /** The motion as one HTML file that plays without a server. */
@@ -141,9 +160,10 @@ export interface PageRequest {
   frames?: number;
 }
 
-/** A parameter whose number can be moved. text: as it stands in the file, with its unit */
+/** A number that can be moved: a parameter, or a value of the start. text: as it stands in the file, with its unit */
 export interface Parameter {
   name: string;
+  section: "parameters" | "start";
   text: string;
   span: Span;
   is_positive: boolean;
@@ -267,6 +287,7 @@ export interface Requests {
   read: ReadRequest;
   edit: EditRequest;
   add: AddRequest;
+  drag: DragRequest;
   suggest: SuggestRequest;
   motion: MotionRequest;
   picture: PictureRequest;
@@ -280,6 +301,7 @@ export interface Answers {
   read: ReadAnswer;
   edit: TextAnswer;
   add: TextAnswer;
+  drag: TextAnswer;
   suggest: SuggestAnswer;
   motion: MotionAnswer;
   picture: PictureAnswer;

@@ -32,15 +32,16 @@ def _scalar(text: str) -> Any:
 def add(request: AddRequest) -> TextAnswer:
     """A new element at the end of its section, under its name or the next that is free."""
     document = Document.read(request.text)
+    value = _scalar(request.value)
     known: Any = document.data.get(request.section) or {}
     if request.section == "questions":
-        return TextAnswer(text=document.with_value(("questions",), [*known, request.value]).dumps())
+        return TextAnswer(text=document.with_value(("questions",), [*known, value]).dumps())
     if not isinstance(known, dict):
         raise InputError(Message("{section} is no mapping of names", section=request.section))
     name, number = request.name, 2
     while name in known:
         name, number = f"{request.name}{number}", number + 1
-    return TextAnswer(text=document.with_value((request.section, name), request.value).dumps())
+    return TextAnswer(text=document.with_value((request.section, name), value).dumps())
 
 
 def suggest(request: SuggestRequest) -> SuggestAnswer:

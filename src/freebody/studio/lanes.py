@@ -42,6 +42,7 @@ class Worker:
     current: _Piece | None = None
     busy: str = ""
     _task: asyncio.Task[None] | None = None
+    _ending: set[asyncio.Task[None]] = field(default_factory=set[asyncio.Task[None]])
 
     async def ask(self, call: Call) -> Reply:
         """The reply to a call, when it is its turn."""
@@ -76,10 +77,14 @@ class Worker:
             self._kill()
 
     def _kill(self) -> None:
-        if self.process is not None and self.process.returncode is None:
+        """Ends the process. The next request starts another one."""
+        process, self.process = self.process, None
+        if process is not None:
             with suppress(ProcessLookupError):
-                self.process.kill()
-        self.process = None
+                process.kill()
+            task = asyncio.get_running_loop().create_task(_ended(process))
+            self._ending.add(task)
+            task.add_done_callback(self._ending.discard)
 
     async def _work(self) -> None:
         while self.waiting:
@@ -128,12 +133,20 @@ class Worker:
         return self.process
 
     async def end(self) -> None:
-        process = self.process
+        """Ends what is being done, and the process."""
         for piece in [*self.waiting, *([self.current] if self.current else [])]:
             self._end(piece, Reply(status="cancelled"))
+        if self._task is not None:
+            await self._task
         self._kill()
-        if process is not None:
-            await process.wait()
+        await asyncio.gather(*self._ending)
+
+
+async def _ended(process: Process) -> None:
+    """When a process is gone and its pipes are closed."""
+    if process.stdin is not None:
+        process.stdin.close()
+    await process.communicate()
 
 
 class Lanes:

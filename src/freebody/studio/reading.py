@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from difflib import SequenceMatcher
 from typing import Any, cast
 
-from freebody.errors import FreebodyError, InputError, ModelError, Problem
+from freebody.errors import FreebodyError, ModelError, Problem
 from freebody.language.document import Document, Place
 from freebody.messages import Message
 from freebody.studio.telling import told
@@ -148,12 +149,12 @@ def _fixes(message: str, places: Places, span: tuple[int, int], language: Langua
 
 
 def _misspelt(part: str, known: Sequence[str], words: Sequence[str]) -> tuple[int, int] | None:
-    """Where in a part of the text the word stands that a message is about."""
-    for word in words:
-        if word and word not in known and " " not in word and part.count(word) == 1:
-            at = part.index(word)
-            return at, at + len(word)
-    return None
+    """Where in a part of the text the word stands that a message is about: the likest to what is meant."""
+    found = [word for word in words if word and word not in known and " " not in word and part.count(word) == 1]
+    if not found:
+        return None
+    word = max(found, key=lambda each: SequenceMatcher(None, each, known[0]).ratio())
+    return part.index(word), part.index(word) + len(word)
 
 
 def _elements(document: Document, places: Places) -> Iterator[Element]:
@@ -207,29 +208,28 @@ def _leaves(document: Document, places: Places, path: Place, value: Any) -> Iter
 
 
 def _parameters(document: Document, system: System | None, places: Places) -> Iterator[Parameter]:
-    """Those that have a number, with where it stands."""
-    given = document.data.get("parameters")
-    for name, value in cast("dict[str, Any]", given).items() if isinstance(given, dict) else ():
+    """Parameters and values of the start that have a number, with where it stands."""
+    for name, value in _mapping(document.data.get("parameters")).items():
         path: Place = ("parameters", name, "value") if isinstance(value, dict) else ("parameters", name)
-        span = document.span(path)
         known = None if system is None else system.parameters.get(name)
-        if span is None or span[0] == span[1] or (known is not None and known.value is None):
-            continue
-        yield Parameter(
-            name=name,
-            text=places.text[slice(*span)],
-            span=places.span(*span),
-            is_positive=known is None or known.sign != "any",
-        )
+        if known is None or known.value is not None:
+            is_positive = known is None or known.sign != "any"
+            yield from _number(document, places, "parameters", path, is_positive=is_positive)
+    for name in _mapping(document.data.get("start")):
+        yield from _number(document, places, "start", ("start", name), is_positive=False)
+
+
+def _mapping(value: Any) -> dict[str, Any]:
+    return cast("dict[str, Any]", value) if isinstance(value, dict) else {}
+
+
+def _number(document: Document, places: Places, section: Any, path: Place, *, is_positive: bool) -> Iterator[Parameter]:
+    span = document.span(path)
+    if span is not None and span[0] < span[1]:
+        text = places.text[slice(*span)]
+        yield Parameter(name=str(path[1]), section=section, text=text, span=places.span(*span), is_positive=is_positive)
 
 
 def checked_system(text: str) -> System:
     """The system of a text. Raises ModelError."""
     return System.from_text(text)
-
-
-def edited(document: Document, path: Place, value: Any) -> Document:
-    """With a value at a path. Raises InputError where the text cannot be changed in place."""
-    if document.span(path) is None and isinstance(path[-1], int):
-        raise InputError(Message("there is no value at {path}", path=".".join(map(str, path))))
-    return document.with_value(path, value)

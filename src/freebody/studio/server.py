@@ -27,6 +27,7 @@ from freebody.examples_folder import folder as examples_folder
 from freebody.examples_folder import listed_examples, listed_templates, templates
 from freebody.narrative.words import languages
 from freebody.studio.folder import Folder
+from freebody.studio.kinds import kinds
 from freebody.studio.lanes import Lanes
 from freebody.studio.look import style_sheet
 from freebody.studio.wire import Call, Example, Opening, SaveRequest
@@ -108,6 +109,7 @@ def studio(folder: Folder, token: str, port: int) -> Starlette:
             is_file=bool(folder.first),
             languages=languages(),
             version=version("freebody"),
+            kinds=kinds(),
         )
         return opening.model_dump()
 
@@ -204,6 +206,9 @@ def _asset(name: str) -> Response:
 
 def _examples() -> list[BaseModel]:
     """The bundled models: templates to start from first."""
-    bundled = [(name, title, templates()[name]) for name, title in listed_templates()]
-    bundled += [(name, title, examples_folder() / f"{name}.yaml") for name, title in listed_examples()]
-    return [Example(name=name, title=title, text=path.read_text(encoding="utf-8")) for name, title, path in bundled]
+    bundled = [(name, title, templates()[name], True) for name, title in listed_templates()]
+    bundled += [(name, title, examples_folder() / f"{name}.yaml", False) for name, title in listed_examples()]
+    return [
+        Example(name=name, title=title, text=path.read_text(encoding="utf-8"), is_template=is_template)
+        for name, title, path, is_template in bundled
+    ]

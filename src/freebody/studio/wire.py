@@ -39,11 +39,19 @@ class EditRequest(Request):
 
 
 class AddRequest(Request):
-    """Add a body, connection, load, measure or question under a name that is free. value: the plain data."""
+    """Add an element at the end of a section, under its name or the next that is free. value: its YAML in one line"""
 
-    section: Literal["bodies", "connections", "loads", "measures", "questions", "parameters"]
+    section: str = Field(pattern="^(parameters|bodies|connections|loads|measures|start|questions)$")
     name: str = Field(max_length=100)
-    value: Any = None
+    value: str = Field(max_length=2000)
+
+
+class DragRequest(Request):
+    """Bring a point of a body, at the place `grabbed` [m] at the start, as near `to` another place as it goes."""
+
+    body: str = Field(max_length=200)
+    grabbed: tuple[float, float]
+    to: tuple[float, float]
 
 
 class SuggestRequest(Request):
@@ -137,9 +145,11 @@ class Element(Said):
 
 
 class Parameter(Said):
-    """A parameter whose number can be moved. text: as it stands in the file, with its unit"""
+    """A number that can be moved: a parameter, or a value of the start. text: as it stands in the file, with its
+    unit"""
 
     name: str
+    section: Literal["parameters", "start"]
     text: str
     span: Span
     is_positive: bool
@@ -257,6 +267,16 @@ class Example(Said):
     name: str
     title: str
     text: str
+    is_template: bool
+
+
+class Kind(Said):
+    """What a section may have. value: of the smallest example, as YAML in one line; about: what it is"""
+
+    section: str
+    kind: str
+    value: str
+    about: str
 
 
 class OpenedFile(Said):
@@ -268,14 +288,14 @@ class OpenedFile(Said):
 
 
 class Opening(Said):
-    """What the page begins with. kinds: of bodies, connections and loads, with their smallest examples; studies: names
-    of what can be asked for"""
+    """What the page begins with. is_file: whether a file was named; kinds: of elements that can be added"""
 
     file: OpenedFile
     files: list[str]
     is_file: bool
     languages: list[str]
     version: str
+    kinds: list[Kind]
 
 
 class SaveRequest(Said):

@@ -58,6 +58,7 @@ WORK: dict[str, Work] = {
     "read": Work(wire.ReadRequest, "reading", "read", READING),
     "edit": Work(wire.EditRequest, "editing", "edit", READING),
     "add": Work(wire.AddRequest, "editing", "add", READING),
+    "drag": Work(wire.DragRequest, "dragging", "drag", READING),
     "suggest": Work(wire.SuggestRequest, "editing", "suggest", READING),
     "motion": Work(wire.MotionRequest, "moving", "motion", MOVING),
     "picture": Work(wire.PictureRequest, "asking", "drawn", COUNTING),
