@@ -16,12 +16,13 @@ from freebody.cli.motion import simulate
 from freebody.cli.running import Terminated, command, quiet, say
 from freebody.cli.sheets import sheet
 from freebody.cli.studies import command_of
+from freebody.cli.studio import studio
 from freebody.cli.sweeps import sweep
 from freebody.studies import STUDIES
 
 # commands with outputs of their own, and those that are no study of a system
 _OWN: dict[str, Callable[..., None]] = {"simulate": simulate, "sweep": sweep}
-_BESIDE: tuple[Callable[..., None], ...] = (sheet, examples, new, schema, doctor)
+_BESIDE: tuple[Callable[..., None], ...] = (sheet, studio, examples, new, schema, doctor)
 
 
 def commands() -> typer.Typer:

@@ -18,6 +18,7 @@ from freebody.present.drawing import Drawing
 from freebody.present.figures import Array
 from freebody.present.files import replaced
 from freebody.present.marks import ContactTrack
+from freebody.present.page import Pages
 from freebody.present.plane_page import note_on, page
 from freebody.present.scene import Scene
 from freebody.present.stage import Show, Stage, show_of_plane
@@ -66,9 +67,9 @@ def film_of(
         drawing, shown = motion.drawn(scene, n_frames)
         return show_of_plane(drawing, note_on(drawing)), shown
 
-    def page_of(n_frames: int, title: str, speed: float) -> str:
+    def page_of(n_frames: int) -> Pages:
         drawing, shown = motion.drawn(scene, n_frames)
-        return page(drawing, shown, title, speed)
+        return page(drawing, shown, title)
 
     return Film(motion.times, title, speed, show, page_of)
 
@@ -76,14 +77,14 @@ def film_of(
 @dataclass(frozen=True, repr=False)
 class Film:
     """A motion that can be shown. times: (n_times,) [s] at which it is given; speed: seconds of motion in a second of
-    showing; show, page: of so many frames the drawing with their times, equally spaced, and the page that plays them
-    with a title and a speed; fewest: frames of a page, at least."""
+    showing; show, page: of so many frames the drawing with their times, equally spaced, and the page that plays them;
+    fewest: frames of a page, at least."""
 
     times: Array
     title: str
     speed: float
     show: Callable[[int], tuple[Show, Array]]
-    page: Callable[[int, str, float], str]
+    page: Callable[[int], Pages]
     fewest: int = FEWEST + 1
 
     def __post_init__(self) -> None:
@@ -109,7 +110,7 @@ class Film:
 
     def text(self) -> str:
         """The text of a page that plays it."""
-        return self.page(min(N_FRAMES, max(self.fewest, self.n_frames(RATE))), self.title, self.speed)
+        return self.page(min(N_FRAMES, max(self.fewest, self.n_frames(RATE)))).text(self.title, self.speed)
 
     def stages(self, rate: int) -> tuple[Any, Iterator[None]]:
         """A figure, and an iterator that brings it to one frame after the other, at a rate [1/s]."""

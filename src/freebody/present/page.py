@@ -73,12 +73,13 @@ class Pages:
             "keys": html.escape(_KEYS.format(**(_KEYS_OF_PLANE if self.is_planar else _KEYS_OF_SPACE))),
             "back_key": steps[0],
             "next_key": steps[1],
-            "data": _embedded(self._data(speed)),
+            "data": _embedded(self.data(speed)),
             "script": asset("player.js"),
         }
         return _PART.sub(lambda found: parts[found[1]], asset("page.html"))
 
-    def _data(self, speed: float) -> dict[str, Any]:
+    def data(self, speed: float) -> dict[str, Any]:
+        """What the script draws, as plain data. speed: seconds of motion in a second of showing."""
         n, gravity = len(self.times), self.scene.gravity
         still = [
             [rounded(center, self.digits), [rounded(row, 9) for row in axes]]

@@ -18,8 +18,8 @@ from freebody.present.theme import STYLES
 _ALONG_Z = np.array([(0.0, 0.0, 1.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0)])
 
 
-def page(drawing: Drawing, times: Array, title: str, speed: float) -> str:
-    """The text of the page. times: (n_times,) [s], equally spaced, of the poses of the drawing."""
+def page(drawing: Drawing, times: Array, title: str) -> Pages:
+    """The page. times: (n_times,) [s], equally spaced, of the poses of the drawing."""
     digits = digits_of(float((drawing.high - drawing.low).max()))
     columns: list[list[float]] = []
     for pose in np.moveaxis(drawing.poses, 0, -1):
@@ -38,10 +38,9 @@ def page(drawing: Drawing, times: Array, title: str, speed: float) -> str:
     bounds = drawing.low, drawing.high
     description = f"{title}; bodies: {', '.join(drawing.scene.names)}"
     note = note_on(drawing)
-    shown = Pages(
+    return Pages(
         drawing.scene, times, columns, digits, bounds, _ALONG_Z, ground, own, description, note, is_planar=True
     )
-    return shown.text(title, speed)
 
 
 def note_on(drawing: Drawing) -> str:

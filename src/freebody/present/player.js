@@ -1,5 +1,11 @@
+// A motion on a canvas. data: as `page.py` writes it; shown: what the page around it decides, read at every drawing:
+// isDark(), hasNames(), isPlaying(), traced (a set of points by number), selected (a set of labels), drawn(frame, time)
+function playerOn(canvas, data, shown) {
+const pen = canvas.getContext("2d");
+let last = data.n_frames - 1, at = 0, view = null, taken = [];
+
 // -- places at a frame, which may lie between two
-const n_moving = data.names.length, stride = data.planar ? 3 : 7;
+let n_moving = data.names.length, stride = data.planar ? 3 : 7;
 function column(k, f) {
   const track = data.columns[k], i = Math.min(Math.floor(f), last), j = Math.min(i + 1, last);
   return track[i] + (f - i) * (track[j] - track[i]);
@@ -46,7 +52,7 @@ function frameAlong(w) {
 }
 
 // -- the view; the plane is seen along z
-const camera = { azimuth: 0, elevation: 0, zoom: 1, axes: null };
+const camera = { azimuth: 0, elevation: 0, zoom: 1, shift: [0, 0], axes: null };
 function look(azimuth, elevation) {
   const a = azimuth * Math.PI / 180, e = Math.max(-89.9, Math.min(89.9, elevation)) * Math.PI / 180;
   const [front, right, up] = data.frame;
@@ -219,7 +225,7 @@ function backToFront(all) {
 }
 
 // -- drawing
-function theme() { return data.themes[darkPaper.matches ? "dark" : "light"]; }
+function theme() { return data.themes[shown.isDark() ? "dark" : "light"]; }
 function color(name, body) { const t = theme(); return name === "body" ? t.bodies[body % t.bodies.length] : t[name]; }
 function mixed(name, body, share) {
   const parts = [color(name, body), theme().paper].map((hex) => [1, 3, 5].map((k) => parseInt(hex.slice(k, k + 2), 16)));
@@ -268,7 +274,7 @@ function paintBall({ points, lines, radius }, style, tone) {
   fill(outline, tone(style.tint), style.cover);
   if (style.shade) {
     const lit = disc([middle[0] + 0.18 * radius * data.light[0], middle[1] + 0.18 * radius * data.light[1]], 0.88 * radius, 48);
-    fill(darkPaper.matches ? lit : [...outline, outline[0], lit[0], ...lit.reverse()], tone(1), 0.35 * style.shade);
+    fill(shown.isDark() ? lit : [...outline, outline[0], lit[0], ...lit.reverse()], tone(1), 0.35 * style.shade);
   }
   for (const line of lines) {
     for (let k = 0; k < line.length - 1;) {
@@ -290,7 +296,7 @@ function paintFaces({ piece, points, normals, outline }, style, tone) {
     if (normals[k][2] <= 0 || piece.open.includes(k)) return;
     // on dark paper what the light meets has more colour
     const lit = Math.max(0, dot(unit(normals[k]), data.light)), corners = face.map((i) => points[i]);
-    const more = style.shade * (darkPaper.matches ? lit : 1 - lit);
+    const more = style.shade * (shown.isDark() ? lit : 1 - lit);
     if (piece.smooth) { if (more > 0.01) fill(corners, tone(1), more * style.cover); return; }
     const paper = tone(style.tint + more * (1 - style.tint));
     fill(corners, paper, style.cover);
@@ -331,8 +337,8 @@ function fit() {
   const [x0, y0, x1, y1] = data.bounds, [room, foot] = data.planar ? [8, 82] : [34, 96];
   view.scale = camera.zoom * Math.min((view.width - 2 * room) / (x1 - x0), (view.height - room - foot) / (y1 - y0));
   // the middle of the picture as it is at first
-  view.x = view.width / 2 - view.scale * (x0 + x1) / 2;
-  view.y = (view.height - foot + room) / 2 + view.scale * (y0 + y1) / 2;
+  view.x = view.width / 2 - view.scale * (x0 + x1) / 2 + camera.shift[0];
+  view.y = (view.height - foot + room) / 2 + view.scale * (y0 + y1) / 2 + camera.shift[1];
 }
 function draw() {
   if (!view) return;
@@ -345,19 +351,22 @@ function draw() {
   const frame = Math.floor(at + 1e-9), isOn = (mark) => mark.frames.filter((k) => k <= frame).length % 2 === 1;
   const strokes = [...data.strokes, ...data.marks.filter(isOn)].map((stroke) => flat(stroke, at));
   flats.filter((s) => s.normals[0][2] > 0).forEach(paint);
-  for (const k of traced) traceOf(data.points[k]);
+  for (const k of shown.traced) if (data.points[k]) traceOf(data.points[k]);
   strokes.forEach(paintFlat);
   solids.forEach(paint);
   flats.filter((s) => s.normals[0][2] <= 0).forEach(paint);
+  taken = [...strokes, ...solids];
+  taken.filter((s) => shown.selected.has(s.owner)).forEach(outlined);
   pen.setLineDash([]);
   pen.font = "13px system-ui, sans-serif";
   pen.textBaseline = "middle";
-  if (byId("names").checked) { labels([...strokes, ...solids]); data.words.forEach(wordBeside); }
+  if (shown.hasNames()) { labels([...strokes, ...solids]); data.words.forEach(wordBeside); }
   corner();
-  const t = data.t0 + at * data.dt;
-  byId("time").textContent = "t = " + t.toFixed(3) + " s";
-  byId("scrub").value = Math.round(at);
-  byId("scrub").setAttribute("aria-valuetext", t.toFixed(2) + " seconds");
+  shown.drawn(at, data.t0 + at * data.dt);
+}
+function outlined({ outline, isArea, points }) {
+  way(isArea ? outline : points, isArea);
+  rule(theme().measure, 2.4, 1);
 }
 function traceOf(point) {
   const track = [];
@@ -371,7 +380,7 @@ function traceOf(point) {
 const sides = new Map();
 let drawn = 0;
 function labels(all) {
-  const isDue = drawn++ % 12 === 0 || !playing, placed = [];
+  const isDue = drawn++ % 12 === 0 || !shown.isPlaying(), placed = [];
   const ink = new Map();
   for (const { owner, outline, isArea } of all) {
     const spots = ink.get(owner) || [], line = outline.map(onPaper);
@@ -487,16 +496,23 @@ function arrow([x, y], [dx, dy], paint) {
   pen.fill();
 }
 
-// -- turning the view
+// -- turning and moving the view
 function turn(azimuth, elevation) { look(camera.azimuth + azimuth, camera.elevation + elevation); draw(); }
-function zoom(factor) { camera.zoom = Math.max(0.2, Math.min(20, camera.zoom * factor)); draw(); }
-function resetView() { camera.zoom = 1; look(...data.angles); draw(); }
-const canTurn = !data.planar;
+function zoom(factor) {
+  const before = camera.zoom;
+  camera.zoom = Math.max(0.2, Math.min(20, before * factor));
+  camera.shift = camera.shift.map((c) => c * camera.zoom / before);
+  draw();
+}
+function pan(right, down) { camera.shift = [camera.shift[0] + right, camera.shift[1] + down]; draw(); }
+function resetView() { Object.assign(camera, { zoom: 1, shift: [0, 0] }); look(...data.angles); draw(); }
+function move(right, down) { if (data.planar) pan(right, down); else turn(-0.4 * right, 0.4 * down); }
 const fingers = new Map();
 const spread = () => { const [a, b] = [...fingers.values()]; return Math.hypot(a[0] - b[0], a[1] - b[1]); };
 canvas.style.touchAction = "none";
-if (canTurn) canvas.style.cursor = "grab";
+canvas.style.cursor = "grab";
 canvas.addEventListener("pointerdown", (event) => {
+  if (event.defaultPrevented) return;
   fingers.set(event.pointerId, [event.clientX, event.clientY]);
   canvas.setPointerCapture(event.pointerId);
 });
@@ -506,23 +522,37 @@ canvas.addEventListener("pointermove", (event) => {
   const before = fingers.size === 2 ? spread() : 0;
   fingers.set(event.pointerId, [event.clientX, event.clientY]);
   if (before) zoom(spread() / before);
-  else if (fingers.size === 1 && canTurn) turn(0.4 * (start[0] - event.clientX), 0.4 * (event.clientY - start[1]));
+  else if (fingers.size === 1) move(event.clientX - start[0], event.clientY - start[1]);
 });
 for (const kind of ["pointerup", "pointercancel"]) canvas.addEventListener(kind, (event) => fingers.delete(event.pointerId));
 canvas.addEventListener("wheel", (event) => { event.preventDefault(); zoom(Math.exp(-0.0015 * event.deltaY)); }, { passive: false });
 canvas.addEventListener("dblclick", resetView);
-document.addEventListener("keydown", (event) => {
-  if (event.ctrlKey || event.metaKey || event.altKey || event.target.tagName === "SELECT" || event.target.type === "range") return;
-  const views = { ArrowLeft: [-5, 0], ArrowRight: [5, 0], ArrowUp: [0, 5], ArrowDown: [0, -5] };
-  const others = {
-    "+": () => zoom(1.2), "=": () => zoom(1.2), "-": () => zoom(1 / 1.2), 0: resetView,
-    ",": () => go(Math.ceil(at) - 1), ".": () => go(Math.floor(at) + 1),
-  };
-  if (canTurn && event.key in views) turn(...views[event.key]);
-  else if (event.key in others) others[event.key]();
-  else return;
-  event.preventDefault();
-  event.stopImmediatePropagation();
-});
-resetView();
 
+// -- for the page around it
+function show(fresh) {
+  // another motion in the same view, as far as it is of the same kind
+  const isKept = data.planar === fresh.planar;
+  data = fresh;
+  [last, n_moving, stride] = [data.n_frames - 1, data.names.length, data.planar ? 3 : 7];
+  at = Math.max(0, Math.min(last, at));
+  if (isKept) draw(); else resetView();
+}
+function go(frame) { at = Math.max(0, Math.min(last, frame)); draw(); }
+function pick([x, y]) {
+  // the label of what lies at a place on the canvas, the frontmost first
+  const isNear = (p, q) => {
+    const [dx, dy] = [q[0] - p[0], q[1] - p[1]], l = dx * dx + dy * dy;
+    const s = l ? Math.max(0, Math.min(1, ((x - p[0]) * dx + (y - p[1]) * dy) / l)) : 0;
+    return Math.hypot(p[0] + s * dx - x, p[1] + s * dy - y) < 7;
+  };
+  for (let k = taken.length - 1; k >= 0; k--) {
+    if (!data.labels.some((label) => label.owner === taken[k].owner)) continue;
+    const line = taken[k].outline.map(onPaper);
+    if (line.some((p, i) => i > 0 && isNear(line[i - 1], p)) || (taken[k].isArea && line.length > 2 && contains(line, [x, y]))) return taken[k].owner;
+  }
+  return null;
+}
+function place([x, y]) { return [(x - view.x) / view.scale, (view.y - y) / view.scale]; }
+resetView();
+return { draw, measure, show, go, turn, zoom, move, resetView, pick, place, at: () => at, last: () => last };
+}

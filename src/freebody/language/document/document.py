@@ -15,7 +15,7 @@ from typing import Any
 from freebody.errors import InputError, ModelError, Problem
 from freebody.language.document.composer import compose
 from freebody.language.document.file import text_of
-from freebody.language.document.plain import checked, copied, is_ordinary, with_value
+from freebody.language.document.plain import checked, copied, is_ordinary, with_value, without_value
 from freebody.language.document.tree import MAX_BYTES, DocumentNode, DocumentStep, Place, kind_of
 from freebody.language.document.writer import block_lines, flow_text, scalar_text
 from freebody.messages import Message
@@ -88,6 +88,19 @@ class Document:
             return last.key.line, last.key.column
         return last.node.line, last.node.column
 
+    def span(self, path: Place) -> tuple[int, int] | None:
+        """The indices in the text between which the value at `path` stands; None where there is no such value."""
+        steps = self._walk(path)
+        return (steps[-1].node.start, steps[-1].node.end) if len(steps) == len(path) + 1 else None
+
+    def key_span(self, path: Place) -> tuple[int, int] | None:
+        """The same for its key, which items of a list do not have."""
+        steps = self._walk(path)
+        key = steps[-1].key
+        if key is None or len(steps) != len(path) + 1:
+            return None
+        return self._text.rfind("\n", 0, key.end) + key.column, key.end
+
     def locate(self, problem: Problem) -> Problem:
         """The problem with its line and column, where they are known."""
         place = self.place(problem.path)
@@ -130,11 +143,37 @@ class Document:
                     missing=missing[0],
                 )
             )
-        return self._verified(text, path, value)
+        return self._verified(text, path, with_value(self.data, path, value))
 
-    def _verified(self, text: str, path: Place, value: Any) -> Document:
-        """The changed text read again; it must say the old data with the one value changed."""
-        expected = with_value(self.data, path, value)
+    def without(self, path: Place) -> Document:
+        """A new document without the key at `path`, and the comment at the end of its line; a mapping that would be
+        left without a key goes too. Raises InputError where there is no such key, or the text cannot be changed in
+        place."""
+        steps = self._walk(path)
+        key, node = steps[-1].key, steps[-1].node
+        if key is None or len(steps) != len(path) + 1:
+            raise InputError(Message("there is no {path} to take out", path=_dotted(path)))
+        parent = steps[-2].node
+        if isinstance(parent.content, dict) and len(parent.content) == 1 and len(path) > 1:
+            return self.without(path[:-1])
+        start = self._text.rfind("\n", 0, key.end) + key.column
+        end = max(node.end, key.end)
+        if parent.is_block or self._text[parent.start : parent.start + 1] != "{":
+            # whole lines: of the key, of all its value, and what stands beside its end
+            start = self._text.rfind("\n", 0, start) + 1
+            line_end = self._text.find("\n", end)
+            end = len(self._text) if line_end < 0 else line_end + 1
+        else:
+            after = re.compile(r"\s*:?\s*,\s*").match(self._text, end)
+            before = re.compile(r",\s*$").search(self._text[:start])
+            if after is not None:
+                end = after.end()
+            elif before is not None:
+                start = before.start()
+        return self._verified(self._spliced(start, end, ""), path, without_value(self.data, path))
+
+    def _verified(self, text: str, path: Place, expected: Any) -> Document:
+        """The changed text read again; it must say what is expected: the old data with the one value changed."""
         try:
             changed = Document(text, self.file, compose(text, self.file), self._has_places)
         except ModelError:

@@ -119,3 +119,12 @@ def with_value(data: Any, path: Place, value: Any) -> Any:
         return [with_value(v, rest, value) if k == part else v for k, v in enumerate(items)]
     entries = cast("dict[str, Any]", data or {})
     return {**entries, str(part): with_value(entries.get(str(part)), rest, value)}
+
+
+def without_value(data: Any, path: Place) -> Any:
+    """Plain data without one key."""
+    part, rest = str(path[0]), path[1:]
+    entries = cast("dict[str, Any]", data)
+    if not rest:
+        return {name: value for name, value in entries.items() if name != part}
+    return {**entries, part: without_value(entries[part], rest)}

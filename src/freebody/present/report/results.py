@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from abc import abstractmethod
 from collections.abc import Iterable, Mapping
 from pathlib import Path
@@ -124,3 +125,16 @@ def options(choice: str | None, verdicts: Mapping[str, Verdict]) -> list[Entry]:
     others = [(f"({k})", f"{v.verdict}: {v.reason}") for k, v in verdicts.items() if k != choice]
     right = entry("right", f"({choice})" if choice else "none")
     return [right, *(Entry(letter, ((reason,),), is_below=True) for letter, reason in others)]
+
+
+def finite(document: Any) -> Any:
+    """Plain JSON: what is no finite number is null."""
+    if isinstance(document, dict):
+        return {str(key): finite(value) for key, value in document.items()}  # pyright: ignore[reportUnknownVariableType, reportUnknownArgumentType]
+    if isinstance(document, list | tuple):
+        return [finite(value) for value in document]  # pyright: ignore[reportUnknownVariableType]
+    if hasattr(document, "tolist"):  # numbers and arrays of NumPy
+        return finite(document.tolist())
+    if isinstance(document, float) and not math.isfinite(document):
+        return None
+    return document

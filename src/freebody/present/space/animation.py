@@ -12,6 +12,7 @@ from freebody.errors import InputError
 from freebody.numeric.rotation import matrices
 from freebody.present.animation import FEWEST, Film, write_film
 from freebody.present.figures import Array
+from freebody.present.page import Pages
 from freebody.present.scene import Scene
 from freebody.present.space.drawing import SpatialDrawing
 from freebody.present.space.motion import at_times, largest_turn, quaternions
@@ -66,9 +67,9 @@ def film_of(
         drawing, shown, _turns = motion.drawn(scene, n_frames)
         return show_of_space(drawing, view, perspective=perspective), shown
 
-    def page_of(n_frames: int, title: str, speed: float) -> str:
+    def page_of(n_frames: int) -> Pages:
         drawing, shown, turns = motion.drawn(scene, n_frames)
-        return page(drawing, shown, turns, title, speed, view, perspective=perspective)
+        return page(drawing, shown, turns, view, perspective=perspective)
 
     fewest = max(FEWEST + 1, math.ceil(fast / _STEP) + 1)
     return Film(motion.times, title, speed, show, page_of, fewest)

@@ -23,13 +23,11 @@ def page(
     drawing: SpatialDrawing,
     times: Array,
     turns: Array,
-    title: str,
-    speed: float,
     angles: tuple[float, float],
     *,
     perspective: bool = False,
-) -> str:
-    """The text of the page. times: (n_times,) [s], equally spaced, of the poses of the drawing; turns: (n_times,
+) -> Pages:
+    """The page. times: (n_times,) [s], equally spaced, of the poses of the drawing; turns: (n_times,
     n_moving, 4) their quaternions; angles: azimuth and elevation at the start [deg]."""
     scene, digits = drawing.scene, digits_of(drawing.size)
     columns: list[list[float]] = []
@@ -45,7 +43,7 @@ def page(
         "pieces": [_piece(piece, digits + 2) for piece in drawing.pieces],
         "labels": [{"owner": form.index, "text": form.name} for form in scene.figures],
     }
-    shown = Pages(
+    return Pages(
         scene,
         times,
         columns,
@@ -60,7 +58,6 @@ def page(
         distance=view.distance if perspective else 0.0,
         has_lengths=drawing.has_lengths,
     )
-    return shown.text(title, speed)
 
 
 def _piece(piece: Piece, digits: int) -> dict[str, Any]:

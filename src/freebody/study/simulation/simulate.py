@@ -28,6 +28,7 @@ from freebody.system.system import System
 if TYPE_CHECKING:
     import xarray
 
+    from freebody.present.animation import Film
     from freebody.present.recording import Recording
 
 
@@ -91,6 +92,11 @@ class Simulation(MeasuredMotion, Result):
     def animate(self, path: str | Path | None = None, *, speed: float = 1.0) -> Any:
         """The motion as a film that plays in a notebook; with a path it is written, as a player (.html), .gif or .mp4,
         and the path returned. speed: seconds of motion in a second of showing."""
+        film = self.film(speed=speed)
+        return film if path is None else film.write(path)
+
+    def film(self, *, speed: float = 1.0) -> Film:
+        """The motion as a film. speed: seconds of motion in a second of showing."""
         from freebody.present import animation as plane
         from freebody.present.marks import ContactTrack
         from freebody.present.scene import Scene
@@ -100,11 +106,9 @@ class Simulation(MeasuredMotion, Result):
         scene, poses = Scene.of(self.system, number), course.poses[:, :-1]
         if course.rotation is not None:
             turned = course.rotation.quaternions[:, :-1]
-            film = space.film_of(scene, course.times, poses[:, :, :3], turned, title=title, speed=speed)
-        else:
-            contacts = ContactTrack.of(self.system, number, course.contact)
-            film = plane.film_of(scene, course.times, poses, title=title, speed=speed, contacts=contacts)
-        return film if path is None else film.write(path)
+            return space.film_of(scene, course.times, poses[:, :, :3], turned, title=title, speed=speed)
+        contacts = ContactTrack.of(self.system, number, course.contact)
+        return plane.film_of(scene, course.times, poses, title=title, speed=speed, contacts=contacts)
 
 
 @in_words

@@ -82,6 +82,12 @@ def _font() -> str:
     return f'@font-face {{ font-family: "Freebody Math"; src: url({address}) format("woff2"); }}\n'
 
 
+def html_content(report: Report, prefix: str) -> str:
+    """The report without any style, for a page that has `report.css`. prefix: of the names of its parts, which a page
+    with several reports keeps apart."""
+    return _body(report, prefix, "div")
+
+
 def html_fragment(report: Report) -> str:
     """The report to stand within another page, as a notebook's: its style is its own, and it has no script."""
     digest = hashlib.sha256(_body(report, "", "div").encode()).hexdigest()[:8]

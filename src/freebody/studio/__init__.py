@@ -1,0 +1,16 @@
+"""The studio: a page in the browser in which a model is written, moved, asked and understood.
+
+wire        what page and server say to each other: one schema, from which the types of the page are written
+reading     a text as the page needs it: what is in it, where that stands, what is wrong and how to mend it
+moving      its motion: what the player draws, curves, events
+asking      pictures, studies, and files of them
+work        the table of what a worker does
+worker      the process that does it, with limits of time and memory
+lanes       the workers as the server sees them: the latest request wins, one can be cancelled, a crash is a message
+folder      the opened folder, beyond which the page reaches nothing
+server      the address of the page, who may use it, and its answers
+launch      the command
+
+The text of the model is the only state, and it is the page's: the server keeps none. The page itself is written in
+`studio/` (TypeScript, Svelte) and built into `page/`, which is kept with the sources: users need no node.
+"""

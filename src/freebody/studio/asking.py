@@ -1,0 +1,107 @@
+"""Pictures and studies of a model, on the page and as files."""
+
+from __future__ import annotations
+
+import json
+import tempfile
+from base64 import b64encode
+from pathlib import Path
+from typing import Any
+
+from freebody.errors import InputError
+from freebody.messages import Message
+from freebody.model.noting import did_you_mean
+from freebody.present.report.formats.html import html_content
+from freebody.present.report.results import Result, finite
+from freebody.studies import STUDIES, Study
+from freebody.studio.reading import checked_system
+from freebody.studio.wire import (
+    ExportRequest,
+    File,
+    FilesAnswer,
+    PageRequest,
+    PictureAnswer,
+    PictureRequest,
+    StudyAnswer,
+    StudyRequest,
+)
+from freebody.study.pictures.picture import free_body, picture
+from freebody.study.simulation.simulate import simulate
+
+
+def drawn(request: PictureRequest) -> PictureAnswer:
+    """The model as it stands, or bodies of it cut free."""
+    system = checked_system(request.text)
+    options: dict[str, Any] = {"at": request.at, "show": request.show}
+    made = free_body(system, *request.free, **options) if request.free else picture(system, **options)
+    content: str | bytes
+    match request.format:
+        case "svg":
+            content = made.svg(dark=request.dark)
+        case "tex":
+            content = made.tikz()
+        case "png":
+            content = made.png(dark=bool(request.dark))
+        case _:
+            content = made.pdf(dark=bool(request.dark))
+    return PictureAnswer(content=_coded(content))
+
+
+def studied(request: StudyRequest) -> StudyAnswer:
+    """What a study finds, as a part of a page."""
+    found = _found(request)
+    return StudyAnswer(
+        html=html_content(found.report, request.prefix),
+        plain=finite(found.to_plain()),
+        is_complete=found.is_complete,
+    )
+
+
+def exported(request: ExportRequest) -> FilesAnswer:
+    """The files of what a study finds."""
+    found = _found(request)
+    if request.format == "json":
+        text = json.dumps(finite(found.to_plain()), indent=2, ensure_ascii=False)
+        return FilesAnswer(files=[File(name=f"{request.name}.json", content=_coded(text))])
+    with tempfile.TemporaryDirectory(prefix="freebody-") as folder:
+        written = found.write(Path(folder) / f"{request.name}.{request.format}")
+        return FilesAnswer(files=[File(name=path.name, content=_coded(path.read_bytes())) for path in written])
+
+
+def page_of(request: PageRequest) -> FilesAnswer:
+    """The motion as a page that plays without a server."""
+    system = checked_system(request.text)
+    found = simulate(system, request.until, every=request.until / (request.frames - 1))
+    return FilesAnswer(files=[File(name="motion.html", content=_coded(found.film().text()))])
+
+
+def _found(request: StudyRequest) -> Result:
+    study = _study(request.name)
+    known = {option.parameter: option for option in study.options if option.kind is not Path}
+    given: dict[str, Any] = {}
+    for name, word in request.options.items():
+        if name not in known:
+            raise InputError(
+                Message("{what} has no {key}.{hint}", what=study.name, key=name, hint=did_you_mean(name, known))
+            )
+        given[name] = known[name].given(word)
+    if "language" in known:
+        given.setdefault("language", request.language)
+    system = checked_system(request.text)
+    return study.function(system, **{name: value for name, value in given.items() if value is not None})
+
+
+def _study(name: str) -> Study:
+    """One that has a report. Whatever writes a file of its own by a path is not for the page."""
+    known = {
+        each.name: each
+        for each in STUDIES.values()
+        if each.command and not any(option.default is ... for option in each.options)
+    }
+    if name not in known:
+        raise InputError(Message("there is no study {name}.{hint}", name=name, hint=did_you_mean(name, known)))
+    return known[name]
+
+
+def _coded(content: str | bytes) -> str:
+    return b64encode(content.encode() if isinstance(content, str) else content).decode()

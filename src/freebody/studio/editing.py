@@ -1,0 +1,69 @@
+"""Changes of a text: a value at a path, a new element, and what a question that is being typed means."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from freebody.errors import InputError, ModelError
+from freebody.language.document import Document
+from freebody.language.document.scalars import resolved
+from freebody.messages import Message
+from freebody.studio.reading import checked_system
+from freebody.studio.telling import told
+from freebody.studio.wire import AddRequest, EditRequest, SuggestAnswer, SuggestRequest, TextAnswer
+
+
+def edit(request: EditRequest) -> TextAnswer:
+    """Raises InputError where the text cannot be changed in place."""
+    document, path = Document.read(request.text), tuple(request.path)
+    if request.value is None:
+        return TextAnswer(text=document.without(path).dumps())
+    return TextAnswer(text=document.with_value(path, _scalar(request.value)).dumps())
+
+
+def _scalar(text: str) -> Any:
+    """What is meant by a text in a field: [0, 1] is a list, as in the file."""
+    try:
+        return Document.read(f"value: {text.strip()}").data["value"]
+    except InputError:
+        return resolved(text.strip())
+
+
+def add(request: AddRequest) -> TextAnswer:
+    """A new element at the end of its section, under its name or the next that is free."""
+    document = Document.read(request.text)
+    value = _scalar(request.value)
+    known: Any = document.data.get(request.section) or {}
+    if request.section == "questions":
+        return TextAnswer(text=document.with_value(("questions",), [*known, value]).dumps())
+    if not isinstance(known, dict):
+        raise InputError(Message("{section} is no mapping of names", section=request.section))
+    name, number = request.name, 2
+    while name in known:
+        name, number = f"{request.name}{number}", number + 1
+    return TextAnswer(text=document.with_value((request.section, name), value).dumps())
+
+
+def suggest(request: SuggestRequest) -> SuggestAnswer:
+    """What a question means, and complete ones that are near."""
+    from freebody.questions.spoken.suggesting import suggestions
+
+    system = checked_system(request.text)
+
+    def read(text: str) -> object | None:
+        try:
+            return system.question(text).quantity
+        except InputError:
+            return None
+
+    understood, message = "", ""
+    if request.question.strip():
+        try:
+            question = system.question(request.question)
+            understood = question.understood or question.text
+        except ModelError as error:
+            message = told(error.problems[0].message, request.language)
+        except InputError as error:
+            message = told(str(error), request.language)
+    near = suggestions(system.names, request.question, (), read)
+    return SuggestAnswer(understood=understood, message=message, suggestions=near)

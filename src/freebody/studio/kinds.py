@@ -1,0 +1,39 @@
+"""What can be added to a model: every kind of shape, connection and load, with the value of its smallest example."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import cache
+from typing import Any, cast
+
+from freebody.connections.base import Connection
+from freebody.language.document import Document
+from freebody.language.document.writer import flow_text
+from freebody.loads.base import Load
+from freebody.model.shapes.base import Shape
+from freebody.studio.wire import Kind
+
+_SECTIONS: dict[str, Any] = {"bodies": Shape, "connections": Connection, "loads": Load}
+
+
+@cache
+def kinds() -> list[Kind]:
+    """By section, and by name within it."""
+    return [kind for section, base in _SECTIONS.items() for kind in _of(section, base)]
+
+
+def _of(section: str, base: Any) -> Iterator[Kind]:
+    for name, spec in sorted(base.kinds.items()):
+        value = _value(section, name, getattr(spec, "example", ""))
+        if value is not None:
+            about = (spec.__doc__ or "").strip().split("\n\n")[0]
+            yield Kind(section=section, kind=name, value=flow_text(value), about=" ".join(about.split()))
+
+
+def _value(section: str, kind: str, example: str) -> Any:
+    """The first element of a kind in an example."""
+    if section == "bodies":  # the example of a shape is its fields
+        return Document.read(f"bodies: {{{kind}: {example}}}").data["bodies"] if example else None
+    entries = Document.read(example).data.get(section) if example else None
+    found = cast("dict[str, Any]", entries).values() if isinstance(entries, dict) else ()
+    return next((each for each in found if isinstance(each, dict) and kind in each), None)

@@ -1,0 +1,47 @@
+"""The command: an address of this machine, a token, the server, and a browser that opens it."""
+
+from __future__ import annotations
+
+import socket
+import webbrowser
+from contextlib import suppress
+from pathlib import Path
+
+from freebody.errors import InputError
+from freebody.messages import Message
+from freebody.studio.folder import Folder
+
+
+def launch(file: Path | None, port: int, *, opens_browser: bool) -> None:
+    """Serves the studio until it is interrupted. port: 0 for any that is free. The first line printed is the address.
+    Raises InputError where the extra is not installed, or the port is taken."""
+    try:
+        import uvicorn
+
+        from freebody.studio.server import new_token, studio
+    except ModuleNotFoundError as error:
+        raise InputError(
+            Message('the studio needs {package}; pip install "freebody[studio]"', package=error.name or "")
+        ) from None
+    folder = Folder.of(file)
+    bound = _bound(port)
+    port, token = bound.getsockname()[1], new_token()
+    address = f"http://127.0.0.1:{port}/#token={token}"
+    print(address, flush=True)
+    config = uvicorn.Config(studio(folder, token, port), log_level="warning", server_header=False, access_log=False)
+    if opens_browser:
+        webbrowser.open(address)
+    with suppress(KeyboardInterrupt):  # which is how it ends
+        uvicorn.Server(config).run(sockets=[bound])
+
+
+def _bound(port: int) -> socket.socket:
+    """A socket of this machine alone."""
+    bound = socket.socket(socket.AF_INET, socket.SOCK_STREAM)
+    try:
+        bound.bind(("127.0.0.1", port))
+        bound.listen(100)  # a browser may come before the server
+    except OSError as error:
+        bound.close()
+        raise InputError(Message("port {port} cannot be used: {why}", port=port, why=error.strerror or "")) from error
+    return bound

@@ -1,0 +1,57 @@
+"""The motion of a model for the page: what the player draws, curves and events."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+
+from freebody.numeric.jets import Array
+from freebody.present.plots import curves
+from freebody.studio.reading import checked_system
+from freebody.studio.telling import told
+from freebody.studio.wire import Happening, Line, MotionAnswer, MotionRequest
+from freebody.study.simulation.simulate import Simulation, simulate
+
+_DIGITS = 7  # of a curve
+_SECONDS = 20.0  # by the clock, after which a motion ends where it is
+_ENERGY = ("kinetic_energy", "potential_energy", "work")
+
+
+def motion(request: MotionRequest) -> MotionAnswer:
+    """Raises CannotAnswer where the motion cannot begin."""
+    system = checked_system(request.text)
+    every = request.until / (request.frames - 1)
+    found = simulate(system, request.until, every=every, max_seconds=_SECONDS)
+    recording = found.recording
+    shown = list(curves(recording, _shown(found)))
+    return MotionAnswer(
+        player=found.film().page(request.frames if len(found.course.times) > 1 else 1).data(1.0),
+        times=_rounded(recording.times),
+        lines=[Line(name=c.name, label=c.label, unit=c.unit, values=_rounded(c.values)) for c in shown],
+        events=[Happening(time=event.time, name=told(event.name, request.language)) for event in found.events],
+        is_complete=found.is_complete,
+        message=told(str(found.course.message or ""), request.language),
+        energy_error=_finite(found.summary().get("energy_error_relative")),
+    )
+
+
+def _shown(found: Simulation) -> list[str]:
+    """The curves that are usual, all others over time, and energy."""
+    recording = found.recording
+    usual = [str(name) for name in recording.attributes.get("measures", ())]
+    if not usual:
+        usual = [name for name in ("body_angle", "body_position") if name in recording.series]
+    others = [name for name in recording.over_time if name not in usual]
+    return [*usual, *(n for n in others if n not in _ENERGY), *(n for n in _ENERGY if n in others)]
+
+
+def _rounded(values: Array) -> list[Any]:
+    """To the digits that anybody sees; nothing where there is no value."""
+    flat: list[float] = np.asarray(values, dtype=np.float64).tolist()
+    return [float(f"{v:.{_DIGITS}g}") if math.isfinite(v) else None for v in flat]
+
+
+def _finite(value: Any) -> float | None:
+    return float(value) if isinstance(value, int | float) and math.isfinite(value) else None

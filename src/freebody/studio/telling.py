@@ -1,0 +1,17 @@
+"""Messages in the language of the page."""
+
+from __future__ import annotations
+
+from functools import cache
+
+from freebody.narrative.telling.catalogue import Catalogue
+
+
+def told(message: str, language: str) -> str:
+    """A message in a language; as it is where there are no words of it."""
+    return message if language == "en" else _catalogue(language).said(message)
+
+
+@cache
+def _catalogue(language: str) -> Catalogue:
+    return Catalogue(language)

@@ -1,0 +1,316 @@
+"""What the page and the server say to each other. `tools/write_studio_types.py` writes the same for the page.
+
+Places in a text count as a browser does: UTF-16 units from 0.
+"""
+
+from __future__ import annotations
+
+from typing import Any, Literal
+
+from pydantic import BaseModel, ConfigDict, Field
+
+LONGEST_TEXT = 1_000_000
+Language = Literal["en", "de"]
+
+
+class Said(BaseModel):
+    """A message. Nothing in it is guessed: unknown fields are refused."""
+
+    model_config = ConfigDict(extra="forbid")
+
+
+# -- from the page ----------------------------------------------------------------------------
+class Request(Said):
+    """What every request has: the text of the model, and the language of messages."""
+
+    text: str = Field(max_length=LONGEST_TEXT)
+    language: Language = "en"
+
+
+class ReadRequest(Request):
+    """Read a model."""
+
+
+class EditRequest(Request):
+    """Set the value at a path, as the YAML of a scalar; None takes it out."""
+
+    path: list[str | int] = Field(min_length=1, max_length=12)
+    value: str | None = Field(max_length=2000)
+
+
+class AddRequest(Request):
+    """Add an element at the end of a section, under its name or the next that is free. value: its YAML in one line"""
+
+    section: str = Field(pattern="^(parameters|bodies|connections|loads|measures|start|questions)$")
+    name: str = Field(max_length=100)
+    value: str = Field(max_length=2000)
+
+
+class DragRequest(Request):
+    """Bring a point of a body, at the place `grabbed` [m] at the start, as near `to` another place as it goes."""
+
+    body: str = Field(max_length=200)
+    grabbed: tuple[float, float]
+    to: tuple[float, float]
+
+
+class SuggestRequest(Request):
+    """What a question that is being typed means, and others that are near."""
+
+    question: str = Field(max_length=400)
+
+
+class MotionRequest(Request):
+    """Follow the motion to the time `until` [s]."""
+
+    until: float = Field(gt=0, le=1e4)
+    frames: int = Field(default=301, ge=2, le=3001)
+
+
+class PictureRequest(Request):
+    """Draw the model, or bodies of it cut free."""
+
+    free: list[str] = Field(default=[], max_length=200)
+    at: float | None = None
+    show: list[str] = Field(default=[], max_length=8)
+    dark: bool | None = None
+    format: Literal["svg", "png", "pdf", "tex"] = "svg"
+
+
+class StudyRequest(Request):
+    """Do one of the table of studies. options: as words of the command line, by the name of the parameter; prefix: of
+    the names in the HTML."""
+
+    name: str = Field(max_length=40)
+    options: dict[str, str | bool | int | list[str]] = {}
+    prefix: str = Field(default="", pattern="^[a-z-]{0,20}$")
+
+
+class ExportRequest(StudyRequest):
+    """The same as files."""
+
+    format: Literal["html", "md", "tex", "pdf", "ipynb", "txt", "json"] = "html"
+
+
+class PageRequest(MotionRequest):
+    """The motion as one HTML file that plays without a server."""
+
+
+# -- to the page ------------------------------------------------------------------------------
+class Span(Said):
+    """Where something stands in the text."""
+
+    start: int
+    end: int
+
+
+class Fix(Said):
+    """A change that mends a problem: the text in a span is replaced."""
+
+    label: str
+    span: Span
+    text: str
+
+
+class Remark(Said):
+    """What is wrong with a text, or unlikely in it. where: the path in words; line: from 1, 0 where it is unknown"""
+
+    severity: Literal["error", "warning"]
+    message: str
+    where: str
+    line: int
+    span: Span
+    fixes: list[Fix]
+
+
+class Leaf(Said):
+    """A value in the text that can be changed. path: to it; label: the last parts of it; text: as it stands there"""
+
+    path: list[str | int]
+    label: str
+    text: str
+    span: Span
+
+
+class Element(Said):
+    """A named part of the model. kind: what it is, as the file says; name_span: of its name; span: of name and value"""
+
+    section: str
+    name: str
+    kind: str
+    path: list[str | int]
+    name_span: Span
+    span: Span
+    leaves: list[Leaf]
+
+
+class Parameter(Said):
+    """A number that can be moved: a parameter, or a value of the start. text: as it stands in the file, with its
+    unit"""
+
+    name: str
+    section: Literal["parameters", "start"]
+    text: str
+    span: Span
+    is_positive: bool
+
+
+class Asked(Said):
+    """A question of the file."""
+
+    id: str
+    text: str
+
+
+class ReadAnswer(Said):
+    """A text that has been read. is_model: whether it is one; then everything else is known"""
+
+    is_model: bool
+    title: str
+    about: str
+    is_spatial: bool
+    remarks: list[Remark]
+    elements: list[Element]
+    parameters: list[Parameter]
+    questions: list[Asked]
+    moving: list[str]
+
+
+class TextAnswer(Said):
+    """The changed text."""
+
+    text: str
+
+
+class SuggestAnswer(Said):
+    """understood: the question in the words of the grammar, empty if it cannot be read; then why: message"""
+
+    understood: str
+    message: str
+    suggestions: list[str]
+
+
+class Happening(Said):
+    """An event of a motion at a time [s]."""
+
+    time: float
+    name: str
+
+
+class Line(Said):
+    """One curve over the times of a motion."""
+
+    name: str
+    label: str
+    unit: str
+    values: list[float | None]
+
+
+class MotionAnswer(Said):
+    """player: what `player.js` draws; is_complete: whether all of the time could be followed, else message says why"""
+
+    player: dict[str, Any]
+    times: list[float]
+    lines: list[Line]
+    events: list[Happening]
+    is_complete: bool
+    message: str
+    energy_error: float | None
+
+
+class PictureAnswer(Said):
+    """content: of the picture, bytes in base64"""
+
+    content: str
+
+
+class StudyAnswer(Said):
+    """html: the report; plain: the same as data; is_complete: whether all that was asked is found"""
+
+    html: str
+    plain: dict[str, Any]
+    is_complete: bool
+
+
+class File(Said):
+    """A file to be kept. content: in base64"""
+
+    name: str
+    content: str
+
+
+class FilesAnswer(Said):
+    files: list[File]
+
+
+# -- around them ------------------------------------------------------------------------------
+class Call(Said):
+    """What the page posts. topic: a later request of the same topic takes the place of an earlier one"""
+
+    kind: str
+    topic: str = Field(pattern="^[a-z-]{1,40}$")
+    request: dict[str, Any]
+
+
+class Reply(Said):
+    """What comes back. done: answer is there; refused: the model or the question is at fault; else the work was not
+    finished: replaced by a later request, cancelled, out of time or memory, or the worker ended"""
+
+    status: Literal["done", "refused", "replaced", "cancelled", "too long", "crashed"]
+    message: str = ""
+    answer: Any = None
+
+
+class Example(Said):
+    """A bundled model. name: of its file"""
+
+    name: str
+    title: str
+    text: str
+    is_template: bool
+
+
+class Kind(Said):
+    """What a section may have. value: of the smallest example, as YAML in one line; about: what it is"""
+
+    section: str
+    kind: str
+    value: str
+    about: str
+
+
+class OpenedFile(Said):
+    """A file of the opened folder. version: changes with its content, empty for one that is not there yet"""
+
+    name: str
+    text: str
+    version: str
+
+
+class Opening(Said):
+    """What the page begins with. is_file: whether a file was named; kinds: of elements that can be added"""
+
+    file: OpenedFile
+    files: list[str]
+    is_file: bool
+    languages: list[str]
+    version: str
+    kinds: list[Kind]
+
+
+class SaveRequest(Said):
+    """Write a file of the folder. version: of what it was opened from; what another program has changed since
+    is kept unless this says otherwise"""
+
+    name: str = Field(max_length=200)
+    text: str = Field(max_length=LONGEST_TEXT)
+    version: str
+    overwrite: bool = False
+
+
+class SaveAnswer(Said):
+    """version: the new one; is_changed: the file has been changed by somebody else, and nothing was written"""
+
+    version: str
+    is_changed: bool
+    message: str

@@ -1,0 +1,84 @@
+"""The table of what a worker does: by the name of a request its schema, its function, and the lane that it is done in.
+Some lanes answer at once, one takes its time; nobody waits for another lane."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+from pydantic import BaseModel, ValidationError
+
+from freebody.errors import FreebodyError
+from freebody.studio import wire
+from freebody.studio.telling import told
+
+
+@dataclass(frozen=True)
+class Lane:
+    """Work that shares a process. seconds: that one piece of it may take."""
+
+    name: str
+    seconds: float
+
+
+READING, MOVING, COUNTING, STUDYING = (
+    Lane("reading", 20),
+    Lane("moving", 60),
+    Lane("counting", 60),
+    Lane("studying", 600),
+)
+
+
+@dataclass(frozen=True)
+class Work:
+    """One kind of request. home: of its function"""
+
+    request: type[wire.Request]
+    home: str
+    function: str
+    lane: Lane
+
+    @property
+    def answers(self) -> str:
+        """The name of what it answers with."""
+        from importlib import import_module
+
+        function = getattr(import_module(f"freebody.studio.{self.home}"), self.function)
+        return str(function.__annotations__["return"])
+
+    def run(self, request: wire.Request) -> BaseModel:
+        from importlib import import_module
+
+        function: Callable[[Any], BaseModel] = getattr(import_module(f"freebody.studio.{self.home}"), self.function)
+        return function(request)
+
+
+WORK: dict[str, Work] = {
+    "read": Work(wire.ReadRequest, "reading", "read", READING),
+    "edit": Work(wire.EditRequest, "editing", "edit", READING),
+    "add": Work(wire.AddRequest, "editing", "add", READING),
+    "drag": Work(wire.DragRequest, "dragging", "drag", READING),
+    "suggest": Work(wire.SuggestRequest, "editing", "suggest", READING),
+    "motion": Work(wire.MotionRequest, "moving", "motion", MOVING),
+    "picture": Work(wire.PictureRequest, "asking", "drawn", COUNTING),
+    "count": Work(wire.StudyRequest, "asking", "studied", COUNTING),
+    "study": Work(wire.StudyRequest, "asking", "studied", STUDYING),
+    "export": Work(wire.ExportRequest, "asking", "exported", STUDYING),
+    "page": Work(wire.PageRequest, "asking", "page_of", STUDYING),
+}
+
+
+def done(kind: str, body: dict[str, Any]) -> wire.Reply:
+    """The reply to a request: what the user can mend is refused in words; anything else is raised."""
+    try:
+        request = WORK[kind].request.model_validate(body)
+    except ValidationError as error:
+        first = error.errors(include_url=False, include_input=False)[0]
+        return wire.Reply(status="refused", message=f"{'.'.join(map(str, first['loc']))}: {first['msg']}")
+    try:
+        return wire.Reply(status="done", answer=WORK[kind].run(request).model_dump(mode="json"))
+    except FreebodyError as error:
+        return wire.Reply(status="refused", message=told(str(error), request.language))
+    except MemoryError:
+        return wire.Reply(status="crashed", message=told("there is not enough memory for this", request.language))

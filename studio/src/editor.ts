@@ -1,0 +1,110 @@
+// The editor of the text: YAML with the reader's own messages, their fixes, and completion from the schema.
+import { acceptCompletion, autocompletion, closeBrackets, type CompletionContext, type CompletionResult, completionKeymap } from "@codemirror/autocomplete";
+import { defaultKeymap, history, historyKeymap, isolateHistory, redo, redoDepth, undo, undoDepth } from "@codemirror/commands";
+import { yaml } from "@codemirror/lang-yaml";
+import { bracketMatching, HighlightStyle, indentUnit, syntaxHighlighting } from "@codemirror/language";
+import { type Diagnostic, lintGutter, lintKeymap, setDiagnostics } from "@codemirror/lint";
+import { highlightSelectionMatches, searchKeymap } from "@codemirror/search";
+import { Annotation, Compartment, EditorState, Transaction } from "@codemirror/state";
+import { EditorView, highlightActiveLine, keymap, lineNumbers } from "@codemirror/view";
+import { tags } from "@lezer/highlight";
+import type { Studio, Writer } from "./state.svelte";
+import type { Remark } from "./wire";
+
+const isLoad = Annotation.define<boolean>();
+const look = EditorView.theme({
+  "&": { height: "100%", fontSize: "0.8125rem", color: "var(--ink)", backgroundColor: "var(--paper)" },
+  ".cm-scroller": { fontFamily: "ui-monospace, 'Cascadia Code', Menlo, Consolas, monospace", lineHeight: "1.55" },
+  ".cm-content": { caretColor: "var(--ink)", paddingBlock: "0.5rem" },
+  ".cm-gutters": { backgroundColor: "var(--paper)", color: "var(--muted)", border: "none" },
+  ".cm-activeLine, .cm-activeLineGutter": { backgroundColor: "color-mix(in srgb, var(--wash) 70%, transparent)" },
+  "&.cm-focused > .cm-scroller > .cm-selectionLayer .cm-selectionBackground, .cm-selectionBackground, ::selection": {
+    backgroundColor: "color-mix(in srgb, var(--accent) 28%, transparent) !important",
+  },
+  "&.cm-focused": { outline: "none" },
+  ".cm-cursor": { borderLeftColor: "var(--ink)" },
+  ".cm-tooltip, .cm-panels": { backgroundColor: "var(--paper)", color: "var(--ink)", border: "1px solid var(--faint)" },
+  ".cm-tooltip-autocomplete ul li[aria-selected]": { backgroundColor: "var(--accent)", color: "var(--paper)" },
+  ".cm-diagnostic": { padding: "0.35rem 0.6rem", whiteSpace: "pre-wrap", maxWidth: "34rem" },
+  ".cm-diagnosticAction": {
+    color: "inherit", backgroundColor: "var(--wash)", border: "1px solid var(--muted)", borderRadius: "0.3rem", padding: "0.1rem 0.5rem", cursor: "pointer",
+  },
+});
+const colors = HighlightStyle.define([
+  { tag: [tags.propertyName, tags.definition(tags.propertyName)], color: "var(--measure)" },
+  { tag: tags.comment, color: "var(--muted)", fontStyle: "italic" },
+  { tag: [tags.punctuation, tags.separator, tags.squareBracket, tags.brace], color: "var(--muted)" },
+]);
+
+/** An editor in an element of the page, whose text is that of the studio. */
+export function editorIn(parent: HTMLElement, studio: Studio, complete: (context: CompletionContext) => CompletionResult | null, label: string) {
+  const name = new Compartment();
+  const extensions = [
+    lineNumbers(),
+    history({ newGroupDelay: 700 }),
+    bracketMatching(),
+    closeBrackets(),
+    highlightActiveLine(),
+    EditorView.lineWrapping,
+    highlightSelectionMatches(),
+    indentUnit.of("  "),
+    yaml(),
+    syntaxHighlighting(colors),
+    look,
+    lintGutter(),
+    autocompletion({ override: [complete] }),
+    // Tab leaves the editor, as everywhere on the page; it takes a completion that is offered
+    keymap.of([{ key: "Tab", run: acceptCompletion }, ...completionKeymap, ...lintKeymap, ...searchKeymap, ...historyKeymap, ...defaultKeymap]),
+    name.of(EditorView.contentAttributes.of({ "aria-label": label })),
+    EditorView.updateListener.of((update) => {
+      if (update.docChanged) {
+        const text = update.state.doc.toString();
+        studio.moved((place, side) => update.changes.mapPos(place, side), text);
+        studio.changed(text);
+      }
+      studio.canUndo = undoDepth(update.state) > 0;
+      studio.canRedo = redoDepth(update.state) > 0;
+    }),
+  ];
+  const view = new EditorView({ parent, state: EditorState.create({ doc: studio.text, extensions }) });
+
+  const writer: Writer = {
+    change(changes, userEvent) {
+      const isSlide = userEvent === "input.type.slider";
+      view.dispatch({ changes, userEvent, annotations: isSlide ? [] : [isolateHistory.of("full")] });
+    },
+    load(text) {
+      view.setState(EditorState.create({ doc: text, extensions }));
+      [studio.canUndo, studio.canRedo] = [false, false];
+      studio.changed(text);
+    },
+    select(from, to) {
+      const most = view.state.doc.length;
+      view.dispatch({ selection: { anchor: Math.min(from, most), head: Math.min(to, most) }, scrollIntoView: true, annotations: [isLoad.of(true), Transaction.addToHistory.of(false)] });
+    },
+    undo: () => undo(view),
+    redo: () => redo(view),
+    focus: () => view.focus(),
+  };
+  return {
+    view,
+    writer,
+    setLabel: (text: string) => view.dispatch({ effects: name.reconfigure(EditorView.contentAttributes.of({ "aria-label": text })) }),
+    show(remarks: Remark[]) {
+      view.dispatch(setDiagnostics(view.state, remarks.map((remark) => diagnostic(remark, view.state.doc.length))));
+    },
+  };
+}
+
+function diagnostic(remark: Remark, most: number): Diagnostic {
+  return {
+    from: Math.min(remark.span.start, most),
+    to: Math.min(remark.span.end, most),
+    severity: remark.severity,
+    message: remark.message,
+    actions: remark.fixes.map((fix) => ({
+      name: fix.label,
+      apply: (view) => view.dispatch({ changes: { from: fix.span.start, to: fix.span.end, insert: fix.text }, userEvent: "input.fix" }),
+    })),
+  };
+}

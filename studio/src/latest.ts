@@ -1,0 +1,34 @@
+// Work of which only the latest matters.
+
+/** One piece at a time; while it runs, of those that come the last one is kept. */
+export class Latest {
+  private next: (() => Promise<void>) | null = null;
+  private isRunning = false;
+
+  run(work: () => Promise<void>): void {
+    this.next = work;
+    if (!this.isRunning) void this.loop();
+  }
+
+  private async loop(): Promise<void> {
+    this.isRunning = true;
+    try {
+      while (this.next) {
+        const work = this.next;
+        this.next = null;
+        await work();
+      }
+    } finally {
+      this.isRunning = false;
+    }
+  }
+}
+
+/** A function that is called when nothing has asked for it for a while [ms]. */
+export function debounced<A extends unknown[]>(pause: number, work: (...args: A) => void): (...args: A) => void {
+  let timer: ReturnType<typeof setTimeout> | undefined;
+  return (...args) => {
+    clearTimeout(timer);
+    timer = setTimeout(() => work(...args), pause);
+  };
+}

@@ -1,0 +1,26 @@
+declare module "virtual:player" {
+  /** What the page around a player decides; it is asked at every drawing. */
+  export interface Shown {
+    traced: Set<number>;
+    selected: Set<number>;
+    isDark(): boolean;
+    hasNames(): boolean;
+    isPlaying(): boolean;
+    drawn(frame: number, time: number): void;
+  }
+  export interface Player {
+    draw(): void;
+    measure(): void;
+    show(data: Record<string, unknown>): void;
+    go(frame: number): void;
+    turn(azimuth: number, elevation: number): void;
+    zoom(factor: number): void;
+    move(right: number, down: number): void;
+    resetView(): void;
+    pick(at: [number, number]): number | null;
+    place(at: [number, number]): [number, number];
+    at(): number;
+    last(): number;
+  }
+  export function playerOn(canvas: HTMLCanvasElement, data: Record<string, unknown>, shown: Shown): Player;
+}

@@ -1,0 +1,345 @@
+// The state of the page. The text is the only truth: everything else here follows from it, or is a matter of view.
+import { Latest, debounced } from "./latest";
+import * as server from "./server";
+import type { Told } from "./server";
+import { type Change, changeBetween } from "./text";
+import type { Answers, Element, Kind, MotionAnswer, Parameter, ReadAnswer, StudyAnswer } from "./wire";
+import { WORDS, type Word } from "./words";
+
+export type Language = "en" | "de";
+export type Theme = "light" | "dark";
+export type Panel = "ask" | "derivation" | "free" | "mobility" | "conserved" | "more" | "properties" | "export";
+export type Pane = "model" | "scene" | "results";
+
+/** What the editor can do for the rest of the page. */
+export interface Writer {
+  change(changes: Change[], userEvent: string): void;
+  load(text: string): void;
+  select(from: number, to: number): void;
+  undo(): void;
+  redo(): void;
+  focus(): void;
+}
+
+const kept = {
+  get: (key: string) => {
+    try {
+      return localStorage.getItem(`freebody.${key}`);
+    } catch {
+      return null;
+    }
+  },
+  set: (key: string, value: string | null) => {
+    try {
+      if (value === null) localStorage.removeItem(`freebody.${key}`);
+      else localStorage.setItem(`freebody.${key}`, value);
+    } catch {
+      // a browser that keeps nothing: drafts and choices last as long as the page
+    }
+  },
+};
+
+const FRAMES = 301;
+const FEWER = 121; // while something is moved by hand
+const prefersDark = matchMedia("(prefers-color-scheme: dark)");
+
+export class Studio {
+  // -- the text, and what it says
+  text = $state("");
+  file = $state("model.yaml");
+  files = $state<string[]>([]);
+  version = $state("");
+  savedText = $state("");
+  draft = $state<string | null>(null);
+  read = $state.raw<ReadAnswer | null>(null);
+  model = $state.raw<ReadAnswer | null>(null);
+  modelText = $state("");
+  parameters = $state.raw<Parameter[]>([]);
+  kinds = $state.raw<Kind[]>([]);
+  canUndo = $state(false);
+  canRedo = $state(false);
+
+  // -- what follows from it
+  motion = $state.raw<MotionAnswer | null>(null);
+  motionMessage = $state("");
+  count = $state.raw<StudyAnswer | null>(null);
+  isStale = $state(false);
+  failure = $state("");
+
+  // -- the view
+  language = $state<Language>("en");
+  theme = $state<Theme>("light");
+  panel = $state<Panel>("ask");
+  pane = $state<Pane>("scene");
+  selected = $state<string | null>(null);
+  time = $state(0);
+  until = $state(3);
+  dialog = $state<"" | "add" | "commands" | "gallery" | "help" | "save" | "changed">("");
+  derived = $state<string | null>(null);
+
+  writer: Writer | null = null;
+  private reading = new Latest();
+  private moving = new Latest();
+  private counting = new Latest();
+  private dragging = new Latest();
+
+  constructor() {
+    const language = kept.get("language") ?? navigator.language.slice(0, 2);
+    this.language = language === "de" ? "de" : "en";
+    this.theme = (kept.get("theme") as Theme | null) ?? (prefersDark.matches ? "dark" : "light");
+    document.documentElement.dataset.theme = this.theme;
+    prefersDark.addEventListener("change", () => {
+      if (!kept.get("theme")) this.wear(prefersDark.matches ? "dark" : "light");
+    });
+  }
+
+  word = (key: Word): string => WORDS[this.language][key];
+
+  get isSaved(): boolean {
+    return this.text === this.savedText;
+  }
+  /** Whether what is shown is that of the text as it stands. */
+  get isCurrent(): boolean {
+    return this.model !== null && this.modelText === this.text;
+  }
+  get element(): Element | null {
+    return this.read?.elements.find((e) => e.path.join(".") === this.selected) ?? null;
+  }
+  /** The body that is selected, if it is one that moves. */
+  get body(): string | null {
+    const element = this.element;
+    return element?.section === "bodies" && this.model?.moving.includes(element.name) ? element.name : null;
+  }
+
+  // -- files
+  async begin(): Promise<void> {
+    try {
+      const opening = await server.open();
+      this.files = opening.files;
+      this.kinds = opening.kinds;
+      this.take(opening.file.name, opening.file.text, opening.file.version);
+      if (!opening.file.text) {
+        if (opening.is_file) this.load("");
+        else this.dialog = "gallery";
+      }
+    } catch (error) {
+      this.fail(error);
+    }
+  }
+
+  /** Shows a file. A draft of it that differs is offered. */
+  take(name: string, text: string, version: string): void {
+    [this.file, this.version, this.savedText] = [name, version, text];
+    const draft = kept.get(`draft.${name}`);
+    this.draft = draft !== null && draft !== text ? draft : null;
+    this.until = Number(kept.get(`until.${name}`)) || 3;
+    this.selected = null;
+    this.load(text);
+  }
+
+  load(text: string): void {
+    this.motion = null;
+    this.count = null;
+    this.model = null;
+    this.modelText = "";
+    this.time = 0;
+    this.writer?.load(text);
+  }
+
+  takeDraft(): void {
+    if (this.draft !== null) this.rewrite(this.draft, "input.draft");
+    this.draft = null;
+  }
+  dropDraft(): void {
+    kept.set(`draft.${this.file}`, null);
+    this.draft = null;
+  }
+
+  async openFile(name: string): Promise<void> {
+    try {
+      const file = await server.openFile(name);
+      this.take(file.name, file.text, file.version);
+    } catch (error) {
+      this.fail(error);
+    }
+  }
+
+  async save(overwrite = false, name = this.file): Promise<void> {
+    const text = this.text;
+    try {
+      const version = name === this.file ? this.version : "";
+      const done = await server.save({ name, text, version, overwrite });
+      if (done.is_changed) {
+        this.dialog = "changed";
+        return;
+      }
+      this.dialog = "";
+      [this.file, this.version, this.savedText, this.failure] = [name, done.version, text, ""];
+      kept.set(`draft.${name}`, null);
+      if (!this.files.includes(name)) this.files = [...this.files, name].sort();
+    } catch (error) {
+      this.fail(error);
+    }
+  }
+
+  // -- the text
+  /** The editor has another text. */
+  changed(text: string): void {
+    this.text = text;
+    this.isStale = true;
+    this.keepDraft();
+    this.readSoon();
+  }
+
+  private keepDraft = debounced(500, () => {
+    if (this.text === this.savedText) kept.set(`draft.${this.file}`, null);
+    else if (!this.draft) kept.set(`draft.${this.file}`, this.text);
+  });
+  private readSoon = debounced(60, () => this.readNow());
+
+  readNow(): void {
+    const text = this.text;
+    this.reading.run(async () => {
+      const told = await this.asked("read", { text, language: this.language });
+      if (!told?.answer || text !== this.text) return;
+      this.read = told.answer;
+      this.parameters = told.answer.parameters;
+      if (!told.answer.is_model) return;
+      this.model = told.answer;
+      this.modelText = text;
+      this.follow(text);
+      this.countSoon();
+    });
+  }
+
+  /** Follows the motion of the text as it stands. */
+  follow(text = this.text, frames = FRAMES): void {
+    this.moving.run(async () => {
+      const told = await this.asked("motion", { text, language: this.language, until: this.until, frames });
+      if (!told) return;
+      if (told.answer) {
+        this.motion = told.answer;
+        this.motionMessage = told.answer.message;
+        this.time = Math.min(this.time, told.answer.times.at(-1) ?? 0);
+      } else if (told.status !== "replaced" && text === this.text && text === this.modelText) {
+        this.motion = null;
+        this.motionMessage = this.reason(told);
+      }
+      if (text === this.text) this.isStale = false;
+    });
+  }
+
+  private countSoon = debounced(250, () => {
+    const text = this.modelText;
+    this.counting.run(async () => {
+      const told = await this.asked("count", { text, language: this.language, name: "mobility", prefix: "count-" });
+      if (told?.answer) this.count = told.answer;
+      else if (told && told.status !== "replaced") this.count = null;
+    });
+  });
+
+  setUntil(seconds: number): void {
+    if (!(seconds > 0 && seconds <= 1e4)) return;
+    this.until = seconds;
+    kept.set(`until.${this.file}`, String(seconds));
+    this.follow();
+  }
+
+  /** A parameter gets another text; the motion follows at once, without waiting for the rest. */
+  setParameter(parameter: Parameter, text: string): void {
+    const { start, end } = parameter.span;
+    this.writer?.change([{ from: start, to: end, insert: text }], "input.type.slider");
+    this.follow(this.text, FEWER);
+  }
+
+  /** Places of parameters after a change, until the text is read again. */
+  moved(map: (place: number, side: number) => number, text: string): void {
+    this.parameters = this.parameters.map((p) => {
+      const span = { start: map(p.span.start, -1), end: map(p.span.end, 1) };
+      return { ...p, span, text: text.slice(span.start, span.end) };
+    });
+  }
+
+  /** Makes another text of this one, by the smallest change. */
+  rewrite(text: string, userEvent: string): void {
+    const change = changeBetween(this.text, text);
+    if (change) this.writer?.change([change], userEvent);
+  }
+
+  async setValue(path: (string | number)[], value: string | null): Promise<void> {
+    const told = await this.asked("edit", { text: this.text, language: this.language, path, value });
+    if (told?.answer) this.rewrite(told.answer.text, "input.property");
+    else if (told) this.failure = this.reason(told);
+  }
+
+  /** Brings a point of a body from one place at the start to another, as far as it goes. */
+  drag(text: string, body: string, grabbed: [number, number], to: [number, number]): void {
+    this.dragging.run(async () => {
+      const told = await this.asked("drag", { text, language: this.language, body, grabbed, to });
+      if (told?.answer) {
+        this.rewrite(told.answer.text, "input.type.drag");
+        this.follow(this.text, FEWER);
+      } else if (told && told.status !== "replaced") this.failure = this.reason(told);
+    });
+  }
+
+  /** A new element; value: its YAML, in one line. */
+  async add(section: string, name: string, value: string): Promise<boolean> {
+    const told = await this.asked("add", { text: this.text, language: this.language, section, name, value });
+    if (told?.answer) this.rewrite(told.answer.text, "input.add");
+    else if (told) this.failure = this.reason(told);
+    return Boolean(told?.answer);
+  }
+
+  // -- asking
+  async asked<K extends keyof Answers>(kind: K, request: Parameters<typeof server.ask<K>>[1], topic?: string): Promise<Told<K> | null> {
+    try {
+      const told = await server.ask(kind, request, topic);
+      if (this.failure === this.word("unreachable")) this.failure = "";
+      return told;
+    } catch (error) {
+      this.fail(error);
+      return null;
+    }
+  }
+
+  /** Why there is no answer, in words. */
+  reason(told: { status: string; message: string }): string {
+    if (told.status === "cancelled") return this.word("cancelled");
+    if (told.status === "too long") return this.word("tooLong");
+    if (told.status === "crashed") return `${this.word("crashed")} (${told.message})`;
+    return told.message;
+  }
+
+  fail(error: unknown): void {
+    const message = error instanceof Error ? error.message : String(error);
+    this.failure = message === "the server does not answer" ? this.word("unreachable") : message;
+  }
+
+  // -- the view
+  setLanguage(language: Language): void {
+    this.language = language;
+    kept.set("language", language);
+    this.readNow();
+  }
+  setTheme(theme: Theme): void {
+    kept.set("theme", theme);
+    this.wear(theme);
+  }
+  /** Colours are read from the page by what follows, so they are there first. */
+  private wear(theme: Theme): void {
+    document.documentElement.dataset.theme = theme;
+    this.theme = theme;
+  }
+  select(path: string | null, show = true): void {
+    this.selected = path;
+    const element = this.element;
+    if (element && show) this.writer?.select(element.name_span.start, element.name_span.end);
+  }
+  derive(question: string): void {
+    this.derived = question;
+    this.panel = "derivation";
+  }
+}
+
+export const studio = new Studio();

@@ -1,0 +1,49 @@
+// Changes of a text.
+
+export interface Change {
+  from: number;
+  to: number;
+  insert: string;
+}
+
+/** The one change that makes `after` of `before`: what stands between the common beginning and the common end. */
+export function changeBetween(before: string, after: string): Change | null {
+  if (before === after) return null;
+  const most = Math.min(before.length, after.length);
+  let from = 0;
+  while (from < most && before.charCodeAt(from) === after.charCodeAt(from)) from++;
+  let end = 0;
+  while (end < most - from && before.charCodeAt(before.length - 1 - end) === after.charCodeAt(after.length - 1 - end)) end++;
+  return { from, to: before.length - end, insert: after.slice(from, after.length - end) };
+}
+
+const NUMBER = /^([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)(?![\w.^*/+(])(.*)$/s;
+
+/** A quantity as it stands in a file: its number, and what follows it. Null for a formula. */
+export function quantityOf(text: string): { value: number; rest: string } | null {
+  const found = NUMBER.exec(text);
+  return found ? { value: Number(found[1]), rest: found[2] ?? "" } : null;
+}
+
+/** Between which numbers a slider moves that begins at a value; its step is a three-hundredth of that. */
+export function sliderRange(value: number, isPositive: boolean, unit: string): { min: number; max: number; step: number } {
+  const isDegrees = /^\s*(deg|°)/.test(unit);
+  const size = value === 0 ? 1 : 10 ** Math.ceil(Math.log10(Math.abs(value) * 1.5));
+  const max = isDegrees ? Math.max(isPositive ? 90 : 180, Math.ceil(Math.abs(value) / 90) * 90) : round(Math.max(size * 0.3, Math.abs(value) * 2));
+  const step = 10 ** Math.floor(Math.log10(max / 100));
+  return { min: isPositive ? step : -max, max, step };
+}
+
+/** Without the last digits of floating point. */
+export function round(value: number): number {
+  return Number(value.toPrecision(6));
+}
+
+/** What stands in a comma-separated table, with the name and unit of each column. */
+export function csvOf(columns: { name: string; unit: string; values: (number | null)[] }[]): string {
+  const quoted = (text: string) => (/[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
+  const head = columns.map((c) => quoted(c.unit && c.unit !== "1" ? `${c.name} [${c.unit}]` : c.name));
+  const n = Math.max(0, ...columns.map((c) => c.values.length));
+  const rows = Array.from({ length: n }, (_, k) => columns.map((c) => c.values[k] ?? "").join(","));
+  return [head.join(","), ...rows].join("\n") + "\n";
+}

@@ -1,0 +1,312 @@
+// Written by tools/write_studio_types.py from freebody/studio/wire.py: do not edit.
+
+/** Add an element at the end of a section, under its name or the next that is free. value: its YAML in one line */
+export interface AddRequest {
+  text: string;
+  language?: "en" | "de";
+  section: string;
+  name: string;
+  value: string;
+}
+
+/** A question of the file. */
+export interface Asked {
+  id: string;
+  text: string;
+}
+
+/** What the page posts. topic: a later request of the same topic takes the place of an earlier one */
+export interface Call {
+  kind: string;
+  topic: string;
+  request: Record<string, unknown>;
+}
+
+/** Bring a point of a body, at the place `grabbed` [m] at the start, as near `to` another place as it goes. */
+export interface DragRequest {
+  text: string;
+  language?: "en" | "de";
+  body: string;
+  grabbed: [number, number];
+  to: [number, number];
+}
+
+/** Set the value at a path, as the YAML of a scalar; None takes it out. */
+export interface EditRequest {
+  text: string;
+  language?: "en" | "de";
+  path: (string | number)[];
+  value: string | null;
+}
+
+/** A named part of the model. kind: what it is, as the file says; name_span: of its name; span: of name and value */
+export interface Element {
+  section: string;
+  name: string;
+  kind: string;
+  path: (string | number)[];
+  name_span: Span;
+  span: Span;
+  leaves: Leaf[];
+}
+
+/** A bundled model. name: of its file */
+export interface Example {
+  name: string;
+  title: string;
+  text: string;
+  is_template: boolean;
+}
+
+/** The same as files. */
+export interface ExportRequest {
+  text: string;
+  language?: "en" | "de";
+  name: string;
+  options?: Record<string, string | boolean | number | string[]>;
+  prefix?: string;
+  format?: "html" | "md" | "tex" | "pdf" | "ipynb" | "txt" | "json";
+}
+
+/** A file to be kept. content: in base64 */
+export interface File {
+  name: string;
+  content: string;
+}
+
+/**  */
+export interface FilesAnswer {
+  files: File[];
+}
+
+/** A change that mends a problem: the text in a span is replaced. */
+export interface Fix {
+  label: string;
+  span: Span;
+  text: string;
+}
+
+/** An event of a motion at a time [s]. */
+export interface Happening {
+  time: number;
+  name: string;
+}
+
+/** What a section may have. value: of the smallest example, as YAML in one line; about: what it is */
+export interface Kind {
+  section: string;
+  kind: string;
+  value: string;
+  about: string;
+}
+
+/** A value in the text that can be changed. path: to it; label: the last parts of it; text: as it stands there */
+export interface Leaf {
+  path: (string | number)[];
+  label: string;
+  text: string;
+  span: Span;
+}
+
+/** One curve over the times of a motion. */
+export interface Line {
+  name: string;
+  label: string;
+  unit: string;
+  values: (number | null)[];
+}
+
+/** player: what `player.js` draws; is_complete: whether all of the time could be followed, else message says why */
+export interface MotionAnswer {
+  player: Record<string, unknown>;
+  times: number[];
+  lines: Line[];
+  events: Happening[];
+  is_complete: boolean;
+  message: string;
+  energy_error: number | null;
+}
+
+/** Follow the motion to the time `until` [s]. */
+export interface MotionRequest {
+  text: string;
+  language?: "en" | "de";
+  until: number;
+  frames?: number;
+}
+
+/** A file of the opened folder. version: changes with its content, empty for one that is not there yet */
+export interface OpenedFile {
+  name: string;
+  text: string;
+  version: string;
+}
+
+/** What the page begins with. is_file: whether a file was named; kinds: of elements that can be added */
+export interface Opening {
+  file: OpenedFile;
+  files: string[];
+  is_file: boolean;
+  languages: string[];
+  version: string;
+  kinds: Kind[];
+}
+
+/** The motion as one HTML file that plays without a server. */
+export interface PageRequest {
+  text: string;
+  language?: "en" | "de";
+  until: number;
+  frames?: number;
+}
+
+/** A number that can be moved: a parameter, or a value of the start. text: as it stands in the file, with its unit */
+export interface Parameter {
+  name: string;
+  section: "parameters" | "start";
+  text: string;
+  span: Span;
+  is_positive: boolean;
+}
+
+/** content: of the picture, bytes in base64 */
+export interface PictureAnswer {
+  content: string;
+}
+
+/** Draw the model, or bodies of it cut free. */
+export interface PictureRequest {
+  text: string;
+  language?: "en" | "de";
+  free?: string[];
+  at?: number | null;
+  show?: string[];
+  dark?: boolean | null;
+  format?: "svg" | "png" | "pdf" | "tex";
+}
+
+/** A text that has been read. is_model: whether it is one; then everything else is known */
+export interface ReadAnswer {
+  is_model: boolean;
+  title: string;
+  about: string;
+  is_spatial: boolean;
+  remarks: Remark[];
+  elements: Element[];
+  parameters: Parameter[];
+  questions: Asked[];
+  moving: string[];
+}
+
+/** Read a model. */
+export interface ReadRequest {
+  text: string;
+  language?: "en" | "de";
+}
+
+/** What is wrong with a text, or unlikely in it. where: the path in words; line: from 1, 0 where it is unknown */
+export interface Remark {
+  severity: "error" | "warning";
+  message: string;
+  where: string;
+  line: number;
+  span: Span;
+  fixes: Fix[];
+}
+
+/** What comes back. done: answer is there; refused: the model or the question is at fault; else the work was not finished: replaced by a later request, cancelled, out of time or memory, or the worker ended */
+export interface Reply {
+  status: "done" | "refused" | "replaced" | "cancelled" | "too long" | "crashed";
+  message: string;
+  answer: unknown;
+}
+
+/** What every request has: the text of the model, and the language of messages. */
+export interface Request {
+  text: string;
+  language?: "en" | "de";
+}
+
+/** version: the new one; is_changed: the file has been changed by somebody else, and nothing was written */
+export interface SaveAnswer {
+  version: string;
+  is_changed: boolean;
+  message: string;
+}
+
+/** Write a file of the folder. version: of what it was opened from; what another program has changed since is kept unless this says otherwise */
+export interface SaveRequest {
+  name: string;
+  text: string;
+  version: string;
+  overwrite?: boolean;
+}
+
+/** Where something stands in the text. */
+export interface Span {
+  start: number;
+  end: number;
+}
+
+/** html: the report; plain: the same as data; is_complete: whether all that was asked is found */
+export interface StudyAnswer {
+  html: string;
+  plain: Record<string, unknown>;
+  is_complete: boolean;
+}
+
+/** Do one of the table of studies. options: as words of the command line, by the name of the parameter; prefix: of the names in the HTML. */
+export interface StudyRequest {
+  text: string;
+  language?: "en" | "de";
+  name: string;
+  options?: Record<string, string | boolean | number | string[]>;
+  prefix?: string;
+}
+
+/** understood: the question in the words of the grammar, empty if it cannot be read; then why: message */
+export interface SuggestAnswer {
+  understood: string;
+  message: string;
+  suggestions: string[];
+}
+
+/** What a question that is being typed means, and others that are near. */
+export interface SuggestRequest {
+  text: string;
+  language?: "en" | "de";
+  question: string;
+}
+
+/** The changed text. */
+export interface TextAnswer {
+  text: string;
+}
+
+export interface Requests {
+  read: ReadRequest;
+  edit: EditRequest;
+  add: AddRequest;
+  drag: DragRequest;
+  suggest: SuggestRequest;
+  motion: MotionRequest;
+  picture: PictureRequest;
+  count: StudyRequest;
+  study: StudyRequest;
+  export: ExportRequest;
+  page: PageRequest;
+}
+
+export interface Answers {
+  read: ReadAnswer;
+  edit: TextAnswer;
+  add: TextAnswer;
+  drag: TextAnswer;
+  suggest: SuggestAnswer;
+  motion: MotionAnswer;
+  picture: PictureAnswer;
+  count: StudyAnswer;
+  study: StudyAnswer;
+  export: FilesAnswer;
+  page: FilesAnswer;
+}

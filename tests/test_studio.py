@@ -1,0 +1,474 @@
+"""The studio without a browser: what it reads, changes and finds, who may ask it, and what its workers do."""
+
+from __future__ import annotations
+
+import asyncio
+import gzip
+import hashlib
+import json
+import math
+import os
+import re
+import subprocess
+import sys
+from collections.abc import Iterator
+from dataclasses import dataclass
+from email.message import Message
+from http.client import HTTPConnection
+from importlib.resources import files
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+pytest.importorskip("starlette")
+
+from freebody.errors import CannotAnswer, InputError
+from freebody.language.document import Document
+from freebody.numeric.reference import Reference
+from freebody.studio import wire
+from freebody.studio.dragging import drag
+from freebody.studio.editing import add, edit, suggest
+from freebody.studio.folder import Folder
+from freebody.studio.kinds import kinds
+from freebody.studio.lanes import Worker
+from freebody.studio.moving import motion
+from freebody.studio.reading import read
+from freebody.studio.server import LARGEST
+from freebody.studio.work import Lane, done
+from freebody.system.system import System
+
+ROOT = Path(__file__).parents[1]
+PENDULUM = """# a pendulum
+parameters: {L: 1 m, m: 2 kg, g: 9.81 m/s^2}  # what can be moved
+bodies:
+  rod: {rod: {mass: m, length: L}}  # thin
+connections:
+  A: {pin: [ground.A, rod.start]}
+loads: {weight: {gravity: g}}
+measures: {theta: {angle of rod}}
+start: {theta: -60 deg}
+questions:
+  - {id: first, find: acceleration of theta}
+"""
+
+
+# -- reading ----------------------------------------------------------------------------------
+def test_everything_that_is_read_stands_where_it_is_said_to_stand() -> None:
+    found = read(wire.ReadRequest(text=PENDULUM))
+    assert found.is_model
+    assert found.moving == ["rod"]
+    assert [(q.id, q.text) for q in found.questions] == [("first", "acceleration of theta")]
+    for element in found.elements:
+        assert PENDULUM[element.name_span.start : element.name_span.end] in (
+            element.name,
+            "{id: first, find: acceleration of theta}",
+        )
+        for leaf in element.leaves:
+            assert PENDULUM[leaf.span.start : leaf.span.end] == leaf.text
+    moved = {p.name: PENDULUM[p.span.start : p.span.end] for p in found.parameters}
+    assert moved == {"L": "1 m", "m": "2 kg", "g": "9.81 m/s^2", "theta": "-60 deg"}
+
+
+def test_places_count_as_a_browser_does() -> None:
+    text = PENDULUM.replace("# a pendulum", "# a pendulum \U0001f3a1 ")
+    (rod,) = (e for e in read(wire.ReadRequest(text=text)).elements if e.section == "bodies")
+    units = text.encode("utf-16-le")
+    assert units[2 * rod.name_span.start : 2 * rod.name_span.end].decode("utf-16-le") == "rod"
+
+
+def test_a_misspelt_word_is_marked_and_its_fix_mends_it() -> None:
+    for wrong, right in (("{rod: {mass", "{rodd: {mass"), ("pin: [ground.A, rod.start", "pin: [ground.A, rod.strat")):
+        text = PENDULUM.replace(wrong, right)
+        (remark,) = read(wire.ReadRequest(text=text)).remarks
+        assert remark.severity == "error"
+        fix = remark.fixes[0]
+        assert remark.span.start <= fix.span.start <= fix.span.end <= remark.span.end
+        assert text[: fix.span.start] + fix.text + text[fix.span.end :] == PENDULUM
+
+
+def test_a_broken_text_is_marked_where_it_breaks() -> None:
+    found = read(wire.ReadRequest(text="bodies: {a: [}\n", language="de"))
+    assert not found.is_model
+    assert [r.line for r in found.remarks] == [1]
+    assert found.remarks[0].span.start == 13
+
+
+# -- changing ---------------------------------------------------------------------------------
+def test_an_edit_keeps_comments_and_order() -> None:
+    text = edit(wire.EditRequest(text=PENDULUM, path=["parameters", "L"], value="2 m")).text
+    assert text == PENDULUM.replace("L: 1 m", "L: 2 m")
+    assert edit(wire.EditRequest(text=text, path=["parameters", "L"], value="1 m")).text == PENDULUM
+
+
+@pytest.mark.parametrize(
+    ("path", "gone", "left"),
+    [
+        (["parameters", "m"], " m: 2 kg,", ""),
+        (["parameters", "g"], ", g: 9.81 m/s^2", ""),
+        (["loads", "weight"], "loads: {weight: {gravity: g}}\n", ""),
+        (["bodies", "rod", "rod", "length"], ", length: L", ""),
+    ],
+)
+def test_what_is_taken_out_leaves_the_rest_as_it_was(path: list[str | int], gone: str, left: str) -> None:
+    assert edit(wire.EditRequest(text=PENDULUM, path=path, value=None)).text == PENDULUM.replace(gone, left)
+
+
+def test_a_document_without_a_key_says_the_rest(tmp_path: Path) -> None:
+    document = Document.read("a:\n  b: 1 # one\n  # kept\n  c:\n    d: [1,\n      2]\n    e: 3\nf: {g: 1, h: 2}\n")
+    for path in (("a", "b"), ("a", "c"), ("a", "c", "d"), ("f", "g"), ("f", "h"), ("f",)):
+        found = document.without(path)
+        expected: Any = document.data
+        inner = expected
+        for part in path[:-1]:
+            inner = inner[part]
+        del inner[path[-1]]
+        assert found.data == expected
+        assert "# kept" in found.dumps()
+    with pytest.raises(InputError):
+        document.without(("a", "x"))
+
+
+def test_what_can_be_added_can_be_added() -> None:
+    """Every kind, under a name that is free, as it stands in its example."""
+    offered = kinds()
+    assert {each.section for each in offered} == {"bodies", "connections", "loads"}
+    for each in offered:
+        request = wire.AddRequest(
+            text=PENDULUM, section=each.section, name="rod" if each.section == "bodies" else "A", value=each.value
+        )
+        document = Document.read(add(request).text)
+        (name,) = set(document.data[each.section]) - set(Document.read(PENDULUM).data[each.section])
+        assert each.kind in document.data[each.section][name]
+    (pin,) = (each for each in offered if each.kind == "pin")
+    text = add(wire.AddRequest(text=PENDULUM, section="connections", name="A", value=pin.value)).text
+    assert System.from_text(text).connections.keys() == {"A", "A2"}
+
+
+def test_a_question_is_understood_while_it_is_typed() -> None:
+    found = suggest(wire.SuggestRequest(text=PENDULUM, question="how fast does the rod turn?"))
+    assert found.understood == "angular velocity of rod"
+    unclear = suggest(wire.SuggestRequest(text=PENDULUM, question="blah of rod"))
+    assert unclear.message
+    assert "acceleration of rod" in unclear.suggestions
+
+
+# -- dragging ---------------------------------------------------------------------------------
+def end_of(text: str, body: str, length: float) -> tuple[float, float]:
+    """Of a rod, from its mass centre."""
+    reference = Reference(System.from_text(text))
+    x, y, angle = reference.pose(reference.assemble(), body)
+    return x + length / 2 * math.cos(angle), y + length / 2 * math.sin(angle)
+
+
+@pytest.mark.parametrize("target", [(0.8, -0.6), (0.3, -3.0), (0.2, 0.1)])
+def test_the_end_of_a_pendulum_follows_the_pointer_on_its_circle(target: tuple[float, float]) -> None:
+    """The nearest point of a circle of radius L to a point P is L P/|P|."""
+    text = drag(wire.DragRequest(text=PENDULUM, body="rod", grabbed=end_of(PENDULUM, "rod", 1.0), to=target)).text
+    size = math.hypot(*target)
+    assert end_of(text, "rod", 1.0) == pytest.approx((target[0] / size, target[1] / size), abs=2e-3)
+    assert text.splitlines()[1] == PENDULUM.splitlines()[1]  # only the start has changed
+    assert text.replace(text.splitlines()[8], "start: {theta: -60 deg}") == PENDULUM
+
+
+def test_a_parameter_of_the_start_is_dragged_in_its_own_unit() -> None:
+    text = PENDULUM.replace("theta: -60 deg", "theta: phi").replace(
+        "{L: 1 m", "{phi: {value: -60 deg, sign: any}, L: 1 m"
+    )
+    found = drag(wire.DragRequest(text=text, body="rod", grabbed=end_of(text, "rod", 1.0), to=(0.0, -5.0))).text
+    assert Document.read(found).data["parameters"]["phi"]["value"] == "-90 deg"
+
+
+def test_a_free_body_is_dragged_by_its_place() -> None:
+    text = "bodies: {ball: {particle: {mass: 1 kg}, at: [0, 1 m]}}\n"
+    found = drag(wire.DragRequest(text=text, body="ball", grabbed=(0, 1), to=(2.5, -0.5))).text
+    assert found == "bodies: {ball: {particle: {mass: 1 kg}, at: [2.5, -0.5 m]}}\n"
+
+
+def test_a_start_by_formulas_is_not_dragged() -> None:
+    text = PENDULUM.replace("theta: -60 deg", "theta: -2*phi").replace("{L: 1 m", "{phi: 30 deg, L: 1 m")
+    with pytest.raises(CannotAnswer, match="formulas"):
+        drag(wire.DragRequest(text=text, body="rod", grabbed=end_of(text, "rod", 1.0), to=(0.0, -5.0)))
+
+
+# -- motion and studies -----------------------------------------------------------------------
+def test_a_motion_has_its_curves_and_what_the_player_draws() -> None:
+    found = motion(wire.MotionRequest(text=PENDULUM, until=1.0, frames=51))
+    assert found.is_complete
+    assert found.player["n_frames"] == 51
+    lines = {line.name: line.values for line in found.lines}
+    assert lines["theta"][0] == pytest.approx(-math.pi / 3)
+    energy = [lines["kinetic_energy"][k] + lines["potential_energy"][k] for k in range(len(found.times))]  # type: ignore[operator]
+    assert energy == pytest.approx([energy[0]] * len(energy), abs=1e-5)
+    json.dumps(found.model_dump(), allow_nan=False)
+
+
+@pytest.mark.parametrize(
+    ("kind", "request_", "words"),
+    [
+        ("study", {"name": "solve"}, "acceleration of theta"),
+        ("study", {"name": "explain", "language": "de"}, "Drall"),
+        ("count", {"name": "mobility"}, "mobility"),
+    ],
+)
+def test_studies_are_parts_of_a_page(kind: str, request_: dict[str, Any], words: str) -> None:
+    reply = done(kind, {"text": PENDULUM, **request_})
+    assert reply.status == "done", reply.message
+    assert words in reply.answer["html"]
+    assert ".freebody-report" not in reply.answer["html"]  # the page has that style once
+    assert "<script" not in reply.answer["html"]
+
+
+@pytest.mark.parametrize(
+    ("kind", "request_"),
+    [
+        ("study", {"name": "draw", "options": {"path": "/tmp/x.svg"}}),
+        ("study", {"name": "over_a_turn", "options": {"csv": "/tmp/x.csv"}}),
+        ("study", {"name": "solve", "options": {"question": "blah"}}),
+        ("study", {"name": "__init__"}),
+        ("study", {"name": "solve", "more": 1}),
+        ("motion", {"until": -1}),
+        ("picture", {"free": ["nobody"]}),
+    ],
+)
+def test_what_makes_no_sense_is_refused_in_words(kind: str, request_: dict[str, Any]) -> None:
+    reply = done(kind, {"text": PENDULUM, **request_})
+    assert (reply.status, reply.answer) == ("refused", None)
+    assert reply.message
+
+
+# -- the folder -------------------------------------------------------------------------------
+@pytest.mark.parametrize(
+    "name",
+    [
+        "../model.yaml",
+        "/etc/passwd",
+        "a/b.yaml",
+        "..\\x.yaml",
+        ".hidden.yaml",
+        "model.py",
+        "link.yaml",
+        "model.yaml\0",
+        "C:x.yaml",
+        "",
+        "folder.yaml",
+    ],
+)
+def test_nothing_outside_the_folder_is_reached(name: str, tmp_path: Path) -> None:
+    inside = tmp_path / "inside"
+    inside.mkdir()
+    (inside / "folder.yaml").mkdir()
+    (tmp_path / "model.yaml").write_text(PENDULUM, encoding="utf-8")
+    (inside / "link.yaml").symlink_to(tmp_path / "model.yaml")
+    folder = Folder.of(inside)
+    assert folder.names() == []
+    with pytest.raises(InputError):
+        folder.opened(name)
+    with pytest.raises(InputError):
+        folder.save(wire.SaveRequest(name=name, text="x", version="", overwrite=True))
+    assert (tmp_path / "model.yaml").read_text(encoding="utf-8") == PENDULUM
+
+
+def test_a_file_that_has_changed_meanwhile_is_not_overwritten(tmp_path: Path) -> None:
+    file = tmp_path / "model.yaml"
+    file.write_text("a: 1\n", encoding="utf-8")
+    folder = Folder.of(file)
+    opened = folder.first_opened()
+    file.write_text("a: 2\n", encoding="utf-8")
+    request = wire.SaveRequest(name="model.yaml", text="a: 3\n", version=opened.version)
+    assert folder.save(request).is_changed
+    assert file.read_text(encoding="utf-8") == "a: 2\n"
+    saved = folder.save(request.model_copy(update={"overwrite": True}))
+    assert not saved.is_changed
+    assert folder.opened("model.yaml").version == saved.version
+
+
+# -- the server -------------------------------------------------------------------------------
+@dataclass
+class Server:
+    """A studio that runs: where, and by which token."""
+
+    port: int
+    token: str
+
+    def get(self, path: str, **headers: str) -> tuple[int, Message, bytes]:
+        return self.sent("GET", path, None, headers)
+
+    def post(self, path: str, body: object, **headers: str) -> tuple[int, Message, bytes]:
+        content = body if isinstance(body, bytes) else json.dumps(body).encode()
+        own = {"Authorization": f"Bearer {self.token}", "Content-Type": "application/json"}
+        return self.sent(
+            "POST", path, content, own | {name.replace("_", "-"): value for name, value in headers.items()}
+        )
+
+    def sent(
+        self, method: str, path: str, content: bytes | None, headers: dict[str, str]
+    ) -> tuple[int, Message, bytes]:
+        connection = HTTPConnection("127.0.0.1", self.port, timeout=120)
+        try:
+            connection.request(method, path, content, headers)
+            response = connection.getresponse()
+            return response.status, response.headers, response.read()
+        finally:
+            connection.close()
+
+
+@pytest.fixture(scope="module")
+def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
+    file = tmp_path_factory.mktemp("studio") / "pendulum.yaml"
+    file.write_text(PENDULUM, encoding="utf-8")
+    command = [sys.executable, "-m", "freebody", "studio", str(file), "--no-browser"]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
+        assert process.stdout is not None
+        found = re.fullmatch(r"http://127\.0\.0\.1:(\d+)/#token=([\w-]{20,})\n", process.stdout.readline())
+        assert found is not None
+        yield Server(int(found[1]), found[2])
+        process.terminate()
+
+
+def test_a_worker_answers_over_the_server(server: Server) -> None:
+    call = {"kind": "read", "topic": "read", "request": {"text": PENDULUM}}
+    reply = json.loads(server.post("/api/ask", call)[2])
+    assert (reply["status"], reply["answer"]["is_model"]) == ("done", True)
+    opening = json.loads(server.post("/api/open", {})[2])
+    assert (opening["file"]["text"], opening["files"]) == (PENDULUM, ["pendulum.yaml"])
+
+
+@pytest.mark.parametrize(
+    ("changes", "status"),
+    [
+        ({"Authorization": "Bearer wrong"}, 401),
+        ({"Authorization": ""}, 401),
+        ({"Host": "evil.example:8000"}, 403),
+        ({"Host": "127.0.0.1:1"}, 403),
+        ({"Origin": "http://evil.example"}, 403),
+        ({"Origin": "null"}, 403),
+        ({"Content_Type": "text/plain"}, 415),
+    ],
+)
+def test_who_is_not_the_page_is_refused(server: Server, changes: dict[str, str], status: int) -> None:
+    assert server.post("/api/open", {}, **changes)[0] == status
+    assert server.get("/api/open", Authorization=f"Bearer {server.token}")[0] == 405
+
+
+@pytest.mark.parametrize(
+    ("content", "status"),
+    [
+        (b"[", 400),
+        (b"[]", 400),
+        (b'{"kind": "eval", "topic": "x", "request": {}}', 400),
+        (b"\xff", 400),
+    ],
+)
+def test_what_cannot_be_read_is_refused(server: Server, content: bytes, status: int) -> None:
+    assert server.post("/api/ask", content)[0] == status
+
+
+def test_a_request_that_is_too_large_is_refused_before_it_is_read(server: Server) -> None:
+    assert server.post("/api/ask", b"", Content_Length=str(LARGEST + 1))[0] == 413
+
+
+def test_the_page_comes_with_its_policy_and_nothing_else_is_given_away(server: Server) -> None:
+    status, headers, content = server.get("/")
+    assert (status, b"<div id" in content) == (200, True)
+    assert "script-src 'self'" in headers["Content-Security-Policy"]
+    assert "unsafe-eval" not in headers["Content-Security-Policy"]
+    assert headers["X-Content-Type-Options"] == "nosniff"
+    for name in ("studio.js", "studio.css", "look.css"):
+        assert server.get(f"/{name}")[0] == 200
+    for name in (
+        "server.py",
+        "..%2fserver.py",
+        "%2e%2e/wire.py",
+        "page",
+        "sources.sha256",
+        "studio.js/x",
+        "../wire.py",
+    ):
+        assert server.get(f"/{name}")[0] == 404
+    assert server.get("/", Host="evil.example")[0] == 403
+
+
+# -- the workers ------------------------------------------------------------------------------
+def call_of(topic: str, kind: str = "read") -> wire.Call:
+    return wire.Call(kind=kind, topic=topic, request={"text": PENDULUM})
+
+
+def test_the_latest_of_a_topic_is_done_and_a_dead_worker_is_a_message() -> None:
+    async def run() -> None:
+        worker = Worker(Lane("test", 30))
+        first = asyncio.create_task(worker.ask(call_of("a")))
+        await asyncio.sleep(0)
+        waiting = [asyncio.create_task(worker.ask(call_of(topic))) for topic in ("b", "b", "c")]
+        await asyncio.sleep(0)
+        worker.cancel("c")
+        replies = [reply.status for reply in await asyncio.gather(first, *waiting)]
+        assert replies == ["done", "replaced", "done", "cancelled"]
+        process = await worker.begun()
+        dying = asyncio.create_task(worker.ask(call_of("a")))
+        await asyncio.sleep(0)
+        process.kill()
+        assert (await dying).status in ("crashed", "done")
+        assert (await worker.ask(call_of("a"))).status == "done"
+        await worker.end()
+
+    asyncio.run(run())
+
+
+def test_work_that_takes_too_long_is_ended() -> None:
+    async def run() -> None:
+        worker = Worker(Lane("test", 0.01))
+        assert (await worker.ask(call_of("a"))).status == "too long"
+        await worker.end()
+
+    asyncio.run(run())
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="memory is limited on POSIX alone")
+def test_a_worker_without_memory_says_so() -> None:
+    code = (
+        "from freebody.studio import worker, work\n"
+        "worker.MEMORY = 3 << 30\n"
+        "worker._limit_memory()\n"
+        "work.Work.run = lambda self, request: bytearray(8 << 30)\n"
+        "print(work.done('read', {'text': ''}).status)\n"
+    )
+    found = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, env={**os.environ, "OPENBLAS_NUM_THREADS": "1"}
+    )
+    assert found.stdout == "crashed\n", found.stderr
+
+
+# -- what is written and built ----------------------------------------------------------------
+def test_the_types_of_the_page_are_current() -> None:
+    sys.path.insert(0, str(ROOT / "tools"))
+    import write_studio_types
+
+    assert write_studio_types.TARGET.read_text(encoding="utf-8") == write_studio_types.written(), (
+        "run python tools/write_studio_types.py"
+    )
+
+
+def sources_digest() -> str:
+    """As `studio/vite.config.ts` finds it."""
+    folder = ROOT / "studio"
+    names = ["index.html", "package.json", "package-lock.json", "vite.config.ts", "svelte.config.js", "tsconfig.json"]
+    paths = [folder / name for name in names] + [p for p in (folder / "src").rglob("*") if p.is_file()]
+    paths.append(ROOT / "src" / "freebody" / "present" / "player.js")
+    digest = hashlib.sha256()
+    for name, path in sorted((path.relative_to(ROOT).as_posix(), path) for path in paths):
+        digest.update(f"{name}\n".encode())
+        digest.update(path.read_text(encoding="utf-8").replace("\r\n", "\n").encode())
+    return digest.hexdigest()
+
+
+def test_the_built_page_is_current_and_small() -> None:
+    page = files("freebody.studio").joinpath("page")
+    assert page.joinpath("sources.sha256").read_text().strip() == sources_digest(), "run npm run build in studio/"
+    sizes = [len(gzip.compress(page.joinpath(name).read_bytes())) for name in ("studio.js", "studio.css", "index.html")]
+    assert sum(sizes) < 400_000
+    assert "MIT" in page.joinpath("LICENSES.txt").read_text(encoding="utf-8")
+
+
+def test_the_lock_file_names_no_registry() -> None:
+    assert "resolved" not in (ROOT / "studio" / "package-lock.json").read_text(encoding="utf-8")
