@@ -44,6 +44,7 @@ class Frame:
     space: bool = False  # x, y, z and, if the body turns, a rotation vector; see `spatial`
     principal: Mapping[str, Array] = field(default_factory=dict[str, Array])  # principal axes in body components
     _constants: dict[int, tuple[Expr, Jet]] = field(default_factory=dict[int, tuple[Expr, Jet]], repr=False)
+    _turned: dict[str, Array] = field(default_factory=dict[str, Array], repr=False)
     _seen: dict[int, tuple[object, int]] = field(default_factory=dict[int, tuple[object, int]], repr=False)
     _numbers: dict[object, int] = field(default_factory=dict[object, int], repr=False)
     # points and directions that stay as they are: of fixed bodies, with components that do not know the time
@@ -91,6 +92,13 @@ class Frame:
             known = expr, Jet(float(evaluate(expr, self.values)))
             self._constants[id(expr)] = known
         return known[1]
+
+    def turned(self, body: str, axes: Array) -> Array:
+        """The `skews` of the axes of a body, which are the same at all instants."""
+        known = self._turned.get(body)
+        if known is None:
+            known = self._turned[body] = spatial.skews(axes)
+        return known
 
     def number(self, measure: object) -> int:
         """The same number for equal measures."""
@@ -222,17 +230,23 @@ class JetGeometry:
         if not own:
             x, y, z = (Vector(*(Jet(float(c)) for c in row)) for row in spatial.UNIT)
             return SpatialPose(center, (x, y, z))
-        R, omega = matrix(self.q[own]), np.array([self._v[k] for k in own])
-        axes = [spatial.axis_jets(R, u, omega) for u in principal]  # rows: the body's axes along the principal ones
-        vectors: list[Vector[Jet]] = []
-        for value, slopes, rate, bias in axes:
-            parts: list[Jet] = []
-            for i in range(3):
-                row = entries_of(own, slopes[i], len(self._q))
-                parts.append(Jet(float(value[i]), row, float(rate[i]), float(bias[i])))
-            vectors.append(Vector(*parts))
-        x, y, z = vectors
+        omega = np.array([self._v[k] for k in own])
+        axes = spatial.axis_jets(matrix(self.q[own]), principal, self.frame.turned(body, principal), omega)
+        value, slopes, rate, bias = axes
+        values, rates, biases, rows = value.tolist(), rate.tolist(), bias.tolist(), self._rows_of(own, slopes)
+        x, y, z = (
+            Vector(*(Jet(values[j][i], rows[j][i], rates[j][i], biases[j][i]) for i in range(3))) for j in range(3)
+        )
         return SpatialPose(center, (x, y, z))
+
+    def _rows_of(self, columns: Sequence[int], values: Array) -> list[list[Gradient]]:
+        """Gradients, by vector and component, with those entries of some coordinates (3, 3, n_columns)."""
+        n = len(self._q)
+        if n > LARGE:
+            return [[entries_of(columns, row, n) for row in own] for own in values]
+        rows = np.zeros((3, 3, n))
+        rows[:, :, columns] = values
+        return [list(own) for own in rows]
 
     def _pose(self, body: str) -> Pose[Jet]:
         columns = self.frame.columns.get(body)

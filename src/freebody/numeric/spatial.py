@@ -26,6 +26,7 @@ Array = NDArray[np.float64]
 Number = Callable[[Expr], float]
 Columns = Iterable[tuple[int, ...]]
 UNIT: Array = np.eye(3)
+_AT_REST: Array = np.zeros((3, 3))
 DIAGONAL = 1e-14  # products of inertia below this part of the moments are rounding
 
 
@@ -35,12 +36,21 @@ def skew(u: Array) -> Array:
     return np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
 
 
-def axis_jets(R: Array, u: Array, omega: Array) -> tuple[Array, Array, Array, Array]:
-    """Of a vector with the components u along the principal axes: where it points, its gradient by the angular
-    velocity, its rate, and its second derivative without angular acceleration."""
+def skews(axes: Array) -> Array:
+    """(3, 3, 3) the matrices of three vectors, the rows of an array."""
+    return np.array([skew(u) for u in axes])
+
+
+def axis_jets(R: Array, axes: Array, turned: Array, omega: Array) -> tuple[Array, Array, Array, Array]:
+    """Of three vectors with the rows of `axes` as components along the principal axes, and with `turned` their `skews`:
+    where they point (3, 3), their gradients by the angular velocity (3, 3, 3), their rates (3, 3), and their second
+    derivatives without angular acceleration (3, 3), the first index that of the vector."""
+    slopes = np.matmul(-R, turned)
+    if not omega.any():
+        return axes @ R.T, slopes, _AT_REST, _AT_REST
     spin = skew(omega)  # np.cross takes ten times as long for three numbers
-    turning = spin @ u
-    return R @ u, -R @ skew(u), R @ turning, R @ (spin @ turning)
+    turning = axes @ spin.T
+    return axes @ R.T, slopes, turning @ R.T, turning @ spin.T @ R.T
 
 
 def moved(q: Array, step: Array, columns: Columns) -> Array:

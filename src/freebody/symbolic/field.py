@@ -70,6 +70,22 @@ class Generator:
     remake: Callable[[Callable[[Ratio], Ratio]], Ratio] | None = None
 
 
+class _WhenAsked(dict[int, Any]):
+    """Values of generators; those that are computed are so when they are first asked for."""
+
+    def __init__(self, generators: Mapping[int, Generator], values: Mapping[int, Any], functions: Any) -> None:
+        super().__init__(values)
+        self._generators, self._functions = generators, functions
+
+    def __missing__(self, index: int) -> Any:
+        compute = self._generators[index].compute
+        if compute is not None:
+            with suppress(KeyError, ValueError, ArithmeticError):
+                value = self[index] = compute(self, self._functions)
+                return value
+        raise KeyError(index)
+
+
 class Ratio:
     """An element of the field: `num / den`, coprime, the leading coefficient of `den` positive."""
 
@@ -593,6 +609,10 @@ class Field(PolynomialRing):
                     full[index] = generator.compute(full, functions)
         return full
 
+    def when_asked(self, values: Mapping[int, Any], functions: Any = math) -> Mapping[int, Any]:
+        """The same values as of `complete`, each computed when it is first asked for: of use where few are needed."""
+        return _WhenAsked(self.generators, values, functions)
+
     def evaluate(self, x: Ratio, values: Mapping[int, Any], functions: Any = math) -> Any:
         """Value at the given generator values (floats, mpmath numbers, arrays)."""
         top, below = x.terms()
@@ -605,7 +625,8 @@ class Field(PolynomialRing):
             term: Any = coefficient
             try:
                 for index, exponent in monomial:
-                    term = term * values[index] ** exponent
+                    value = values[index]
+                    term = term * (value if exponent == 1 else value**exponent)
             except KeyError as error:
                 raise NoValue(to_text(self.generators[error.args[0]].display)) from None
             total = total + term

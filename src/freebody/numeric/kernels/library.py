@@ -111,6 +111,14 @@ Take = Callable[[Any, list[Any], list[Any]], None]  # of an argument: its words,
 _DTYPES = {"F": np.dtype(np.float64), "I": np.dtype(np.int32)}
 
 
+def _address(x: Any) -> int:
+    """Where an array begins."""
+    try:
+        return ctypes.addressof(ctypes.c_char.from_buffer(x))
+    except (TypeError, ValueError):  # one that may not be written, or is empty; this takes four times as long
+        return x.__array_interface__["data"][0]
+
+
 def _array_words(kind: str) -> Take:
     """Appends the words of an array. Raises TypeError for what kernels cannot read."""
     dtype, n = _DTYPES[kind[0]], N_DIMENSIONS[kind]
@@ -118,7 +126,7 @@ def _array_words(kind: str) -> Take:
     def take(x: Any, words: list[Any], _held: list[Any]) -> None:
         if x.dtype != dtype or x.ndim != n or not x.flags.c_contiguous:
             raise TypeError(f"kernels take contiguous {n}-dimensional arrays of {dtype}, not {x.ndim} of {x.dtype}")
-        words.append(x.__array_interface__["data"][0])
+        words.append(_address(x))
         words.extend(x.shape)
 
     return take

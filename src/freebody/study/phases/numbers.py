@@ -8,7 +8,7 @@ up to five decades, for what is rare. The first set is that of the file where it
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from types import SimpleNamespace
 from typing import Any
 
@@ -144,9 +144,10 @@ class Sets:
     def evaluate(self, model: SymbolicModel, x: Ratio, more: dict[int, Any] | None = None) -> Array:
         """An element of the parameters (and of what `more` gives) in all sets; nan where it has no real value."""
         with np.errstate(all="ignore"):
-            values = (
-                self._numbers(model) if more is None else model.field.complete(self._plain(model, more), _FUNCTIONS)
-            )
+            values: Mapping[int, Any] = self._numbers(model)
+            if more is not None:  # what was computed without it does not depend on it
+                known = values if more.keys().isdisjoint(values) else self._plain(model)
+                values = model.field.when_asked({**known, **more}, _FUNCTIONS)
             try:
                 found = np.asarray(model.field.evaluate(x, values), dtype=np.float64)
             except (KeyError, ZeroDivisionError, OverflowError):
@@ -159,8 +160,8 @@ class Sets:
         known = {g: float(np.broadcast_to(v, self.n)[k]) for g, v in self._numbers(model).items() if g in inside}
         return model.field.vanishes_at(x, known, ROUNDED)
 
-    def _plain(self, model: SymbolicModel, more: dict[int, Any] | None = None) -> dict[int, Any]:
-        values: dict[int, Any] = dict(more or {})
+    def _plain(self, model: SymbolicModel) -> dict[int, Any]:
+        values: dict[int, Any] = {}
         for name, drawn in self.values.items():
             if name in model.parameters:
                 values[model.field.index(model.parameters[name])] = drawn
