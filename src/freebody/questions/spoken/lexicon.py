@@ -110,7 +110,9 @@ def tables(language: str) -> dict[str, dict[str, list[str]]]:
     """The phrases of a language by kind and by what they mean, with all forms of their verbs."""
     found = {kind: table for kind, table in _file(language).items() if kind not in _NO_WORDS}
     return {
-        kind: {what: [form for text in written for form in inflected(text, language)] for what, written in table.items()}
+        kind: {
+            what: [form for text in written for form in inflected(text, language)] for what, written in table.items()
+        }
         for kind, table in found.items()
     }
 
