@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from math import isclose
 
 import freebody as fb
@@ -17,6 +18,16 @@ Problem = tuple[str, str, str]  # model, question, formula
 def posed(text: str, question: str) -> Answer:
     """The answer to a question about a model."""
     return fb.solve(System.from_text(f"{text}questions: [{question!r}]\n")).answers[0]
+
+
+def is_derived(text: str, question: str) -> dict[str, str]:
+    """Asserts that the answer is derived; what is told, by language. It is derived once for all of them."""
+    found = fb.explain(System.from_text(f"{text}questions: [{question!r}]\n"))
+    assert [derivation.reason for derivation in found.derivations] == [""]
+    told = {language: replace(found, language=language).to_text() for language in ("en", "de")}
+    assert "There is no derivation" not in told["en"], told["en"]
+    assert "keine Herleitung" not in told["de"], told["de"]
+    return told
 
 
 def is_formula(text: str, question: str, formula: str, factors: Sequence[float] = (1.0, 1.1, 0.93)) -> Answer:

@@ -13,11 +13,10 @@ import math
 
 import pytest
 
-import freebody as fb
 from freebody.api import System
 from freebody.language.expression import FLOAT_FUNCTIONS, Expr, evaluate
 from freebody.language.parser import parse
-from posed import is_formula, posed
+from posed import is_derived, is_formula, posed
 
 CRANK = """
 parameters: {r: 0.05 m, l: 0.2 m, m: 0.8 kg, F: 200 N, w: 30 1/s}
@@ -154,8 +153,5 @@ def test_a_ratio_that_changes_sign_with_the_sense_is_none_at_rest() -> None:
         (PRESS, "ratio of velocity of x to velocity of psi at start"),
     ],
 )
-@pytest.mark.parametrize("language", ["en", "de"])
-def test_it_is_derived(text: str, question: str, language: str) -> None:
-    system = System.from_text(f"{text}questions: [{question!r}]\n")
-    (derivation,) = fb.explain(system, language=language).derivations
-    assert derivation.reason == ""
+def test_it_is_derived(text: str, question: str) -> None:
+    is_derived(text, question)

@@ -18,7 +18,7 @@ from freebody.api import System
 from freebody.language.expression import FLOAT_FUNCTIONS, evaluate
 from freebody.language.notation import to_python
 from freebody.language.parser import parse
-from posed import is_formula, posed
+from posed import is_derived, is_formula, posed
 
 SLIDER_CRANK = """
 parameters: {{r: 0.05 m, l: 0.2 m, m: 0.8 kg, F: 200 N, w: 30 1/s, alpha: 40 deg}}
@@ -193,12 +193,9 @@ TOLD = {
 }
 
 
-@pytest.mark.parametrize("language", ["en", "de"])
 @pytest.mark.parametrize("name", TOLD)
-def test_the_solution_of_the_loop_is_told(name: str, language: str) -> None:
-    text, question = TOLD[name]
-    told = fb.explain(System.from_text(f"{text}questions: {{it: {question!r}}}\n"), language=language).to_text()
-    assert ("There is no derivation" if language == "en" else "keine Herleitung") not in told, told
+def test_the_solution_of_the_loop_is_told(name: str) -> None:
+    is_derived(*TOLD[name])
 
 
 def test_a_crank_rocker_turns_between_its_dead_points() -> None:

@@ -13,9 +13,7 @@ import math
 
 import pytest
 
-import freebody as fb
-from freebody.api import System
-from posed import is_formula, posed
+from posed import is_derived, is_formula, posed
 
 SLIDER_CRANK = """
 parameters: {r: 0.05 m, l: 0.2 m, w: 30 1/s, X: 0.21 m}
@@ -113,7 +111,6 @@ def test_a_place_beyond_the_reach_is_no_event() -> None:
     assert "does not" in str(found.reason)
 
 
-@pytest.mark.parametrize("language", ["en", "de"])
 @pytest.mark.parametrize(
     ("text", "question"),
     [
@@ -123,9 +120,8 @@ def test_a_place_beyond_the_reach_is_no_event() -> None:
         (PENDULUM, "speed of bob when x = L/2"),
     ],
 )
-def test_it_is_derived(text: str, question: str, language: str) -> None:
-    told = fb.explain(System.from_text(f"{text}questions: {{it: {question!r}}}\n"), language=language).to_text()
-    assert ("There is no derivation" if language == "en" else "keine Herleitung") not in told, told
+def test_it_is_derived(text: str, question: str) -> None:
+    is_derived(text, question)
 
 
 def test_the_numbers_agree_with_the_triangle() -> None:

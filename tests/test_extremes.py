@@ -15,7 +15,7 @@ import pytest
 
 import freebody as fb
 from freebody.api import System
-from posed import is_formula, posed
+from posed import is_derived, is_formula, posed
 
 ROTOR = """
 parameters: {m: 4 kg, e: 0.05 m, I: 0.2 kg m^2, w: 20 rad/s, g: 9.81 m/s^2}
@@ -230,11 +230,8 @@ def test_a_fall_has_no_extremes() -> None:
         (ROTOR, "greatest driving torque of motor over the motion"),
     ],
 )
-@pytest.mark.parametrize("language", ["en", "de"])
-def test_it_is_derived(text: str, question: str, language: str) -> None:
-    system = System.from_text(f"{text}questions: [{question!r}]\n")
-    (derivation,) = fb.explain(system, language=language).derivations
-    assert derivation.reason == ""
+def test_it_is_derived(text: str, question: str) -> None:
+    is_derived(text, question)
 
 
 # the crank of a quick return is a tangent of the lever where sin(psi) = -r/d; for d = r both such poses are one, in

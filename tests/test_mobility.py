@@ -24,6 +24,7 @@ from freebody.study.mobility.gruebler import gruebler
 from freebody.study.mobility.mobility import Mobility, mobility
 from goldens import assert_golden
 from mechanisms import ladder
+from thinned import thinned
 
 Within = Callable[[int, Callable[[], object]], None]
 FOLDER = Path(__file__).parents[1] / "examples"
@@ -463,7 +464,7 @@ def small_motions(system: fb.System) -> int:
 _PUSHES = {"x": "N", "y": "N", "m": "N m"}
 
 
-@pytest.mark.parametrize("seed", range(40))
+@pytest.mark.parametrize("seed", thinned(range(40), lambda seed: seed < 12))
 @pytest.mark.parametrize("exact", [True, False])
 def test_the_rank_of_random_mechanisms_leaves_as_many_motions_as_the_engine_finds(seed: int, exact: bool) -> None:
     system = random_mechanism(seed, exact=exact)

@@ -20,6 +20,7 @@ from freebody.study.steady.turning import TurningAngle
 from freebody.symbolic.field import Field, Ratio
 from freebody.symbolic.routh import hurwitz, oscillating, without_implied
 from freebody.symbolic.signed_field import SignedField
+from thinned import thinned
 
 Agree = Callable[[fb.Solution, str, str | list[str]], None]
 EXAMPLES = Path(__file__).parent.parent / "examples"
@@ -359,7 +360,7 @@ def test_options_are_judged_on_both_roots() -> None:
 RATIO = "ratio of angular velocity of driven along bent.z to rate of psi"
 
 
-@pytest.mark.parametrize("over", ["", " over a turn of psi"])
+@pytest.mark.parametrize("over", thinned(["", " over a turn of psi"], bool))
 def test_cardan_joint_runs_unevenly_between_cos_alpha_and_its_inverse(agrees: Agree, over: str) -> None:
     solution = fb.System.load(EXAMPLES / "cardan_joint.yaml").solve(f"extremes of {RATIO}{over}")
     agrees(solution, the(solution).id, ["cos(alpha)", "1/cos(alpha)"])
@@ -648,7 +649,7 @@ measures: {theta: {angle of crank}, phi: {angle of rod clockwise}, x: {x of pist
     ("question", "formula"),
     [  # sin(phi) = r sin(theta)/l, x = r cos(theta) + l cos(phi)
         ("stroke of x over a turn of theta", "2*r"),
-        ("stroke of x", "2*r"),
+        pytest.param("stroke of x", "2*r", marks=pytest.mark.slow),
         ("extremes of phi over a turn of theta", ["-asin(r/l)", "asin(r/l)"]),
         ("time ratio of x over a turn of theta", "1"),
     ],

@@ -27,6 +27,7 @@ from freebody.testing.observing import Observed, observed
 from freebody.testing.outcomes import Outcome, OutOfWork, limited, studies
 from freebody.testing.patterns import shape_fields
 from freebody.testing.relations import SHORT
+from thinned import thinned
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
 PENDULUM = (EXAMPLES / "simple_pendulum.yaml").read_text(encoding="utf-8")
@@ -69,7 +70,7 @@ def test_reading_a_model_with_one_more_element_never_fails_without_words(made: l
         assert not one.faults, f"seed {seed}: {one.faults[0][1]!r} for {one.faults[0][0]}"
 
 
-@pytest.mark.parametrize("seed", range(N_DRAWN))
+@pytest.mark.parametrize("seed", thinned(range(N_DRAWN), lambda seed: seed < 40))
 def test_a_random_model_is_answered_or_refused_in_words(seed: int, made: list[Maker]) -> None:
     system = made[seed].system
     assert system is not None
@@ -447,8 +448,8 @@ def test_a_relation_that_was_broken_holds(name: str, relation: str) -> None:
     assert verdict.holds, verdict.differences
 
 
-# every example with two relations in turn, so that every relation meets some; those that take more than a second each
-# are slow
+# every example with two relations in turn, so that every relation meets some; slow but for each third of those that
+# take less than a second each
 DEAR = {
     "ball_leaving_cylinder",
     "ball_with_back_spin",
@@ -477,7 +478,7 @@ DEAR = {
     "wedge_under_load",
 }
 ROUND = [
-    pytest.param(path.stem, k, marks=pytest.mark.slow if path.stem in DEAR else ())
+    pytest.param(path.stem, k, marks=pytest.mark.slow if k % 3 or path.stem in DEAR else ())
     for k, path in enumerate(sorted(EXAMPLES.glob("*.yaml")))
 ]
 

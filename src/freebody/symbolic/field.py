@@ -218,12 +218,16 @@ class Ratio:
 
     def terms(self) -> tuple[Terms, Terms]:
         """Those of the numerator and of the denominator. They are asked for at every point where the element is
-        evaluated, so short ones are kept."""
+        evaluated, so short ones are kept, and those of the long one that was asked last."""
         if self._terms is not None:
             return self._terms
+        if self.field.last_long is not None and self.field.last_long[0] is self:
+            return self.field.last_long[1]
         found = self.field.terms(self.num), _ONE if self.den is None else self.field.terms(self.den)
         if len(found[0]) + len(found[1]) <= _KEPT_TERMS:
             self._terms = found
+        else:
+            self.field.last_long = self, found
         return found
 
     def coefficients(self, generator: int) -> list[Ratio]:
@@ -242,6 +246,7 @@ class Field(PolynomialRing):
 
     def __init__(self, capacity: int = 64) -> None:
         self.generators: dict[int, Generator] = {}
+        self.last_long: tuple[Ratio, tuple[Terms, Terms]] | None = None
         self._rates: dict[int, Ratio] = {}
         self._atoms: dict[Any, int] = {}
         self.acute_angles: set[int] = set()

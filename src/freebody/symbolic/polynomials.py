@@ -24,6 +24,7 @@ Terms: TypeAlias = Mapping[Monomial, int]
 TERM_LIMIT = 60_000
 PRODUCT_LIMIT = 4_000_000  # terms that a product has before like ones are added
 _QUICK_TERMS = 40
+_FEW_TERMS = 4  # that are read faster as they stand
 
 
 def _too_long() -> CannotAnswer:
@@ -118,7 +119,12 @@ class PolynomialRing:
     def terms(self, poly: Poly) -> dict[Monomial, int]:
         """The polynomial as {((generator, exponent), ...): coefficient}."""
         last = poly.context().nvars() - 1
-        places = [(k, last - k) for k, degree in enumerate(poly.degrees()) if degree > 0]
+        used = [k for k, degree in enumerate(poly.degrees()) if degree > 0]
+        places = [(k, last - k) for k in used]
+        if len(poly) > _FEW_TERMS:  # in a ring of as many generators as it has the exponents of no others are read
+            small = _flint.fmpz_mpoly_ctx.get([f"g{k}" for k in range(len(used))], _flint.Ordering.lex)
+            poly = poly.project_to_context(small, {k: n for n, k in enumerate(used)})
+            places = [(n, last - k) for n, k in enumerate(used)]
         return {tuple((g, int(m[k])) for k, g in places if m[k]): int(c) for m, c in poly.to_dict().items()}
 
     def split(self, poly: Poly, generator: int) -> list[Poly]:

@@ -124,7 +124,7 @@ def _array_words(kind: str) -> Take:
     dtype, n = _DTYPES[kind[0]], N_DIMENSIONS[kind]
 
     def take(x: Any, words: list[Any], _held: list[Any]) -> None:
-        if x.dtype != dtype or x.ndim != n or not x.flags.c_contiguous:
+        if (x.dtype is not dtype and x.dtype != dtype) or x.ndim != n or not x.flags.c_contiguous:
             raise TypeError(f"kernels take contiguous {n}-dimensional arrays of {dtype}, not {x.ndim} of {x.dtype}")
         words.append(_address(x))
         words.extend(x.shape)
