@@ -12,7 +12,7 @@ from typing import Any, TypeAlias
 
 import flint
 
-from freebody.errors import CannotAnswer
+from freebody.errors import FormulaTooLong
 from freebody.language.sentences import Message
 
 _flint: Any = flint
@@ -26,8 +26,8 @@ PRODUCT_LIMIT = 4_000_000  # terms that a product has before like ones are added
 _QUICK_TERMS = 40
 
 
-def _too_long() -> CannotAnswer:
-    return CannotAnswer(
+def _too_long() -> FormulaTooLong:
+    return FormulaTooLong(
         Message(
             "the closed form would have more than {n} terms; ask for numbers or for the equations of motion instead",
             n=TERM_LIMIT,

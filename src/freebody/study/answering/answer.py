@@ -12,6 +12,7 @@ from freebody.language.notation import stated_plain, to_latex, to_python
 from freebody.present.report.blocks import Report
 from freebody.present.report.results import Result, summary
 from freebody.questions.reading import Question
+from freebody.study.answering.named_formulas import Chain
 from freebody.study.answering.told import answer_blocks
 
 Value = float | tuple[float, ...] | None
@@ -46,7 +47,8 @@ class Answer(Result):
     """An answer in closed form, or the reason why there is none.
 
     `expression` is None (no closed form), an expression, or a pair for a vector; `value` the same in numbers at
-    the model's parameter values and start state, in SI; `conditions` say where the answer holds.
+    the model's parameter values and start state, in SI; `conditions` say where the answer holds; `chain`
+    has a long answer in short steps, each with a name.
     """
 
     id: str
@@ -67,6 +69,7 @@ class Answer(Result):
     why_no_value: str = ""  # of an answer with an expression
     never: bool = False  # it is proved that the event does not happen after the start; `reason` says why
     understood: str = ""  # the question in the words of the grammar
+    chain: Chain | None = None  # a long answer in named sub-formulas, in the order of their computation
     is_missed: bool = False  # the event does not come in the motion, as far as that is known
 
     @property
@@ -108,6 +111,7 @@ class Answer(Result):
             "understood": self.understood or self.question,
             "expression": shown,
             "latex": self.latex,
+            **({} if self.chain is None else {"chain": self.chain.to_plain()}),
             "unit": self.unit,
             "value": list(self.value) if isinstance(self.value, tuple) else self.value,
             "conditions": list(map(stated_plain, self.conditions)),
@@ -141,6 +145,7 @@ def made(
     evidence: Evidence | None = None,
     cases: tuple[AnswerCase, ...] = (),
     why_no_value: str = "",
+    chain: Chain | None = None,
 ) -> Answer:
     """The answer to a question. unit: where it is not that of what is asked."""
     return Answer(
@@ -160,6 +165,7 @@ def made(
         cases=cases,
         why_no_value=why_no_value,
         understood=question.understood,
+        chain=chain,
     )
 
 
