@@ -16,7 +16,7 @@ import freebody as fb
 from conftest import assert_same_function
 from freebody.api import System
 from freebody.language.expression import FLOAT_FUNCTIONS, evaluate
-from freebody.language.notation import to_python
+from freebody.language.notation import to_python, to_text
 from freebody.language.parser import parse
 from posed import is_derived, is_formula, posed
 
@@ -165,9 +165,11 @@ def test_the_rocker_of_a_four_bar() -> None:
 
 def test_a_formula_that_stays_long_has_its_angles_beside_it() -> None:
     found = posed(FOUR_BAR, "angular velocity of rocker")
-    told = [note for note in found.notes if note.startswith("with ")]
-    assert len(told) == 2
-    assert all("atan" in note for note in told)
+    assert found.chain is not None
+    told = {to_text(step.name): to_text(step.formula) for step in found.chain.named}
+    assert "atan" in told["β"]
+    assert "atan" in told["φ"]
+    assert sum(note.startswith("with 0 = ") for note in found.notes) == 2
     assert found.evidence is not None
 
 

@@ -8,6 +8,7 @@ FreebodyError
 |   +-- ModelError        a model file or System: all its problems, each with its place
 +-- CannotAnswer          the model is fine, the question has no answer here (exit code 1)
 |   +-- BudgetExhausted   a search did all the work it was allowed: more effort may find it
+|   +-- FormulaTooLong    a formula with more terms than anybody reads, or the memory holds
 |   +-- NeverHappens      an event that is proved never to happen after the start
 +-- RoutesDisagree        the two routes give different numbers: a defect, never an answer
 """
@@ -82,6 +83,10 @@ class CannotAnswer(FreebodyError):
 
 class BudgetExhausted(CannotAnswer):
     """A search that has done all the work it was allowed; what it looked for may still be there."""
+
+
+class FormulaTooLong(CannotAnswer):
+    """The closed form would be too long to be made in one piece; named parts of it may be short."""
 
 
 class NeverHappens(CannotAnswer):

@@ -8,6 +8,7 @@ from typing import Literal
 
 from freebody.errors import CannotAnswer, ExpressionError, UnitError
 from freebody.language.expression import Expr, Symbol
+from freebody.language.notation import compared, to_text
 from freebody.language.units import TIME, dimension_of
 from freebody.narrative.contact.settings import has_phases
 from freebody.narrative.context import Context
@@ -21,6 +22,7 @@ from freebody.narrative.telling.raising import raised
 from freebody.questions.reading import Question
 from freebody.questions.steady import is_steady_place
 from freebody.study.answering.answer import Answer
+from freebody.study.answering.named_formulas import Chain
 from freebody.symbolic.tidy import tidy
 
 
@@ -53,6 +55,8 @@ def _result(context: Context, script: Script, question: Question, answer: Answer
             script.line(*sides, when=_when(question))
     if answer.verdict:
         script.say("result.verdict", text=ready(answer.verdict))
+    if answer.chain is not None:
+        _chain(script, answer.chain)
     if answer.conditions and question.quantity.scope != "every motion":  # that is what was derived
         key = question.quantity.verdict if question.quantity.is_verdict else "result.holds"
         script.say(key, conditions=tuple(ready(c) for c in answer.conditions))
@@ -67,6 +71,15 @@ def _result(context: Context, script: Script, question: Question, answer: Answer
         script.say("result.value", value=f"@{shown}{unit}")
     if answer.notes:
         script.add(Listing(tuple(Sentence("result.note", {"text": ready(note)}) for note in answer.notes)))
+
+
+def _chain(script: Script, chain: Chain) -> None:
+    """A long result in its named steps."""
+    script.say("result.chain")
+    steps = [compared(step.name, "=", step.formula) for step in chain.named]
+    items = [Sentence("result.note", {"text": ready(step)}) for step in steps]
+    items += [Sentence("result.last", {"text": ready(f"= {to_text(part)}")}) for part in chain.result]
+    script.add(Listing(tuple(items)))
 
 
 def _own_symbol(context: Context, question: Question) -> Expr | None:

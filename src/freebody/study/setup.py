@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from freebody.errors import CannotAnswer, ModelError, Problem
+from freebody.language.expression import n_operations
 from freebody.language.sentences import Message
 from freebody.language.units import LENGTH
 from freebody.measures.base import Measure
@@ -28,6 +29,7 @@ from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.motion import SmoothMotion
 from freebody.symbolic.start import StartState, start_state
 from freebody.symbolic.state import SymbolicState
+from freebody.symbolic.tidy import tidy
 from freebody.system.order import in_one_order
 from freebody.system.system import System
 from freebody.tolerances import ROUND_OFF
@@ -227,16 +229,29 @@ class Setup:
             return [c for conditions in found for c in conditions]
         return []
 
-    def in_free_coordinates(self, conditions: Sequence[Condition], state: SymbolicState) -> list[Condition]:
-        """The same conditions in coordinates that loops do not bind, as far as the loops have a short solution."""
+    def in_free_coordinates(
+        self, conditions: Sequence[Condition], state: SymbolicState, readable: int | None = None
+    ) -> list[Condition]:
+        """The same conditions in coordinates that loops do not bind, as far as the loops have a short solution.
+        readable: those that would take more operations to write, and more than before, stay as they are."""
         bound = {d.index for d in self.model.dependent}
         found: list[Condition] = []
         for c in conditions:
             if bound & self.model.field.ingredients(c.element):
                 with suppress(CannotAnswer):
-                    c = replace(c, element=state.here(self.closure.explicit(c.element)))
+                    free = state.here(self.closure.explicit(c.element))
+                    if readable is None or _is_readable(free, c.element, readable):
+                        c = replace(c, element=free)
             found.append(c)
         return found
+
+
+def _is_readable(x: Ratio, instead: Ratio, readable: int) -> bool:
+    """Whether an element is short enough to be read, or no longer than another one. Of a single term the factors are
+    looked at one by one, as of the root of what lets a loop close."""
+    if len(x.num) > readable:
+        return False
+    return len(x.num) == 1 or n_operations(tidy(x)) <= max(readable, n_operations(tidy(instead)))
 
 
 def _is_on_branch(model: SymbolicModel, draw: Draw, snapshot: Snapshot) -> bool:

@@ -15,7 +15,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 from itertools import combinations
 
-from freebody.errors import CannotAnswer
+from freebody.errors import CannotAnswer, FormulaTooLong
 from freebody.language.sentences import Message
 from freebody.symbolic.atoms import Arc, angle_with
 from freebody.symbolic.conditions import Condition, require
@@ -44,7 +44,7 @@ class Closure:
         values: dict[int, Ratio] = {}
         needs: list[Ratio] = []
         left: list[Coordinate] = [
-            d for d in self.model.dependent if any(d.index in self._inside(e.value) for e in self.model.loops)
+            d for d in self.model.dependent if any(d.index in self.inside(e.value) for e in self.model.loops)
         ]
         while left:
             step = next(self._steps(values, left), None)
@@ -56,7 +56,7 @@ class Closure:
             left = [d for d in left if all(d is not k for k in solved)]
         return values, needs, left
 
-    def _inside(self, x: Ratio) -> frozenset[int]:
+    def inside(self, x: Ratio) -> frozenset[int]:
         return self.field.ingredients(x)
 
     def _steps(
@@ -68,11 +68,11 @@ class Closure:
         single: list[tuple[Coordinate, Ratio]] = []
         pairs: list[tuple[tuple[Ratio, Ratio], list[Coordinate]]] = []
         for x in loops:
-            inside = [d for k, d in bound.items() if k in self._inside(x)]
+            inside = [d for k, d in bound.items() if k in self.inside(x)]
             if len(inside) == 1:
                 single.append((inside[0], x))
         for x, y in combinations(loops, 2):
-            inside = [d for k, d in bound.items() if k in self._inside(x) | self._inside(y)]
+            inside = [d for k, d in bound.items() if k in self.inside(x) | self.inside(y)]
             if len(inside) == 2:
                 pairs.append(((x, y), inside))
         for d, x in single:
@@ -82,7 +82,7 @@ class Closure:
                 yield [d], found, room
         for both, inside in pairs:
             for d, gone in (inside, inside[::-1]):
-                equation = self._without(both, gone.index, d.index)
+                equation = self.without(both, gone.index, d.index)
                 parts = None if equation is None else self.linear_in(equation, d.index)
                 if parts is not None:
                     found, room = self._angle(d, *parts)
@@ -116,13 +116,13 @@ class Closure:
         loops = [self.field.follow(e.value, put).numerator() for e in self.model.loops]
         others = {d.index for d in self.model.dependent} - {given.index}
         for x in loops:
-            if kept in self._inside(x) and not others & self._inside(x):
+            if kept in self.inside(x) and not others & self.inside(x):
                 yield x
         for x, y in combinations(loops, 2):
-            inside = self._inside(x) | self._inside(y)
+            inside = self.inside(x) | self.inside(y)
             gone = others & inside
             if kept in inside and len(gone) == 1:
-                equation = self._without((x, y), gone.pop(), kept)
+                equation = self.without((x, y), gone.pop(), kept)
                 if equation is not None:
                     yield equation
 
@@ -131,7 +131,7 @@ class Closure:
     ) -> dict[int, Ratio]:
         """The second angle of a pair: as the first, where it can be solved for so, else by both equations."""
         f = self.field
-        equation = self._without(both, known.index, q.index)
+        equation = self.without(both, known.index, q.index)
         parts = None if equation is None else self.linear_in(equation, q.index)
         if parts is not None:
             return self._angle(q, *parts)[0]
@@ -142,7 +142,7 @@ class Closure:
         det = a * B - A * b
         return self._values(q, f.lowest_terms((b * D - B * d) / det), f.lowest_terms((A * d - a * D) / det))
 
-    def _without(self, both: tuple[Ratio, Ratio], gone: int, kept: int) -> Ratio | None:
+    def without(self, both: tuple[Ratio, Ratio], gone: int, kept: int) -> Ratio | None:
         """cos^2 + sin^2 = 1 of one angle, with its cosine and sine by the two equations."""
         f = self.field
         first, second = (self.linear_in(x, gone) for x in both)
@@ -161,7 +161,7 @@ class Closure:
         c, s = f.pair_of(q.index) or (-1, -1)
         square = f.lowest_terms(a * a + b * b)
         room = f.lowest_terms(square - d * d)
-        w = f.sqrt(room) * self._side(b * f.variable(c) - a * f.variable(s))
+        w = f.sqrt(room) * self.side(b * f.variable(c) - a * f.variable(s))
         cos, sin = (b * w - a * d) / square, -(a * w + b * d) / square
         # F(q) (1 + T^2) = (d - a) T^2 + 2 b T + (d + a) with T = tan(q/2), of which the slope is 2 w
         half = None if (d - a).is_zero() else f.lowest_terms((w - b) / (d - a))
@@ -171,7 +171,7 @@ class Closure:
         """half: the tangent of half the angle, where that is shorter than by these."""
         f = self.field
         if any(len(part.num) > _MOST_TERMS for part in (cos, sin)):
-            raise CannotAnswer(Message("the formula of {x} would be too long", x=q.name))
+            raise FormulaTooLong(Message("the formula of {x} would be too long", x=q.name))
         c, s = f.pair_of(q.index) or (-1, -1)
         principal = _principal(f, cos, sin, half)
         return {c: cos, s: sin, q.index: principal + self._turns(q, principal)}
@@ -187,7 +187,7 @@ class Closure:
         self._turned[q.index] = 2 * (turns.pop() if turns else 0) * self.field.pi
         return self._turned[q.index]
 
-    def _side(self, x: Ratio) -> int:
+    def side(self, x: Ratio) -> int:
         """The sign of an element that is the branch on which the loop is assembled."""
         signs = {v > 0 for v in self.model.samples.at_starts(x) if not math.isnan(v) and abs(v) > ROUND_OFF}
         if len(signs) != 1:
@@ -201,11 +201,11 @@ class Closure:
     def explicit(self, x: Ratio) -> Ratio:
         """The element by independent coordinates. Raises CannotAnswer where a loop has no short solution."""
         bound = {d.index for d in self.model.dependent}
-        if not self._inside(x) & bound:
+        if not self.inside(x) & bound:
             return x
         values, _needs, _left = self._solved
         x = self.field.lowest_terms(self.field.follow(x, values))
-        self._must_be_solved([d for d in self.model.dependent if d.index in self._inside(x)])
+        self._must_be_solved([d for d in self.model.dependent if d.index in self.inside(x)])
         return x
 
     def _must_be_solved(self, left: Sequence[Coordinate]) -> None:

@@ -17,8 +17,8 @@ Every generator knows its time derivative, so `Field.rate` is total differentiat
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Mapping, Sequence
-from contextlib import suppress
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, Literal
@@ -293,6 +293,18 @@ class Field(PolynomialRing):
 
     def clear_rate(self, index: int) -> None:
         self._rates.pop(index, None)
+
+    @contextmanager
+    def other_rates(self, rates: Mapping[int, Ratio]) -> Iterator[None]:
+        """Some generators change otherwise inside."""
+        kept = {g: self._rates.get(g) for g in rates}
+        self._rates |= rates
+        try:
+            yield
+        finally:
+            for g, rate in kept.items():
+                self._rates.pop(g)
+                self._rates |= {} if rate is None else {g: rate}
 
     def variable(self, index: int) -> Ratio:
         return Ratio(self, self.variables[index], None)

@@ -25,7 +25,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import cached_property
 
-from freebody.errors import CannotAnswer
+from freebody.errors import CannotAnswer, FormulaTooLong
 from freebody.language.expression import Expr, free_symbols
 from freebody.language.sentences import Message
 from freebody.model.elements import AppliedLoad, NonholonomicForm
@@ -66,7 +66,7 @@ class FirstIntegrals:
         before, now = (self.potential(values) for values in (self.start.values, {**self.resting, c.index: at}))
         square = (total - rest + 2 * (before - now)) / mass
         if self.model.dependent and len(square.num) > _MOST_TERMS:
-            raise CannotAnswer(Message("through the closed loop the speed would be a formula that is too long"))
+            raise FormulaTooLong(Message("through the closed loop the speed would be a formula that is too long"))
         return square
 
     def _reduced(self, c: Coordinate) -> tuple[Ratio, Ratio]:
@@ -265,6 +265,10 @@ class FirstIntegrals:
         if is_driven(self.model):
             raise CannotAnswer(_DRIVEN)
         return self._potential(state)
+
+    def potential_by_loads(self) -> Ratio:
+        """The potential energy in coordinates, those that loops bind among them."""
+        return self._potential(SymbolicState(self.model))
 
     def _potential(self, state: SymbolicState) -> Ratio:
         if any(isinstance(row.measure, NonholonomicForm) for row in self.model.system.constraint_rows):

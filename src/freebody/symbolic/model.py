@@ -202,6 +202,20 @@ class SymbolicModel:
         other.loads, other.dynamics, other.reactions = self._forces(still)
         return other
 
+    def in_names(
+        self,
+        velocities: Mapping[str, Parts],
+        dependent: Mapping[int, Ratio],
+        accelerations: Mapping[int, Ratio] | None = None,
+    ) -> SymbolicModel:
+        """The same motion in other words: velocities of the bodies that equal those of the model where the loops close,
+        other formulas of the dependent speeds, or none, and accelerations that may be given."""
+        other = copy.copy(self)
+        other._speeds = self._speeds.with_dependent(dependent)
+        other.kinematics = SymbolicKinematics(self.bodies, self._configuration, other._speeds, velocities)
+        other.loads, other.dynamics, other.reactions = other._forces(accelerations)
+        return other
+
     def kept_going(self, driven: System) -> SymbolicModel:
         """The same where the drives of a system keep the independent speeds as they are, whatever the loads would
         change. driven: this system with the rows of those drives, which are no rows of the model: their reactions are

@@ -176,12 +176,12 @@ class SmoothMotion(MotionCycles):
     def _on_the_way(self, c: Coordinate, places: EventPlaces) -> tuple[Ratio, list[Need]]:
         """The first place of a coordinate at which something that is not linear in it has a value, and what that needs;
         where the coordinate turns before, the first one on the way back."""
-        q0, sense, turn = self.start.of(c.index), self._sense(c), self._turn(c)
+        q0, sense, turn = self.start.of(c.index), self.sense(c), self._turn(c)
         if turn is not None and not places.is_before(q0, turn, sense):
             return places.first(turn, -sense)
         return places.first(q0, sense)
 
-    def _sense(self, c: Coordinate) -> int:
+    def sense(self, c: Coordinate) -> int:
         """+1 if a coordinate grows at first, else -1."""
         drive = self.start.of(c.speed)
         drive = self.field.follow(self.acceleration(c), self.start.values) if drive.is_zero() else drive
@@ -276,9 +276,9 @@ class SmoothMotion(MotionCycles):
             raise CannotAnswer(Message("the rate is not linear in the rate of {x}", x=c.name))
         places = EventPlaces(self.model, self.closure, Variable(c.index, c.name), parts[1], self.field.zero)
         turn = self._turn(c)
-        if turn is not None and not places.is_before(self.start.of(c.index), turn, self._sense(c)):
+        if turn is not None and not places.is_before(self.start.of(c.index), turn, self.sense(c)):
             return self._rate_by_energy(c, self.field.zero)
-        at, needs = places.first(self.start.of(c.index), self._sense(c))
+        at, needs = places.first(self.start.of(c.index), self.sense(c))
         reached = self._to_place(c, self.field.lowest_terms(at), event)
         reached.conditions += needs
         return reached

@@ -12,7 +12,7 @@ from typing import Any, TypeAlias
 
 import flint
 
-from freebody.errors import CannotAnswer
+from freebody.errors import FormulaTooLong
 from freebody.language.sentences import Message
 
 _flint: Any = flint
@@ -27,8 +27,8 @@ _QUICK_TERMS = 40
 _FEW_TERMS = 4  # that are read faster as they stand
 
 
-def _too_long() -> CannotAnswer:
-    return CannotAnswer(
+def _too_long() -> FormulaTooLong:
+    return FormulaTooLong(
         Message(
             "the closed form would have more than {n} terms; ask for numbers or for the equations of motion instead",
             n=TERM_LIMIT,

@@ -6,7 +6,8 @@ which is solved for the dependent speeds; J du/dt = db/dt - dJ/dt u gives their 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import copy
+from collections.abc import Mapping, Sequence
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Call
@@ -140,6 +141,12 @@ class Speeds:
     def dependent_speed(self, c: Coordinate) -> Ratio:
         """The speed of a dependent coordinate by the independent ones."""
         return self._by_independent[c.speed]
+
+    def with_dependent(self, values: Mapping[int, Ratio]) -> Speeds:
+        """The same with other formulas of the dependent speeds; what has none stays as it is."""
+        other = copy.copy(self)
+        other._by_independent = dict(values)
+        return other
 
     def slope(self, x: Ratio, c: Coordinate) -> Ratio:
         """Derivative by an independent speed, the dependent speeds following it."""

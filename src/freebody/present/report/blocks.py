@@ -87,9 +87,11 @@ class Equation:
 
 @dataclass(frozen=True)
 class Equations:
-    """Formulas under each other, aligned at their first relation."""
+    """Formulas under each other, aligned at their first relation. on_request: by which the next one is computed; where
+    room is dear they are shown only if that is wanted."""
 
     lines: tuple[Equation, ...]
+    on_request: bool = False
 
 
 @dataclass(frozen=True)

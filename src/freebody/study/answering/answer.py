@@ -13,6 +13,7 @@ from freebody.language.notation import stated_plain, to_latex, to_python
 from freebody.present.report.blocks import Report
 from freebody.present.report.results import Result, summary
 from freebody.questions.reading import Question
+from freebody.study.answering.named_formulas import Chain
 from freebody.study.answering.told import answer_blocks
 
 Value = float | tuple[float, ...] | None
@@ -47,7 +48,8 @@ class Answer(Result):
     """An answer in closed form, or the reason why there is none.
 
     `expression` is None (no closed form), an expression, or a pair for a vector; `value` the same in numbers at
-    the model's parameter values and start state, in SI; `conditions` say where the answer holds.
+    the model's parameter values and start state, in SI; `conditions` say where the answer holds; `chain`
+    has a long answer in short steps, each with a name.
     """
 
     id: str
@@ -69,6 +71,7 @@ class Answer(Result):
     never: bool = False  # it is proved that the event does not happen after the start; `reason` says why
     understood: str = ""  # the question in the words of the grammar
     verdict: str = ""  # yes or no with the given numbers, of a question that asks whether
+    chain: Chain | None = None  # a long answer in named sub-formulas, in the order of their computation
     is_missed: bool = False  # the event does not come in the motion, as far as that is known
     solved: SolvedAnswer | None = field(default=None, repr=False, compare=False)  # what others are judged against
 
@@ -112,6 +115,7 @@ class Answer(Result):
             "verdict": self.verdict or None,
             "expression": shown,
             "latex": self.latex,
+            **({} if self.chain is None else {"chain": self.chain.to_plain()}),
             "unit": self.unit,
             "value": list(self.value) if isinstance(self.value, tuple) else self.value,
             "conditions": list(map(stated_plain, self.conditions)),
@@ -146,6 +150,7 @@ def made(
     cases: tuple[AnswerCase, ...] = (),
     why_no_value: str = "",
     verdict: str = "",
+    chain: Chain | None = None,
 ) -> Answer:
     """The answer to a question. unit: where it is not that of what is asked."""
     return Answer(
@@ -167,6 +172,7 @@ def made(
         why_no_value=why_no_value,
         verdict=verdict,
         understood=question.understood,
+        chain=chain,
     )
 
 

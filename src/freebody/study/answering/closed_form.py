@@ -10,7 +10,7 @@ from functools import partial, singledispatchmethod
 from typing import NoReturn
 
 from freebody.assess.verdict import Judgement
-from freebody.errors import CannotAnswer, NeverHappens
+from freebody.errors import CannotAnswer, FormulaTooLong, NeverHappens
 from freebody.language.expression import number
 from freebody.language.notation import Stated, to_python, to_text
 from freebody.language.sentences import Message, further
@@ -26,9 +26,12 @@ from freebody.questions.steady import Extremes
 from freebody.study.answering import about_rest, loops
 from freebody.study.answering import evidence as proof
 from freebody.study.answering.answer import Answer, Evidence, Value, made
+from freebody.study.answering.chain import chain_of
 from freebody.study.answering.completing import AnswerCompletion
 from freebody.study.answering.conditions import as_written, real
+from freebody.study.answering.energy_in_names import answer_by_energy
 from freebody.study.answering.finding import Elements, Finding, Otherwise, answered
+from freebody.study.answering.in_names import answer_in_names
 from freebody.study.answering.integrals import has_integrals
 from freebody.study.answering.numbers import number_of
 from freebody.study.answering.passage import smooth_passage
@@ -68,7 +71,13 @@ class QuestionSolver:
                 return answered(self.system, self.question, self._smooth, self._number_instead, self.otherwise)
 
     def _smooth(self) -> Answer:
-        return self.finish(self._find())
+        try:
+            return self.finish(self._find())
+        except FormulaTooLong:
+            found = answer_in_names(self.setup, self.question) or answer_by_energy(self.setup, self.question)
+            if found is None:
+                raise
+            return found
 
     def _conserved(self) -> Answer:
         """The rate of the quantity, and whether it vanishes; `study/conservation/conserved.py` has more to say."""
@@ -190,7 +199,7 @@ class QuestionSolver:
         if (explicit := loops.solved(self.setup, x, state)) is not None:
             x, notes, sides = explicit[0], notes + explicit[1], explicit[2]
         evidence = proof.at_instants(self.setup, self.question.text, q, x, at_start=at_start, sides=sides)
-        return Finding(x, evidence, notes=notes)
+        return Finding(x, evidence, notes=notes, in_names=chain_of(self.setup, q, x, state))
 
     @_found.register(DegreesOfFreedom)
     def _freedom(self, q: DegreesOfFreedom) -> Finding:
@@ -245,7 +254,8 @@ class QuestionSolver:
             [*conditions, *real(x)],
             [*begins, *ends],
         )
-        return Finding(x, evidence, conditions + ends, reached.notes, says=reached.says)
+        named = chain_of(self.setup, q, x, there) if q.is_of_state else None
+        return Finding(x, evidence, conditions + ends, reached.notes, says=reached.says, in_names=named)
 
     def _reach(self, event: AskedEvent) -> Reached:
         if isinstance(event, QuestionEvent):

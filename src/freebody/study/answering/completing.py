@@ -26,6 +26,7 @@ from freebody.study.answering.draws import Draw
 from freebody.study.answering.finding import Elements, Finding, judged
 from freebody.study.answering.integrals import integrals_named
 from freebody.study.answering.magnitude import magnitude
+from freebody.study.answering.named_formulas import Chain
 from freebody.study.answering.numbers import LONGEST
 from freebody.study.answering.scope import for_all
 from freebody.study.answering.witness import motion_to
@@ -38,6 +39,7 @@ from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.validity import texts, validity
 
+_READ_WHOLE = 200  # terms of a formula that is handed over in one piece beside its chain
 _ROUND_OFF = 1e-12  # of an assembled pose, by the size of what is added up
 
 
@@ -60,11 +62,12 @@ class AnswerCompletion:
             conditions: list[str] = []
         else:
             element = found.element
-            expression = tuple(map(tidy, element)) if isinstance(element, tuple) else tidy(element)
+            chain = None if found.in_names is None else found.in_names.chain
+            expression = self._expression(element, chain)
             value = self._value(element) if found.has_value else None
             needed = self.conditions(found, element)
             broken = self._violated(needed)
-            found.notes += broken + loops.loops_in(self.setup, element, self.state)
+            found.notes += broken + loops.loops_in(self.setup, element, self.state, chain)
             value = None if broken else value
             parts = element if isinstance(element, tuple) else (element,)
             found.notes += integrals_named(parts)
@@ -81,7 +84,15 @@ class AnswerCompletion:
             verdict=found.verdict,
             judgement=judgement,
             evidence=found.evidence,
+            chain=None if found.in_names is None else found.in_names.chain,
         )
+
+    def _expression(self, element: Elements, chain: Chain | None) -> Expr | tuple[Expr, ...]:
+        """The whole formula; by the names of its chain where nobody would read it."""
+        parts = element if isinstance(element, tuple) else (element,)
+        is_short = chain is None or sum(x.n_terms for x in parts) <= _READ_WHOLE
+        shown = tuple(map(tidy, parts)) if is_short else chain.result
+        return shown if isinstance(element, tuple) else shown[0]
 
     def conditions(self, found: Finding, element: Elements, root: int | None = None) -> list[Condition]:
         """Everything without which the answer is not true. root: which of several values the element is, where it is
@@ -92,7 +103,7 @@ class AnswerCompletion:
         own = found.of_root if root is None else found.of_root[root : root + 1]
         conditions = [*found.conditions, *(c for needed in own for c in needed)]
         if not found.may_be_complex:
-            conditions += real(element)
+            conditions += real(element) if found.in_names is None else found.in_names.needs
         at_start = self.question.at_start
         state = self.setup.start_instant if at_start else self.setup.state
         if q.is_of_state:
@@ -105,7 +116,7 @@ class AnswerCompletion:
                 found.notes.append(Message("no load acts, so it is not judged whether contacts and strings hold"))
         else:
             conditions += as_written(self.setup, self.question, state)
-        return self.setup.in_free_coordinates(conditions, state)
+        return self.setup.in_free_coordinates(conditions, state, loops.SHORT)
 
     def _on_the_way(self, reached: Reached, needed: Sequence[Condition], state: SymbolicState) -> list[Condition]:
         """What conditions on the state come to from the start to the event."""

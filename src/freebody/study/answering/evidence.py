@@ -3,7 +3,7 @@ numeric route, which shares only the statements of the measures. A disagreement 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from functools import partial
 
@@ -33,6 +33,7 @@ from freebody.study.setup import Setup, rank_freedoms
 from freebody.symbolic.conditions import Condition
 from freebody.symbolic.field import Ratio
 
+InNumbers = Callable[[Draw, Snapshot], tuple[float, ...]]
 LONGEST = 100.0  # [s] that a motion without a closed form of its time is followed
 
 
@@ -40,13 +41,13 @@ def at_instants(
     setup: Setup,
     question: str,
     quantity: Quantity,
-    x: Ratio | tuple[Ratio, ...],
+    x: Ratio | tuple[Ratio, ...] | InNumbers,
     *,
     at_start: bool,
     sides: Sequence[Ratio] = (),
 ) -> Evidence:
     """Compares at the start, or at a general pose and motion, of every draw. sides: what is positive where closed loops
-    are assembled as the formula has them."""
+    are assembled as the formula has them. x: the formula, or what tells it in numbers."""
     route = (
         Message("floating-point solve of all bodies and constraints at the start")
         if at_start
@@ -65,7 +66,7 @@ def at_instants(
         if sides and not all(side > 0.0 for side in element_at(setup, tuple(sides), draw, snapshot)):
             return
         seen = draw.seen(snapshot)
-        exact = element_at(setup, x, draw, snapshot)
+        exact = x(draw, snapshot) if callable(x) else element_at(setup, x, draw, snapshot)
         check.compare(draw, exact, quantity.value(setup.system, seen), partial(magnitude, quantity.dimension, seen))
 
     return check.gather(instants, compare, len(setup.draws)).evidence()

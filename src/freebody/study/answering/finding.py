@@ -19,6 +19,7 @@ from freebody.language.sentences import Message, further
 from freebody.progress import busy_with
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer, Evidence, Value, refused
+from freebody.study.answering.named_formulas import InNames
 from freebody.study.worded import FAILED, cause
 from freebody.symbolic.conditions import Condition
 from freebody.symbolic.field import Ratio
@@ -51,6 +52,7 @@ class Finding:
     unit: str | None = None  # where it is not that of the quantity
     has_value: bool = True  # at the model's own numbers and start
     is_complete: bool = False  # whether its conditions are all there are
+    in_names: InNames | None = None  # the same in short steps
     of_root: Sequence[Sequence[Condition]] = ()  # of several values: what each needs for itself
 
 

@@ -5,20 +5,28 @@ Otherwise the answer keeps them, beside the equations of the loop.
 
 from __future__ import annotations
 
+import math
+
 from freebody.errors import CannotAnswer
 from freebody.language.expression import ZERO, Expr, children
 from freebody.language.notation import compared, joined, reworded
 from freebody.language.sentences import Message
+from freebody.present.lines import number_text, symbol_text
+from freebody.study.answering.chain import loop_angles
 from freebody.study.answering.finding import Elements
+from freebody.study.answering.named_formulas import Chain
 from freebody.study.eom import primitive_part
 from freebody.study.setup import Setup
 from freebody.symbolic.closure import Closure
 from freebody.symbolic.field import Ratio
+from freebody.symbolic.loop_angles import LoopAngles
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy
 
 READABLE = 60  # operations and symbols of a formula that is read at a glance
+_MOST_TERMS = 200  # multiplied out: no form of so many is read at a glance
+SHORT = 30  # operations of a condition in which the angles of loops are put in
 _LONGEST = 120  # of an angle that a loop binds, as a formula of its own
 _LONGER = 1.25  # times as long as with the bound angles a formula may become in any case
 
@@ -26,6 +34,11 @@ _LONGER = 1.25  # times as long as with the bound angles a formula may become in
 def length(element: Elements) -> int:
     """How long a formula is as it is shown: its operations and symbols."""
     return sum(_size(tidy(part)) for part in (element if isinstance(element, tuple) else (element,)))
+
+
+def n_terms(element: Elements) -> int:
+    """How many terms there are, multiplied out."""
+    return sum(part.n_terms for part in (element if isinstance(element, tuple) else (element,)))
 
 
 def _size(e: Expr) -> int:
@@ -53,8 +66,10 @@ def solved(setup: Setup, element: Elements, state: SymbolicState) -> tuple[Eleme
     is_angle = isinstance(element, Ratio) and any(
         element == element.field.variable(d.index) for d in setup.model.dependent
     )
+    if bound_in(setup, found) or n_terms(found) > _MOST_TERMS:
+        return None
     longest = _LONGEST if is_angle else max(READABLE, _LONGER * length(element))
-    if bound_in(setup, found) or length(found) > longest:
+    if length(found) > longest:
         return None
     return found, branch(closure), closure.sides
 
@@ -83,18 +98,28 @@ def _positive(x: Ratio) -> str:
     return compared(tidy(short), ">" if front is Sign.POSITIVE else "<", ZERO)
 
 
-def loops_in(setup: Setup, element: Elements, state: SymbolicState | None) -> list[str]:
+def loops_in(setup: Setup, element: Elements, state: SymbolicState | None, chain: Chain | None = None) -> list[str]:
     """Where an answer contains coordinates that closed loops bind: what they are in the pose of a state; or the
-    equations of the loops, where they have no short solution."""
-    if not bound_in(setup, element):
+    equations of the loops, where they have no short solution, or where a chain has it."""
+    told = [] if chain is None else loop_angles(setup, chain)
+    if not bound_in(setup, element) and not told:
         return []
     model, closure = setup.model, Closure(setup.model)
+    if told:
+        LoopAngles(closure)
+        numbers = ", ".join(f"{symbol_text(name)} = {number_text(math.degrees(x))}°" for name, x in told)
+        return [*_equations(setup), *branch(closure), Message("with the given numbers: {case}", case=numbers)]
     found = None if state is None else angles(setup, element, state, closure)
     if found is None:
-        zeros = [compared(ZERO, "=", tidy(primitive_part(loop.value))) for loop in model.loops]
-        return [reworded(Message("with {zero}", zero=zero), zero) for zero in zeros]
+        return _equations(setup)
     formulas = [compared(tidy(model.field.variable(d)), "=", tidy(value)) for d, value in found.items()]
     return [*(reworded(Message("with {zero}", zero=x), x) for x in formulas), *branch(closure)]
+
+
+def _equations(setup: Setup) -> list[str]:
+    """Those of the loops."""
+    zeros = [compared(ZERO, "=", tidy(primitive_part(loop.value))) for loop in setup.model.loops]
+    return [reworded(Message("with {zero}", zero=zero), zero) for zero in zeros]
 
 
 def angles(setup: Setup, element: Elements, state: SymbolicState, closure: Closure) -> dict[int, Ratio] | None:

@@ -30,6 +30,20 @@ class _Case(Protocol):
     def what(self) -> str: ...
 
 
+class _Named(Protocol):
+    @property
+    def name(self) -> Expr: ...
+    @property
+    def formula(self) -> Expr: ...
+
+
+class _Chain(Protocol):
+    @property
+    def named(self) -> Sequence[_Named]: ...
+    @property
+    def result(self) -> tuple[Expr, ...]: ...
+
+
 class ShownAnswer(Protocol):
     """An answer, as far as it is shown."""
 
@@ -64,6 +78,8 @@ class ShownAnswer(Protocol):
     @property
     def author_notes(self) -> tuple[str, ...]: ...
     @property
+    def chain(self) -> _Chain | None: ...
+    @property
     def evidence(self) -> _Evidence | None: ...
 
 
@@ -80,10 +96,15 @@ def answer_blocks(answer: ShownAnswer) -> Iterator[Block]:
         yield from map(line, f"{word}{answer.reason}".splitlines())
         yield from entries(*_value(answer, "by numbers"))
         return
-    if isinstance(answer.expression, tuple):
-        lines = [Equation(Formula((part,)), label=f"[{k}]") for k, part in enumerate(answer.expression, 1)]
+    shown = answer.expression
+    if answer.chain is not None:
+        steps = [Equation(Formula((step.name, step.formula), ("=",))) for step in answer.chain.named]
+        yield Equations(tuple(steps), on_request=True)
+        shown = answer.chain.result if isinstance(shown, tuple) else answer.chain.result[0]
+    if isinstance(shown, tuple):
+        lines = [Equation(Formula((part,)), label=f"[{k}]") for k, part in enumerate(shown, 1)]
     else:
-        lines = [Equation(Formula((answer.expression,)))]
+        lines = [Equation(Formula((shown,)))]
     yield Equations(tuple(lines))
     yield from entries(*_value(answer, "value"), *_said(answer))
 

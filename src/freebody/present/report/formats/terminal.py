@@ -42,6 +42,7 @@ _NO_BREAK = "\u00a0"
 _LABEL, _LONGEST_RULE, _WIDEST = 12, 78, 100  # characters; a formula that is wider stands on one line
 _LONGEST_FORMULA, _LONGEST_TEXT, _SHOWN = 70, 600, 120  # operations, some twelve terms; characters
 _WHERE_IT_IS = "--full or --formula long shows it, --json has it, too"
+_WHERE_THEY_ARE = "--full or --formula long shows them, --json has them, too"
 _SHORT_BRACKETS = re.compile(r"\([^()]{1,30}\)")
 
 
@@ -233,8 +234,15 @@ class _Summary(_Writer):
             after = isinstance(before, Equations | Section | Remark)
             if after or isinstance(block, Equations) or (before and isinstance(block, Section | Remark)):
                 lines.append("")
-            lines += self.block(block)
+            is_told = isinstance(block, Equations) and block.on_request and self.is_short
+            lines += [self._told(block)] if is_told else self.block(block)  # type: ignore[arg-type]
         return lines
+
+    def _told(self, block: Equations) -> str:
+        """That formulas come before the next one, which are shown on request."""
+        if len(block.lines) == 1:
+            return f"{' ' * 6}by one named formula ({_WHERE_IT_IS})"
+        return f"{' ' * 6}by {len(block.lines)} named formulas in turn ({_WHERE_THEY_ARE})"
 
     def section(self, section: Section) -> list[str]:
         title = ("  " if self.depth else "") + self.text(section.title)
@@ -252,7 +260,7 @@ class _Summary(_Writer):
         """Each with what it is equal to, at its own width."""
         found: list[str] = []
         for line in lines:
-            prefix = f"{line.label} = " if line.label else "= "
+            prefix = f"{line.label} = " if line.label else "" if line.formula.relations else "= "
             n = sum(n_operations(side) for side in line.formula.sides if isinstance(side, Expr))
             if self.is_short and n > _LONGEST_FORMULA:
                 box = flat(f"a formula of {n} operations ({_WHERE_IT_IS})")

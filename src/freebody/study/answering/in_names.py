@@ -1,0 +1,79 @@
+"""What has no formula in one piece that anybody could make, answered by a chain of named sub-formulas."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from contextlib import suppress
+from functools import partial
+
+from freebody.errors import CannotAnswer, ExpressionError
+from freebody.language.sentences import Message
+from freebody.numeric.reference import Snapshot
+from freebody.questions.reading import Question
+from freebody.study.answering import loops
+from freebody.study.answering.answer import Answer, Evidence, made
+from freebody.study.answering.chain import chain_alone, inputs, is_assembled
+from freebody.study.answering.conditions import at_instant, is_kinematic
+from freebody.study.answering.crosscheck import NotReal, SaysNothing
+from freebody.study.answering.draws import Draw
+from freebody.study.answering.evidence import at_instants
+from freebody.study.answering.named_formulas import InNames
+from freebody.study.setup import Setup
+from freebody.symbolic.validity import texts, validity
+
+
+def answer_in_names(setup: Setup, question: Question) -> Answer | None:
+    """Of what is asked of an instant; None for other questions. Raises CannotAnswer where the chain has no formulas
+    either."""
+    q = question.quantity
+    if question.event is not None or not q.is_of_state or q.wanted is not None or question.options:
+        return None
+    state = setup.start_for(q) if question.at_start else setup.state
+    found = chain_alone(setup, q, state)
+    if found is None:
+        return None
+    exact = partial(in_numbers, setup, found)
+    return told(setup, question, found, at_instants(setup, question.text, q, exact, at_start=question.at_start))
+
+
+def told(setup: Setup, question: Question, found: InNames, evidence: Evidence, says: Sequence[str] = ()) -> Answer:
+    """The answer that a chain is. says: conditions in words."""
+    q, is_of_event = question.quantity, question.event is not None
+    state = setup.start_instant if question.at_start else setup.state
+    judges_contacts = bool(setup.system.applied_loads) or not is_kinematic(setup, q)
+    needed = at_instant(setup, question, state, with_contacts=judges_contacts and not is_of_event)
+    if is_of_event:  # what is divided by must not vanish there
+        says = [*says, *(c.text() for c in validity(found.needs))]
+    else:
+        needed = [*needed, *found.needs]
+    needed = setup.in_free_coordinates(needed, state, loops.SHORT)
+    notes = [*loops.loops_in(setup, (), None, found.chain), Message("in one piece the formula would be too long")]
+    result, value = found.chain.result, _value(setup, found)
+    return made(
+        question,
+        result if len(result) > 1 else result[0],
+        value if value is None or len(result) > 1 else value[0],
+        conditions=[*says, *texts(needed, until_event=is_of_event)],
+        notes=notes,
+        evidence=evidence,
+        chain=found.chain,
+    )
+
+
+def in_numbers(setup: Setup, found: InNames, draw: Draw, snapshot: Snapshot) -> tuple[float, ...]:
+    """A chain at a snapshot. Raises SaysNothing."""
+    if not is_assembled(setup, found, draw, snapshot):
+        raise SaysNothing(Message("at these numbers the loops are assembled in another way"))
+    try:
+        return found.chain.numbers(inputs(setup, setup.model.samples.numbers(draw.sample(snapshot), draw.sample())))
+    except (ArithmeticError, ValueError, ExpressionError):
+        raise NotReal(Message("a part of the closed form has no real value here")) from None
+
+
+def _value(setup: Setup, found: InNames) -> tuple[float, ...] | None:
+    if not setup.has_values:
+        return None
+    draw = setup.draws[0]
+    with suppress(CannotAnswer):
+        return in_numbers(setup, found, draw, draw.start())
+    return None
