@@ -269,3 +269,36 @@ def test_what_nothing_drives_back_has_no_period() -> None:
     (answer,) = fb.solve(fb.System.from_text(free), "period of small oscillations").answers
     assert answer.expression is None
     assert "nothing drives it back" in (answer.reason or "")
+
+
+LONE_LAW = """
+parameters: {m: 2 kg, k: 50 N/m, c: 3 N s/m, F0: 4 N, Om: 5 rad/s}
+bodies: {b: {particle: {mass: m}}}
+connections: {g: {slider: {body: b, along: right}}}
+loads: {l: {law: {measure: x, force: LAW}}}
+measures: {x: x of b}
+start: {x: 0.1 m}
+"""
+
+
+@pytest.mark.parametrize(
+    ("law", "condition"),
+    [
+        ("-k*x - c*rate(x)", "if and only if c = 0"),
+        ("-(k*x + c*rate(x))", "if and only if c = 0"),
+        ("F0*sin(Om*t) - k*x", "if and only if F₀ = 0"),
+    ],
+)
+def test_a_law_that_is_spring_and_damper_in_one_keeps_the_energy_of_the_spring(law: str, condition: str) -> None:
+    """E = m x'^2/2 + k x^2/2 whatever else acts, and E' is the power of the rest: -c x'^2, or F0 sin(Om t) x'."""
+    system = fb.System.from_text(LONE_LAW.replace("LAW", law))
+    energy, kept, force = (
+        fb.solve(system, question).answers[0]
+        for question in ("total energy", "is total energy conserved", "force of l")
+    )
+    assert energy.expression is not None
+    assert_same_function(to_python(energy.expression).replace("rate(x)", "v"), "m*v**2/2 + k*x**2/2", {})
+    assert condition in str(kept.conditions)
+    assert force.expression is not None
+    shown, written = (text.replace("rate(x)", "v") for text in (to_python(force.expression), law))
+    assert_same_function(shown, written, {})

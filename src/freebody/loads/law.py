@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
 from freebody.errors import ExpressionError, InputError
@@ -11,9 +11,14 @@ from freebody.language.expression import (
     ZERO,
     Expr,
     Number,
+    ProductOf,
+    Sum,
+    add,
+    children,
     differentiate,
     evaluate,
     free_symbols,
+    multiply,
     replace_rates,
     substitute,
 )
@@ -73,12 +78,44 @@ loads: {it: {law: {measure: x, force: -k*x^3}}}
             expr = substitute(replace_rates(expr, {name: RATE}), {name: VALUE})
         rest = tuple(item for item in used if item[0] not in own)
         alone = _in_the_measure(expr, measure, [name for name, _measure in rest])
-        return [AppliedLoad("", measure, expr, rest) if alone is None else AppliedLoad("", measure, alone)]
+        if alone is None and rest:
+            return [AppliedLoad("", measure, expr, rest)]
+        return [AppliedLoad(part, measure, law) for part, law in _parts(expr if alone is None else alone)]
+
+    def pulls_with(self, laws: Sequence[Any], sqrt: Callable[[Any], Any]) -> Any:
+        return sum(laws[1:], laws[0])
 
     def glyphs(self, names: Names) -> Iterable[Glyph]:
-        for push in self.applied_loads(names):
-            used = free_symbols(push.law)
+        pushes = self.applied_loads(names)
+        used = {name for push in pushes for name in free_symbols(push.law)}
+        for push in pushes[:1]:
             yield from _signs(names, push.measure, VALUE.name in used, RATE.name in used)
+
+
+def _parts(law: Expr) -> list[tuple[str, Expr]]:
+    """What is a law of the measure alone, and stores energy, apart from what depends on its rate or the time:
+    -k x - c x' is a spring and a damper."""
+    kept, lost = list[Expr](), list[Expr]()
+    for term in _terms(law):
+        (lost if {RATE.name, "t"} & free_symbols(term) else kept).append(term)
+    if not lost or not any(VALUE.name in free_symbols(term) for term in kept):
+        return [("", law)]
+    return [("stored", add(*kept)), ("", add(*lost))]
+
+
+def _terms(law: Expr) -> Iterator[Expr]:
+    """The terms of a sum, also of one that something is multiplied with."""
+    match law:
+        case Sum(terms):
+            for term in terms:
+                yield from _terms(term)
+        case ProductOf(factors) if (
+            place := next((k for k, x in enumerate(factors) if isinstance(x, Sum)), None)
+        ) is not None:
+            for term in children(factors[place]):
+                yield from _terms(multiply(*factors[:place], term, *factors[place + 1 :]))
+        case _:
+            yield law
 
 
 def _signs(

@@ -5,10 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal, cast
 
+from freebody.language.expression import free_symbols
 from freebody.language.sentences import Sentence
 from freebody.language.units import ENERGY
 from freebody.measures.geometry import ZERO
-from freebody.model.elements import RigidBody
+from freebody.model.elements import RATE, AppliedLoad, RigidBody
 from freebody.model.spins import body_axes
 from freebody.model.state import State
 from freebody.model.tensors import entries
@@ -64,12 +65,17 @@ questions: {it: kinetic energy}
         if self.what != "kinetic":
             for push in system.applied_loads:
                 own = self.body is None or self.body in set(push.measure.bodies())
-                if own and system.loads[push.load].stores_energy:
+                if own and system.loads[push.load].stores_energy and not is_lossy(push):
                     total = total + state.potential(push)
         return total
 
     def sentence(self, system: Described) -> Sentence:
         return Sentence(f"what.{self.what}_energy", {"of": said_of(self.body)})
+
+
+def is_lossy(push: AppliedLoad) -> bool:
+    """Whether a law hangs on the rate of its measure, or on the time: like a damper, it stores nothing."""
+    return not push.measures and bool({RATE.name, "t"} & free_symbols(push.in_symbols))
 
 
 def kinetic_energy(system: Described, state: State[Any], b: RigidBody) -> Any:

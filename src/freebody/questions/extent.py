@@ -53,6 +53,11 @@ questions: {it: greatest y}
         return 1 if self.end == "greatest" else -1
 
     @property
+    def of_motion(self) -> ExtremeOfMotion:
+        """The same of what need not turn there."""
+        return ExtremeOfMotion(OfMeasure(self.measure, 0, self.name), self.end)
+
+    @property
     def turn(self) -> tuple[Quantity, QuestionEvent, int]:
         event = QuestionEvent(self.measure, 1, ZERO, f"{self.name} turns back")
         return OfMeasure(self.measure, 0, self.name), event, self.side

@@ -22,13 +22,14 @@ from freebody.questions.event import AskedEvent, read_event
 if TYPE_CHECKING:
     from freebody.model.names import Names
 
-LastingKind = Literal["touches", "rolls"]
+LastingKind = Literal["touches", "rolls", "stands"]
 
 
 @dataclass(frozen=True)
 class Lasting:
-    """A state of connections that is so in every phase: they touch (strings are taut), or nothing slips in them. `of`
-    are the connections that are meant; none means all."""
+    """A state of connections that is so in every phase: they touch (strings are taut), nothing slips in them, or no
+    body tips: of its places that touch at the start none opens while another stays. `of` are the connections that are
+    meant; none means all."""
 
     kind: LastingKind
     of: tuple[str, ...]
@@ -95,7 +96,9 @@ _STATES: tuple[tuple[str, LastingKind], ...] = (
     (r"rolls (?:on )?without (?:slip|slipping|sliding)", "rolls"),
     (r"(?:does not|never) (?:slips?|slides?)(?: (?:as|while) it rolls)?", "rolls"),
     (rf"{_STAYS} rolling(?: without (?:slip|slipping|sliding))?", "rolls"),
+    (r"(?:does not|never) tips?(?: over)?", "stands"),
 )
+_TIPS = re.compile(rf"^{_SUBJECT} tips(?: over)?$")
 _LASTING: list[tuple[re.Pattern[str], LastingKind]] = [
     (re.compile(rf"^{_SUBJECT} {pattern}$"), kind) for pattern, kind in _STATES
 ]
@@ -149,7 +152,8 @@ def read_happening(names: Names, text: str, path: Path) -> Happening | None:
         before = read_event(names, _as_equation(limit), path) if before is None else before
         if before is None:
             return None
-    return Happening(what, whole, before, at_once is not None, is_so)
+    is_of_start = at_once is not None or (isinstance(what, Lasting) and what.kind == "stands")
+    return Happening(what, whole, before, is_of_start, is_so)
 
 
 def _fails_first(names: Names, text: str, found: re.Match[str], path: Path) -> Happening | None:
@@ -179,6 +183,8 @@ def _stated(
         found = pattern.match(text)
         if found is not None and found["of"] not in names.measures:
             return Lasting(kind, _of(names, found.groupdict(), path), text), True
+    if (tips := _TIPS.match(text)) is not None:
+        return Lasting("stands", _of(names, tips.groupdict(), path), text), False
     never = _NEVER.match(text)
     if never is not None:
         stated = f"{never['who']} {_third_person(never['verb'])}{never['rest']}"

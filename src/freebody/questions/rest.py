@@ -194,12 +194,15 @@ def _limit(names: Names, found: Found, which: Which, path: Path) -> RestLimit | 
 
 @asked(
     "does it tip or slide as PARAMETER grows",
-    rf"[Dd]oes (?:it|the {NAME}) (?:first )?(?:tip|slide|slip)(?: first)?(?: or (?:tip|slide|slip))?(?: first)?"
+    rf"[Dd]oes (?:it|the {NAME}) (?:(?P<only>(?:tip|fall) over|tip(?=\??$))|(?:first )?(?:tip|slide|slip)(?: first)?"
+    r"(?: or (?:tip|slide|slip))?(?: first)?)"
     rf"(?: as (?:the )?(?:force |torque |angle )?(?P<of>{NAME}) (?:grows|increases))?\??",
     rank=RANK,
 )
 def _failure(names: Names, found: Found, path: Path) -> Quantity | None:
     name = found["of"]
+    if name is None and found["only"] is not None:
+        return Holds()  # it says whether, and what happens else
     if name is None:
         names.problem(
             Message(

@@ -19,7 +19,8 @@ FORM = """value of PARAMETER for which QUANTITY = EXPRESSION [at start | when EV
     range of PARAMETER for which QUANTITY > | < | >= | <= EXPRESSION [at start | when EVENT]
     least | largest PARAMETER so that QUANTITY > | < | >= | <= EXPRESSION [at start | when EVENT]
     range of PARAMETER for which MEASURE reaches VALUE | for which BODY turns fully
-    range of PARAMETER for which NAME stays taut | stays on NAME | rolls without slipping
+    range of PARAMETER for which NAME stays taut | stays on NAME | rolls without slipping | tips
+    range of PARAMETER for which QUANTITY stays below | stays above EXPRESSION, or MEASURE turns back
     range of PARAMETER for which EVENT [before EVENT | at once], or the equilibrium is stable
     QUANTITY as PARAMETER -> EXPRESSION | grows
     value of PARAMETER for which QUANTITY is largest | least      largest | least QUANTITY over PARAMETER
@@ -65,7 +66,6 @@ _WORDS = {
     "is (?:less|smaller) than": "<",
     "exceeds": ">",
     "does not exceed": "<=",
-    "stays below": "<",
     "≥": ">=",
     "≤": "<=",
 }
@@ -171,6 +171,30 @@ def inequality_of(relation: str) -> tuple[str, str, str] | None:
     return None if found is None else (found["left"].strip(), found["sign"], found["right"].strip())
 
 
+_ALWAYS = r"(?:always |all the time )?(?:stays?|remains?|keeps?|is always)(?: always)?"
+_STAYS: tuple[tuple[str, str, str], ...] = (
+    (rf"{_ALWAYS} (?:below|under|less than|smaller than)", "greatest", "<"),
+    (
+        rf"{_ALWAYS} at most|never (?:exceeds|is above|gets above|goes above|is more than)|does not exceed",
+        "greatest",
+        "<=",
+    ),
+    (rf"{_ALWAYS} (?:above|over|more than|greater than|larger than)", "least", ">"),
+    (rf"{_ALWAYS} at least|never (?:is below|gets below|goes below|falls below|is less than)", "least", ">="),
+)
+_STAYING = [(re.compile(rf"^(?P<of>.+?) (?:{words}) (?P<value>.+)$"), end, sign) for words, end, sign in _STAYS]
+_BACK = re.compile(rf"^(?:the )?(?P<of>{NAME}) (?:turns (?:back|round|around)|reverses)(?: again)?$")
+
+
+def over_the_motion(relation: str) -> str:
+    """What is to be so all the time, as something of the extremes: x stays below d, as greatest x < d."""
+    for pattern, end, sign in _STAYING:
+        found = pattern.match(relation)
+        if found is not None:
+            return f"{end} {found['of']} {sign} {found['value']}"
+    return relation
+
+
 def without_just(relation: str) -> tuple[str, bool]:
     """Words without `just`, and whether it was among them: x just reaches d, it is about to slip."""
     plain = re.sub(r"\bis (?:just )?about to (?P<verb>\w+)", lambda m: f"just {m['verb']}s", relation)
@@ -179,7 +203,9 @@ def without_just(relation: str) -> tuple[str, bool]:
 
 
 def reached_in(relation: str) -> str | None:
-    """That a measure reaches a value, as an event; None where nothing of the kind is said."""
+    """That a measure reaches a value, or turns back, as an event; None where nothing of the kind is said."""
+    if (back := _BACK.match(relation)) is not None:
+        return f"{back['of']} turns back"
     found = _REACHES.match(relation)
     return None if found is None or " when " in relation else f"{found['what']} = {found['value']}"
 

@@ -15,12 +15,12 @@ from freebody.narrative.questions.course_by_energy import first_integral, say_fi
 from freebody.narrative.questions.kept_momenta import tell_momenta
 from freebody.narrative.questions.over_motion import tell_extreme
 from freebody.questions.base import Quantity
-from freebody.questions.extent import ExtremeOfMotion
+from freebody.questions.extent import Extent, ExtremeOfMotion
 from freebody.questions.reading import Question
 from freebody.questions.steady import Extremes
 from freebody.study.answering.answer import Answer
 from freebody.study.answering.crosscheck import SaysNothing, holds
-from freebody.study.answering.extent import extent_in_numbers, kept_on_the_way, turn_of
+from freebody.study.answering.extent import extent_in_numbers, goes_one_way, kept_on_the_way, turn_of
 from freebody.symbolic.tidy import tidy
 
 
@@ -37,6 +37,8 @@ def _told(
 ) -> list[DerivationStage]:
     setup = context.setup
     measure, side = getattr(quantity, "measure", None), int(getattr(quantity, "side", 1))
+    if isinstance(quantity, Extent) and setup.model.coordinates and not goes_one_way(setup, quantity.measure):
+        return _extreme(quantity.of_motion, context, question, answer, method)
     if measure is None:
         raise CannotAnswer(Message("there is no closed form"))
     refuse(method, ("energy",), Message("how far it gets"))

@@ -16,6 +16,7 @@ from freebody.narrative.questions.course_by_energy import first_integral, say_fi
 from freebody.narrative.questions.kept_momenta import tell_momenta
 from freebody.questions.extent import ExtremeOfMotion
 from freebody.questions.reading import Question
+from freebody.study.answering.crosscheck import SaysNothing, holds
 from freebody.study.answering.motion_extremes import Along, Stationary, along
 from freebody.study.answering.motion_values import extremes_over_cycle
 from freebody.symbolic.tidy import tidy
@@ -29,6 +30,7 @@ def tell_extreme(context: Context, question: Question, q: ExtremeOfMotion, metho
     f, script = model.field, context.script()
     with setup.motion.on_one_side():
         seen = along(setup, q.of)
+        seen.add_needs()
         found = seen.candidates()
         chosen = seen.best(found, q.side)
     parts, unknowns = parts_of(context, q.of)
@@ -52,6 +54,8 @@ def tell_extreme(context: Context, question: Question, q: ExtremeOfMotion, metho
     with script.stage("stage.value"):
 
         def read(world: World) -> float:
+            if not all(holds(setup, c, world.draw, world.draw.start()) for c in seen.conditions):
+                raise SaysNothing(Message("the motion is another one there"))
             low, high = extremes_over_cycle(setup, world.draw, model.measure_of(seen.c), q.of)
             return low if q.side < 0 else high
 

@@ -18,7 +18,7 @@ from freebody.narrative.principles.sides import positive_first, scaled
 from freebody.narrative.space.spatial_kinematics import SpatialKinematics
 from freebody.questions.base import Quantity
 from freebody.questions.centres import InstantCentre, motion_at_origin
-from freebody.questions.energy import Energy
+from freebody.questions.energy import Energy, is_lossy
 from freebody.questions.momentum import SYSTEM_CENTER, AngularMomentum, Momentum, is_among, point_about
 from freebody.questions.reading import Question
 from freebody.questions.vectors import ORIGIN, place
@@ -177,6 +177,7 @@ def stored(context: Context, script: Script, body: str | None, terms: list[Expr]
     system, lines = context.system, list[int]()
     for load in system.loads:
         own = [p for p in system.applied_loads if p.load == load and (body is None or body in set(p.measure.bodies()))]
+        own = [p for p in own if not is_lossy(p)]
         if own and system.loads[load].stores_energy:
             lines.append(_stored_by(context, script, load, own))
             terms.append(name_of(context, "V", load))

@@ -7,10 +7,10 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 
 import numpy as np
 
-from freebody.language.expression import Symbol, differentiate, free_symbols
+from freebody.language.expression import Expr, Symbol, add, differentiate, free_symbols
 from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
-from freebody.model.elements import RATE, VALUE, AppliedLoad, NonholonomicForm
+from freebody.model.elements import RATE, VALUE, NonholonomicForm
 from freebody.model.glyphs import Equation, Pin, Rail, Spring
 from freebody.present.figures import Array, Place, positions
 from freebody.present.picture.arrows import Arrows, acting_at, axes_cross
@@ -82,8 +82,9 @@ class Whole(ABC):
     # -- names --------------------------------------------------------------------------------
     def _name_springs(self) -> None:
         for shown in self.scene.shown:
-            own = (push for push in self.system.applied_loads if push.load == shown.owner and shown.is_load)
-            label = next((label for push in own if (label := constants_of(push)) is not None), None)
+            own = [push for push in self.system.applied_loads if push.load == shown.owner and shown.is_load]
+            laws = [add(*(push.law for push in own if push.measure == first.measure)) for first in own]
+            label = next((label for law in laws if (label := constants_of(law)) is not None), None)
             if not isinstance(shown.sign, Spring) or label is None:
                 continue
             a, b = self.at(shown.sign.first), self.at(shown.sign.second)
@@ -193,12 +194,12 @@ def _signs(at: Array, gravity: Array | None) -> Iterator[Shape | Wish]:
         yield Wish(name("g"), ((middle, side), (middle, -side)), 10.0, ink, weight=9.0)
 
 
-def constants_of(push: AppliedLoad) -> Label | None:
+def constants_of(law: Expr) -> Label | None:
     """The stiffness and the damping of a linear law, by their symbols."""
     found: list[Label] = []
     for variable in (VALUE.name, RATE.name):
-        if variable in free_symbols(push.law):
-            slope = differentiate(push.law, variable)
+        if variable in free_symbols(law):
+            slope = differentiate(law, variable)
             used = free_symbols(slope)
             if len(used) != 1 or variable in used:
                 return None

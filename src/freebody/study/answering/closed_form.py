@@ -312,8 +312,10 @@ class QuestionSolver:
 
     @_found.register(Extent)
     def _extent(self, q: Extent) -> Finding:
-        from freebody.study.answering.extent import find
+        from freebody.study.answering.extent import find, goes_one_way
 
+        if not goes_one_way(self.setup, q.measure):
+            return self._extreme(q.of_motion)
         return find(self.setup, self.question.text, q.measure, q.side, q.name)
 
     @_found.register(ExtremeOfMotion)

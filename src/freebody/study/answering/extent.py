@@ -36,8 +36,10 @@ _N_TURNS = 2  # of a motion that goes to and fro: both sides
 def find(setup: Setup, question: str, measure: Measure, side: int, name: str) -> Finding:
     """The closed form. side: +1 for the greatest value, -1 for the least."""
     _c, found, x = turn_of(setup, measure, side, name)
+    is_start = (x - setup.start_instant.value(measure)).is_zero()
+    told = Message("it sets out to the other side") if is_start else Message("it turns")
     conditions = insisted(
-        (Condition(part, relation, Message("it turns")) for part, relation in found.conditions),
+        (Condition(part, relation, told) for part, relation in found.conditions),
         NeverHappens(Message("it does not turn")),
     )
     taken, kept = taken_throughout(setup), kept_on_the_way(setup, found)
@@ -50,6 +52,14 @@ def find(setup: Setup, question: str, measure: Measure, side: int, name: str) ->
         needs = ", ".join(broken(setup, conditions))
         raise NotHere(Message("it does not turn so at the model's own values: that needs {x}", x=needs))
     return Finding(x, evidence, conditions, list(found.notes), list(found.says))
+
+
+def goes_one_way(setup: Setup, measure: Measure) -> bool:
+    """Whether a measure grows with its coordinate, or falls with it, wherever that is: then it turns with it. The
+    height of a pendulum's bob does not."""
+    f, value = setup.model.field, setup.model.value_of(measure)
+    own = [c for c in setup.model.coordinates if c.index in f.ingredients(value)]
+    return len(own) != 1 or sign_of(f.partial(value, own[0].index)).is_strict
 
 
 def kept_on_the_way(setup: Setup, found: Reached) -> list[Condition]:

@@ -47,6 +47,11 @@ def happening_cases(tree: PhaseTree, happening: Happening) -> list[HappeningCase
     return [replace(case, is_so=None if case.is_so is None else not case.is_so) for case in found]
 
 
+def is_tipped(feet: Sequence[bool]) -> bool:
+    """Whether some of the places that touched have opened, and others have not."""
+    return any(feet) and not all(feet)
+
+
 _Ends = Iterator[tuple[PhaseWatch | PhaseEnd | None, list[Condition], Chosen]]
 
 
@@ -107,6 +112,8 @@ class _Walk:
             begun = {name.partition(".")[0] for name in self.tree.closed | self.tree.moving}
             meant = set(lasting.of) or begun
             return meant <= {name.partition(".")[0] for name in mode.closed}
+        if lasting.kind == "stands":
+            return not any(is_tipped([name in mode.closed for name in feet]) for feet in self._feet(lasting))
         rubs = [
             rub
             for rub in node.phase.base.dry_friction
@@ -115,6 +122,12 @@ class _Walk:
         sticking = {name.partition(".")[0] for name, state in mode.states.items() if state == 0}
         sliding = {rub.name.partition(".")[0] for rub in rubs if mode.states.get(rub.name)}
         return not sliding and {rub.name.partition(".")[0] for rub in rubs} <= sticking
+
+    def _feet(self, lasting: Lasting) -> Iterator[list[str]]:
+        """The places of a connection that touch at the start."""
+        begun = sorted(self.tree.closed | self.tree.moving)
+        for connection in lasting.of or dict.fromkeys(name.partition(".")[0] for name in begun):
+            yield [name for name in begun if name.partition(".")[0] == connection]
 
     def _ends(self, way: WayToPhase) -> _Ends:
         """How the last phase of a way ends: by an event that is asked for (its watch), or as the tree knows."""

@@ -53,7 +53,7 @@ class _Seen:
         self, system: System, happening: Happening, until: float, touching: frozenset[str], values: Mapping[str, float]
     ) -> None:
         self.system, self.happening = system, happening
-        self.touching = sorted({name.partition(".")[0] for name in touching})  # connections
+        self.places, self.touching = touching, sorted({name.partition(".")[0] for name in touching})  # connections
         asked = [e for e in (happening.what, happening.before) if isinstance(e, QuestionEvent)]
         simulator = Simulator(system, values, events=tuple(e.text for e in asked))
         looks = np.linspace(0.0, until, 3 if happening.at_once else _LOOKS)
@@ -118,6 +118,15 @@ class _Seen:
             groups = [[k for k, name in enumerate(record.bounds) if name.partition(".")[0] == c] for c in meant]
             lost = [~closed[:, group].any(axis=1) for group in groups]
             return self._first(np.any(lost, axis=0)) if lost else np.inf
+        if lasting.kind == "stands":
+            closed = record.states.astype(bool)
+            meant = lasting.of or self.touching
+            feet = [name in self.places for name in record.bounds]
+            names = np.array(
+                [name.partition(".")[0] if foot else "" for name, foot in zip(record.bounds, feet, strict=True)]
+            )
+            tipped = [closed[:, names == c].any(axis=1) & ~closed[:, names == c].all(axis=1) for c in meant]
+            return self._first(np.any(tipped, axis=0)) if tipped else np.inf
         rolling = {rub.name for rub in self.system.dry_friction if rub.row.reaction == ROLLING}
         own = [k for k in self._columns(record.dry_friction, lasting.of) if record.dry_friction[k] not in rolling]
         connections = dict.fromkeys(record.dry_friction[k].partition(".")[0] for k in own)

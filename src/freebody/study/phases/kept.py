@@ -77,6 +77,9 @@ def in_first_modes(tree: PhaseTree, question: Question) -> Answer:
         )
     if question.quantity.scope in _OF_ALL:
         return _while_it_lasts(tree, question)
+    wanted = question.quantity.wanted
+    if wanted is not None and wanted.of.scope in _OF_ALL:
+        _refuse_changes(tree)
     own, *rest = tree.roots
     answer = _in_mode(tree, own, question)
     if not answer.is_answered:
@@ -117,6 +120,16 @@ def _while_it_lasts(tree: PhaseTree, question: Question) -> Answer:
     if not edge.is_proved:
         notes.append(Message("that nothing ends the first phase was seen at many parameter values; it is not proved"))
     return replace(answer, notes=tuple(notes), conditions=conditions)
+
+
+def _refuse_changes(tree: PhaseTree) -> None:
+    """What all of a motion has for which values of a parameter is told where one law holds for all of them."""
+    for edge in (edge for root in tree.roots for edge in root.edges):
+        if edge.first is not None or edge.stops:
+            what = edge.stops if edge.first is None else happening(edge.first.watch, None)
+            raise CannotAnswer(
+                Message("the motion changes its law on the way ({event}), so one law does not tell that", event=what)
+            )
 
 
 def _in_mode(tree: PhaseTree, node: PhaseNode, question: Question) -> Answer:
