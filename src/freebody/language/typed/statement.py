@@ -34,9 +34,9 @@ _DERIVATIVE = re.compile(
     r"\s?/\s?\(?\s?d ?t(?:\^?\(?[23]\)?|[²³])?\)?\)?"
 )
 _NUMBER = r"[+-]?\s*(?:[0-9]+[.,]?[0-9]*|[.,][0-9]+)(?:[eE][+-]?[0-9]+)?"
-_QUANTITY = re.compile(
-    rf"(?P<number>{_NUMBER}(?:\s*\*\s*10\s*\^\s*\(?[+-]?[0-9]{{1,2}}\)?)?)\s*(?P<unit>[A-Za-zµμ°Ω%\[(].*)?", re.S
-)
+_POWER_OF_TEN = r"\s*\*\s*10\s*\^\s*\(?[+-]?[0-9]{1,2}\)?"
+_UNIT = r"[A-Za-zµμ°Ω%\[(].*|(?<=\s)1\s*/.*"
+_QUANTITY = re.compile(rf"(?P<number>{_NUMBER}(?:{_POWER_OF_TEN})?)\s*(?P<unit>{_UNIT})?", re.S)
 _PERCENT = Unit(DIMENSIONLESS, Fraction(1, 100))
 _SPELT_UNITS = (
     (re.compile(r"\b(k?)N\*?m(m?)\b"), r"\1N m\2"),

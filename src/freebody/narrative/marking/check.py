@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
@@ -10,6 +10,7 @@ from functools import cached_property, lru_cache
 from freebody.assess.numbers import Tolerance
 from freebody.assess.solved import SolvedAnswer
 from freebody.assess.typed import AnswerJudge, Form, Policy, TypedJudgement, Wanted
+from freebody.assess.verdict import Verdict
 from freebody.errors import FreebodyError, InputError, UnitError
 from freebody.language.expression import ZERO, Expr
 from freebody.language.notation import to_python
@@ -27,6 +28,9 @@ from freebody.questions.base import Quantity
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
 from freebody.study.answering.solve import solve
+from freebody.study.conservation.judge import Judge
+from freebody.study.mobility.mobility import judged as judged_by_count
+from freebody.study.setup import Setup
 from freebody.study.worded import in_words
 from freebody.system.system import System
 
@@ -101,12 +105,26 @@ class MarkedQuestion:
     def _known(self) -> KnownMistakes:
         return KnownMistakes(Context(self.system), self.question, self.answer)
 
+    def _options_judged(self, asked: Question) -> Mapping[str, Verdict]:
+        """The options of the question, by the study that answers it."""
+        match asked.quantity.scope:
+            case "structure" if isinstance(self.answer.value, float):
+                return judged_by_count(self.system, asked, int(self.answer.value)).options
+            case "every motion":
+                return self._conservation.answer(asked).options
+            case _:
+                return solve(replace(self.system, questions=(asked,))).answers[0].options
+
+    @cached_property
+    def _conservation(self) -> Judge:
+        return Judge(Setup(self.system))
+
     def _as_option(self, text: str) -> TypedJudgement:
         """Of what is no formula (a count, a condition) the answer is judged as an option would be."""
         if not self.answer.is_answered and not self.answer.conditions:
             return TypedJudgement("undecided", self.answer.reason)
         asked = replace(self.question, options={"a": text}, key=None)
-        found = solve(replace(self.system, questions=(asked,))).answers[0].options.get("a")
+        found = self._options_judged(asked).get("a")
         if found is None:
             return TypedJudgement("undecided", Message("there is nothing to compare it with"))
         verdict = {"right": "correct", "wrong": "incorrect", "unreadable": "unreadable"}[found.verdict]
