@@ -36,6 +36,7 @@ RESULTS: dict[str, tuple[str, Callable[[fb.System], Result]]] = {
     "turn": ("slider_crank", lambda system: system.over_a_turn("theta", rate=5.0, n=24)),
     "simulate": ("bouncing_ball", lambda system: system.simulate(1.0)),
     "phases": ("block_on_rough_incline", fb.System.phases),
+    "check": ("yo_yo", lambda system: system.check("acceleration", "g/2")),
 }
 found: dict[str, Result] = {}
 

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from freebody.errors import CannotAnswer, FreebodyError, InputError, ModelError, RoutesDisagree
     from freebody.narrative.explain import explain
     from freebody.numeric.options import SimulationOptions
+    from freebody.narrative.marking.check import check
     from freebody.study.answering.answer import Answer
     from freebody.study.answering.solution import Solution
     from freebody.study.answering.solve import solve
@@ -76,6 +77,7 @@ __all__ = [
     "Solution",
     "Statics",
     "System",
+    "check",
     "conserved",
     "draw",
     "effort",
