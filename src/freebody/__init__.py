@@ -21,8 +21,8 @@ if TYPE_CHECKING:
     from freebody.building import Model
     from freebody.errors import CannotAnswer, FreebodyError, InputError, ModelError, RoutesDisagree
     from freebody.narrative.explain import explain
-    from freebody.numeric.options import SimulationOptions
     from freebody.narrative.marking.check import check
+    from freebody.numeric.options import SimulationOptions
     from freebody.study.answering.answer import Answer
     from freebody.study.answering.solution import Solution
     from freebody.study.answering.solve import solve

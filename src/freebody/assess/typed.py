@@ -65,6 +65,7 @@ class TypedJudgement:
     decided_by: str = ""
     mistake: str = ""
     answer: TypedAnswer | None = None
+    equations: tuple[tuple[Expr, Expr], ...] = ()  # as they were read, where equations are the answer
 
     @property
     def exprs(self) -> tuple[Expr, ...]:

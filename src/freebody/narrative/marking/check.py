@@ -20,11 +20,13 @@ from freebody.language.typed import TypedNumber
 from freebody.language.units import dimension_of
 from freebody.model.noting import did_you_mean
 from freebody.narrative.context import Context
+from freebody.narrative.marking.equations import equations_of
 from freebody.narrative.marking.found import CheckedAnswer
 from freebody.narrative.mistakes.mistakes import KnownMistakes
 from freebody.narrative.mistakes.wrong_options import FAILURES
 from freebody.narrative.telling.catalogue import Catalogue
 from freebody.questions.base import Quantity
+from freebody.questions.freedom import DegreesOfFreedom
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
 from freebody.study.answering.solve import solve
@@ -34,6 +36,7 @@ from freebody.study.setup import Setup
 from freebody.study.worded import in_words
 from freebody.system.system import System
 
+EQUATIONS = ("equations of motion", "equations", "eom")  # asked for instead of a question
 FORMS: tuple[Form, ...] = ("any", "formula", "number")
 _LONGEST = 100_000  # characters that are looked at at all
 
@@ -53,11 +56,16 @@ def check(
     """Judges a typed answer to a question: its id in the file, or one in words. The system is solved once; each further
     answer to the same question is compared with what was found.
 
+    Instead of a question "equations of motion": the answer is a set of equations, which must hold on every motion.
     form: any, formula or number; unit: optional or required; tolerance: '1 %', '0.05 N' or '3 digits'; gravity: further
     values of g that are accepted [m/s^2]. Raises InputError for a question that cannot be read and for a policy that is
     none; an answer that cannot be read has the verdict `unreadable`."""
     Catalogue(language)
     policy = _policy(form, unit, tolerance, gravity)
+    if question.strip().lower() in EQUATIONS:
+        found = equations_of(system).judge(answer[:_LONGEST])
+        asked = Question("equations", Message("the equations of motion"), DegreesOfFreedom())
+        return CheckedAnswer(asked, shortened(plain(answer), 300), found, language, title=system.title)
     marked = marked_question(system, question)
     text = plain(answer)
     judgement = marked.judge(answer[:_LONGEST], policy)
