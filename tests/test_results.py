@@ -37,6 +37,7 @@ RESULTS: dict[str, tuple[str, Callable[[fb.System], Result]]] = {
     "sweep": ("atwood_machine", lambda system: system.sweep({"m1": "1..3 kg:3"})),
     "simulate": ("bouncing_ball", lambda system: system.simulate(1.0)),
     "phases": ("block_on_rough_incline", fb.System.phases),
+    "check": ("yo_yo", lambda system: system.check("acceleration", "g/2")),
 }
 found: dict[str, Result] = {}
 

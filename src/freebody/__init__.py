@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from freebody.building import Model
     from freebody.errors import CannotAnswer, FreebodyError, InputError, ModelError, RoutesDisagree
     from freebody.narrative.explain import explain
+    from freebody.narrative.marking.check import check
     from freebody.numeric.options import SimulationOptions
     from freebody.study.answering.answer import Answer
     from freebody.study.answering.solution import Solution
@@ -80,6 +81,7 @@ __all__ = [
     "Statics",
     "Sweep",
     "System",
+    "check",
     "conserved",
     "draw",
     "effort",

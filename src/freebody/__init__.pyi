@@ -65,6 +65,7 @@ from freebody.model.shapes.straight import Polygon as _Polygon
 from freebody.model.shapes.straight import Rectangle as _Rectangle
 from freebody.model.shapes.straight import Rod as _Rod
 from freebody.narrative.explain import explain as explain
+from freebody.narrative.marking.check import check as check
 from freebody.numeric.options import SimulationOptions as SimulationOptions
 from freebody.study.answering.answer import Answer as Answer
 from freebody.study.answering.solution import Solution as Solution

@@ -157,7 +157,12 @@ class Studies:
         "check",
         busy="solving the question",
         options=[
-            Option("question", ("--question",), "The question: its id in the file, or one in words.", default=...),
+            Option(
+                "question",
+                ("--question",),
+                "The question: its id in the file, or one in words; or equations of motion.",
+                default=...,
+            ),
             Option("answer", ("--answer",), "The answer as it is typed: plain text or LaTeX.", default=...),
             Option("form", ("--form",), "any, formula or number.", default="any"),
             Option("unit", ("--unit",), "Whether numbers need one: optional or required.", default="optional"),

@@ -93,7 +93,7 @@ def fault_of(
         return NumberFault(plain, Message("the sign is wrong"))
     if unit == DIMENSIONLESS and are_near([n / _RAD for n in numbers], values, tolerance):
         return NumberFault(plain, Message("degrees are given for radians"))
-    if are_near(numbers, values, tolerance, _ROUNDED):
+    if any(n.n_digits for n in given) and are_near(numbers, values, tolerance, _ROUNDED):
         return NumberFault(plain, Message("it was rounded too early, or too much"))
     size, own = max(map(abs, values)), max(map(abs, numbers))
     if size and own:

@@ -11,15 +11,27 @@ from fractions import Fraction
 
 from freebody.assess.comparing import ComponentPair
 from freebody.assess.points import EvaluationPoint, real
-from freebody.assess.words import is_readable
+from freebody.assess.setting import Setting
 from freebody.errors import CannotAnswer
+from freebody.language.expression import free_symbols
 from freebody.language.notation import to_text
 from freebody.language.sentences import Message
-from freebody.language.units import ANGULAR_VELOCITY, DAMPING, DIMENSIONLESS, INERTIA, MASS, ROTARY_DAMPING, VELOCITY
+from freebody.language.units import (
+    ANGULAR_VELOCITY,
+    DAMPING,
+    DIMENSIONLESS,
+    INERTIA,
+    LENGTH,
+    MASS,
+    ROTARY_DAMPING,
+    VELOCITY,
+    Dimension,
+)
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
 
 _LEFT_OUT = (INERTIA, MASS, DIMENSIONLESS, DAMPING, ROTARY_DAMPING, VELOCITY, ANGULAR_VELOCITY)
+_SHAPES = tuple(map(Fraction, ("1/2", "2/5", "1", "2/3", "1/3", "1/12")))  # I/(m r^2) of disk, sphere, ring, shell, rod
 _SMALL = Fraction(1, 10**6)
 _N_POINTS = 4
 
@@ -45,45 +57,45 @@ def _without(pairs: Sequence[ComponentPair]) -> Iterator[str]:
         unit = setting.names.dimensions.get(name, None) if name is not None else None
         if name is None or unit not in _LEFT_OUT or index in setting.angles:
             continue
-        value = _value_for(pairs, index)
-        if value is None or (not value.is_zero() and unit != INERTIA):
+        if unit == MASS and not _only_turns(setting, name):
             continue
-        shown = tidy(value)
-        if is_readable(shown):
-            yield f"{to_text(field.generators[index].display)} = {to_text(shown)}"
+        value = _value_for(pairs, index, unit)
+        if value is not None:
+            yield f"{to_text(field.generators[index].display)} = {to_text(tidy(value))}"
 
 
-def _value_for(pairs: Sequence[ComponentPair], index: int) -> Ratio | None:
-    """The one value of a parameter for which the answer is that of the pairs, where it is 0 or a single term."""
-    field = pairs[0].field
-    found: Ratio | None = None
-    for pair in pairs:
-        mine = pair.option.element
-        assert mine is not None
-        try:
-            at_zero = field.follow(pair.answer, {index: field.zero})
-            value = field.zero if (at_zero - mine).is_zero() else _root(field.lowest_terms(pair.answer - mine), index)
-        except (CannotAnswer, ZeroDivisionError):
-            return None
-        if value is None or (found is not None and not (value - found).is_zero()):
-            return None
-        found = value
-    return found
+def _only_turns(setting: Setting, name: str) -> bool:
+    """Whether a mass is that of bodies whose centres stay in place, as pulleys do: left out, it stands for inertia."""
+    system = setting.model.system
+    if system.space:
+        return False
+    own = [body for body in system.moving if name in free_symbols(body.mass)]
+    velocities = setting.model.kinematics.velocities
+    return bool(own) and all(v.is_zero() for body in own for v in velocities[body.name][:2])
 
 
-def _root(difference: Ratio, index: int) -> Ratio | None:
-    """Where a difference vanishes that is linear in a generator; a positive single term."""
-    field = difference.field
-    if any(index in field.generators[g].made_of for g in difference.generators()):
-        return None
-    parts = difference.numerator().coefficients(index)
-    if len(parts) != 2:
-        return None
-    root = field.lowest_terms(-parts[0] / parts[1])
-    below = {} if root.den is None else field.terms(root.den)
-    if len(field.terms(root.num)) != 1 or len(below) > 1:
-        return None
-    return root if next(iter(field.terms(root.num).values())) > 0 else None
+def _value_for(pairs: Sequence[ComponentPair], index: int, unit: Dimension) -> Ratio | None:
+    """A value of a parameter for which the answer is that of the pairs: 0; of a moment of inertia that of a shape."""
+    field, setting = pairs[0].field, pairs[0].setting
+    candidates = [field.zero]
+    if unit == INERTIA:
+        known, units = setting.model.parameters, setting.names.dimensions
+        masses, radii = ([x for n, x in known.items() if units.get(n) == kind] for kind in (MASS, LENGTH))
+        candidates += [field.element(c) * m * r * r for c in _SHAPES for m in masses for r in radii]
+    for value in candidates:
+        if all(_is_right_for(pair, index, value) for pair in pairs):
+            return value
+    return None
+
+
+def _is_right_for(pair: ComponentPair, index: int, value: Ratio) -> bool:
+    mine = pair.option.element
+    if mine is None or mine.is_zero():
+        return False
+    try:
+        return (pair.field.follow(pair.answer, {index: value}) - mine).is_zero()
+    except (CannotAnswer, ZeroDivisionError):
+        return False
 
 
 # -- small angles -----------------------------------------------------------------------------
@@ -92,7 +104,7 @@ def _for_small_angles(pairs: Sequence[ComponentPair]) -> str | None:
     field, setting = pairs[0].field, pairs[0].setting
     if setting.up_to_constant or any(pair.is_looped for pair in pairs):
         return None
-    for index in sorted(setting.angles):
+    for index in sorted(_moving_angles(setting)):
         uses = [pair for pair in pairs if index in pair.generators]
         if not uses or any(_has_sine_of(pair, index) for pair in uses):
             continue
@@ -103,15 +115,21 @@ def _for_small_angles(pairs: Sequence[ComponentPair]) -> str | None:
     return None
 
 
+def _moving_angles(setting: Setting) -> set[int]:
+    """Angles that are coordinates, or the values from which they start."""
+    model = setting.model
+    moving = {c.index for c in model.coordinates if c.is_angle}
+    started = frozenset[str]().union(*map(free_symbols, model.system.start.values()))
+    return moving | {setting.field.index(x) for name, x in model.parameters.items() if name in started} & setting.angles
+
+
 def _has_sine_of(pair: ComponentPair, index: int) -> bool:
     """Whether the option has a sine or a cosine of the angle, which is exact."""
     element, field = pair.option.element, pair.field
     if element is None:
         return True
-    return any(
-        field.generators[g].kind in ("cos", "sin") and index in field.generators[g].made_of
-        for g in element.generators()
-    )
+    inside = (field.generators[g] for g in field.ingredients(element))
+    return any(g.kind in ("cos", "sin") and index in g.made_of for g in inside)
 
 
 def _agrees_near_zero(pair: ComponentPair, index: int, speeds: Sequence[int]) -> bool:

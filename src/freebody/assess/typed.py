@@ -65,6 +65,7 @@ class TypedJudgement:
     decided_by: str = ""
     mistake: str = ""
     answer: TypedAnswer | None = None
+    equations: tuple[tuple[Expr, Expr], ...] = ()  # as they were read, where equations are the answer
 
     @property
     def exprs(self) -> tuple[Expr, ...]:
@@ -124,10 +125,12 @@ class AnswerJudge:
         fitting = [answer for answer in found if self._fits(answer)]
         formulas = [answer for answer in fitting if not answer.is_number]
         if len(formulas) > 1:
-            first, second = (to_text(answer.parts[0]) for answer in formulas[:2])  # type: ignore[arg-type]
+            pairs = zip(*(cast("tuple[Expr, ...]", answer.parts) for answer in formulas[:2]), strict=True)
+            first, second = next(tuple(map(to_text, pair)) for pair in pairs if pair[0] != pair[1])
             told = Message("can be read as {first} or as {second}: write brackets", first=first, second=second)
             raise _Unreadable(told)
-        return (fitting or found)[0]
+        plain = [a for a in found if not a.is_number or any(n.n_digits for n in a.parts if isinstance(n, TypedNumber))]
+        return (fitting or plain or found)[0]
 
     def _with_rates(self, answer: TypedAnswer) -> TypedAnswer:
         parts = tuple(p if isinstance(p, TypedNumber) else self.setting.names.with_rates(p) for p in answer.parts)

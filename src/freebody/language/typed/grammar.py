@@ -368,7 +368,7 @@ class _Parser:
             self.has_open_argument = True
             while self._is_wide and self._now.kind in ("name", "("):
                 factors.append(self._power())
-        if self._now.kind == "/" and not self._now.after_space:  # sin x/2
+        if self._now.kind == "/" and self._is_close():  # sin x/2
             self.has_open_argument = True
             if self._is_wide:
                 column = self._take().column
@@ -376,6 +376,11 @@ class _Parser:
         if self._now.kind in ("^", "superscript"):
             raise self._unclear(token)
         return multiply(*factors)
+
+    def _is_close(self) -> bool:
+        """Whether a bar has no space around it, and a number or a name below."""
+        below = self._tokens[self._at + 1]
+        return not self._now.after_space and not below.after_space and below.kind in ("number", "name")
 
     def _unclear(self, token: _Token) -> ExpressionError:
         told = Message("it is not clear what {f} is of: write {f}( ... ) with brackets", f=token.text)

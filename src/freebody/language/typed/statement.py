@@ -22,6 +22,7 @@ from freebody.language.typed.words import Vocabulary
 from freebody.language.units import DIMENSIONLESS, Dimension, Unit, parse_unit
 
 MAX_CHARACTERS = 1000
+MOST_EQUATIONS = 12
 _MOST_READINGS = 8
 _RELATION = re.compile(r"<=|>=|=<|=>|:=|==|=|≈|<|>")
 _LABEL = re.compile(r"(?=.*[A-Za-z\u0370-\u03ff])[A-Za-z0-9\u0370-\u03ff_'{}(),. ₀-₉→|\[\]]{1,60}")
@@ -34,9 +35,9 @@ _DERIVATIVE = re.compile(
     r"\s?/\s?\(?\s?d ?t(?:\^?\(?[23]\)?|[²³])?\)?\)?"
 )
 _NUMBER = r"[+-]?\s*(?:[0-9]+[.,]?[0-9]*|[.,][0-9]+)(?:[eE][+-]?[0-9]+)?"
-_QUANTITY = re.compile(
-    rf"(?P<number>{_NUMBER}(?:\s*\*\s*10\s*\^\s*\(?[+-]?[0-9]{{1,2}}\)?)?)\s*(?P<unit>[A-Za-zµμ°Ω%\[(].*)?", re.S
-)
+_POWER_OF_TEN = r"\s*\*\s*10\s*\^\s*\(?[+-]?[0-9]{1,2}\)?"
+_UNIT = r"[A-Za-zµμ°Ω%\[(].*|(?<=\s)1\s*/.*"
+_QUANTITY = re.compile(rf"(?P<number>{_NUMBER}(?:{_POWER_OF_TEN})?)\s*(?P<unit>{_UNIT})?", re.S)
 _PERCENT = Unit(DIMENSIONLESS, Fraction(1, 100))
 _SPELT_UNITS = (
     (re.compile(r"\b(k?)N\*?m(m?)\b"), r"\1N m\2"),
@@ -286,3 +287,24 @@ def _n_digits(head: str) -> int | None:
     digits = re.sub(r"[eE*].*", "", head)
     plain = re.sub(r"[^0-9]", "", digits).lstrip("0")
     return max(len(plain), 1)
+
+
+# -- equations --------------------------------------------------------------------------------
+def read_equations(text: str, vocabulary: Vocabulary) -> list[tuple[Expr, Expr]]:
+    """The equations of a text, one a line or between semicolons, as left and right sides. Raises ExpressionError."""
+    if len(text) > MAX_CHARACTERS:
+        raise ExpressionError(
+            Message("an answer may have {most} characters, this one has {n}", most=MAX_CHARACTERS, n=len(text))
+        )
+    found: list[tuple[Expr, Expr]] = []
+    lines = [line for line in re.split(r"[;\n]|\\\\", text) if line.strip()]
+    for line in lines[:MOST_EQUATIONS]:
+        plain = _with_rates(normalized(plain_of_latex(line) if is_latex(line) else line).strip().rstrip(".,"))
+        sides = re.split(r":=|==|=", plain)
+        if len(sides) != 2 or not all(side.strip() for side in sides):
+            raise ExpressionError(Message("'{line}' is not one equation: write left = right", line=plain[:60]))
+        left, right = (readings(side.strip(), vocabulary)[0] for side in sides)
+        found.append((left, right))
+    if not found:
+        raise ExpressionError(Message("the answer is empty"))
+    return found

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
@@ -10,6 +10,7 @@ from functools import cached_property, lru_cache
 from freebody.assess.numbers import Tolerance
 from freebody.assess.solved import SolvedAnswer
 from freebody.assess.typed import AnswerJudge, Form, Policy, TypedJudgement, Wanted
+from freebody.assess.verdict import Verdict
 from freebody.errors import FreebodyError, InputError, UnitError
 from freebody.language.expression import ZERO, Expr
 from freebody.language.notation import to_python
@@ -19,17 +20,23 @@ from freebody.language.typed import TypedNumber
 from freebody.language.units import dimension_of
 from freebody.model.noting import did_you_mean
 from freebody.narrative.context import Context
+from freebody.narrative.marking.equations import equations_of
 from freebody.narrative.marking.found import CheckedAnswer
 from freebody.narrative.mistakes.mistakes import KnownMistakes
 from freebody.narrative.mistakes.wrong_options import FAILURES
 from freebody.narrative.telling.catalogue import Catalogue
 from freebody.questions.base import Quantity
+from freebody.questions.freedom import DegreesOfFreedom
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
 from freebody.study.answering.solve import solve
+from freebody.study.conservation.judge import Judge
+from freebody.study.mobility.mobility import judged as judged_by_count
+from freebody.study.setup import Setup
 from freebody.study.worded import in_words
 from freebody.system.system import System
 
+EQUATIONS = ("equations of motion", "equations", "eom")  # asked for instead of a question
 FORMS: tuple[Form, ...] = ("any", "formula", "number")
 _LONGEST = 100_000  # characters that are looked at at all
 
@@ -49,11 +56,16 @@ def check(
     """Judges a typed answer to a question: its id in the file, or one in words. The system is solved once; each further
     answer to the same question is compared with what was found.
 
+    Instead of a question "equations of motion": the answer is a set of equations, which must hold on every motion.
     form: any, formula or number; unit: optional or required; tolerance: '1 %', '0.05 N' or '3 digits'; gravity: further
     values of g that are accepted [m/s^2]. Raises InputError for a question that cannot be read and for a policy that is
     none; an answer that cannot be read has the verdict `unreadable`."""
     Catalogue(language)
     policy = _policy(form, unit, tolerance, gravity)
+    if question.strip().lower() in EQUATIONS:
+        found = equations_of(system).judge(answer[:_LONGEST])
+        asked = Question("equations", Message("the equations of motion"), DegreesOfFreedom())
+        return CheckedAnswer(asked, shortened(plain(answer), 300), found, language, title=system.title)
     marked = marked_question(system, question)
     text = plain(answer)
     judgement = marked.judge(answer[:_LONGEST], policy)
@@ -101,12 +113,26 @@ class MarkedQuestion:
     def _known(self) -> KnownMistakes:
         return KnownMistakes(Context(self.system), self.question, self.answer)
 
+    def _options_judged(self, asked: Question) -> Mapping[str, Verdict]:
+        """The options of the question, by the study that answers it."""
+        match asked.quantity.scope:
+            case "structure" if isinstance(self.answer.value, float):
+                return judged_by_count(self.system, asked, int(self.answer.value)).options
+            case "every motion":
+                return self._conservation.answer(asked).options
+            case _:
+                return solve(replace(self.system, questions=(asked,))).answers[0].options
+
+    @cached_property
+    def _conservation(self) -> Judge:
+        return Judge(Setup(self.system))
+
     def _as_option(self, text: str) -> TypedJudgement:
         """Of what is no formula (a count, a condition) the answer is judged as an option would be."""
         if not self.answer.is_answered and not self.answer.conditions:
             return TypedJudgement("undecided", self.answer.reason)
         asked = replace(self.question, options={"a": text}, key=None)
-        found = solve(replace(self.system, questions=(asked,))).answers[0].options.get("a")
+        found = self._options_judged(asked).get("a")
         if found is None:
             return TypedJudgement("undecided", Message("there is nothing to compare it with"))
         verdict = {"right": "correct", "wrong": "incorrect", "unreadable": "unreadable"}[found.verdict]

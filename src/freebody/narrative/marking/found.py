@@ -75,6 +75,10 @@ class CheckedAnswer(Result):
 
     def _reading(self) -> dict[str, Any] | None:
         answer = self.judgement.answer
+        if self.judgement.equations:
+            sides = [tuple(map(to_python, equation)) for equation in self.judgement.equations]
+            latex = [" = ".join(map(to_latex, equation)) for equation in self.judgement.equations]
+            return {"expression": [f"{left} = {right}" for left, right in sides], "latex": latex, "label": None}
         if answer is None:
             return None
         shown = [_shown(part) for part in answer.parts]
@@ -90,8 +94,11 @@ class CheckedAnswer(Result):
 
     def _blocks(self, catalogue: Catalogue) -> Iterator[Block]:
         yield line(Emphasis(self.question.id, "code"), f"  {self.question.text}")
-        answer = self.judgement.answer
-        if answer is None:
+        answer, equations = self.judgement.answer, self.judgement.equations
+        if equations:
+            yield Paragraph((catalogue.word("marking.read_as"),))
+            yield Equations(tuple(Equation(Formula(sides, ("=",))) for sides in equations))
+        elif answer is None:
             yield from entries(entry(catalogue.word("marking.answer"), self.text))
         else:
             formulas = [p for p in answer.parts if not isinstance(p, TypedNumber)]

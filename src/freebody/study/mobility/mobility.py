@@ -9,6 +9,7 @@ pose alone.
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import lru_cache
 
 import numpy as np
 
@@ -245,7 +246,12 @@ def _answered(found: Mobility) -> Mobility:
 
 def judged(system: System, question: Question, n: int) -> Judgement:
     """Options on degrees of freedom, judged where the number n is known; what leads to wrong ones is told."""
-    return judge_count(question, n, _mistakes(mobility(system)))
+    return judge_count(question, n, _mistakes_of(system))
+
+
+@lru_cache(maxsize=8)
+def _mistakes_of(system: System) -> dict[int, str]:
+    return _mistakes(mobility(system))
 
 
 def _mistakes(found: Mobility) -> dict[int, str]:
