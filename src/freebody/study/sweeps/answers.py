@@ -14,6 +14,7 @@ from contextlib import suppress
 from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from freebody.errors import CannotAnswer, ExpressionError, FreebodyError
 from freebody.language.expression import Expr
@@ -31,7 +32,16 @@ from freebody.study.answering.solve import solve
 from freebody.study.setup import Setup
 from freebody.study.simulation.simulator import has_phases
 from freebody.study.sweeps.evaluators import Codes, Column, Evaluator, Found, Values, not_admissible
-from freebody.study.sweeps.statuses import CODES, FORMULA, NO_VALUE, NOT_ADMISSIBLE, NOT_ASSEMBLED, NUMBERS, OUTSIDE
+from freebody.study.sweeps.statuses import (
+    CODES,
+    FORMULA,
+    NO_VALUE,
+    NOT_ADMISSIBLE,
+    NOT_ASSEMBLED,
+    NOT_DONE,
+    NUMBERS,
+    OUTSIDE,
+)
 from freebody.study.sweeps.varied import with_values
 from freebody.study.worded import FAILED
 from freebody.system.system import System
@@ -96,20 +106,36 @@ class AnswerEvaluator(Evaluator):
     # -- many cases ---------------------------------------------------------------------------
     def together(self, values: Mapping[str, Array], n: int) -> tuple[Array, Codes]:
         numbers, codes = super().together(values, n)
+        which = self._which(values, n, codes)
         known = {**self._own, **values}
-        for form in self.forms:
+        for k, form in enumerate(self.forms):
+            holds = which == k
+            if holds.any():
+                numbers[holds] = np.column_stack(form.parts.at(known, n))[holds]
+                codes[holds] = CODES[FORMULA]
+        return numbers, codes
+
+    def _which(self, values: Mapping[str, Array], n: int, codes: Codes) -> NDArray[np.int64]:
+        """(n,) the first formula that is known to hold and has a value, -1 for none."""
+        known = {**self._own, **values}
+        which = np.full(n, -1)
+        for k, form in enumerate(self.forms):
             if not form.parts.names <= known.keys() or form.conditions is None:
                 continue
-            holds = codes == CODES["not done"]
+            holds = (codes == CODES[NOT_DONE]) & (which < 0)
             for condition, _text in form.conditions:
                 holds &= condition.at(known, n, round_off=_ROUND_OFF) > 0 if condition.names <= known.keys() else False
-            if not holds.any():
-                continue
-            found = np.column_stack(form.parts.at(known, n))
-            holds &= np.isfinite(found).all(axis=1)
-            numbers[holds] = found[holds]
-            codes[holds] = CODES[FORMULA]
-        return numbers, codes
+            if holds.any():
+                holds &= np.isfinite(form.parts.at(known, n)).all(axis=0)
+                which[holds] = k
+        return which
+
+    def kinds(self, values: Mapping[str, Array], n: int) -> tuple[NDArray[np.int64], list[str]]:
+        if len(self.forms) < 2:
+            return super().kinds(values, n)
+        _numbers, codes = super().together(values, n)
+        words = [", ".join(form.said) or to_python(form.expressions[0]) for form in self.forms]
+        return self._which(values, n, codes), words
 
     @property
     def _own(self) -> dict[str, float]:
