@@ -87,7 +87,7 @@ def _cells(frame: Frame, x: Array, y: Array, level: NDArray[np.int64], inks: Seq
         inner = [int(k) + 1 for k in np.flatnonzero(np.diff(level[j]))]
         for a, b in pairwise((0, *inner, len(x))):
             ends = across[[a, b, b, a]], up[[j, j, j + 1, j + 1]]
-            ink = inks[level[j, a]] if level[j, a] >= 0 else _NOTHING
+            ink = inks[int(level[j, a])] if level[j, a] >= 0 else _NOTHING
             shapes.append(Shape(frame.at(*ends), ink, 0.2, ink, is_closed=True))
     return shapes
 

@@ -290,13 +290,6 @@ class Sweep(Result):
         yield from entries(
             entry("cases", shape + done),
             *(entry("status", f"{name}: {self._told(of)}") for name, of in self.counts.items()),
-            entry(
-                "time",
-                f"{number_text(self.seconds)} s, {self.threads} threads"
-                if self.threads > 1
-                else f"{number_text(self.seconds)} s",
-            ),
-            entry("digest", self.digest[:16]),
         )
         head = ["", "unit", "least", "mean", "greatest", "std. deviation"]
         is_random = self.plan.sampled.is_random
@@ -321,4 +314,6 @@ class Sweep(Result):
         return ", ".join(f"{count:,} {word}" for word, count in of.items())
 
     def _case(self, f: Failure) -> str:
-        return ", ".join(f"{v.name} = {number_text(f.values[v.name])} {v.unit}" for v in self.plan.names)
+        return ", ".join(
+            f"{v.name} = {number_text(f.values[v.name])} {v.unit.removeprefix('1')}".strip() for v in self.plan.names
+        )
