@@ -35,6 +35,11 @@ RESULTS: dict[str, tuple[str, Callable[[fb.System], Result]]] = {
     ),
     "turn": ("slider_crank", lambda system: system.over_a_turn("theta", rate=5.0, n=24)),
     "sweep": ("atwood_machine", lambda system: system.sweep({"m1": "1..3 kg:3"})),
+    "gradient": ("atwood_machine", lambda system: system.gradient(["tension"])),
+    "sensitivity": (
+        "atwood_machine",
+        lambda system: system.sensitivity({"m1": "2..4 kg", "M": "1..2 kg"}, find=["tension"], sample="saltelli:64"),
+    ),
     "simulate": ("bouncing_ball", lambda system: system.simulate(1.0)),
     "phases": ("block_on_rough_incline", fb.System.phases),
     "check": ("yo_yo", lambda system: system.check("acceleration", "g/2")),
@@ -63,7 +68,7 @@ def test_every_result_is_a_report_in_every_format(study: str, tmp_path: Path) ->
     ElementTree.fromstring(html[html.index("<main") : html.index("</main>") + 7])
     assert f"<h1>{title}</h1>" in html
     for suffix in (".html", ".md", ".tex", ".ipynb", ".txt"):
-        (path,) = result.write(tmp_path / f"a{suffix}")
+        path, *_pictures = result.write(tmp_path / f"a{suffix}")
         assert (latex_words(title) if suffix == ".tex" else title) in path.read_text(encoding="utf-8")
     assert (tmp_path / "a.txt").read_text(encoding="utf-8") == result.to_text()
     markdown = MarkdownIt("commonmark").enable("table").render((tmp_path / "a.md").read_text(encoding="utf-8"))

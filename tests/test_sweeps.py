@@ -22,6 +22,8 @@ from freebody.errors import InputError
 from freebody.language.parser import parse
 from freebody.language.truth import is_true, read_statement
 from freebody.numeric.vectorised import VectorFunction, VectorStatement
+from freebody.present.charts.frame import HEIGHT, WIDTH, Scale
+from freebody.present.charts.lines import line_chart
 from freebody.study.sweeps import running
 from freebody.study.sweeps.statistics import statistics
 
@@ -334,6 +336,58 @@ def test_a_killed_sweep_goes_on_to_the_same_digest(tmp_path: Path) -> None:
     assert told["digest"] == whole.digest
 
 
+# -- charts -----------------------------------------------------------------------------------
+def test_the_regions_of_a_chart_are_those_of_the_conditions() -> None:
+    """A sphere rolls where mu > 2 tan(theta)/7: the coloured cells of that region have its share of the area."""
+    found = example("sphere_launched_down_incline").sweep(
+        {"mu": "0.05..0.5:19", "theta": "5..50 deg:10"}, find=["time"]
+    )
+    mu, theta = np.meshgrid(np.linspace(0.05, 0.5, 19), np.radians(np.linspace(5, 50, 10)), indexing="ij")
+    picture = found.chart("time", "regions")
+    colors: dict[int, float] = {}
+    for shape in picture.shapes:
+        if shape.fill is not None and shape.points.min() >= -1e-9:  # not of the legend
+            width, height = np.ptp(shape.points, axis=0)
+            colors[shape.fill.body] = colors.get(shape.fill.body, 0.0) + width * height
+    share = colors[0] / sum(colors.values())
+    assert share == pytest.approx(np.mean(mu > 2 / 7 * np.tan(theta)), abs=1e-9)
+    assert [word.label.text for word in picture.words if word.at[1] < -30] == ["formula", "outside"]
+
+
+def test_a_curve_runs_through_its_values_and_has_gaps_where_there_are_none() -> None:
+    curves = [("a", np.array([0.0, 1.0, math.nan, 3.0, 2.0]))]
+    picture = line_chart("t", "x", np.arange(5.0), "y", curves)
+    runs = [shape.points for shape in picture.shapes if shape.stroke is not None and shape.stroke.color == "body"]
+    assert [len(run) for run in runs] == [2, 2]
+    np.testing.assert_allclose(runs[0], [(0, 0), (WIDTH / 4, HEIGHT / 3)])
+    np.testing.assert_allclose(runs[1][:, 1], [HEIGHT, HEIGHT * 2 / 3])
+
+
+def test_round_numbers_of_an_axis_lie_in_it() -> None:
+    for low, high in ((0.0, 1.0), (-3.2, 7.9), (1e-7, 3e-7), (2.0, 2.0), (1e9, 1.7e9)):
+        scale = Scale.of("x", np.array([low, high, math.nan]))
+        assert 2 <= len(scale.ticks) <= 8
+        assert scale.ticks[0] >= scale.low - 1e-9 * abs(scale.high)
+        assert scale.ticks[-1] <= scale.high * (1 + 1e-9)
+
+
+@pytest.mark.parametrize(
+    ("vary", "sample", "kind"),
+    [
+        ({"m1": "1..3 kg:5"}, None, "line"),
+        ({"m1": "1..3 kg:5", "M": "1, 2 kg"}, None, "heat"),
+        ({"m1": "1..3 kg", "M": "1..2 kg"}, "lhs:30", "parallel"),
+        ({"m1": "1..3 kg"}, "lhs:30", "line"),
+    ],
+)
+def test_every_chart_is_written_in_every_format(vary: Any, sample: str | None, kind: str, tmp_path: Path) -> None:
+    found = example("atwood_machine").sweep(vary, sample=sample, find=["tension"])
+    for suffix in (".svg", ".png", ".pdf", ".tex"):
+        assert found.chart("tension", kind).write(tmp_path / f"a{suffix}").stat().st_size > 500
+    assert found.to_html().count("<figure") == 1
+    assert "tension" in found.chart().description
+
+
 # -- bad input --------------------------------------------------------------------------------
 @pytest.mark.parametrize(
     ("asked", "said"),
@@ -363,6 +417,7 @@ def test_a_killed_sweep_goes_on_to_the_same_digest(tmp_path: Path) -> None:
         ({"vary": {"m1": "1..3 kg:5"}, "threads": 0}, "threads"),
         ({"vary": {"m1": "1..3 kg:5"}, "out": "a.doc"}, "for data, .csv, .nc, .parquet, .zarr"),
         ({"vary": {"m1": "1..3 kg:5"}, "out": "/nowhere/a.csv"}, "no folder"),
+        ({"vary": {"m1": "1..3 kg:5"}, "out": "a.html", "resume": True}, "only a sweep with a file"),
         ({"vary": {"m1": "1..3 kg:5"}, "resume": True}, "only a sweep with a file"),
         ({"sample": "table:/nowhere.csv"}, "cannot be read"),
     ],

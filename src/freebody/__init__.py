@@ -35,6 +35,8 @@ if TYPE_CHECKING:
     from freebody.study.over_a_turn import over_a_turn
     from freebody.study.phases.result import phases
     from freebody.study.pictures.picture import draw, free_body, picture
+    from freebody.study.sensitivity.local import Gradient, gradient
+    from freebody.study.sensitivity.sensitivity import Sensitivity, sensitivity
     from freebody.study.simulation.simulate import Simulation, simulate
     from freebody.study.simulation.simulator import Simulator
     from freebody.study.small_motion.equilibrium import equilibria
@@ -55,6 +57,8 @@ _HOMES = {
     "Simulator": "freebody.study.simulation.simulate",
     "Equations": "freebody.study.eom",
     "Sweep": "freebody.study.sweeps.result",
+    "Gradient": "freebody.study.sensitivity.local",
+    "Sensitivity": "freebody.study.sensitivity.sensitivity",
     "effort": "freebody.budgets",
     "FreebodyError": "freebody.errors",
     "InputError": "freebody.errors",
@@ -69,11 +73,13 @@ __all__ = [
     "Conservation",
     "Equations",
     "FreebodyError",
+    "Gradient",
     "InputError",
     "Mobility",
     "Model",
     "ModelError",
     "RoutesDisagree",
+    "Sensitivity",
     "Simulation",
     "SimulationOptions",
     "Simulator",
@@ -89,12 +95,14 @@ __all__ = [
     "equilibria",
     "explain",
     "free_body",
+    "gradient",
     "inverse_dynamics",
     "mobility",
     "modes",
     "over_a_turn",
     "phases",
     "picture",
+    "sensitivity",
     "simulate",
     "solve",
     "statics",

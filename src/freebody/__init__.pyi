@@ -84,6 +84,10 @@ from freebody.study.phases.result import phases as phases
 from freebody.study.pictures.picture import draw as draw
 from freebody.study.pictures.picture import free_body as free_body
 from freebody.study.pictures.picture import picture as picture
+from freebody.study.sensitivity.local import Gradient as Gradient
+from freebody.study.sensitivity.local import gradient as gradient
+from freebody.study.sensitivity.sensitivity import Sensitivity as Sensitivity
+from freebody.study.sensitivity.sensitivity import sensitivity as sensitivity
 from freebody.study.simulation.simulate import Simulation as Simulation
 from freebody.study.simulation.simulate import simulate as simulate
 from freebody.study.simulation.simulator import Simulator as Simulator

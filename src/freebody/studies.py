@@ -30,6 +30,8 @@ if TYPE_CHECKING:
     from freebody.study.mobility.found import Mobility
     from freebody.study.over_a_turn import OverTurn
     from freebody.study.phases.result import Phases
+    from freebody.study.sensitivity.local import Gradient
+    from freebody.study.sensitivity.sensitivity import Sensitivity
     from freebody.study.simulation.simulate import Simulation
     from freebody.study.small_motion.found import Equilibria
     from freebody.study.small_motion.modes import At, NaturalModes
@@ -43,7 +45,7 @@ R = TypeVar("R")
 class Option:
     """How a parameter of a study is given on the command line: by a word after a flag, by several, or by the flag
     alone if it is a switch. read: the function that makes of a word what the study takes, by its place. is_list:
-    several words may stand between commas."""
+    several words may stand between commas; is_joined: all words are read together."""
 
     parameter: str
     flags: tuple[str, ...]
@@ -53,6 +55,7 @@ class Option:
     metavar: str | None = None
     read: str = ""
     is_list: bool = False
+    is_joined: bool = False
 
     def given(self, word: Any) -> Any:
         """What the study is given for what stands on the command line. Raises InputError if it cannot be read."""
@@ -61,19 +64,22 @@ class Option:
         if self.is_list:
             given: list[str] = word or []
             return [part for part in map(str.strip, ",".join(given).split(",")) if part]
+        if self.is_joined:
+            word = word or None
         if word is None or not self.read:
             return word
         home, _, name = self.read.rpartition(".")
         reading = getattr(import_module(home), name)
 
-        def read(text: str) -> Any:
+        def read(text: Any) -> Any:
             try:
                 return reading(text)
             except InputError as error:
-                where = self.flags[-1] if str(error).startswith(text) else f"{self.flags[-1]} {text}:"
+                is_told = self.is_joined or str(error).startswith(text)
+                where = self.flags[-1] if is_told else f"{self.flags[-1]} {text}:"
                 raise InputError(f"{where} {error}") from error
 
-        return read(word) if self.kind is str else [read(each) for each in word]
+        return read(word) if self.kind is str or self.is_joined else [read(each) for each in word]
 
 
 @dataclass(frozen=True)
@@ -119,6 +125,7 @@ def study(
 
 SECONDS = "freebody.study.given.seconds"
 _GUESS = "freebody.study.given.guess_of"
+_RANGES = "freebody.study.given.ranges_of"
 
 
 class Studies:
@@ -238,6 +245,57 @@ class Studies:
         vary: by name, a text as "1..3 kg:50" or numbers in SI; over: what every case is gone over; sample:
         "sobol:4096", a grid if nothing is said; find: questions; record: of the motion up to `until` [s], as
         "maximum of x"; options: how it is followed; out: files to write."""
+        ...
+
+    @study("freebody.study.sensitivity.local")
+    def gradient(self, find: Sequence[str] = (), by: Sequence[str] = ()) -> Gradient:
+        """The exact derivatives of answers by parameters and start values.
+
+        find: questions, by id or in words; by: names, else all parameters in a formula."""
+        ...
+
+    @study(
+        "freebody.study.sensitivity.sensitivity",
+        "sensitivity",
+        busy="finding derivatives",
+        options=[
+            Option(
+                "vary",
+                ("--vary",),
+                "For Sobol' indices: how a name varies, as 'm=normal(2 kg, 5 %)' (repeatable).",
+                list[str],
+                metavar="NAME=RANGE",
+                read=_RANGES,
+                is_joined=True,
+            ),
+            Option("sample", ("--sample",), "How many cases, as saltelli:1024."),
+            Option("seed", ("--seed",), "The same seed draws the same cases.", int, 0),
+            Option("find", ("--find",), "A question, by its id in the file or in words (repeatable).", list[str]),
+            Option(
+                "by", ("--by",), "Differentiate by this name (repeatable, or with commas).", list[str], is_list=True
+            ),
+            Option("record", ("--record",), "Of the motion, as 'final x' (repeatable).", list[str]),
+            Option("until", ("--until",), "How long the motion is followed, as 10 or 200 ms.", read=SECONDS),
+            Option("threads", ("--threads",), "For motions, and what has no formula.", int, 1),
+        ],
+    )
+    def sensitivity(
+        self,
+        vary: Mapping[str, Any] | None = None,
+        *,
+        sample: str = "saltelli:1024",
+        seed: int = 0,
+        find: Sequence[str] = (),
+        by: Sequence[str] = (),
+        record: Sequence[str] = (),
+        until: float | None = None,
+        threads: int = 1,
+        **given: Any,
+    ) -> Sensitivity:
+        """Tell how much answers and motions hang on parameters and start values.
+
+        vary: with which distributions, for Sobol' indices; without it the gradient alone; find, record, until: as of
+        `sweep`."""
         ...
 
     @study(

@@ -67,6 +67,9 @@ def sweep(
             "-o", "--out", help="Write .nc, .zarr, .csv or .parquet, or a report: .html, .md, ... (repeatable)."
         ),
     ] = None,
+    plot: Annotated[Path | None, typer.Option("--plot", help="Draw a result: .svg, .png, .pdf or .tex.")] = None,
+    show: Annotated[str, typer.Option("--show", help="Which one is drawn; else the first.")] = "",
+    chart: Annotated[str, typer.Option("--chart", help="line, heat, parallel or regions; else what fits.")] = "",
     resume: Annotated[
         bool, typer.Option("--resume", help="Go on with an interrupted sweep into the same file.")
     ] = False,
@@ -80,10 +83,14 @@ def sweep(
 
     with busy("reading the model"):
         from freebody.numeric.options import SimulationOptions
+        from freebody.present.files import check_writable
+        from freebody.present.picture.picture import checked_path
         from freebody.study.given import ranges_of
         from freebody.study.sweeps.sweep import sweep as run
 
         system = model_of(file, set_)
+        if plot is not None:
+            check_writable(checked_path(plot))
         options = SimulationOptions(
             tolerance=tolerance,
             method=method,
@@ -116,5 +123,6 @@ def sweep(
         kept = f" and kept in {found.store.folder}; --resume goes on" if found.store.folder else ""
         say(f"interrupted: {found.n_done:,} of {found.n:,} cases are done{kept}")
         raise typer.Exit(130)
+    drawn = [] if plot is None else [found.chart(show, chart).write(plot)]
     if not as_json:
-        print_written(found.files)
+        print_written([*found.files, *drawn])

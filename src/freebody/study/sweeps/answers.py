@@ -14,6 +14,7 @@ from contextlib import suppress
 from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from freebody.errors import CannotAnswer, ExpressionError, FreebodyError
 from freebody.language.expression import Expr
@@ -31,7 +32,16 @@ from freebody.study.answering.solve import solve
 from freebody.study.setup import Setup
 from freebody.study.simulation.simulator import has_phases
 from freebody.study.sweeps.evaluators import Codes, Column, Evaluator, Found, Values, not_admissible
-from freebody.study.sweeps.statuses import CODES, FORMULA, NO_VALUE, NOT_ADMISSIBLE, NOT_ASSEMBLED, NUMBERS, OUTSIDE
+from freebody.study.sweeps.statuses import (
+    CODES,
+    FORMULA,
+    NO_VALUE,
+    NOT_ADMISSIBLE,
+    NOT_ASSEMBLED,
+    NOT_DONE,
+    NUMBERS,
+    OUTSIDE,
+)
 from freebody.study.sweeps.varied import with_values
 from freebody.study.worded import FAILED
 from freebody.system.system import System
@@ -40,7 +50,7 @@ _ROUND_OFF = 1e-12  # of the larger side, by which a condition that includes equ
 
 
 @dataclass(frozen=True)
-class _Form:
+class AnswerForm:
     """A formula, part by part, and the conditions under which it holds, None where they cannot be read."""
 
     parts: VectorFunction
@@ -78,41 +88,69 @@ class AnswerEvaluator(Evaluator):
                 return len(shown) if isinstance(shown, tuple) else 1
         return 1
 
-    def _forms(self) -> list[_Form]:
+    def _forms(self) -> list[AnswerForm]:
         """The formulas, those with readable conditions in parameters alone."""
         a = self.answer
         if a.expression is None:
             return []
         cases = [(c.expression, c.conditions) for c in a.cases] or [(a.expression, a.conditions)]
-        found: list[_Form] = []
+        found: list[AnswerForm] = []
         for expression, conditions in cases:
             parts = expression if isinstance(expression, tuple) else (expression,)
             if len(parts) != len(self.columns):
                 continue
             with suppress(ExpressionError):  # a rate that is left open has no value in parameters
-                found.append(_Form(VectorFunction(parts), _read(conditions), parts, tuple(map(str, conditions))))
+                found.append(AnswerForm(VectorFunction(parts), _read(conditions), parts, tuple(map(str, conditions))))
         return found
 
     # -- many cases ---------------------------------------------------------------------------
     def together(self, values: Mapping[str, Array], n: int) -> tuple[Array, Codes]:
         numbers, codes = super().together(values, n)
-        known = {**self._own, **values}
-        for form in self.forms:
-            if not form.parts.names <= known.keys() or form.conditions is None:
-                continue
-            holds = codes == CODES["not done"]
-            for condition, _text in form.conditions:
-                holds &= condition.at(known, n, round_off=_ROUND_OFF) > 0 if condition.names <= known.keys() else False
-            if not holds.any():
-                continue
-            found = np.column_stack(form.parts.at(known, n))
-            holds &= np.isfinite(found).all(axis=1)
-            numbers[holds] = found[holds]
-            codes[holds] = CODES[FORMULA]
+        which = self._which(values, n, codes)
+        known = {**self.own, **values}
+        for k, form in enumerate(self.forms):
+            holds = which == k
+            if holds.any():
+                numbers[holds] = np.column_stack(form.parts.at(known, n))[holds]
+                codes[holds] = CODES[FORMULA]
         return numbers, codes
 
+    def _which(self, values: Mapping[str, Array], n: int, codes: Codes) -> NDArray[np.int64]:
+        """(n,) the first formula that is known to hold and has a value, -1 for none."""
+        known = {**self.own, **values}
+        which = np.full(n, -1)
+        for k, form in enumerate(self.forms):
+            if not form.parts.names <= known.keys() or form.conditions is None:
+                continue
+            holds = (codes == CODES[NOT_DONE]) & (which < 0)
+            for condition, _text in form.conditions:
+                holds &= condition.at(known, n, round_off=_ROUND_OFF) > 0 if condition.names <= known.keys() else False
+            if holds.any():
+                holds &= np.isfinite(form.parts.at(known, n)).all(axis=0)
+                which[holds] = k
+        return which
+
+    def kinds(self, values: Mapping[str, Array], n: int) -> tuple[NDArray[np.int64], list[str]]:
+        if len(self.forms) < 2:
+            return super().kinds(values, n)
+        _numbers, codes = super().together(values, n)
+        words = [", ".join(form.said) or to_python(form.expressions[0]) for form in self.forms]
+        return self._which(values, n, codes), words
+
     @property
-    def _own(self) -> dict[str, float]:
+    def form_at_own(self) -> AnswerForm | None:
+        """The formula that is known to hold at the model's own numbers; that of the answer where it has none."""
+        if not self.forms:
+            return None
+        needed = set[str]().union(*(form.parts.names for form in self.forms))
+        if not needed <= self.own.keys():
+            return self.forms[0]
+        codes = np.full(1, CODES[NOT_DONE], dtype=np.int8)
+        k = int(self._which({}, 1, codes)[0])
+        return None if k < 0 else self.forms[k]
+
+    @property
+    def own(self) -> dict[str, float]:
         """The parameters' own values, at the start where they are functions of time."""
         return {p.name: p.value for p in self.system.parameters.values() if p.value is not None}
 
@@ -157,7 +195,7 @@ class AnswerEvaluator(Evaluator):
 
     def _broken(self, values: Values) -> list[str]:
         """Conditions of the answer that are not true of a case."""
-        known = {**self._own, **values}
+        known = {**self.own, **values}
         told: list[str] = []
         for form in self.forms:
             for condition, text in form.conditions or ():

@@ -61,6 +61,10 @@ class Evaluator(ABC):
     def alone(self, values: Values) -> Found:
         """One case by itself. Raises nothing: what fails is a status with its reason."""
 
+    def kinds(self, values: Mapping[str, Array], n: int) -> tuple[NDArray[np.int64], list[str]]:
+        """(n,) which of several formulas tells each case, -1 for none, and where each of them holds in words."""
+        return np.full(n, -1), []
+
     def described(self) -> dict[str, Any]:
         """What it is, as plain data."""
         return {column.name: {"unit": column.unit, "what": column.long_name} for column in self.columns}

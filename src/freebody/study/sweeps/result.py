@@ -15,7 +15,7 @@ from freebody.errors import InputError
 from freebody.language.sentences import Message
 from freebody.numeric.jets import Array
 from freebody.present.lines import number_text
-from freebody.present.report.blocks import Block, Report, Section
+from freebody.present.report.blocks import Block, Figure, Report, Section
 from freebody.present.report.results import Result, entries, entry, summary, table
 from freebody.study.sweeps.evaluators import Column, Evaluator
 from freebody.study.sweeps.plan import Plan
@@ -26,7 +26,10 @@ from freebody.study.sweeps.store import CHUNK, Store
 if TYPE_CHECKING:
     import xarray
 
+    from freebody.present.picture.picture import Picture
     from freebody.system.system import System
+
+MOST_SHOWN = 1_000_000  # cases of which a report has charts
 
 
 @dataclass(frozen=True)
@@ -124,6 +127,11 @@ class Sweep(Result):
 
     def _codes(self, k: int, start: int, stop: int) -> Any:
         return np.where(self.store.done[start:stop] > 0, self.store.statuses[start:stop, k], CODES[NOT_DONE])
+
+    def parameters(self) -> dict[str, Array]:
+        """(n,) values of the parameters that vary."""
+        cases = self.plan.cases(0, self.n)
+        return {v.parameter: cases[:, k] for k, v in enumerate(self.plan.names)}
 
     @cached_property
     def counts(self) -> dict[str, dict[str, int]]:
@@ -232,6 +240,13 @@ class Sweep(Result):
             return [path]
         return super().write(path)
 
+    def chart(self, name: str = "", kind: str = "") -> Picture:
+        """A picture of a column, of the first one without a name, that writes itself as .svg, .png, .pdf or .tex. kind:
+        line, heat, parallel or regions (which formula or status holds); what fits the axes if nothing is said."""
+        from freebody.study.sweeps.charts import chart
+
+        return chart(self, name or self.columns[0].name, kind)
+
     def to_plain(self) -> dict[str, Any]:
         """Plain data: cases, statuses by answer, digest, seconds, formulas, statistics, failures."""
         return {
@@ -275,13 +290,6 @@ class Sweep(Result):
         yield from entries(
             entry("cases", shape + done),
             *(entry("status", f"{name}: {self._told(of)}") for name, of in self.counts.items()),
-            entry(
-                "time",
-                f"{number_text(self.seconds)} s, {self.threads} threads"
-                if self.threads > 1
-                else f"{number_text(self.seconds)} s",
-            ),
-            entry("digest", self.digest[:16]),
         )
         head = ["", "unit", "least", "mean", "greatest", "std. deviation"]
         is_random = self.plan.sampled.is_random
@@ -293,6 +301,10 @@ class Sweep(Result):
             numbers = [s.least, s.mean, s.greatest, s.deviation, *([s.error] if is_random else [])]
             rows.append([c.name, c.unit, *(number_text(x) if math.isfinite(x) else "" for x in numbers)])
         yield Section(("Results",), tuple(table(rows, head)))
+        if self.is_complete and self.n <= MOST_SHOWN:
+            from freebody.study.sweeps.charts import charts
+
+            yield from (Figure(picture, (picture.title,), k) for k, picture in enumerate(charts(self), 1))
         if self.failures:
             told = [[f.of, f.status, f"{f.count:,}", self._case(f), f.why] for f in self.failures]
             yield Section(("Cases without a number",), tuple(table(told, ["", "status", "cases", "first case", "why"])))
@@ -302,4 +314,6 @@ class Sweep(Result):
         return ", ".join(f"{count:,} {word}" for word, count in of.items())
 
     def _case(self, f: Failure) -> str:
-        return ", ".join(f"{v.name} = {number_text(f.values[v.name])} {v.unit}" for v in self.plan.names)
+        return ", ".join(
+            f"{v.name} = {number_text(f.values[v.name])} {v.unit.removeprefix('1')}".strip() for v in self.plan.names
+        )

@@ -12,6 +12,7 @@ from typing import Any
 from freebody.errors import InputError
 from freebody.language.sentences import Message
 from freebody.numeric.options import SimulationOptions
+from freebody.questions.reading import Question
 from freebody.study.sweeps import running
 from freebody.study.sweeps.answers import AnswerEvaluator
 from freebody.study.sweeps.evaluators import Evaluator
@@ -91,9 +92,7 @@ def _evaluators(
 ) -> tuple[Evaluator, ...]:
     """What is asked of every case."""
     system = cases.system
-    questions = list(system.questions) if not find and not record and until is None else []
-    by_id = {q.id: q for q in system.questions}
-    questions += [by_id[text] if text in by_id else replace(system.question(text), id=text) for text in find]
+    questions = [] if not find and (record or until is not None) else questions_asked(system, find)
     found: list[Evaluator] = [AnswerEvaluator(system, q) for q in questions]
     if record and until is None:
         raise InputError(Message("how long is the motion? Say until when it is followed, as --until '5 s'"))
@@ -102,6 +101,13 @@ def _evaluators(
     if not found:
         raise InputError(Message("nothing is asked: the model has no questions; say what to find or to record"))
     return tuple(found)
+
+
+def questions_asked(system: System, find: Sequence[str]) -> list[Question]:
+    """Questions by id or in words, all of the model if there are none. Raises InputError."""
+    by_id = {q.id: q for q in system.questions}
+    found = [by_id[text] if text in by_id else replace(system.question(text), id=text) for text in find]
+    return found or list(system.questions)
 
 
 def _check(path: Path) -> None:

@@ -1,0 +1,7 @@
+"""Charts of many numbers, as pictures that every format of report can show.
+
+frame       axes with round numbers
+lines       curves over one axis
+cells       a plane of cells: numbers by their shade, or kinds by their colour
+parallel    many names side by side, a line for each case
+"""
