@@ -129,6 +129,22 @@ def test_a_document_without_a_key_says_the_rest(tmp_path: Path) -> None:
         document.without(("a", "x"))
 
 
+@pytest.mark.parametrize(
+    ("before", "after"),
+    [
+        ("a: 1\n", "a: 1\nq: [{find: x}]\n"),
+        ("q:\n  - one # kept\n  # kept\nb: 1\n", "q:\n  - one # kept\n  - {find: x}\n  # kept\nb: 1\n"),
+        ("q: [one, two] # kept\n", "q: [one, two, {find: x}] # kept\n"),
+        ("q: []\n", "q: [{find: x}]\n"),
+        ("q:\nb: 1\n", "q: [{find: x}]\nb: 1\n"),
+    ],
+)
+def test_an_item_is_added_to_a_list_as_it_stands(before: str, after: str) -> None:
+    assert Document.read(before).with_item(("q",), {"find": "x"}).dumps() == after
+    with pytest.raises(InputError):
+        Document.read("q: 3\n").with_item(("q",), 1)
+
+
 def test_what_can_be_added_can_be_added() -> None:
     """Every kind, under a name that is free, as it stands in its example."""
     offered = kinds()

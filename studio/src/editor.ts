@@ -40,6 +40,7 @@ const colors = HighlightStyle.define([
 export function editorIn(parent: HTMLElement, studio: Studio, complete: (context: CompletionContext) => CompletionResult | null, label: string) {
   const name = new Compartment();
   const extensions = [
+    EditorState.readOnly.of(studio.isShared),
     lineNumbers(),
     history({ newGroupDelay: 700 }),
     bracketMatching(),

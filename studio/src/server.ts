@@ -1,6 +1,24 @@
 // What is asked of the server: with the token of the address, and in the schema of `wire.ts`.
 import type { Answers, Example, OpenedFile, Opening, Reply, Requests, SaveAnswer, SaveRequest } from "./wire";
 
+/** A page that was written to be shared has its answers with it, and no server. */
+interface Kept {
+  opening: Opening;
+  replies: Record<string, Reply>;
+}
+const kept = JSON.parse(document.getElementById("kept")?.textContent ?? "null") as Kept | null;
+export const isShared = kept !== null;
+
+/** By what an answer is kept: the kind of the request, and what it says beside the text. */
+function keyOf(kind: string, request: object): string {
+  const beside = new Set(["text", "language", "prefix", "until", "frames"]);
+  return JSON.stringify([kind, request], (name, value: unknown) => {
+    if (typeof value !== "object" || value === null || Array.isArray(value)) return value;
+    const entries = Object.entries(value).filter(([key, each]) => each !== undefined && !(name === "1" && beside.has(key)));
+    return Object.fromEntries(entries.sort(([a], [b]) => (a < b ? -1 : 1)));
+  });
+}
+
 const token = new URLSearchParams(location.hash.slice(1)).get("token") ?? "";
 
 /** Why there is no answer: the server is gone, or refuses this page. */
@@ -31,11 +49,15 @@ async function post<T>(name: string, body: unknown): Promise<T> {
 export type Told<K extends keyof Answers> = Omit<Reply, "answer"> & { answer: Answers[K] | null };
 
 export function ask<K extends keyof Requests>(kind: K, request: Requests[K], topic: string = kind): Promise<Told<K>> {
+  if (kept) {
+    const found = kept.replies[keyOf(kind, request)];
+    return Promise.resolve((found ?? { status: "refused", message: "" }) as Told<K>);
+  }
   return post("ask", { kind, topic, request });
 }
 export const cancel = (topic: string) => post<object>("cancel", { topic });
-export const busy = () => post<Record<string, string>>("busy", {});
-export const open = () => post<Opening>("open", {});
+export const busy = () => kept ? Promise.resolve<Record<string, string>>({}) : post<Record<string, string>>("busy", {});
+export const open = () => kept ? Promise.resolve(kept.opening) : post<Opening>("open", {});
 export const openFile = (name: string) => post<OpenedFile>("file", { name });
 export const save = (request: SaveRequest) => post<SaveAnswer>("save", request);
 export const examples = () => post<Example[]>("examples", {});

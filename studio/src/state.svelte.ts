@@ -77,6 +77,7 @@ export class Studio {
   dialog = $state<"" | "add" | "commands" | "gallery" | "help" | "save" | "changed">("");
   derived = $state<string | null>(null);
 
+  readonly isShared = server.isShared;
   writer: Writer | null = null;
   private reading = new Latest();
   private moving = new Latest();
@@ -131,7 +132,7 @@ export class Studio {
   take(name: string, text: string, version: string): void {
     [this.file, this.version, this.savedText] = [name, version, text];
     const draft = kept.get(`draft.${name}`);
-    this.draft = draft !== null && draft !== text ? draft : null;
+    this.draft = !this.isShared && draft !== null && draft !== text ? draft : null;
     this.until = Number(kept.get(`until.${name}`)) || 3;
     this.selected = null;
     this.load(text);
@@ -192,6 +193,7 @@ export class Studio {
   }
 
   private keepDraft = debounced(500, () => {
+    if (this.isShared) return;
     if (this.text === this.savedText) kept.set(`draft.${this.file}`, null);
     else if (!this.draft) kept.set(`draft.${this.file}`, this.text);
   });

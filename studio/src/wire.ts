@@ -242,6 +242,15 @@ export interface SaveRequest {
   overwrite?: boolean;
 }
 
+/** The page of the studio with all its answers in it, as one file. name: of the model file */
+export interface ShareRequest {
+  text: string;
+  language?: "en" | "de";
+  until: number;
+  frames?: number;
+  name?: string;
+}
+
 /** Where something stands in the text. */
 export interface Span {
   start: number;
@@ -295,6 +304,7 @@ export interface Requests {
   study: StudyRequest;
   export: ExportRequest;
   page: PageRequest;
+  share: ShareRequest;
 }
 
 export interface Answers {
@@ -309,4 +319,5 @@ export interface Answers {
   study: StudyAnswer;
   export: FilesAnswer;
   page: FilesAnswer;
+  share: FilesAnswer;
 }

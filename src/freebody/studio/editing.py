@@ -34,8 +34,8 @@ def add(request: AddRequest) -> TextAnswer:
     document = Document.read(request.text)
     value = _scalar(request.value)
     known: Any = document.data.get(request.section) or {}
-    if request.section == "questions":
-        return TextAnswer(text=document.with_value(("questions",), [*known, value]).dumps())
+    if request.section == "questions" and not (isinstance(known, dict) and known):
+        return TextAnswer(text=document.with_item(("questions",), value).dumps())
     if not isinstance(known, dict):
         raise InputError(Message("{section} is no mapping of names", section=request.section))
     name, number = request.name, 2

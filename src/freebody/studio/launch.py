@@ -6,6 +6,7 @@ import socket
 import webbrowser
 from contextlib import suppress
 from pathlib import Path
+from typing import Any
 
 from freebody.errors import InputError
 from freebody.messages import Message
@@ -45,3 +46,15 @@ def _bound(port: int) -> socket.socket:
         bound.close()
         raise InputError(Message("port {port} cannot be used: {why}", port=port, why=error.strerror or "")) from error
     return bound
+
+
+def export(file: Path, to: Path, until: float, language: str) -> Path:
+    """Writes the page of a model with all its answers in it, as one file that needs no server. Raises ModelError."""
+    from freebody.language.document.file import text_of
+    from freebody.present.files import write_whole
+    from freebody.studio.sharing import shared_page
+    from freebody.studio.wire import ShareRequest
+
+    given: Any = {"text": text_of(file), "language": language, "until": until, "name": file.name}
+    write_whole(to, shared_page(ShareRequest(**given)))
+    return to

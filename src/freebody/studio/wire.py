@@ -96,6 +96,12 @@ class PageRequest(MotionRequest):
     """The motion as one HTML file that plays without a server."""
 
 
+class ShareRequest(MotionRequest):
+    """The page of the studio with all its answers in it, as one file. name: of the model file"""
+
+    name: str = Field(default="model.yaml", max_length=200)
+
+
 # -- to the page ------------------------------------------------------------------------------
 class Span(Said):
     """Where something stands in the text."""

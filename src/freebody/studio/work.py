@@ -66,6 +66,7 @@ WORK: dict[str, Work] = {
     "study": Work(wire.StudyRequest, "asking", "studied", STUDYING),
     "export": Work(wire.ExportRequest, "asking", "exported", STUDYING),
     "page": Work(wire.PageRequest, "asking", "page_of", STUDYING),
+    "share": Work(wire.ShareRequest, "sharing", "share", STUDYING),
 }
 
 

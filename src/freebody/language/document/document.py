@@ -145,6 +145,23 @@ class Document:
             )
         return self._verified(text, path, with_value(self.data, path, value))
 
+    def with_item(self, path: Place, value: Any) -> Document:
+        """A new document with one more value at the end of the list at `path`, which is made where there is none.
+        Raises InputError where something else stands there, or the text cannot be changed in place."""
+        value = checked(value, path)
+        steps = self._walk(path)
+        node = steps[-1].node
+        if len(steps) != len(path) + 1 or not node.content:
+            return self.with_value(path, [value])
+        if not isinstance(node.content, list):
+            raise InputError(Message("{path} is no list", path=_dotted(path)))
+        last = node.content[-1]
+        if node.is_block:
+            text = self._line_after(last.end, " " * (node.column - 1) + f"- {flow_text(value)}")
+        else:
+            text = self._spliced(last.end, last.end, f", {flow_text(value)}")
+        return self._verified(text, path, with_value(self.data, path, [*node.plain(), value]))
+
     def without(self, path: Place) -> Document:
         """A new document without the key at `path`, and the comment at the end of its line; a mapping that would be
         left without a key goes too. Raises InputError where there is no such key, or the text cannot be changed in
@@ -226,11 +243,14 @@ class Document:
             return self._spliced(node.start, node.end, flow_text({**node.plain(), name: value}))
         if not node.is_block:
             return self._spliced(end, end, f", {entry}")
-        # The new line follows the last entry's line, so that a comment at its end stays with it.
+        return self._line_after(end, " " * (node.column - 1) + entry)
+
+    def _line_after(self, end: int, line: str) -> str:
+        """With a line after the one in which something ends, so that a comment beside it stays with it."""
         line_end = re.compile(r"\r?\n|\Z").search(self._text, end)
         at = len(self._text) if line_end is None else line_end.start()
         newline = "\r\n" if "\r\n" in self._text else "\n"
-        return self._spliced(at, at, newline + " " * (node.column - 1) + entry)
+        return self._spliced(at, at, newline + line)
 
     def _spliced(self, start: int, end: int, new: str) -> str:
         return self._text[:start] + new + self._text[end:]

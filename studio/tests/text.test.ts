@@ -1,0 +1,42 @@
+import { describe, expect, test } from "vitest";
+import { changeBetween, csvOf, quantityOf, sliderRange } from "../src/text";
+
+describe("a change between two texts", () => {
+  test.each([
+    ["a: 1 m\n", "a: 2 m\n"],
+    ["aaa", "aaaa"],
+    ["", "x"],
+    ["abcabc", "abc"],
+    ["m: 1 kg # heavy", "m: 12 kg # heavy"],
+  ])("makes the other of the one: %j, %j", (before, after) => {
+    const change = changeBetween(before, after)!;
+    expect(before.slice(0, change.from) + change.insert + before.slice(change.to)).toBe(after);
+  });
+  test("is none where nothing changes", () => expect(changeBetween("x", "x")).toBeNull());
+  test("is as small as it can be", () => expect(changeBetween("a: 1 m # one", "a: 2 m # one")).toEqual({ from: 3, to: 4, insert: "2" }));
+});
+
+describe("a quantity", () => {
+  test("has a number and what follows it", () => {
+    expect(quantityOf("0.2 m")).toEqual({ value: 0.2, rest: " m" });
+    expect(quantityOf("-60 deg")).toEqual({ value: -60, rest: " deg" });
+    expect(quantityOf("8e-4 kg m^2")).toEqual({ value: 8e-4, rest: " kg m^2" });
+    expect(quantityOf("3")).toEqual({ value: 3, rest: "" });
+  });
+  test.each(["L/2", "2*L", "kg", "theta_0", "2^x"])("is no formula: %s", (text) => expect(quantityOf(text)).toBeNull());
+});
+
+describe("the range of a slider", () => {
+  test.each([[0.2, true], [9.81, true], [1, true], [-60, false], [0, false], [5e-4, true]])("holds the value: %d", (value, isPositive) => {
+    const { min, max, step } = sliderRange(value, isPositive, value === -60 ? " deg" : " m");
+    expect(min).toBeLessThanOrEqual(value);
+    expect(max).toBeGreaterThan(value);
+    expect(step).toBeGreaterThan(0);
+    if (isPositive) expect(min).toBeGreaterThan(0);
+  });
+});
+
+test("a table has a head with units, and nothing where there is no value", () => {
+  const table = csvOf([{ name: "time", unit: "s", values: [0, 1] }, { name: "a, b", unit: "1", values: [null, 2] }]);
+  expect(table).toBe('time [s],"a, b"\n0,\n1,2\n');
+});

@@ -1,0 +1,279 @@
+"""The studio as its users see it: in a browser (Chromium), where there is one, with the tests of the page's own code.
+
+They are slow, and are left out with a word where the browser, Playwright or node is missing.
+"""
+
+from __future__ import annotations
+
+import re
+import shutil
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+ROOT = Path(__file__).parents[1]
+BROWSER = next(
+    (found for name in ("chromium", "chromium-browser", "google-chrome") if (found := shutil.which(name))), None
+)
+AXE = ROOT / "studio" / "node_modules" / "axe-core" / "axe.min.js"
+PENDULUM = """# a pendulum
+title: Rod on a pin
+parameters: {L: 1 m, m: 2 kg, g: 9.81 m/s^2}  # what can be moved
+bodies:
+  rod: {rod: {mass: m, length: L}}  # thin
+connections:
+  A: {pin: [ground.A, rod.start]}
+loads: {weight: {gravity: g}}
+measures: {theta: {angle of rod}}
+start: {theta: -60 deg}
+questions:
+  - {id: first, find: acceleration of theta}
+"""
+WAIT = 60_000  # [ms] for what is computed
+
+pytestmark = pytest.mark.slow
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Any]:
+    if BROWSER is None:
+        pytest.skip("NOT RUN: there is no Chromium on the path, so the page of the studio is not looked at")
+    playwright = pytest.importorskip(
+        "playwright.sync_api", reason="NOT RUN: pip install playwright to look at the page"
+    )
+    with playwright.sync_playwright() as running:
+        browser = running.chromium.launch(executable_path=BROWSER, args=["--no-sandbox"])
+        yield browser
+        browser.close()
+
+
+@pytest.fixture(scope="module")
+def studio(tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[str, Path]]:
+    """The address, and the file that is open."""
+    file = tmp_path_factory.mktemp("studio") / "pendulum.yaml"
+    file.write_text(PENDULUM, encoding="utf-8")
+    command = [sys.executable, "-m", "freebody", "studio", str(file), "--no-browser"]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
+        assert process.stdout is not None
+        yield process.stdout.readline().strip(), file
+        process.terminate()
+
+
+@pytest.fixture
+def page(browser: Any, studio: tuple[str, Path]) -> Iterator[Any]:
+    """The page with the pendulum, as anybody finds it for the first time. Nothing may go wrong in it."""
+    address, file = studio
+    file.write_text(PENDULUM, encoding="utf-8")
+    page = browser.new_page(viewport={"width": 1500, "height": 900}, locale="en-GB")
+    wrong: list[str] = []
+    page.on("pageerror", lambda error: wrong.append(str(error)))
+    page.on("console", lambda said: wrong.append(said.text) if said.type == "error" else None)
+    page.goto(address)
+    page.wait_for_selector("canvas", timeout=WAIT)
+    page.wait_for_selector(".badge.dof:not(.stale)", timeout=WAIT)
+    yield page
+    page.close()
+    assert wrong == []
+
+
+TEXT = "[...document.querySelectorAll('.cm-line')].map((line) => line.textContent).join('\\n')"
+
+
+def text_of(page: Any) -> str:
+    return str(page.evaluate(TEXT))
+
+
+def wait_for_text(page: Any, pattern: str) -> None:
+    page.wait_for_function(f"pattern => new RegExp(pattern).test({TEXT})", arg=pattern, timeout=WAIT)
+
+
+def select_word(page: Any, line: str, word: str) -> None:
+    """As with the mouse: a double click on a word of the line that has some text."""
+    place = page.evaluate(
+        """([line, word]) => {
+        const element = [...document.querySelectorAll('.cm-line')].find((each) => each.textContent.includes(line));
+        const walker = document.createTreeWalker(element, NodeFilter.SHOW_TEXT);
+        for (let node = walker.nextNode(); node; node = walker.nextNode()) {
+          const at = node.data.indexOf(word);
+          if (at < 0) continue;
+          const range = document.createRange();
+          range.setStart(node, at);
+          range.setEnd(node, at + word.length);
+          const box = range.getBoundingClientRect();
+          return [box.x + box.width / 2, box.y + box.height / 2];
+        }
+      }""",
+        [line, word],
+    )
+    page.mouse.dblclick(*place)
+
+
+def test_a_mistake_is_marked_and_its_fix_mends_it(page: Any) -> None:
+    select_word(page, "pin:", "start")
+    page.keyboard.type("strat")
+    page.wait_for_selector(".badge.bad", timeout=WAIT)
+    assert page.is_visible(".stamp")
+    page.hover(".cm-lintRange-error")
+    page.click(".cm-diagnosticAction")
+    page.wait_for_selector(".badge.dof:not(.stale)", timeout=WAIT)
+    assert text_of(page) == PENDULUM
+    assert not page.is_visible(".stamp")
+
+
+def test_a_slider_is_an_edit_that_keeps_comments_and_is_undone_at_once(page: Any) -> None:
+    slider = page.locator(".sliders label:has-text('L') input").first
+    slider.focus()
+    for _ in range(5):
+        page.keyboard.press("ArrowRight")
+    wait_for_text(page, r"L: 1\.05 m, m: 2 kg, g: 9\.81 m/s\^2\}  # what can be moved")
+    page.click("[aria-label=Undo]")
+    wait_for_text(page, r"\{L: 1 m,")
+    assert page.is_disabled("[aria-label=Undo]")
+
+
+def test_a_question_in_ones_own_words_is_answered_and_kept(page: Any) -> None:
+    page.fill("#question", "how fast does the rod turn?")
+    page.wait_for_selector("#meant >> text=angular velocity of rod", timeout=WAIT)
+    page.keyboard.press("Enter")
+    page.wait_for_selector(".content .freebody-report math", timeout=WAIT)
+    page.click("text=Keep in the model")
+    wait_for_text(page, r"find: .how fast does the rod turn\?")
+
+
+def test_a_body_is_dragged_with_its_pin_kept(page: Any) -> None:
+    box = page.locator(".view canvas").bounding_box()
+    # from the pixels of the bodies' colour: the far end of the rod is where they are lowest
+    low = page.evaluate(
+        """() => {
+        const canvas = document.querySelector('.view canvas'), pen = canvas.getContext('2d'), ratio = devicePixelRatio;
+        const { data, width, height } = pen.getImageData(0, 0, canvas.width, canvas.height);
+        for (let y = height - 90 * ratio; y > 0; y--) for (let x = 0; x < width; x++) {
+          const k = 4 * (Math.floor(y) * width + x);
+          if (data[k + 3] > 200 && data[k] < 40 && data[k + 1] > 90 && data[k + 2] > 150) return [x / ratio, y / ratio];
+        }
+      }"""
+    )
+    x, y = box["x"] + low[0], box["y"] + low[1] - 6
+    page.mouse.move(x, y)
+    page.mouse.down()
+    for k in range(1, 9):
+        page.mouse.move(x + 15 * k, y - 10 * k)
+    page.mouse.up()
+    wait_for_text(page, r"start: \{theta: -(?!60 deg)\d+\.?\d* deg\}")
+    assert "# what can be moved" in text_of(page)
+
+
+def test_the_motion_plays_and_everything_shows_the_same_time(page: Any) -> None:
+    page.click("text=Play")
+    page.wait_for_function("() => parseFloat(document.querySelector('output').textContent) > 0.2")
+    page.click("text=Pause")
+    shown = float(page.inner_text(".transport output").removesuffix("s"))
+    assert float(page.input_value("[aria-label=Time]")) == pytest.approx(shown, abs=0.02)
+    page.focus(".view canvas")
+    page.keyboard.press("Home")
+    assert page.inner_text(".transport output") == "0.000 s"
+
+
+def test_a_file_is_saved_and_a_draft_survives(page: Any, studio: tuple[str, Path]) -> None:
+    page.click(".cm-line:has-text('# a pendulum')")
+    page.keyboard.press("End")
+    page.keyboard.type(" of mine")
+    page.wait_for_selector("text=not saved")
+    page.wait_for_timeout(800)
+    page.evaluate("window.onbeforeunload = null")
+    page.on("dialog", lambda dialog: dialog.accept())
+    page.reload()
+    page.click("text=Take the draft", timeout=WAIT)
+    wait_for_text(page, "# a pendulum of mine")
+    page.keyboard.press("Control+s")
+    page.wait_for_function("() => !document.body.textContent.includes('not saved')")
+    assert studio[1].read_text(encoding="utf-8") == PENDULUM.replace("# a pendulum", "# a pendulum of mine")
+
+
+def test_everything_is_reached_by_keys(page: Any) -> None:
+    page.keyboard.press("Control+k")
+    page.keyboard.type("derive: acc")
+    page.keyboard.press("Enter")
+    page.wait_for_selector(".content .freebody-report .step", timeout=WAIT)
+    page.focus("#tab-derivation")
+    page.keyboard.press("ArrowRight")
+    page.wait_for_selector(".content .picture svg", timeout=WAIT)
+    page.keyboard.press("Control+i")
+    page.keyboard.type("spring")
+    page.keyboard.press("Enter")
+    page.fill("dialog input.code", "{spring: {first: ground.B, second: rod.end, stiffness: 5 N/m}}")
+    page.keyboard.press("Enter")
+    wait_for_text(page, "spring: \\{spring")
+
+
+def test_it_speaks_german(page: Any) -> None:
+    page.click("[aria-label*=Deutsch]")
+    page.wait_for_selector(".badge.dof:has-text('Freiheitsgrad')")
+    select_word(page, "pin:", "start")
+    page.keyboard.type("strat")
+    page.wait_for_selector(".badge.bad:has-text('Fehler')", timeout=WAIT)
+    page.hover(".cm-lintRange-error")
+    assert "Ist start gemeint?" in page.inner_text(".cm-diagnostic")
+
+
+@pytest.mark.parametrize("width", [320, 390, 768, 1280, 3840])
+def test_nothing_is_wider_than_the_screen(page: Any, width: int) -> None:
+    page.set_viewport_size({"width": width, "height": 800})
+    for pane in (0, 1, 2):
+        if page.is_visible(".switch"):
+            page.locator(".switch button").nth(pane).click()
+        assert page.evaluate("document.documentElement.scrollWidth <= innerWidth"), f"pane {pane}"
+
+
+@pytest.mark.parametrize("theme", ["light", "dark"])
+@pytest.mark.parametrize("width", [390, 1500])
+def test_it_is_accessible(page: Any, theme: str, width: int) -> None:
+    """axe-core, rules of WCAG 2.2 A and AA, in every panel and dialog."""
+    if not AXE.exists():
+        pytest.skip("NOT RUN: npm install in studio/ brings axe-core")
+    if theme == "dark":
+        page.click("[aria-label='Light or dark']")
+    page.set_viewport_size({"width": width, "height": 900})
+    page.evaluate(AXE.read_text(encoding="utf-8"))
+    found: list[str] = []
+
+    def look(where: str) -> None:
+        page.wait_for_timeout(300)
+        tags = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa"]
+        result = page.evaluate("tags => axe.run(document, { runOnly: tags })", tags)
+        for violation in result["violations"]:
+            places = [f"{node['target']} {node['html'][:120]}" for node in violation["nodes"][:3]]
+            found.append(f"{where}: {violation['id']} {places}")
+
+    if width < 1000:
+        for pane in (0, 1, 2):
+            page.locator(".switch button").nth(pane).click()
+            look(f"pane {pane}")
+    for panel in ("ask", "derivation", "free", "mobility", "conserved", "more", "properties", "export"):
+        page.click(f"#tab-{panel}")
+        if panel not in ("properties", "export"):
+            page.wait_for_selector(".content :is(.freebody-report, .picture svg, .message)", timeout=WAIT)
+            page.wait_for_function("() => !document.querySelector('.working')", timeout=WAIT)
+        look(panel)
+    for keys in ("Control+k", "Control+o", "Control+i", "F1"):
+        page.keyboard.press(keys)
+        look(keys)
+        page.keyboard.press("Escape")
+    assert not found, "\n".join(found)
+
+
+@pytest.mark.skipif(
+    shutil.which("node") is None, reason="NOT RUN: there is no node for the tests of the page's own code"
+)
+def test_the_pages_own_code() -> None:
+    if not (ROOT / "studio" / "node_modules" / "vitest").exists():
+        pytest.skip("NOT RUN: npm install in studio/ brings the tests of the page's own code")
+    npx = shutil.which("npx")
+    assert npx is not None
+    run = subprocess.run([npx, "vitest", "run"], cwd=ROOT / "studio", capture_output=True, text=True)
+    assert run.returncode == 0, run.stdout + run.stderr
+    assert re.search(r"Tests\s+\S*\d+ passed", re.sub(r"\x1b\[[\d;]*m", "", run.stdout))
