@@ -677,6 +677,13 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
         "time": "J*omega_0/T_0*log((1 - T_L/T_0)/(3/4 - T_L/T_0))",
         "power": "T_0*rate(phi)*(1 - rate(phi)/omega_0)",
     },
+    # S x/sqrt(x^2 + h^2) along the bar and S h/sqrt(x^2 + h^2) up; the cable comes in by sqrt(x_0^2 + h^2) - h
+    "collar_pulled_over_a_pulley": {
+        "acceleration": "-S*x/(m*sqrt(x**2 + h**2))",
+        "normal": "m*g - S*h/sqrt(x**2 + h**2)",
+        "speed": "-sqrt(2*S*(sqrt(x_0**2 + h**2) - h)/m)",
+        "work": "S*(sqrt(x_0**2 + h**2) - h)",
+    },
     "throw_at_target": {
         "angles": [
             "atan((v0**2 + sqrt(v0**4 - 2*v0**2*h*g - s**2*g**2))/(s*g))",
