@@ -684,6 +684,11 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
         "speed": "-sqrt(2*S*(sqrt(x_0**2 + h**2) - h)/m)",
         "work": "S*(sqrt(x_0**2 + h**2) - h)",
     },
+    # Willis: (w_S - w_C)/(w_R - w_C) = -z_R/z_S with w_R = 0, and w_P - w_C = -w_C z_R/z_P
+    "planetary_gear_by_teeth": {
+        "carrier": "z_S/(z_S + z_R)",
+        "planet": "z_S/(z_S + z_R)*(1 - z_R/z_P)",
+    },
     "throw_at_target": {
         "angles": [
             "atan((v0**2 + sqrt(v0**4 - 2*v0**2*h*g - s**2*g**2))/(s*g))",
