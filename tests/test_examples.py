@@ -689,6 +689,14 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
         "carrier": "z_S/(z_S + z_R)",
         "planet": "z_S/(z_S + z_R)*(1 - z_R/z_P)",
     },
+    # (1 + 4 a^2 x^2) x'' + 4 a^2 x x'^2 = -2 a g x; at the bottom m v^2/rho with rho = 1/(2 a)
+    "bead_on_a_parabola": {
+        "equation": "-2*a*x*(g + 2*a*rate(x)**2)/(1 + 4*a**2*x**2)",
+        "normal": "m*(g + 2*a*rate(x)**2)/sqrt(1 + 4*a**2*x**2)",
+        "speed": "x_0*sqrt(2*a*g)",
+        "bottom": "m*g*(1 + 4*a**2*x_0**2)",
+        "period": "2*pi/sqrt(2*a*g)",
+    },
     "throw_at_target": {
         "angles": [
             "atan((v0**2 + sqrt(v0**4 - 2*v0**2*h*g - s**2*g**2))/(s*g))",

@@ -790,3 +790,23 @@ space: true
 bodies: {wheel: {disk: {mass: 1 kg, radius: 0.1 m}}, a: {particle: {mass: 1 kg}}, b: {particle: {mass: 1 kg}}}
 connections: {p: {revolute: {first: ground.O, second: wheel, about: z}}, r: {string: {from: a, over: [wheel], to: b}}}
 """)
+
+
+def test_a_bead_on_a_turning_parabola_stays_anywhere_at_one_rate() -> None:
+    # s'' (1 + 4 a^2 s^2) = s (Omega^2 - 2 a g - 4 a^2 s'^2)
+    system = fb.System.from_text("""
+space: true
+parameters: {a: 0.8 1/m, Omega: 3 rad/s}
+bodies:
+  wire: {body: {inertia: 1 kg m^2}}
+  bead: {particle: {mass: 2 kg}, near: {at: [0.6 m, 0.3 m, 0]}}
+connections:
+  axle: {revolute: {first: ground.O, second: wire, about: y}}
+  motor: {driver: {measure: angle of wire about y, follows: Omega*t}}
+  curve: {curved_rail: {point: bead, on: wire, y: a*x^2}}
+loads: {weight: {gravity: {strength: 9.81 m/s^2, along: -y}}}
+measures: {s: travel of bead along wire.x from wire.origin}
+start: {s: 0.6 m, rate(s): 0}
+questions: {a: acceleration of s at start}
+""")
+    assert system.solve()["a"].value == pytest.approx(0.6 * (9 - 2 * 0.8 * 9.81) / (1 + 4 * 0.64 * 0.36))
