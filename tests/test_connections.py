@@ -71,6 +71,30 @@ loads: {weight: {gravity: g}}
             "normal force of floor": "M*(M + m)*g/(M + m*sin(alpha)**2)",
         },
     ),
+    # a straight wire y = x tan(beta) is an incline: a = -g sin(beta) cos(beta) along x, N = m g cos(beta)
+    "curved rail that is straight": (
+        "curved_rail",
+        """
+parameters: {m: 2 kg, beta: 30 deg, g: 9.81 m/s^2}
+bodies: {bead: {particle: {mass: m}, near: {at: [0.5 m, 0.3 m]}}}
+connections: {it: {curved_rail: {point: bead, y: x*tan(beta)}}}
+loads: {weight: {gravity: g}}
+""",
+        {"acceleration of bead along right": "-g*sin(beta)*cos(beta)", "normal force of it": "m*g*cos(beta)"},
+    ),
+    # over the top of a hill y = -a x^2, of radius 1/(2 a), at the speed v: N = m (g - 2 a v^2)
+    "curved rail over a hill": (
+        "curved_rail",
+        """
+parameters: {m: 2 kg, a: 0.1 1/m, v: 3 m/s, g: 9.81 m/s^2}
+bodies: {cart: {particle: {mass: m}, near: {at: [0, 0]}}}
+measures: {x: x of cart}
+connections: {it: {curved_rail: {point: cart, y: -a*x^2, leaves: true}}}
+loads: {weight: {gravity: g}}
+start: {x: 0, rate(x): v}
+""",
+        {"normal force of it at start": "m*(g - 2*a*v**2)"},
+    ),
     # Scotch yoke x = r cos(w t); T w = m x'' x'
     "slot of a Scotch yoke moves harmonically": (
         "slot",

@@ -677,6 +677,26 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
         "time": "J*omega_0/T_0*log((1 - T_L/T_0)/(3/4 - T_L/T_0))",
         "power": "T_0*rate(phi)*(1 - rate(phi)/omega_0)",
     },
+    # S x/sqrt(x^2 + h^2) along the bar and S h/sqrt(x^2 + h^2) up; the cable comes in by sqrt(x_0^2 + h^2) - h
+    "collar_pulled_over_a_pulley": {
+        "acceleration": "-S*x/(m*sqrt(x**2 + h**2))",
+        "normal": "m*g - S*h/sqrt(x**2 + h**2)",
+        "speed": "-sqrt(2*S*(sqrt(x_0**2 + h**2) - h)/m)",
+        "work": "S*(sqrt(x_0**2 + h**2) - h)",
+    },
+    # Willis: (w_S - w_C)/(w_R - w_C) = -z_R/z_S with w_R = 0, and w_P - w_C = -w_C z_R/z_P
+    "planetary_gear_by_teeth": {
+        "carrier": "z_S/(z_S + z_R)",
+        "planet": "z_S/(z_S + z_R)*(1 - z_R/z_P)",
+    },
+    # (1 + 4 a^2 x^2) x'' + 4 a^2 x x'^2 = -2 a g x; at the bottom m v^2/rho with rho = 1/(2 a)
+    "bead_on_a_parabola": {
+        "equation": "-2*a*x*(g + 2*a*rate(x)**2)/(1 + 4*a**2*x**2)",
+        "normal": "m*(g + 2*a*rate(x)**2)/sqrt(1 + 4*a**2*x**2)",
+        "speed": "x_0*sqrt(2*a*g)",
+        "bottom": "m*g*(1 + 4*a**2*x_0**2)",
+        "period": "2*pi/sqrt(2*a*g)",
+    },
     "throw_at_target": {
         "angles": [
             "atan((v0**2 + sqrt(v0**4 - 2*v0**2*h*g - s**2*g**2))/(s*g))",

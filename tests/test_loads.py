@@ -179,6 +179,45 @@ loads: {it: {law: {measure: {expression: x2 - x1}, force: c*(rate(x1) - rate(x2)
 """,
         {"acceleration of x1": "c*(rate(x2) - rate(x1))/m1", "acceleration of x2": "c*(rate(x1) - rate(x2))/m2"},
     ),
+    # the work of a constant tension is S times what the string gets shorter
+    "collar on a bar": (
+        "tensioned_string",
+        """
+parameters: {m: 2 kg, S: 15 N, h: 1 m, x0: 2 m}
+ground: {points: {P: [0, h], W: [-1 m, 0]}}
+bodies: {collar: {particle: {mass: m}}}
+connections: {bar: {slider: {body: collar, along: right}}}
+loads: {it: {tensioned_string: {from: ground.W, over: [ground.P], to: collar, tension: S}}}
+measures: {x: x of collar}
+start: {x: x0, rate(x): 0}
+""",
+        {
+            "velocity of x when x = 0": "-sqrt(2*S*(sqrt(x0**2 + h**2) - h)/m)",
+            "force of it": "S",
+            "acceleration of x": "-S*x/(m*sqrt(x**2 + h**2))",
+        },
+    ),
+    # a mass at an elastic string over a pulley that stays taut: the equilibrium is m g/k beyond its length
+    "mass at an elastic string": (
+        "elastic_string",
+        """
+parameters: {m: 2 kg, k: 50 N/m, l: 3 m, b: 1 m, g: 9.81 m/s^2}
+ground: {points: {P: [0, 0], A: [-b, 0]}}
+bodies: {ball: {particle: {mass: m}}}
+connections: {way: {slider: {body: ball, along: down}}}
+measures: {y: drop of ball below ground.P}
+loads:
+  weight: {gravity: g}
+  it: {elastic_string: {from: ground.A, over: [ground.P], to: ball, stiffness: k, length: l, taut: true}}
+start: {y: l - b + m*g/k}
+""",
+        {
+            "acceleration of y": "g - k*(y + b - l)/m",
+            "equilibrium of y": "l - b + m*g/k",
+            "period of small oscillations": "2*pi*sqrt(m/k)",
+            "force of it": "k*(y + b - l)",
+        },
+    ),
     # m v' = -k v^2: v = v0/(1 + k v0 t/m), and v dv/ds = -k v^2/m: v = v0 exp(-k s/m)
     "a boat that coasts": (
         "drag",
@@ -422,3 +461,20 @@ questions: {force: force of air at start, slow: "acceleration of ball along z at
     assert solution["force"].value == pytest.approx(4.9)  # 0.1 * 7^2
     assert solution["slow"].value == pytest.approx(-4.9 * 6 / 7 / 2)
     assert solution["spin"].value == pytest.approx(2 / 0.5)  # at rest
+
+
+def test_an_elastic_string_is_slack_where_it_is_short() -> None:
+    # a jump of 20 m of free fall, then m g y = k (y - l)^2/2 at the lowest point
+    system = fb.System.from_text("""
+bodies: {jumper: {particle: {mass: 70 kg}}}
+connections: {way: {slider: {body: jumper, along: down}}}
+loads:
+  weight: {gravity: 10 m/s^2}
+  cord: {elastic_string: {from: ground.bridge, to: jumper, stiffness: 100 N/m, length: 20 m}}
+measures: {y: drop of jumper}
+start: {y: 5 m, rate(y): 10 m/s}
+""")
+    motion = system.simulate(5, every=0.001)
+    lowest = max(motion.series["y"][0])
+    assert 700 * lowest == pytest.approx(50 * (lowest - 20) ** 2, rel=1e-5)
+    assert motion.series["y"][0][1000] == pytest.approx(5 + 10 * 1 + 5 * 1**2, rel=1e-9)  # at 1 s it still falls

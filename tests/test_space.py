@@ -761,3 +761,52 @@ def test_a_mistake_is_told_once_with_its_line_and_what_to_do(what: str) -> None:
     (problem,) = caught.value.problems
     assert problem.line == line
     assert str(caught.value).startswith(f"model.yaml:{line}:")
+
+
+def test_a_string_in_space_runs_through_a_hole_of_a_table() -> None:
+    # r r'' terms: (m + M) r'' = m u^2/r - M g at the start, S = m M/(m + M) (g + u^2/r)
+    system = fb.System.from_text("""
+space: {up: z}
+ground: {planes: {table: {normal: up}}}
+bodies:
+  puck: {particle: {mass: 2 kg}, at: [0.5 m, 0, 0], velocity: [0, 3 m/s, 0]}
+  load: {particle: {mass: 3 kg}, at: [0, 0, -1 m]}
+connections:
+  rope: {string: {path: [puck, over ground.hole, load]}}
+  table: {point_on_plane: {point: puck, on: table}}
+  guide: {point_on_line: {point: load, through: ground.hole, along: z}}
+loads: {weight: {gravity: 9.81 m/s^2}}
+questions: {a: acceleration of load along z at start, tension: tension of rope at start}
+""")
+    solution = system.solve()
+    assert solution["a"].value == pytest.approx((2 * 9 / 0.5 - 3 * 9.81) / 5)
+    assert solution["tension"].value == pytest.approx(2 * 3 / 5 * (9.81 + 9 / 0.5))
+
+
+def test_a_string_in_space_over_wheels_is_told_that_it_lies_in_a_plane() -> None:
+    with pytest.raises(fb.ModelError, match="string is a connection of the plane"):
+        fb.System.from_text("""
+space: true
+bodies: {wheel: {disk: {mass: 1 kg, radius: 0.1 m}}, a: {particle: {mass: 1 kg}}, b: {particle: {mass: 1 kg}}}
+connections: {p: {revolute: {first: ground.O, second: wheel, about: z}}, r: {string: {from: a, over: [wheel], to: b}}}
+""")
+
+
+def test_a_bead_on_a_turning_parabola_stays_anywhere_at_one_rate() -> None:
+    # s'' (1 + 4 a^2 s^2) = s (Omega^2 - 2 a g - 4 a^2 s'^2)
+    system = fb.System.from_text("""
+space: true
+parameters: {a: 0.8 1/m, Omega: 3 rad/s}
+bodies:
+  wire: {body: {inertia: 1 kg m^2}}
+  bead: {particle: {mass: 2 kg}, near: {at: [0.6 m, 0.3 m, 0]}}
+connections:
+  axle: {revolute: {first: ground.O, second: wire, about: y}}
+  motor: {driver: {measure: angle of wire about y, follows: Omega*t}}
+  curve: {curved_rail: {point: bead, on: wire, y: a*x^2}}
+loads: {weight: {gravity: {strength: 9.81 m/s^2, along: -y}}}
+measures: {s: travel of bead along wire.x from wire.origin}
+start: {s: 0.6 m, rate(s): 0}
+questions: {a: acceleration of s at start}
+""")
+    assert system.solve()["a"].value == pytest.approx(0.6 * (9 - 2 * 0.8 * 9.81) / (1 + 4 * 0.64 * 0.36))

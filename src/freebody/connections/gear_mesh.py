@@ -8,12 +8,14 @@ from typing import TYPE_CHECKING, ClassVar
 from freebody.connections.base import Connection
 from freebody.connections.circles import own_radius, touching
 from freebody.connections.standing import distance_between, is_near, number_of
-from freebody.language.expression import Expr, add, negate
+from freebody.language.expression import ONE, Expr, add, divide, multiply, negate, number
 from freebody.language.sentences import Message
+from freebody.language.units import DIMENSIONLESS, LENGTH
 from freebody.model import glyphs
 from freebody.model.elements import ConstraintRow, RigidBody
 from freebody.model.glyphs import Glyph
 from freebody.model.spec import Formula
+from freebody.tolerances import ROUNDED
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -24,7 +26,7 @@ class GearMesh(Connection, kind="gear_mesh"):
     first. The tooth force acts along the common tangent of the pitch circles (pressure angle 0) and is positive
     when it resists a counter-clockwise turn of the first gear. The distance of the centres is held too where no
     carrier or bearing holds it already (1 or 2 rows). `first_radius`, `second_radius` for a wheel with several
-    gears on it."""
+    gears on it, or `module: m, teeth: [z1, z2]`: the pitch circles have the diameters m z."""
 
     called: ClassVar[tuple[str, ...]] = ("mesh", "gear")
 
@@ -33,6 +35,8 @@ class GearMesh(Connection, kind="gear_mesh"):
     internal: bool = False
     first_radius: Formula | None = None
     second_radius: Formula | None = None
+    module: Formula | None = None
+    teeth: list[Formula] | None = None
 
     in_plane = True
     has_contact_point = True
@@ -75,6 +79,20 @@ connections: {p: {pin: [ground.A, a]}, q: {pin: [ground.B, b]}, it: {gear_mesh: 
             )
             return
         me = self.own_name(names)
+        if self.module is not None:
+            names.problem(
+                Message(
+                    "with these teeth the centres of {first} and {second} are {needed:.4g} m apart, and the model puts "
+                    "them {apart:.4g} m apart: change their places, or take the module {module:.4g} m",
+                    first=first,
+                    second=second,
+                    needed=needed,
+                    apart=apart,
+                    module=number_of(names, names.formula(self.module, LENGTH)) * apart / needed,
+                ),
+                "module",
+            )
+            return
         names.assumptions.append(
             Message(
                 "{connection}: the pitch circles of {first} and {second} do not touch where these are put ({apart:.4g} "
@@ -88,7 +106,55 @@ connections: {p: {pin: [ground.A, a]}, q: {pin: [ground.B, b]}, it: {gear_mesh: 
         )
 
     def _radii(self, names: Names) -> tuple[Expr, Expr]:
-        return own_radius(names, self, "first"), own_radius(names, self, "second")
+        if self.module is None and self.teeth is None:
+            return own_radius(names, self, "first"), own_radius(names, self, "second")
+        if self.module is None or self.teeth is None or len(self.teeth) != 2:
+            names.problem(Message("module and teeth go together, e.g. module: 2 mm, teeth: [17, 51]"), "teeth")
+            return ONE, ONE
+        module = names.positive(self, "module", LENGTH)
+        teeth = [names.formula(z, DIMENSIONLESS, "teeth", k) for k, z in enumerate(self.teeth)]
+        self._look_at_teeth(names, teeth)
+        first, second = (divide(multiply(module, z), number(2)) for z in teeth)
+        for key, radius in (("first", first), ("second", second)):
+            self._look_at_radius(names, key, radius)
+        return first, second
+
+    def _look_at_teeth(self, names: Names, teeth: list[Expr]) -> None:
+        """Numbers of teeth are whole, and a ring gear has more than what runs in it."""
+        numbers = [names.numeric(z) for z in teeth]
+        for k, z in enumerate(numbers):
+            if z is not None and (z < 1 or abs(z - round(z)) > ROUNDED):
+                near = max(1, round(z))
+                names.problem(
+                    Message("{z:g} teeth: a number of teeth is whole, e.g. {near}", z=z, near=near), "teeth", k
+                )
+        ring, planet = numbers
+        if self.internal and ring is not None and planet is not None and ring <= planet:
+            names.problem(
+                Message(
+                    "the ring gear comes first and has more teeth than what runs in it: at least {least:g}, found "
+                    "{ring:g}",
+                    least=planet + 1,
+                    ring=ring,
+                ),
+                "teeth",
+            )
+
+    def _look_at_radius(self, names: Names, key: str, radius: Expr) -> None:
+        """A body with a radius of its own has that of its teeth."""
+        own = names.known(getattr(self, key)).radius
+        drawn, needed = None if own is None else names.numeric(own), names.numeric(radius)
+        if drawn is not None and needed is not None and not is_near(drawn, needed):
+            names.problem(
+                Message(
+                    "{body} has the radius {drawn:.4g} m, and module and teeth give {needed:.4g} m; leave its radius "
+                    "out, or make it a body without one",
+                    body=getattr(self, key),
+                    drawn=drawn,
+                    needed=needed,
+                ),
+                key,
+            )
 
     def glyphs(self, names: Names) -> Iterable[Glyph]:
         r1, r2 = self._radii(names)

@@ -243,7 +243,8 @@ class Shoe(Generic[P]):
 # -- relations ----------------------------------------------------------------------------------
 @dataclass(frozen=True)
 class Relation(Generic[P]):
-    """Something joins bodies that has no sign of its own: a thin line through points of theirs."""
+    """Something joins bodies that has no sign of its own: a thin line through points of theirs; through points of one
+    body, a line that is fixed in it."""
 
     points: tuple[P, ...]
 

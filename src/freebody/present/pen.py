@@ -83,7 +83,11 @@ class Pen:
         for spring in self.scene.springs:
             yield from self._spring(spring)
         for sign in self.scene.signs:
-            if isinstance(sign, glyphs.Relation):
+            if isinstance(sign, glyphs.Relation) and len({place.body for place in sign.points}) == 1:
+                first = sign.points[0]  # a line fixed in a body
+                line = np.array([place.xy for place in sign.points]) - np.array(first.xy)
+                yield Path(first, first.body, line, "surface")
+            elif isinstance(sign, glyphs.Relation):
                 for a, b in pairwise(sign.points):
                     yield Stretch(a, b, np.array([(0.0, 0.0), (1.0, 0.0)]), "pull")
         lead = 0

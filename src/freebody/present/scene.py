@@ -202,7 +202,7 @@ class _Reader:
         for glyph in self.system.glyphs:
             shown = in_numbers(glyph, self.places.place, self.places.heading, self.number)
             sign = shown.sign
-            if isinstance(sign, Rope) and shown.owner not in taut:
+            if isinstance(sign, Rope) and not shown.is_load and shown.owner not in taut:
                 continue
             if isinstance(glyph.sign, Rail) and not self.system.bodies[glyph.sign.point.body].turns:
                 assert isinstance(sign, Rail)

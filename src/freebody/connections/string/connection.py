@@ -44,7 +44,7 @@ class String(Connection, kind="string"):
     leaves the pulley, if it has no position or is put there; a lead to a body on a straight guide runs along the
     guide if the body has no position, or one from which it does so whatever the parameters are; `leads` states the
     directions instead; otherwise leads are the common tangents of the circles, wherever these move (`swings: true`
-    also for hanging bodies).
+    also for hanging bodies). In space it runs from point to point, through rings and over small pulleys.
     `friction`: that of the drums and pulleys over which it slides, one coefficient or {drum: mu}. The tensions on both
     sides of a drum differ by up to e^(mu beta), beta the angle of wrap between leads with constant directions, or
     `wrap: {drum: 3*pi}`; ask for the tension at an end, or between two places."""
@@ -87,12 +87,28 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
         middle = [(f"over {p}", ("over",)) for p in self.over] + [(f"under {p}", ("over",)) for p in self.under]
         return [*start[:1], *middle, *start[1:]]
 
+    def is_in_plane(self, names: Names) -> bool:
+        return not self._is_of_points(names)
+
+    def _is_of_points(self, names: Names) -> bool:
+        """In space: whether it runs from point to point, through rings and over small pulleys, and not in the plane."""
+        if not names.space or self.leads is not None:
+            return False
+        places, fields = zip(*self._places(), strict=True) if self._places() else ((), ())
+        with names.quietly():
+            way = read_way(names, places, fields, swings=True)
+        flat = {body for c in names.connections.values() if c.keeps_flat(names) for body in c.mentions(names)}
+        return way is not None and all(
+            node.radius == ZERO and (node.body == GROUND or node.body not in flat) for node in way
+        )
+
     def rows(self, names: Names) -> list[ConstraintRow]:
         run = self._run(names)
         if run is None:
             return []
         grips = self._grips(names, run)
-        check_ends(names, run)
+        if not self._is_of_points(names):
+            check_ends(names, run)
         sections = sections_of(run, grips)
         rough = rough_drums(self.friction, _slid_over(sections))
         return [
@@ -134,6 +150,9 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
         way = read_way(names, texts, fields, swings=self.swings)
         if way is None:
             return None
+        if self._is_of_points(names):  # nothing hangs in a direction of its own, and no lead is along a guide
+            way = [replace(node, hangs=False, is_put=False, guide=None, track=None) for node in way]
+            return StringRun(way, [None] * (len(way) - 1), [0] * len(way), [ZERO] * len(way))
         names.laying.append(self)
         run = run_over(names, way, self.leads)
         names.laying.pop()

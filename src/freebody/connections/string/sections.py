@@ -22,6 +22,7 @@ from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
 from freebody.measures.combination import Combination
 from freebody.measures.displacement import Displacement
+from freebody.measures.distance import Distance
 from freebody.measures.geometry import ONE, ZERO
 from freebody.measures.lead import Lead
 from freebody.model.elements import ConstraintRow, StringStretch
@@ -81,6 +82,8 @@ def sections_of(run: StringRun, grips: Container[str]) -> list[StringSection]:
         a, b = way[k], way[k + 1]
         if direction is not None:
             terms.append((ONE, Displacement(b.point, a.point, direction)))
+        elif len(a.point.offset) > 2 and a.radius == b.radius == ZERO:
+            terms.append((ONE, Distance(a.point, b.point)))  # in space
         else:
             terms.append((ONE, Lead(a.point, b.point, add(arms[k + 1], negate(arms[k])))))
         last = k + 1 == len(way) - 1

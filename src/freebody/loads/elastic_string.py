@@ -1,0 +1,114 @@
+"""Strings as loads: one that stretches, and one that is pulled with a given tension; from point to point, through
+smooth rings and over small pulleys, in the plane and in space.
+
+With the length l = sum of |r_k+1 - r_k| the string pulls with one tension S on all its way, and its work is -S dl:
+
+    elastic      S = k (l - l_0), none where it is slack (l < l_0)
+    tensioned    S as given, as of a long string with a weight at its far end, or of a winch that slips
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from itertools import pairwise
+from typing import TYPE_CHECKING, Any, ClassVar
+
+from pydantic import ConfigDict, Field
+
+from freebody.language.expression import Call, Expr, Symbol, divide, multiply, negate, number
+from freebody.language.sentences import Message
+from freebody.language.units import FORCE, LENGTH, STIFFNESS
+from freebody.loads.base import Load
+from freebody.loads.law import law
+from freebody.measures.combination import Combination, Composed
+from freebody.measures.distance import Distance
+from freebody.measures.geometry import ONE, ZERO, Point
+from freebody.model import glyphs
+from freebody.model.elements import VALUE, AppliedLoad
+from freebody.model.glyphs import Glyph
+from freebody.model.spec import Formula
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+
+class _OverPoints(Load):
+    """A string from a point over others to a last one."""
+
+    start: str = Field(alias="from")
+    to: str
+    over: list[str] = Field(default_factory=list[str])
+
+    model_config = ConfigDict(populate_by_name=True)
+    pulling_sign = -1
+    stores_energy = True
+
+    def _points(self, names: Names) -> list[Point]:
+        between = [names.point(text, "over", k) for k, text in enumerate(self.over)]
+        return [names.point(self.start, "from"), *between, names.point(self.to, "to")]
+
+    def _length(self, names: Names) -> tuple[tuple[str, Distance], ...]:
+        return tuple((f"l{k}", Distance(a, b)) for k, (a, b) in enumerate(pairwise(self._points(names)), 1))
+
+    def glyphs(self, names: Names) -> Iterable[Glyph]:
+        nodes = tuple(glyphs.Node(point, ZERO) for point in self._points(names))
+        yield glyphs.Rope(nodes, tuple(glyphs.Lead(None) for _ in nodes[1:]))
+
+
+class ElasticString(_OverPoints, kind="elastic_string"):
+    """`elastic_string: {from: ground.A, over: [ground.B], to: ball, stiffness: k, length: l0}`: a rubber band, a bungee
+    cord: pulls with k (l - l0) along all its way, through smooth rings and over small pulleys (`over`), and is slack
+    where it is shorter than l0. Without a length it is relaxed at the start. `taut: true` leaves the case of slackness
+    out: it stays taut."""
+
+    called: ClassVar[tuple[str, ...]] = ("rubber band", "bungee cord", "elastic", "spring")
+
+    stiffness: Formula
+    length: Formula | None = None
+    taut: bool = False
+
+    example = """
+bodies: {ball: {particle: {mass: 1 kg}, at: [2 m, 0]}}
+loads: {it: {elastic_string: {from: ground.A, to: ball, stiffness: 5 N/m, length: 1 m}}}
+"""
+
+    def applied_loads(self, names: Names) -> list[AppliedLoad]:
+        parts = self._length(names)
+        k = names.positive(self, "stiffness", STIFFNESS)
+        natural = names.length_or(self, "length")
+        if natural is None:
+            stretch: Any = Combination(tuple((ONE, part) for _name, part in parts), LENGTH)
+        else:
+            stretch = Composed(_sum(parts) - natural, parts, LENGTH)
+        if self.taut:
+            names.assumptions.append(Message("the elastic string from {start} stays taut", start=self.start))
+            return [AppliedLoad("", stretch, negate(multiply(k, VALUE)))]
+        # (e + |e|)/2 is e where it is positive, and 0 elsewhere
+        return [AppliedLoad("", stretch, negate(divide(multiply(k, VALUE + Call("abs", VALUE)), number(2))))]
+
+
+class TensionedString(_OverPoints, kind="tensioned_string"):
+    """`tensioned_string: {from: ground.winch, over: [ground.B], to: block, tension: S}`: pulls with the tension S along
+    all its way, through smooth rings and over small pulleys (`over`). The tension may depend on time `t` and on named
+    measures and their rates."""
+
+    called: ClassVar[tuple[str, ...]] = ("string", "rope", "cord", "cable")
+
+    tension: Formula
+
+    example = """
+bodies: {ball: {particle: {mass: 1 kg}, at: [2 m, 0]}}
+loads: {it: {tensioned_string: {from: ground.A, to: ball, tension: 5 N}}}
+"""
+
+    def applied_loads(self, names: Names) -> list[AppliedLoad]:
+        parts = self._length(names)
+        tension, used = law(names, self.tension, FORCE, "tension")
+        return [AppliedLoad("", Composed(_sum(parts), parts, LENGTH), negate(tension), used)]
+
+
+def _sum(parts: tuple[tuple[str, Distance], ...]) -> Expr:
+    total: Expr = ZERO
+    for name, _part in parts:
+        total = total + Symbol(name)
+    return total
