@@ -17,7 +17,7 @@ from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.script import Legend, Script, Sentence
 from freebody.narrative.principles.planar_rates import PlanarRates
 from freebody.narrative.questions.kept_momenta import tell_momenta
-from freebody.narrative.questions.state import kinetic_of
+from freebody.narrative.questions.state import kinetic_of, kinetic_terms
 from freebody.narrative.space.spatial_momentum import Momenta
 from freebody.narrative.space.spatial_rates import SpatialRates
 from freebody.questions.energy import Energy as EnergyOf
@@ -132,29 +132,49 @@ def energy_parts(leg: PhaseSegment) -> tuple[Ratio, Ratio]:
 
 
 def tell_energies(script: Script, leg: PhaseSegment) -> tuple[int, int]:
-    """T and V as lines: T body by body, then in the coordinates."""
-    parts = _kinetic_lines(script, leg)
-    shown = energy_parts(leg)
-    found: list[int] = []
-    for symbol, value, what in zip((KINETIC, POTENTIAL), shown, PARTS, strict=True):
-        words = Sentence(f"symbol.phase_{what}")
-        script.introduce(Meaning(symbol, words, _reads_energy(leg, what), "J"))
-        uses = tuple(parts) if what == "kinetic" else ()
-        in_coordinates = tidy(leg.phase.course.plain(value))
-        found.append(script.line(symbol, in_coordinates, why=f"motion.{what}", args={"lines": uses}, uses=uses))
-    return found[0], found[1]
+    """T and V as lines: T body by body, then in the coordinates; in one line where only one body moves."""
+    kinetic, potential = (tidy(leg.phase.course.plain(value)) for value in energy_parts(leg))
+    context, bodies = _context_of(leg), leg.phase.system.moving
+    if len(bodies) == 1 and isinstance(leg.newton.rates, PlanarRates):
+        line = _kinetic_of_one(context, script, leg, bodies[0].name, kinetic)
+    else:
+        parts = tuple(_kinetic_lines(context, script, leg))
+        script.introduce(_meaning(leg, KINETIC, "kinetic"))
+        line = script.line(KINETIC, kinetic, why="motion.kinetic", args={"lines": parts}, uses=parts)
+    script.introduce(_meaning(leg, POTENTIAL, "potential"))
+    return line, script.line(POTENTIAL, potential, why="motion.potential", args={"lines": ()})
 
 
-def _kinetic_lines(script: Script, leg: PhaseSegment) -> list[int]:
-    """Body by body, with the mode of the phase as a system of its own."""
-    context, rates = Context(leg.phase.base), leg.newton.rates
+def _meaning(leg: PhaseSegment, symbol: Expr, what: Part) -> Meaning:
+    return Meaning(symbol, Sentence(f"symbol.phase_{what}"), _reads_energy(leg, what), "J")
+
+
+def _context_of(leg: PhaseSegment) -> Context:
+    """The mode of the phase as a system of its own."""
+    context = Context(leg.phase.base)
     context.setup, context.glossary, context.newton = leg.phase.setup, leg.glossary, leg.newton
-    bodies = leg.phase.system.moving
+    if isinstance(leg.newton.rates, PlanarRates):
+        context.rates = leg.newton.rates
+    return context
+
+
+def _kinetic_of_one(context: Context, script: Script, leg: PhaseSegment, body: str, in_coordinates: Expr) -> int:
+    """T of the only body that moves."""
+    parts, terms = kinetic_terms(context, body)
+    velocities = context.rates.explain_velocities(script, terms)
+    script.introduce(_meaning(leg, KINETIC, "kinetic"))
+    context.rates.announce(script, terms)
+    written = add(*parts)
+    sides = (in_coordinates,) if written == in_coordinates else (written, in_coordinates)
+    return script.line(KINETIC, *sides, why="energy.of_one", uses=velocities)
+
+
+def _kinetic_lines(context: Context, script: Script, leg: PhaseSegment) -> list[int]:
+    """Body by body."""
+    rates, bodies = leg.newton.rates, leg.phase.system.moving
     if isinstance(rates, SpatialRates):
         momenta = Momenta(context, script, rates.in_script(script))
         return [line for b in bodies for line in momenta.kinetic(b, momenta.omega_of(b), [])]
-    assert isinstance(rates, PlanarRates)
-    context.rates = rates
     return [line for b in bodies for line in kinetic_of(context, script, b.name)]
 
 
