@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import cProfile
 import gc
+import os
 import random
 import re
 from collections.abc import Callable, Mapping
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -26,24 +28,34 @@ _DIGITS = 60
 
 def pytest_configure(config: pytest.Config) -> None:
     gc.set_threshold(50_000, 20, 100)  # what the tests keep for each other is looked through less often
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # of the workers, which have a core each
 
 
 # files that share explained examples (`examples_told`), and so one worker
-_TOGETHER = {"test_examples", "test_narrative", "test_narrative_phrases"}
+_TOGETHER = {"test_examples", "test_narrative", "test_narrative_phrases", "test_shared_derivations"}
+_SHARES = re.compile(r'@(functools\.)?(lru_)?cache\b|scope="module"')  # what a file keeps for all of its tests
 
 
 @pytest.hookimpl(optionalhook=True)
 def pytest_xdist_make_scheduler(config: pytest.Config, log: Any) -> Any:
-    """The tests of a file run on one worker, as they share solutions. Said here and not by marks of groups, whose names
+    """The tests of a file that keeps something for all of them run on one worker; of other files those of a function,
+    so that no worker has a long file left when the others are done. Said here and not by marks of groups, whose names
     pytest-xdist 3.8 writes where pytest 9.2 does not read them any more."""
     from xdist.scheduler import LoadFileScheduling
 
-    class ByFile(LoadFileScheduling):
+    class BySharing(LoadFileScheduling):
         def _split_scope(self, nodeid: str) -> str:
-            name = Path(nodeid.partition("::")[0]).stem
-            return "examples" if name in _TOGETHER else name
+            path, _, test = nodeid.partition("::")
+            if Path(path).stem in _TOGETHER:
+                return "examples"
+            return path if _shares(config.rootpath / path) else f"{path}::{test.partition('[')[0]}"
 
-    return ByFile(config, log)
+    return BySharing(config, log)
+
+
+@cache
+def _shares(path: Path) -> bool:
+    return _SHARES.search(path.read_text(encoding="utf-8")) is not None
 
 
 class _Symbols(dict[str, Any]):

@@ -11,6 +11,7 @@ import freebody as fb
 from contact_scenes import Scene, Thing, box_of_lines, depth, faults, random_scene
 from freebody.errors import CannotAnswer
 from freebody.numeric.engine.course import Status
+from thinned import thinned
 
 KNOWN = (Status.FINISHED, Status.TOO_LONG, Status.CHATTER, Status.INCONSISTENT)
 MOST_STEPS = 5000  # scenes of two things take some 50, of six some 400
@@ -57,12 +58,12 @@ def test_the_depth_of_penetration_is_that_of_the_outlines(
 
 
 # -- random scenes ----------------------------------------------------------------------------
-@pytest.mark.parametrize("seed", range(24))
+@pytest.mark.parametrize("seed", thinned(range(24), lambda seed: seed < 8))
 def test_two_things_thrown_at_each_other(seed: int) -> None:
     assert checked(random_scene(seed, 2), seed, 2.0) is Status.FINISHED
 
 
-@pytest.mark.parametrize("seed", range(100, 110))
+@pytest.mark.parametrize("seed", thinned(range(100, 110), lambda seed: seed < 104))
 def test_four_things_thrown_at_each_other(seed: int) -> None:
     assert checked(random_scene(seed, 4), seed, 1.5) is Status.FINISHED
 
@@ -93,7 +94,7 @@ def test_more_modes_than_can_be_tried_are_walked_through() -> None:
     assert checked(random_scene(215, 6), 215, 2.0) in (Status.FINISHED, Status.INCONSISTENT)
 
 
-@pytest.mark.parametrize("seed", range(10))
+@pytest.mark.parametrize("seed", thinned(range(10), lambda seed: seed < 4))
 def test_eight_discs_in_a_box_of_lines(seed: int) -> None:
     assert checked(random_scene(300 + seed, 8, "disk sphere"), 300 + seed, 1.0) is Status.FINISHED
 

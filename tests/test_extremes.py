@@ -151,6 +151,7 @@ measures: {psi: angle of crank, x: x of piston}
     assert found.value == pytest.approx(max(torque(k * math.tau / 20_000) for k in range(20_000)), rel=1e-6)
 
 
+@pytest.mark.slow
 def test_forces_of_a_four_bar_have_numbers() -> None:
     text = """
 parameters: {a: 0.1 m, b: 0.3 m, c: 0.25 m, d: 0.3 m, w: 20 rad/s}

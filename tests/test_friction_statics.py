@@ -188,20 +188,24 @@ def asked(model: str, question: str) -> fb.Solution:
     [
         # moments about the foot: N_wall L sin = m g L/2 cos; at the floor N = m g, T = N_wall
         (SMOOTH, "least mu so that it stays at rest", "1/(2*tan(alpha))"),
-        (SMOOTH, "least alpha so that it stays at rest", "atan(1/(2*mu))"),
+        pytest.param(SMOOTH, "least alpha so that it stays at rest", "atan(1/(2*mu))", marks=pytest.mark.slow),
         # both contacts at their limits: the reactions meet above the mass centre, alpha = 90 deg - 2 phi, mu = tan(phi)
         (ROUGH, "least mu so that it stays at rest", "tan(pi/4 - alpha/2)"),
-        (ROUGH, "least alpha so that it stays at rest", "pi/2 - 2*atan(mu)"),
+        pytest.param(ROUGH, "least alpha so that it stays at rest", "pi/2 - 2*atan(mu)", marks=pytest.mark.slow),
         # moments about the foot with the person at d
         (CLIMBED, "largest d so that it stays at rest", "L*(mu*(m + M)*tan(alpha) - m/2)/M"),
-        (CLIMBED, "least mu so that it stays at rest", "(m*L/2 + M*d)/((m + M)*L*tan(alpha))"),
+        pytest.param(
+            CLIMBED, "least mu so that it stays at rest", "(m*L/2 + M*d)/((m + M)*L*tan(alpha))", marks=pytest.mark.slow
+        ),
         # moments about the right corner; for mu < b/(2 d) it slides instead
         (BLOCK, "does it tip or slide as F grows", "m*g*b/(2*d)"),
         (BLOCK.replace("mu: 0.4", "mu: 0.2"), "does it tip or slide as F grows", "mu*m*g"),
-        (BLOCK, "range of F that keeps it at rest", ["-m*g*b/(2*d)", "m*g*b/(2*d)"]),
+        pytest.param(
+            BLOCK, "range of F that keeps it at rest", ["-m*g*b/(2*d)", "m*g*b/(2*d)"], marks=pytest.mark.slow
+        ),
         (BLOCK, "least mu so that it stays at rest", "F/(m*g)"),
         # BJ sec. 8.2: angle of repose
-        (RESTING, "least mu so that it stays at rest", "tan(theta)"),
+        pytest.param(RESTING, "least mu so that it stays at rest", "tan(theta)", marks=pytest.mark.slow),
         (RESTING, "largest theta so that it stays at rest", "atan(mu)"),
         # F = W tan(theta -+ phi)
         (PUSHED, "range of F that keeps it at rest", ["m*g*tan(theta - atan(mu))", "m*g*tan(theta + atan(mu))"]),
@@ -212,12 +216,12 @@ def asked(model: str, question: str) -> fb.Solution:
         ),
         # of each lower cylinder: moments about its foot give mu = tan(15 deg); about its top contact nu = mu/3
         (CYLINDERS, "least mu so that it stays at rest", "2 - sqrt(3)"),
-        (CYLINDERS, "least nu so that it stays at rest", "(2 - sqrt(3))/3"),
+        pytest.param(CYLINDERS, "least nu so that it stays at rest", "(2 - sqrt(3))/3", marks=pytest.mark.slow),
         # |T| = mu r |R| with R the weight less the push; moment F R
         (PIN, "range of F that keeps it at rest", ["-mu*r*m*g/(R - mu*r)", "mu*r*m*g/(R + mu*r)"]),
-        (PIN, "least mu so that it stays at rest", "F*R/(r*(m*g - F))"),
+        pytest.param(PIN, "least mu so that it stays at rest", "F*R/(r*(m*g - F))", marks=pytest.mark.slow),
         (BRAKE, "largest M so that it stays at rest", "T/(g*R)"),
-        (BRAKE, "least T so that it stays at rest", "M*g*R"),
+        pytest.param(BRAKE, "least T so that it stays at rest", "M*g*R", marks=pytest.mark.slow),
         # load: N2 (sin + mu cos) = N_wall, N2 (cos - mu sin) = W + mu N_wall; wedge: floor carries M g and N2's part
         (
             LIFTED,
@@ -228,7 +232,9 @@ def asked(model: str, question: str) -> fb.Solution:
         (CURB, "largest F so that it stays at rest", "m*g*sqrt(R**2 - (R - h)**2)/(R - h)"),
         # moments about the front wheels: N_rear (a + b) = m g (a cos + h sin), mu N_rear = m g sin
         (CAR, "least mu so that it stays at rest", "(a + b)*sin(theta)/(a*cos(theta) + h*sin(theta))"),
-        (CAR, "largest theta so that it stays at rest", "atan(mu*a/(a + b - mu*h))"),
+        pytest.param(
+            CAR, "largest theta so that it stays at rest", "atan(mu*a/(a + b - mu*h))", marks=pytest.mark.slow
+        ),
         # two equal normal forces F a/b carry the load: 2 mu F a/b = F
         (BRACKET, "least mu so that it stays at rest", "b/(2*a)"),
         # the normal force acts f before the middle
@@ -236,7 +242,7 @@ def asked(model: str, question: str) -> fb.Solution:
         (PILE, "largest F so that it stays at rest", "mu*m*g"),
         # the middle support takes from all to nothing
         (BEAM, "range of normal force of two", ["0", "m*g*L/(L + 2*d)"]),
-        (BEAM, "range of normal force of one", ["2*d*m*g/(L + 2*d)", "m*g/2"]),
+        pytest.param(BEAM, "range of normal force of one", ["2*d*m*g/(L + 2*d)", "m*g/2"], marks=pytest.mark.slow),
         # floor and wall at the limit of the wall: N (sin -+ mu cos) = m g cos/2
         (
             ROUGH.replace("alpha: 60", "alpha: 70"),

@@ -15,6 +15,7 @@ import pytest
 
 import freebody as fb
 from posed import is_derived
+from test_spoken import meaning
 from test_stable_steady_motion import BOB, HOOP, TOP
 from test_steady import COIN, ON_A_TURNING_ROD
 from test_steady import HOOP as DAMPED_HOOP
@@ -169,13 +170,14 @@ def test_the_speed_for_a_frequency() -> None:
 
 
 def test_people_say_it_otherwise() -> None:
+    system = fb.System.from_text(BOB)
     for words in (
         "What is the frequency of small oscillations about the steady motion?",
         "nutation frequency",
         "Wie groß ist die Frequenz kleiner Schwingungen um die stationäre Bewegung?",
         "Nutationsfrequenz",
     ):
-        assert asked(BOB, words).value == pytest.approx(asked(BOB, ABOUT).value), words
+        assert meaning(system.question(words)) == meaning(system.question(ABOUT)), words
 
 
 @pytest.mark.parametrize("text", [BOB, HOOP, TOP, TABLE])

@@ -7,7 +7,7 @@ reduction to the normal form. FLINT does the arithmetic.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any, TypeAlias
 
 import flint
@@ -119,34 +119,39 @@ class PolynomialRing:
     def terms(self, poly: Poly) -> dict[Monomial, int]:
         """The polynomial as {((generator, exponent), ...): coefficient}."""
         last = poly.context().nvars() - 1
-        used = [k for k, degree in enumerate(poly.degrees()) if degree > 0]
-        places = [(k, last - k) for k in used]
-        if len(poly) > _FEW_TERMS:  # in a ring of as many generators as it has the exponents of no others are read
-            small = _flint.fmpz_mpoly_ctx.get([f"g{k}" for k in range(len(used))], _flint.Ordering.lex)
-            poly = poly.project_to_context(small, {k: n for n, k in enumerate(used)})
+        if len(poly) > _FEW_TERMS:
+            poly, used = _in_own_ring(poly)
             places = [(n, last - k) for n, k in enumerate(used)]
+        else:
+            places = [(k, last - k) for k, degree in enumerate(poly.degrees()) if degree > 0]
         return {tuple((g, int(m[k])) for k, g in places if m[k]): int(c) for m, c in poly.to_dict().items()}
 
     def split(self, poly: Poly, generator: int) -> list[Poly]:
         """Coefficients of the powers of one generator, lowest first."""
-        poly = self.current(poly)
-        place = self._capacity - 1 - generator
-        parts: dict[int, dict[tuple[int, ...], int]] = {}
-        for monomial, coefficient in poly.to_dict().items():
-            rest = list(monomial)
-            exponent, rest[place] = int(rest[place]), 0
-            parts.setdefault(exponent, {})[tuple(rest)] = coefficient
-        highest = max(parts, default=0)
-        return [self._context.from_dict(parts.get(k, {})) for k in range(highest + 1)]
+        parts = self._parts(poly, (generator,))
+        highest = max(parts, default=(0,))[0]
+        zero = self.constant(0)
+        return [parts.get((k,), zero) for k in range(highest + 1)]
 
     def split_by_pair(self, poly: Poly, pair: tuple[int, int]) -> dict[tuple[int, int], Poly]:
         """Coefficients of the products of powers of two generators, by their exponents; those that are not zero."""
-        return {
-            (i, j): rest
-            for i, by_first in enumerate(self.split(poly, pair[0]))
-            for j, rest in enumerate(self.split(by_first, pair[1]))
-            if rest != 0
-        }
+        return {(i, j): rest for (i, j), rest in sorted(self._parts(poly, pair).items(), key=lambda part: part[0])}
+
+    def _parts(self, poly: Poly, generators: Sequence[int]) -> dict[tuple[int, ...], Poly]:
+        """Coefficients of the products of powers of some generators, by their exponents."""
+        small, used = _in_own_ring(self.current(poly))
+        place_of = {self._capacity - 1 - k: n for n, k in enumerate(used)}
+        places = [place_of.get(g) for g in generators]
+        parts: dict[tuple[int, ...], dict[tuple[int, ...], int]] = {}
+        for monomial, coefficient in small.to_dict().items():
+            exponents = tuple(0 if n is None else int(monomial[n]) for n in places)
+            rest = list(monomial)
+            for n in places:
+                if n is not None:
+                    rest[n] = 0
+            parts.setdefault(exponents, {})[tuple(rest)] = coefficient
+        here, back = small.context(), dict(enumerate(used))
+        return {e: here.from_dict(part).project_to_context(self._context, back) for e, part in parts.items()}
 
     # -- factors ------------------------------------------------------------------------------
     def irreducible(self, poly: Poly) -> tuple[int, list[tuple[Poly, int]]]:
@@ -199,6 +204,14 @@ class PolynomialRing:
             return poly.sqrt()
         except (_flint.utils.flint_exceptions.DomainError, ValueError):
             return None
+
+
+def _in_own_ring(poly: Poly) -> tuple[Poly, list[int]]:
+    """The polynomial in a ring of as many generators as it has, and their places in its own ring: with others, too,
+    every monomial is read with all their exponents."""
+    used = [k for k, degree in enumerate(poly.degrees()) if degree > 0]
+    small = _flint.fmpz_mpoly_ctx.get([f"g{n}" for n in range(len(used))], _flint.Ordering.lex)
+    return poly.project_to_context(small, {k: n for n, k in enumerate(used)}), used
 
 
 # -- terms ------------------------------------------------------------------------------------

@@ -7,7 +7,8 @@ import numpy as np
 from freebody.errors import CannotAnswer, NeverHappens
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure
-from freebody.numeric.engine.course import Status
+from freebody.numeric.engine.course import Status, Trajectory
+from freebody.numeric.engine.engine import Engine
 from freebody.numeric.engine.evaluator import EngineWatch
 from freebody.study.answering.crosscheck import (
     MOTION_TOLERANCE,
@@ -17,7 +18,7 @@ from freebody.study.answering.crosscheck import (
 )
 from freebody.study.answering.draws import Draw
 from freebody.study.answering.finding import Finding, NotHere
-from freebody.study.answering.repeated import checked, coordinate_of, taken_throughout
+from freebody.study.answering.repeated import SHORTER, checked, coordinate_of, taken_throughout
 from freebody.study.answering.witness import least_rate, run, snapshots
 from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition, insisted
@@ -87,8 +88,14 @@ def extent_in_numbers(draw: Draw, measure: Measure, side: int) -> float:
     """The farthest of the start and the first two turns."""
     start, reference = draw.start(), draw.reference
     watches = [EngineWatch("turn", measure, 1, size=least_rate(start, measure))]
-    engine, course = run(reference, start, np.array([start.t, start.t + LONGEST]), watches)
-    turns = [h.time for h in course.events if h.kind in ("rising", "falling") and h.time > start.t][:_N_TURNS]
+
+    def followed(share: float) -> tuple[Engine, Trajectory, list[float]]:
+        engine, course = run(reference, start, np.array([start.t, start.t + share * LONGEST]), watches)
+        turns = [h.time for h in course.events if h.kind in ("rising", "falling") and h.time > start.t]
+        return engine, course, turns[:_N_TURNS]
+
+    in_short = (seen for share in SHORTER if len((seen := followed(share))[2]) == _N_TURNS)
+    engine, course, turns = next(in_short, None) or followed(1.0)
     goes_on = course.status in (Status.FINISHED, Status.TOO_LONG)
     if not turns:  # it only goes away from there
         seen = list(snapshots(reference, engine, course, start)) if goes_on else []

@@ -11,7 +11,7 @@ from freebody.measures.base import Measure
 from freebody.numeric.jets import Array
 from freebody.questions.base import Quantity
 from freebody.study.answering.draws import Draw
-from freebody.study.answering.repeated import LONGEST, cycle
+from freebody.study.answering.repeated import cycle_at_all
 from freebody.study.answering.witness import states_at
 from freebody.study.setup import Setup
 
@@ -27,7 +27,7 @@ def extremes_over_cycle(
     be taken up again. Raises CannotAnswer where the motion does not repeat itself."""
     if measure is None:
         raise CannotAnswer(Message("name a measure that moves to and fro, or round and round"))
-    begin, end = cycle(draw, measure, LONGEST, is_exact=is_exact)
+    begin, end = cycle_at_all(draw, measure, is_exact=is_exact)
     times = np.linspace(begin, end, _N_INSTANTS)
     values = _values(setup, draw, of, times)
     low, high = (sign * _closer(setup, draw, of, times, values, sign) for sign in (1.0, -1.0))

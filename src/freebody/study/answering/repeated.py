@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -37,6 +38,8 @@ from freebody.symbolic.unknowns import Coordinate
 from freebody.symbolic.validity import TAKEN
 
 LONGEST = 60.0  # [s] in which a motion without a closed form has to repeat itself
+SHORTER = (1 / 32, 1 / 8)  # of the longest motion: most have done in that what is looked for
+_N_TURNS = 3  # between the first and the last of which a motion that goes to and fro repeats itself
 _MARGIN = 1.6  # periods that are followed: three turns are among them
 _CROSSED = ("rising", "falling")
 _SAME = 1e-6  # relative: a state that is taken up again
@@ -157,16 +160,29 @@ def period_in_numbers(draw: Draw, measure: Measure, until: float, *, is_exact: b
 
 def cycle(draw: Draw, measure: Measure, until: float, *, is_exact: bool) -> tuple[float, float]:
     """The instants between which a period is counted. Raises SaysNothing where there is none until `until`."""
-    start = draw.start()
-    engine, course, turns, over = _watched_motion(draw, measure, until)
-    if len(turns) >= 3:
-        first, last = turns[0], turns[2]
-    elif over and not turns and measure.dimension == DIMENSIONLESS:
-        first, last = start.t, over[0]
+    return _ends_of_cycle(draw, measure, _watched_motion(draw, measure, until), until, is_exact=is_exact)
+
+
+def cycle_at_all(draw: Draw, measure: Measure, *, is_exact: bool) -> tuple[float, float]:
+    """The same in the longest motion, of which no more is followed than has the turns that count."""
+    for share in SHORTER:
+        seen = _watched_motion(draw, measure, share * LONGEST)
+        if len(seen.turns) >= _N_TURNS:
+            return _ends_of_cycle(draw, measure, seen, share * LONGEST, is_exact=is_exact)
+    return cycle(draw, measure, LONGEST, is_exact=is_exact)
+
+
+def _ends_of_cycle(
+    draw: Draw, measure: Measure, seen: _WatchedMotion, until: float, *, is_exact: bool
+) -> tuple[float, float]:
+    if len(seen.turns) >= _N_TURNS:
+        first, last = seen.turns[0], seen.turns[_N_TURNS - 1]
+    elif seen.over and not seen.turns and measure.dimension == DIMENSIONLESS:
+        first, last = draw.start().t, seen.over[0]
     else:
         raise SaysNothing(Message("the motion has not repeated itself until t = {t:.6g} s", t=until))
     if is_exact:
-        states = [_state(engine, course, k) for k, t in enumerate(course.times) if t in (first, last)]
+        states = [_state(seen.engine, seen.course, k) for k, t in enumerate(seen.course.times) if t in (first, last)]
         if len(states) != 2 or not _is_same(*states):
             raise CannotAnswer(Message("the motion does not repeat itself"))
     return first, last
@@ -174,14 +190,24 @@ def cycle(draw: Draw, measure: Measure, until: float, *, is_exact: bool) -> tupl
 
 def comes_round(draw: Draw, measure: Measure, until: float) -> bool:
     """Whether an angle comes all round before it turns. Raises SaysNothing where it has done neither until `until`."""
-    _engine, _course, turns, over = _watched_motion(draw, measure, until)
-    if not turns and not over:
-        raise SaysNothing(Message("the motion has not repeated itself until t = {t:.6g} s", t=until))
-    return bool(over) and (not turns or over[0] < turns[0])
+    for share in (*SHORTER, 1.0):
+        seen = _watched_motion(draw, measure, share * until)
+        if seen.turns or seen.over:
+            return bool(seen.over) and (not seen.turns or seen.over[0] < seen.turns[0])
+    raise SaysNothing(Message("the motion has not repeated itself until t = {t:.6g} s", t=until))
 
 
-def _watched_motion(draw: Draw, measure: Measure, until: float) -> tuple[Engine, Trajectory, list[float], list[float]]:
+@dataclass(frozen=True)
+class _WatchedMotion:
     """A motion, the instants at which a measure turns, and at which it has come a whole turn from the start."""
+
+    engine: Engine
+    course: Trajectory
+    turns: list[float]
+    over: list[float]
+
+
+def _watched_motion(draw: Draw, measure: Measure, until: float) -> _WatchedMotion:
     start = draw.start()
     begin, rate = start.value(measure), start.rate(measure)
     whole = begin + math.copysign(2 * math.pi, rate)
@@ -192,7 +218,7 @@ def _watched_motion(draw: Draw, measure: Measure, until: float) -> tuple[Engine,
         raise SaysNothing(course.message or Message("the motion does not go on"))
     turns = [h.time for h in course.events if h.name == "turn" and h.kind in _CROSSED and h.time > start.t]
     over = [h.time for h in course.events if h.name == "over" and h.time > start.t]
-    return engine, course, turns, over
+    return _WatchedMotion(engine, course, turns, over)
 
 
 def _state(engine: Engine, course: Trajectory, k: int) -> Array:

@@ -89,8 +89,9 @@ class DrawnTurn:
         return max(-_NEARLY_HALF, min(_NEARLY_HALF, away))
 
     def at(self, away: float) -> float:
-        """The quantity at an angle from the start."""
-        return self.value(self.pose(self.draw.q, away))
+        """The quantity at an angle from the start, by way of the nearest of the poses all round the turn."""
+        _near, q = min(self.poses(), key=lambda pose: abs(pose[0] - away))
+        return self.value(self.pose(q, away))
 
     def values(self) -> list[float]:
         """At poses all round the turn."""
