@@ -10,9 +10,10 @@ Source: Kane & Levinson, Dynamics: Theory and Applications (1985), ch. 6.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from functools import cached_property
 
-from freebody.errors import CannotAnswer
+from freebody.errors import CannotAnswer, FormulaTooLong
 from freebody.language.sentences import Message
 from freebody.symbolic.bodies import Bodies, Parts
 from freebody.symbolic.configuration import Configuration
@@ -96,7 +97,7 @@ class SymbolicDynamics:
     def vanishing_inertia(self) -> Ratio | None:
         """What of one freedom moves no mass where it vanishes, as a piston in its dead point beside a massless crank:
         there is no acceleration there. None where there is always some."""
-        if len(self._speeds.coordinates) != 1 or sign_of(self.mass_matrix[0][0]).is_strict:
+        if len(self._speeds.coordinates) != 1:
             return None
         moved: list[Ratio] = []
         for name, (partial,) in self._kinematics.partial_velocities.items():
@@ -105,7 +106,12 @@ class SymbolicDynamics:
                     return None
                 if not p.is_zero():
                     moved.append(v)
-        return moved[0] if len(moved) == 1 else self.mass_matrix[0][0]
+        if len(moved) == 1:
+            return moved[0]
+        with suppress(FormulaTooLong):
+            mass = self.mass_matrix[0][0]
+            return None if sign_of(mass).is_strict else mass
+        return None
 
     def generalized_force(self, c: Coordinate) -> Ratio:
         """Along an independent coordinate: the sum of law times d(rate of the measure)/du over all loads."""

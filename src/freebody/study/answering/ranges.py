@@ -37,7 +37,7 @@ from freebody.study.answering.turned_round import (
     for_every,
     without_roots,
 )
-from freebody.study.setup import Setup
+from freebody.study.setup import N_MORE, Setup
 from freebody.symbolic.conditions import Condition, insisted
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.parameter_roots import solutions
@@ -67,6 +67,7 @@ class RangeSearch(TruthInNumbers):
     def __init__(self, setup: Setup, question: Question, wanted: Wanted, formulas: Sequence[Formula]) -> None:
         super().__init__(setup, question, wanted, formulas)
         self._twins: list[tuple[Ratio, Ratio]] = []  # ends that coincide, where they were looked at last
+        self._below: list[Ratio] = []  # those that are negative there
         self._on_border: list[Ratio] = []  # those that are zero there, of what is positive
         self._placed: list[Ratio] = []  # all ends within the range of the parameter, where they were looked at last
 
@@ -164,6 +165,7 @@ class RangeSearch(TruthInNumbers):
                     twins.append((twin[1], end))
         placed.sort(key=lambda pair: pair[0])
         self._twins, self._on_border = twins, border
+        self._below = [end for end in ends if low == 0.0 and self.value_of(end, numbers)[0] < 0.0]
         self._placed = [end for _value, end in placed]
         values = [low, *(value for value, _end in placed), high]
         inside = [self._between(numbers, a, b) for a, b in pairwise(values)]
@@ -235,8 +237,12 @@ class RangeSearch(TruthInNumbers):
         twins, before = list(self._twins), list(self._placed)  # intervals at other numbers have others
         needed = self._order(found, own, before)
         needed += insisted((Condition(-end, ">=", Message("which end is which")) for end in self._on_border), _OPEN)
+        if self.wanted.of.scope == "linkage":  # ends of no positive length need not be so at other numbers
+            outside = (Condition(-end, ">=", Message("which end is which")) for end in self._below)
+            needed += insisted(outside, _OPEN)
         if not twins:
-            return found, needed, RangeEvidence(self, self.intervals).of(found, needed)
+            n_more = _ONE_SIDE if self._below else N_MORE
+            return found, needed, RangeEvidence(self, self.intervals, n_more).of(found, needed)
         for choice in product((False, True), repeat=2 * min(len(twins), _MOST_TWINS)):
             swaps, ways = choice[::2], choice[1::2]
             pairs = [(b, a) if swap else (a, b) for (a, b), swap in zip(twins, swaps, strict=False)]
