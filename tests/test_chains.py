@@ -191,3 +191,55 @@ def test_a_chain_is_in_the_document_and_shown_on_request() -> None:
     names = [step["name"] for step in document["chain"]["named"]]
     assert names[:4] == ["theta_rod", "k_rod", "M_eff", "rate(theta_rod)"]
     assert "k_rod = " in solution.to_text()
+
+
+WATT = """
+parameters: {a: 0.1 m, b: 0.32 m, c: 0.25 m, d: 0.3 m, e: 0.3 m, f: 0.25 m, h: 0.6 m, m: 1 kg, g: 9.81 m/s^2}
+ground: {points: {O: [0, 0], D: [d, 0], E: [h, 0]}}
+bodies:
+  crank: {rod: {mass: m, length: a}}
+  coupler: {rod: {mass: m, length: b}}
+  rocker: {rod: {mass: m, length: c}, near: {angle: 80 deg}}
+  link: {rod: {mass: m, length: e}}
+  out: {rod: {mass: m, length: f}, near: {angle: 80 deg}}
+connections:
+  O: {pin: [ground.O, crank.start]}
+  A: {pin: [crank.end, coupler.start]}
+  B: {pin: [coupler.end, rocker.end]}
+  C: {pin: [ground.D, rocker.start]}
+  F: {pin: [rocker.end, link.start]}
+  G: {pin: [link.end, out.end]}
+  H: {pin: [ground.E, out.start]}
+loads: {weight: {gravity: g}}
+measures: {psi: angle of crank, phi: angle of rocker, xi: angle of out}
+start: {psi: 60 deg}
+"""
+
+
+def second_dyad(phi: float) -> float:
+    """The angle of the last link of the six-bar, by the triangle of the second dyad."""
+    x, y, e, f, h = D + C * math.cos(phi), C * math.sin(phi), 0.3, 0.25, 0.6
+    p = math.hypot(h - x, y)
+    at_end = math.acos((e * e + p * p - f * f) / (2 * e * p)) + math.atan2(-y, h - x)
+    return math.atan2(y + e * math.sin(at_end), x + e * math.cos(at_end) - h)
+
+
+def test_a_six_bar_is_solved_dyad_by_dyad() -> None:
+    psi, h = math.radians(60), 1e-4
+    found = posed(WATT, "xi")
+    assert found.value == pytest.approx(second_dyad(pose(psi)[1]), rel=1e-12)
+    assert any("A_xi² + B_xi² ≥ C_xi²" in text for text in found.conditions)
+    ratio = posed(WATT, "ratio of angular velocity of out to angular velocity of crank")
+    slope = (second_dyad(pose(psi + h)[1]) - second_dyad(pose(psi - h)[1])) / (2 * h)
+    assert ratio.value == pytest.approx(slope, rel=1e-6)
+
+
+def test_the_acceleration_of_a_six_bar_has_a_chain_where_one_formula_would_be_too_long() -> None:
+    found = posed(WATT, "angular acceleration of out at start")
+    assert found.chain is not None
+    assert found.evidence is not None
+    crank = posed(WATT, "angular acceleration of crank at start").value
+    ratio = posed(WATT, "ratio of angular velocity of out to angular velocity of crank").value
+    assert isinstance(crank, float)
+    assert isinstance(ratio, float)
+    assert found.value == pytest.approx(ratio * crank, rel=1e-9)  # from rest

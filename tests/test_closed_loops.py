@@ -295,3 +295,33 @@ def test_a_root_of_a_number_below_a_bar_brings_in_no_new_pole() -> None:
     for r, d in ((2.0, math.sqrt(3.0)), (0.1, 0.25), (0.3, 0.1)):
         value = evaluate(answer.expression, {"r": r, "d": d}, FLOAT_FUNCTIONS)
         assert value == pytest.approx(math.atan2(d + r * math.sqrt(3.0) / 2, r / 2), rel=1e-12)
+
+
+MASSLESS = """
+parameters: {{r: 0.05 m, l: 0.2 m, m: 2 kg, F: 10 N}}
+ground: {{lines: {{rail: {{along: right}}}}}}
+bodies:
+  crank: {{rod: {{mass: 0, length: r}}}}
+  rod: {{rod: {{mass: 0, length: l}}}}
+  piston: {{particle: {{mass: m}}}}
+connections:
+  O: {{pin: [ground.origin, crank.start]}}
+  A: {{pin: [crank.end, rod.start]}}
+  B: {{pin: [rod.end, piston]}}
+  guide: {{slider: {{body: piston, along: rail}}}}
+loads: {{push: {{force: {{at: piston, along: left, magnitude: F}}}}}}
+measures: {{psi: angle of crank, x: x of piston}}
+start: {{psi: {psi} deg}}
+"""
+
+
+def test_no_mass_moves_with_a_massless_crank_in_its_dead_point() -> None:
+    """m x'' = -F elsewhere; there the links carry F: sin(rod - psi) was cancelled."""
+    found = posed(MASSLESS.format(psi=40), "acceleration of x")
+    assert found.value == pytest.approx(-5.0)
+    assert any("sin(θ_rod - ψ) ≠ 0" in text for text in found.conditions)
+    dead = posed(MASSLESS.format(psi=0), "acceleration of x")
+    assert dead.value is None
+    assert any(note.startswith("Not valid for the given numbers") for note in dead.notes)
+    heavy = MASSLESS.format(psi=40).replace("crank: {rod: {mass: 0", "crank: {rod: {mass: 1 kg")
+    assert not any("some mass moves" in text for text in posed(heavy, "acceleration of x").conditions)

@@ -279,3 +279,106 @@ def test_values_for_which_a_link_turns_fully(name: str) -> None:
     found = posed(text, question)
     assert found.value == pytest.approx(wanted, rel=1e-12), found.reason
     assert found.evidence is not None
+
+
+RANGES = {
+    # the ends of |b - c| <= 0.2 and c >= a + d - b, of which the second is the lesser one
+    "rocker of a crank-rocker": (CRANK_ROCKER, "c", (0.12, 0.52)),
+    "frame of a drag link": (DRAG_LINK, "d", ()),
+    # two links of one length: the ends coincide there
+    "crank beside equal links": (bars(0.2, 0.5, 0.4, 0.5), "a", (0.4,)),
+    "rocker beside equal links": (bars(0.2, 0.5, 0.4, 0.5), "c", (0.2, 0.8)),
+    "frame of a change point": (bars(0.04, 0.12, 0.08, 0.1), "d", (0.08, 0.16)),
+}
+
+
+@pytest.mark.parametrize("name", RANGES)
+def test_lengths_for_which_the_crank_turns_fully(name: str) -> None:
+    """By Grashof's rule with the numbers of the others: a + d <= b + c and |a - d| >= |b - c|."""
+    text, length, wanted = RANGES[name]
+    found = posed(text, f"range of {length} for which the crank turns fully")
+    values = found.value if isinstance(found.value, tuple) else (found.value,)
+    assert found.evidence is not None, found.reason
+    if name == "frame of a drag link":
+        a, b, c = 0.3, 0.28, 0.32
+        wanted = (a - (c - b), a + (c - b), b + c - a)
+    assert values == pytest.approx(wanted, rel=1e-9)
+    assert not any(note.startswith("Not valid") for note in found.notes)
+
+
+ASSEMBLY = {
+    "link of a four-bar": (CRANK_ROCKER, "b", 0.65, ("a + c ≥ d", "c + d ≥ a", "a + d ≥ c")),
+    "offset of a guide": (OFFSET, "e", 0.25, ()),
+}
+
+
+@pytest.mark.parametrize("name", ASSEMBLY)
+def test_lengths_for_which_the_loop_can_be_assembled(name: str) -> None:
+    text, length, end, conditions = ASSEMBLY[name]
+    found = posed(text, f"range of {length} for which the loop assembles")
+    assert found.value == pytest.approx(end), found.reason
+    for wanted in conditions:
+        assert any(wanted in text for text in found.conditions)
+
+
+OLDHAM = """
+parameters: {e: 0.05 m}
+ground: {points: {O: [0, 0], P: [e, 0]}}
+bodies:
+  left: {disk: {mass: 1 kg, radius: 0.2 m}}
+  right: {disk: {mass: 1 kg, radius: 0.2 m}}
+  cross: {disk: {mass: 1 kg, radius: 0.2 m}}
+connections:
+  a: {pin: [ground.O, left]}
+  b: {pin: [ground.P, right]}
+  one: {slider: {body: cross, along: right, on: left}}
+  two: {slider: {body: cross, along: up, on: right}}
+measures: {psi: angle of left}
+start: {psi: 30 deg}
+"""
+
+
+@pytest.mark.parametrize("text", [OLDHAM, TRAMMEL, SCOTCH_YOKE])
+def test_a_loop_with_two_sliders_closes_with_all_lengths(text: str) -> None:
+    found = posed(text, "when does the loop assemble")
+    assert found.conditions == ("the loop can be assembled with all lengths",)
+    assert found.evidence is not None
+
+
+def test_both_shafts_and_the_cross_of_an_oldham_coupling_turn_alike() -> None:
+    for link in ("left", "right", "cross"):
+        found = posed(OLDHAM, f"does {link} turn fully")
+        assert found.conditions == (f"{link} turns fully for all lengths",)
+    assert "for all lengths" in posed(OLDHAM, "range of e for which the left turns fully").reason
+    assert "does not turn" in posed(SCOTCH_YOKE, "does yoke turn fully").reason
+
+
+KITE = _BARS.replace("parameters: {{a: {a} m, b: {b} m, c: {c} m, d: {d} m}}", "parameters: {{a: 0.3 m, b: 0.1 m}}")
+KITE = (
+    KITE.replace("[d, 0]", "[a, 0]")
+    .replace("length: c", "length: b")
+    .replace("{near}", "150")
+    .replace("60 deg", "20 deg")
+)
+KITE = KITE.replace("{{", "{").replace("}}", "}")
+PARALLELOGRAM = bars(0.1, 0.3, 0.1, 0.3).replace("a: 0.1 m, b: 0.3 m, c: 0.1 m, d: 0.3 m", "a: 0.1 m, b: 0.3 m")
+PARALLELOGRAM = PARALLELOGRAM.replace("[d, 0]", "[b, 0]").replace("length: c", "length: a")
+
+
+def test_change_points_of_a_parallelogram_and_a_kite() -> None:
+    """Folded flat the coupler pulls along the output: the transmission angle vanishes."""
+    assert posed(PARALLELOGRAM, "least transmission angle").value == pytest.approx(0.0, abs=1e-7)
+    found = posed(PARALLELOGRAM, "does crank turn fully")
+    assert found.evidence is not None
+    assert "abs(0)" not in posed(PARALLELOGRAM, "does coupler turn fully").conditions[0]
+    assert posed(PARALLELOGRAM, "range of a for which the crank turns fully").reason.startswith("that is so for every")
+
+
+def test_the_transmission_angle_of_a_kite_is_at_the_link_that_its_crank_drives() -> None:
+    """The short link at the ground turns fully and drives the long one: the angle between that and the coupler."""
+    found = posed(KITE, "transmission angle at start")
+    a, b, psi = 0.3, 0.1, math.radians(20)
+    diagonal = 2 * a * math.sin(psi / 2)  # between the pin A and the pivot of the short link
+    at_a = math.acos(diagonal / (2 * b)), math.acos(diagonal / (2 * a))
+    assert found.value is not None, found.reason
+    assert found.value in (pytest.approx(at_a[0] + at_a[1]), pytest.approx(abs(at_a[1] - at_a[0])))

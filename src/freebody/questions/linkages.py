@@ -141,6 +141,9 @@ def full_turn(names: Names, name: str, path: Path) -> FullTurn | None:
     return FullTurn(body.name)
 
 
+ASSEMBLES = r"the (?:loop|linkage|mechanism) (?:assembles|closes|can be (?:assembled|closed))"
+
+
 @asked(
     "when does the loop assemble",
     r"(?:(?:when|under what condition) )?(?:does|can) the (?:loop|linkage|mechanism) "

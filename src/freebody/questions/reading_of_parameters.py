@@ -15,7 +15,7 @@ from freebody.language.sentences import Message
 from freebody.model.elements import Parameter
 from freebody.model.names import Names, did_you_mean
 from freebody.questions.happening import Happening, read_happening
-from freebody.questions.linkages import TURNS_FULLY, full_turn
+from freebody.questions.linkages import ASSEMBLES, TURNS_FULLY, Assembly, OfLinkage, full_turn
 from freebody.questions.operands import event_at_end, has_quantities, without_start
 from freebody.questions.reading_when import Meant, as_timed
 from freebody.questions.turned_round import (
@@ -69,6 +69,8 @@ def read_turned_round(
     turns = re.fullmatch(TURNS_FULLY, relation)
     if turns is not None and when is None:
         return _turning(names, parameter, str(turns["of"]), relation, end)
+    if re.fullmatch(ASSEMBLES, relation) and when is None:
+        return _so(parameter, Assembly(), relation, end)
     happening = read_happening(names, relation, ("find",)) if when is None else None
     if happening is not None:
         return _happening(parameter, happening, end)
@@ -146,9 +148,12 @@ def _range(
 def _turning(names: Names, parameter: Parameter, link: str, text: str, end: End) -> Meant | None:
     """The values of a parameter for which a link turns fully."""
     of = full_turn(names, link, ("find",))
+    return None if of is None else _so(parameter, of, text, end)
+
+
+def _so(parameter: Parameter, of: OfLinkage, text: str, end: End) -> Meant:
+    """The values of a parameter for which something is so of a loop."""
     unit = "rad" if parameter.is_angle else str(parameter.dimension)
-    if of is None:
-        return None
     return Meant(RangeFor(parameter.name, of, ZERO, parameter.dimension, unit, text, relation=REACHED, end=end))
 
 

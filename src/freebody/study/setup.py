@@ -35,6 +35,7 @@ from freebody.system.system import System
 from freebody.tolerances import ROUND_OFF
 
 N_DRAWS = 6
+N_MORE = 3  # further ones at a time
 _TIME = 0.37  # an instant at which drivers are looked at
 _SAME = 1e-6  # of a length: less is no other sign
 _STILL = 1e-8  # of the slope of a measure: less along all free motions is no change
@@ -133,11 +134,11 @@ class Setup:
             )
         )
 
-    def draw_stream(self) -> Iterator[Draw]:
+    def draw_stream(self, n_more: int = N_MORE) -> Iterator[Draw]:
         """The draws, then more of them, ever closer to the file's values, for answers with narrow conditions."""
         yield from self.draws
         for k, widest in enumerate((0.5, 0.2, 0.05)):
-            yield from draws(self.system, 3, seed=SEED + 10 + k, widest=widest, near=self.draws[0])
+            yield from draws(self.system, n_more, seed=SEED + 10 + k, widest=widest, near=self.draws[0])
 
     @property
     def has_values(self) -> bool:

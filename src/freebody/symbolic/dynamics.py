@@ -10,9 +10,10 @@ Source: Kane & Levinson, Dynamics: Theory and Applications (1985), ch. 6.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from functools import cached_property
 
-from freebody.errors import CannotAnswer
+from freebody.errors import CannotAnswer, FormulaTooLong
 from freebody.language.sentences import Message
 from freebody.symbolic.bodies import Bodies, Parts
 from freebody.symbolic.configuration import Configuration
@@ -21,6 +22,7 @@ from freebody.symbolic.kinematics import SymbolicKinematics
 from freebody.symbolic.linear import RHS, Row, solve
 from freebody.symbolic.loads import SymbolicLoads
 from freebody.symbolic.samples import Samples
+from freebody.symbolic.signs import sign_of
 from freebody.symbolic.speeds import Speeds
 from freebody.symbolic.unknowns import Coordinate
 from freebody.system.system import System
@@ -90,6 +92,26 @@ class SymbolicDynamics:
             for k in range(j):
                 M[j][k] = M[k][j]
         return M
+
+    @cached_property
+    def vanishing_inertia(self) -> Ratio | None:
+        """What of one freedom moves no mass where it vanishes, as a piston in its dead point beside a massless crank:
+        there is no acceleration there. None where there is always some."""
+        if len(self._speeds.coordinates) != 1:
+            return None
+        moved: list[Ratio] = []
+        for name, (partial,) in self._kinematics.partial_velocities.items():
+            for p, v in zip(self.momentum(name, partial), partial, strict=True):
+                if sign_of(p * v).is_strict:
+                    return None
+                if not p.is_zero():
+                    moved.append(v)
+        if len(moved) == 1:
+            return moved[0]
+        with suppress(FormulaTooLong):
+            mass = self.mass_matrix[0][0]
+            return None if sign_of(mass).is_strict else mass
+        return None
 
     def generalized_force(self, c: Coordinate) -> Ratio:
         """Along an independent coordinate: the sum of law times d(rate of the measure)/du over all loads."""

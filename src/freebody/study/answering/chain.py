@@ -26,6 +26,7 @@ from freebody.language.expression import (
     power,
     rate_key,
 )
+from freebody.language.notation import compared, reworded
 from freebody.language.sentences import Message
 from freebody.numeric.reference import Snapshot
 from freebody.questions.base import Quantity
@@ -45,6 +46,7 @@ from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.unknowns import Coordinate
 
+_MOST_STEPS = 60  # of a chain that anybody would follow
 LONG = 70  # operations, some twelve terms: what is longer is not read at a glance
 FEW_TERMS, MOST_TERMS = 8, 60  # of sums, multiplied out: so few are short, and more than so many are not
 
@@ -131,6 +133,7 @@ class ChainBuilder:
         self.steps: list[NamedFormula] = []
         self.between: Callable[[ChainBuilder], None] | None = None  # names what stands before the speeds
         self.closure = Closure(self.model)
+        self._closing: dict[str, str] = {}  # that loops close, by the angles that tell it
         self._mass: int | None = None
         self._below: dict[str, Ratio] = {}  # the divisors of steps, by their names
         self._plain: dict[int, Ratio] = {}  # names whose formulas are so short that they need none
@@ -148,7 +151,7 @@ class ChainBuilder:
         elements = value if isinstance(value, tuple) else (value,)
         result = [self.here(f.element(x)) for x in elements]
         chain = self._ordered(list(map(tidy, result)))
-        return None if chain is None else InNames(chain, self._needs(chain, result), tuple(self.closure.sides))
+        return None if chain is None else self._found(chain, self._needs(chain, result))
 
     def _needs(self, chain: Chain, result: Sequence[Ratio]) -> tuple[Condition, ...]:
         """That what is divided by does not vanish."""
@@ -161,7 +164,12 @@ class ChainBuilder:
         """The angles of loops that a short formula contains."""
         self.name_angles()
         chain = self._ordered(list(map(tidy, parts)))
-        return None if chain is None else InNames(chain, tuple(exists(parts)), tuple(self.closure.sides))
+        return None if chain is None else self._found(chain, tuple(exists(parts)))
+
+    def _found(self, chain: Chain, needs: tuple[Condition, ...]) -> InNames:
+        told = {rate_key(step.name) for step in chain.named}
+        closing = tuple(text for name, text in self._closing.items() if name in told)
+        return InNames(chain, needs, tuple(self.closure.sides), closing)
 
     def staged(self) -> StagedMotion:
         """The motion in names of this chain."""
@@ -215,7 +223,7 @@ class ChainBuilder:
             case ByHalf(_, tangent):
                 return multiply(number(2), Call("atan", tidy(self.here(tangent))))
             case ByCoefficients(angle, coefficients, side):
-                return self._by_coefficients(_short(self.setup, angle), self._primitive(coefficients), side)
+                return self._by_coefficients(angle.name, _short(self.setup, angle), self._primitive(coefficients), side)
 
     def _primitive(self, coefficients: Sequence[Ratio]) -> tuple[Ratio, ...]:
         """Without what all of them share, but for its sign."""
@@ -229,7 +237,7 @@ class ChainBuilder:
             return tuple(coefficients)
         return tuple(f.lowest_terms(x / divisor) for x in coefficients)
 
-    def _by_coefficients(self, angle: str, coefficients: Sequence[Ratio], side: int) -> Expr:
+    def _by_coefficients(self, key: str, angle: str, coefficients: Sequence[Ratio], side: int) -> Expr:
         names: list[Expr] = []
         for letter, x in zip("ABC", coefficients, strict=True):
             if (value := self.here(x)).is_zero():
@@ -243,6 +251,8 @@ class ChainBuilder:
             names.append(Symbol(name))
         A, B, C = names
         two = number(2)
+        room = compared(add(power(A, two), power(B, two)), ">=", power(C, two))
+        self._closing[key] = reworded(Message("{condition} (can be assembled)", condition=room), room)
         root = Call("sqrt", add(power(A, two), power(B, two), negate(power(C, two))))
         above = add(root, negate(B)) if side > 0 else negate(add(B, root))
         return multiply(two, Call("atan", divide(above, add(C, negate(A)))))
@@ -272,7 +282,7 @@ class ChainBuilder:
             found += [*(NamedFormula(name, x) for name, x in parts), NamedFormula(step.name, rest)]
         parts, rest = broken_up(result, names, "S")
         found += [NamedFormula(name, x) for name, x in parts]
-        return Chain(tuple(found), tuple(rest)) if found else None
+        return Chain(tuple(found), tuple(rest)) if 0 < len(found) <= _MOST_STEPS else None
 
 
 def loop_angles(setup: Setup, chain: Chain) -> list[tuple[str, float]]:

@@ -72,6 +72,8 @@ class AnswerCompletion:
             parts = element if isinstance(element, tuple) else (element,)
             found.notes += integrals_named(parts)
             told = texts(needed, until_event=self.reached is not None)
+            if found.in_names is not None and not self.setup.closing(self.setup.state):
+                told = [*found.in_names.closing, *told]
             conditions = found.says + told or [for_all(self.setup.system, parts)]
         judgement = self._judge(found.element)
         return made(

@@ -8,12 +8,13 @@ closing      closed loops close
 
 from __future__ import annotations
 
+from freebody.language.sentences import Message
 from freebody.measures.combination import Composed
 from freebody.questions.base import Quantity
 from freebody.questions.reading import Question
 from freebody.study.answering.finding import Elements
 from freebody.study.setup import Setup
-from freebody.symbolic.conditions import Condition
+from freebody.symbolic.conditions import Condition, require
 from freebody.symbolic.equilibrium import find_equilibrium
 from freebody.symbolic.existence import exists
 from freebody.symbolic.state import SymbolicState
@@ -35,7 +36,18 @@ def at_instant(setup: Setup, question: Question, state: SymbolicState, *, with_c
     """What the state needs in which something is asked for. with_contacts: whether it is judged here that contacts and
     strings hold."""
     found = setup.holding(state, with_contacts=with_contacts) + setup.closing(state)
+    if question.event is None and not is_kinematic(setup, question.quantity):
+        found += _with_inertia(setup, state)
     return found + as_written(setup, question, state)
+
+
+def _with_inertia(setup: Setup, state: SymbolicState) -> list[Condition]:
+    """That some mass moves with the one freedom: what a formula divides by there may have been cancelled in it."""
+    inertia = setup.model.dynamics.vanishing_inertia
+    if inertia is None:
+        return []
+    condition, _possible = require(state.here(inertia), "!=", Message("some mass moves"))
+    return [] if condition is None else [condition]
 
 
 def as_written(setup: Setup, question: Question, state: SymbolicState) -> list[Condition]:

@@ -42,6 +42,8 @@ def told(setup: Setup, question: Question, found: InNames, evidence: Evidence, s
     state = setup.start_instant if question.at_start else setup.state
     judges_contacts = bool(setup.system.applied_loads) or not is_kinematic(setup, q)
     needed = at_instant(setup, question, state, with_contacts=judges_contacts and not is_of_event)
+    if not setup.closing(state):
+        says = [*says, *found.closing]
     if is_of_event:  # what is divided by must not vanish there
         says = [*says, *(c.text() for c in validity(found.needs))]
     else:

@@ -26,7 +26,7 @@ from freebody.symbolic.tidy import tidy
 
 READABLE = 60  # operations and symbols of a formula that is read at a glance
 _MOST_TERMS = 200  # multiplied out: no form of so many is read at a glance
-SHORT = 30  # operations of a condition in which the angles of loops are put in
+SHORT = 12  # operations of a condition in which the angles of loops are put in
 _LONGEST = 120  # of an angle that a loop binds, as a formula of its own
 _LONGER = 1.25  # times as long as with the bound angles a formula may become in any case
 

@@ -54,8 +54,9 @@ class Chain:
 
 @dataclass(frozen=True)
 class InNames:
-    """A chain, what it needs (divisors that do not vanish), and what is positive where the loops are assembled so."""
+    """A chain, what it needs (divisors that do not vanish), what is positive where the loops are assembled so."""
 
     chain: Chain
     needs: tuple[Condition, ...]
     sides: tuple[Ratio, ...] = ()
+    closing: tuple[str, ...] = ()  # where the loops close, in the names of the chain

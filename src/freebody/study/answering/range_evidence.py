@@ -26,6 +26,7 @@ from freebody.study.answering.turned_round import (
     PutBack,
     quantity_with,
 )
+from freebody.study.setup import N_MORE
 from freebody.symbolic.conditions import Condition
 from freebody.symbolic.field import Ratio
 
@@ -33,9 +34,11 @@ from freebody.symbolic.field import Ratio
 class RangeEvidence:
     """Compares the intervals of one search."""
 
-    def __init__(self, truth: TruthInNumbers, intervals: Callable[[Draw], list[Interval]]) -> None:
-        """intervals: those at the numbers of a draw."""
-        self.truth, self.intervals = truth, intervals
+    def __init__(
+        self, truth: TruthInNumbers, intervals: Callable[[Draw], list[Interval]], n_more: int = N_MORE
+    ) -> None:
+        """intervals: those at the numbers of a draw; n_more: draws of each kind beside the first ones."""
+        self.truth, self.intervals, self.n_more = truth, intervals, n_more
 
     def of(self, found: Sequence[Interval], conditions: Sequence[Condition]) -> Evidence:
         """The quantity inside of every interval is compared with the numeric route; and at other numbers that keep to
@@ -69,7 +72,7 @@ class RangeEvidence:
         if not all(truth.formula.is_put_back for truth in self.truth.truths):
             return self._of_formulas()
         enough = 2 * MIN_DRAWS if is_verdict else MIN_DRAWS
-        return check.gather(enumerate(self.truth.setup.draw_stream()), compare, enough).evidence()
+        return check.gather(enumerate(self.truth.setup.draw_stream(self.n_more)), compare, enough).evidence()
 
     def _of_formulas(self) -> Evidence:
         """Beside an event of contacts, which the numeric route finds in its own way, the formulas of the cases are what

@@ -99,7 +99,8 @@ class TruthInNumbers:
         try:
             value = float(self.field.evaluate(x, numbers))
             total, size = self.field.numerator_and_size(x, numbers)
-            return value, abs(value) * size / abs(total) if total else 0.0
+            # the total is added up without round-off, the value is not
+            return (value, abs(value) * size / abs(total)) if total else (0.0, 0.0)
         except (KeyError, ValueError, ArithmeticError):
             return math.nan, 0.0
 

@@ -11,8 +11,9 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
+from dataclasses import replace
 from functools import cached_property
-from itertools import pairwise
+from itertools import pairwise, product
 from typing import Any
 
 from freebody.errors import CannotAnswer
@@ -22,6 +23,7 @@ from freebody.language.sentences import Message
 from freebody.questions.base import Wanted
 from freebody.questions.reading import Question
 from freebody.questions.turned_round import REACHED, SO
+from freebody.study.answering.answer import Evidence
 from freebody.study.answering.conditions import real
 from freebody.study.answering.draws import Draw
 from freebody.study.answering.finding import Finding
@@ -35,7 +37,7 @@ from freebody.study.answering.turned_round import (
     for_every,
     without_roots,
 )
-from freebody.study.setup import Setup
+from freebody.study.setup import N_MORE, Setup
 from freebody.symbolic.conditions import Condition, insisted
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.parameter_roots import solutions
@@ -44,6 +46,9 @@ from freebody.symbolic.tidy import tidy
 from freebody.symbolic.zeros import zeros_of
 
 _SAME = 1e-9  # of their size: two ends that are one
+_ONE_SIDE = 12  # draws that are looked at where only some are on the one side of a border, each time
+_MOST_TWINS = 2  # of ends that coincide
+_OPEN = CannotAnswer(Message("where that holds has ends for which no closed form was found"))
 _RISING = ("asin", "atan", "log")
 _MOST_SHIFTS = range(-1, 2)  # whole turns by which an angle may differ from that of a formula
 
@@ -61,6 +66,9 @@ class RangeSearch(TruthInNumbers):
 
     def __init__(self, setup: Setup, question: Question, wanted: Wanted, formulas: Sequence[Formula]) -> None:
         super().__init__(setup, question, wanted, formulas)
+        self._twins: list[tuple[Ratio, Ratio]] = []  # ends that coincide, where they were looked at last
+        self._below: list[Ratio] = []  # those that are negative there
+        self._on_border: list[Ratio] = []  # those that are zero there, of what is positive
         self._placed: list[Ratio] = []  # all ends within the range of the parameter, where they were looked at last
 
     # -- where it can change ------------------------------------------------------------------
@@ -141,12 +149,23 @@ class RangeSearch(TruthInNumbers):
         ends = self.ends  # first: numbers are those of all that there is by now
         numbers, (low, high) = self.numbers_of(draw), self.domain()
         placed: list[tuple[float, Ratio]] = []
+        border: list[Ratio] = []
+        twins: list[tuple[Ratio, Ratio]] = []
         for end in ends:
-            value, _size = self.value_of(end, numbers)
+            value, size = self.value_of(end, numbers)
+            if low == 0.0 and abs(value) <= _SAME * size:
+                border.append(end)
+                continue
             is_new = all(abs(value - other) > _SAME * max(abs(value), abs(other)) for other, _e in placed)
-            if math.isfinite(value) and low < value < high and is_new:
-                placed.append((value, end))
+            if math.isfinite(value) and low < value < high:
+                if is_new:
+                    placed.append((value, end))
+                else:
+                    twin = min(placed, key=lambda pair: abs(pair[0] - value))
+                    twins.append((twin[1], end))
         placed.sort(key=lambda pair: pair[0])
+        self._twins, self._on_border = twins, border
+        self._below = [end for end in ends if low == 0.0 and self.value_of(end, numbers)[0] < 0.0]
         self._placed = [end for _value, end in placed]
         values = [low, *(value for value, _end in placed), high]
         inside = [self._between(numbers, a, b) for a, b in pairwise(values)]
@@ -196,7 +215,8 @@ class RangeSearch(TruthInNumbers):
             raise NoneFound(Message("no value of {name} within its range was found for which that is so", name=name))
         if len(found) == 1 and found[0][0].value is None and found[0][1].value is None:
             raise CannotAnswer(for_every(self.parameter))
-        conditions, element, notes = self._order(found, own), self._asked(found), list[str]()
+        found, conditions, evidence = self._confirmed(found, own)
+        element, notes = self._asked(found), list[str]()
         told = joined([self._told(interval) for interval in found], " or ")
         notes.append(reworded(Message("so for {range}", range=told), told))
         for formula in self.left_aside:
@@ -209,8 +229,35 @@ class RangeSearch(TruthInNumbers):
             notes.append(Message("the end itself is the limit between two cases, and is not decided here"))
         if self.parameter.value is not None:
             notes.append(Message("the number that the file gives for {name} is left out", name=name))
-        evidence = RangeEvidence(self, self.intervals).of(found, conditions)
         return Finding(element, evidence, conditions, notes, has_value=self.setup.has_values, is_complete=True)
+
+    def _confirmed(self, found: list[Interval], own: Draw) -> tuple[list[Interval], list[Condition], Evidence]:
+        """The intervals with what they need. Of ends that coincide at the model's own numbers, as those of a linkage
+        with two links of one length, either may count at others: for the one side of the border, then."""
+        twins, before = list(self._twins), list(self._placed)  # intervals at other numbers have others
+        needed = self._order(found, own, before)
+        needed += insisted((Condition(-end, ">=", Message("which end is which")) for end in self._on_border), _OPEN)
+        if self.wanted.of.scope == "linkage":  # ends of no positive length need not be so at other numbers
+            outside = (Condition(-end, ">=", Message("which end is which")) for end in self._below)
+            needed += insisted(outside, _OPEN)
+        if not twins:
+            n_more = _ONE_SIDE if self._below else N_MORE
+            return found, needed, RangeEvidence(self, self.intervals, n_more).of(found, needed)
+        for choice in product((False, True), repeat=2 * min(len(twins), _MOST_TWINS)):
+            swaps, ways = choice[::2], choice[1::2]
+            pairs = [(b, a) if swap else (a, b) for (a, b), swap in zip(twins, swaps, strict=False)]
+            others = {b.key(): a for (a, b), swap in zip(pairs, swaps, strict=True) if swap}
+            chosen = _with_ends(found, others)
+            sides = (_after(a, b) if way else _after(b, a) for (a, b), way in zip(pairs, ways, strict=True))
+            both = {a.key(): b for a, b in twins} | {b.key(): a for a, b in twins}
+            placed = [both.get(end.key(), end) for end in before]
+            conditions = [*self._order(chosen, own, placed), *needed]  # either of them among the others
+            conditions += insisted((Condition(x, ">=", Message("which end is which")) for x in sides), _OPEN)
+            with suppress(CannotAnswer):
+                return chosen, conditions, RangeEvidence(self, self.intervals, _ONE_SIDE).of(chosen, conditions)
+        ends = ", ".join(to_text(tidy(end)) for pair in twins for end in pair)
+        told = Message("{ends} coincide at the given numbers, and which of them ends the range is not told", ends=ends)
+        raise CannotAnswer(told)
 
     def _is_of_motion_alone(self) -> bool:
         """Whether what moves stands in the formulas, and the parameter in none: it may be one of the start, which then
@@ -251,11 +298,11 @@ class RangeSearch(TruthInNumbers):
             sides.append(compared(name, "<", tidy(self.field.pi / 2)))
         return joined(sides)
 
-    def _order(self, found: Sequence[Interval], own: Draw) -> list[Condition]:
+    def _order(self, found: Sequence[Interval], own: Draw, placed: Sequence[Ratio]) -> list[Condition]:
         """That the ends are real, within the range of the parameter, and in this order."""
         ends = [end.value for interval in found for end in interval if end.value is not None]
         if self.wanted.of.is_verdict:  # the others have their places as well: in another order others may count
-            ends = self._placed
+            ends = list(placed)
         needs = [c for end in ends for c in real(end)]
         for end in ends[:1] + ends[-1:]:
             needs += domain_of(self.parameter, end)
@@ -265,6 +312,15 @@ class RangeSearch(TruthInNumbers):
             free = [c for c in truth.conditions if self.index not in self.field.ingredients(c.element)]
             needs += [c for c in free if self.is_so(c.element, c.relation, numbers, True)]
         return insisted(needs, CannotAnswer(Message("where that holds has ends for which no closed form was found")))
+
+
+def _with_ends(found: Sequence[Interval], others: Mapping[Any, Ratio]) -> list[Interval]:
+    """The same with other ends for some."""
+
+    def changed(end: End) -> End:
+        return end if end.value is None else replace(end, value=others.get(end.value.key(), end.value))
+
+    return [(changed(low), changed(high)) for low, high in found]
 
 
 def _after(a: Ratio, b: Ratio) -> Ratio:

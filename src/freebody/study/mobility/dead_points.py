@@ -204,6 +204,8 @@ def _of_bars(links: FourLinks, values: _Values) -> list[DeadPoint]:
     frame = links.angle_in(GROUND, A, D)
     found: list[DeadPoint] = []
     for k, rho in enumerate((a + b, a - b if folds_over else b - a)):
+        if rho.is_zero():  # of one length they fold onto the pivot of the crank: the output is free to turn then
+            continue
         on = sigma if k and folds_over else -sigma  # the side of the frame on which the coupler's far end is
         beta = on * fn["acos"](f.lowest_terms((rho * rho + d * d - c * c) / (2 * rho * d)))
         if k and not folds_over:

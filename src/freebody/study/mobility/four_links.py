@@ -85,11 +85,12 @@ def rotatable(f: Linkage, lengths: dict[str, Ratio], link: str, frame: str = GRO
 def _of_bars(link: str, x: Ratio, y: Ratio, z: Ratio, w: Ratio) -> Rotatable:
     f = x.field
     together, apart = f.lowest_terms(z + w - x - y), f.lowest_terms((x - y) ** 2 - (z - w) ** 2)
-    told = [
-        compared(add(tidy(x), tidy(y)), "<=", add(tidy(z), tidy(w))),
-        compared(Call("abs", tidy(x - y)), ">=", Call("abs", tidy(z - w))),
-    ]
-    return Rotatable(link, (together, apart), joined(told))
+    told: list[str] = []
+    if not together.is_zero():
+        told.append(compared(add(tidy(x), tidy(y)), "<=", add(tidy(z), tidy(w))))
+    if not apart.is_zero():
+        told.append(compared(Call("abs", tidy(x - y)), ">=", Call("abs", tidy(z - w))))
+    return Rotatable(link, (together, apart), joined(told) if told else Message("for every length"))
 
 
 def sides_of(e: Ratio) -> list[Ratio]:

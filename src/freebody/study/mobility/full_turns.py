@@ -27,12 +27,21 @@ from freebody.study.mobility.dead_points import margins
 from freebody.study.mobility.four_links import FourLinks
 from freebody.study.mobility.grashof import dimensions
 from freebody.study.mobility.linkages import FourBar
-from freebody.study.mobility.loop_questions import answered, four_links, is_so, loop_draws, path_round, refuse_pose
+from freebody.study.mobility.loop_questions import (
+    answered,
+    four_links,
+    is_so,
+    loop_draws,
+    n_loops,
+    path_round,
+    refuse_pose,
+)
 from freebody.study.setup import Setup
 from freebody.study.steady.extremes import ExtremaSearch
 from freebody.study.steady.turning import TurningAngle
 from freebody.symbolic.closure import explicit
 from freebody.symbolic.conditions import Condition, merged
+from freebody.symbolic.unknowns import Coordinate
 from freebody.system.system import System
 
 
@@ -75,16 +84,18 @@ def _case(links: FourLinks) -> list[str]:
 @is_so.register(FullTurn)
 def _(q: FullTurn, setup: Setup) -> Formula:
     try:
-        turning = four_links(setup).turning(q.link)
+        needs: Sequence[Condition] = four_links(setup).turning(q.link).conditions
     except CannotAnswer as error:
-        from freebody.study.mobility.round_by_energy import goes_round
+        if n_loops(setup.system) < 1:
+            from freebody.study.mobility.round_by_energy import goes_round
 
-        return goes_round(setup, q, error)
-    if not turning.needs:
+            return goes_round(setup, q, error)
+        needs = _all_round(setup, TurningAngle(setup.model, _coordinate(setup, q.link)))
+    if not needs:
         raise CannotAnswer(Message("{link} turns fully for all lengths", link=q.link))
 
     def evidence() -> Evidence:
-        return _turns_in_numbers(setup, q.link, q.link, turning.conditions)
+        return _turns_in_numbers(setup, q.link, q.link, needs)
 
     def in_numbers(values: dict[str, float]) -> float:
         try:
@@ -93,22 +104,33 @@ def _(q: FullTurn, setup: Setup) -> Formula:
             return 0.0
         return float(turns_fully(setup.system, values, pose, q.link))
 
-    return Formula(Fraction(1), turning.conditions, evidence, in_numbers)
+    return Formula(Fraction(1), needs, evidence, in_numbers)
+
+
+def _coordinate(setup: Setup, link: str) -> Coordinate:
+    """The one coordinate that turns as a link does. Raises CannotAnswer where that does not turn, or otherwise."""
+    model, f = setup.model, setup.model.field
+    angle = model.value_of(Angle(link))
+    if not f.ingredients(angle) & model.moving:
+        raise CannotAnswer(Message("{link} does not turn: its connections hold its direction", link=link))
+    if len(model.coordinates) == 1:
+        (c,) = model.coordinates
+        apart = (angle - way * f.variable(c.index) for way in (1, -1))
+        if any(not f.ingredients(x) & model.moving for x in apart):
+            return c
+    raise CannotAnswer(
+        Message(
+            "a full turn of {link} has a condition in closed form in a loop of four links, and elsewhere where the "
+            "angle of {link} is the only coordinate. Its reach in numbers: freebody mobility --along",
+            link=link,
+        )
+    )
 
 
 def _full_turn_by_coordinate(q: FullTurn, setup: Setup, question: Question) -> Finding:
     """Any loop that is solved by the angle of the link."""
     model = setup.model
-    c = next((c for c in model.coordinates if model.measure_of(c) == Angle(q.link)), None)
-    if c is None or len(model.coordinates) != 1:
-        raise CannotAnswer(
-            Message(
-                "a full turn of {link} has a condition in closed form in a loop of four links, and elsewhere where the "
-                "angle of {link} is the only coordinate. Its reach in numbers: freebody mobility --along",
-                link=q.link,
-            )
-        )
-    turning = TurningAngle(model, c)
+    turning = TurningAngle(model, _coordinate(setup, q.link))
     try:
         conditions = _all_round(setup, turning)
     except CannotAnswer:

@@ -96,6 +96,15 @@ def dimensions(linkage: Linkage, reference: Reference, q: Array) -> FourBarNumbe
     return _slider_crank(linkage, places, (along.x.value, along.y.value))
 
 
+def transmission_angle(linkage: Linkage, reference: Reference, q: Array, crank: str) -> float | None:
+    """The angle [deg] at which the coupler takes hold of the link that the crank drives, as `dimensions` has it where
+    that is the output."""
+    if isinstance(linkage, FourBar) and crank == linkage.output:
+        A, B, C, _D = (_place(reference, q, j.point) for j in linkage.joints)
+        return _angle_between(_difference(C, B), _difference(A, B))
+    return dimensions(linkage, reference, q).transmission_angle
+
+
 def _place(reference: Reference, q: Array, point: Point) -> Pair:
     r = position(reference.geometry(q, np.zeros_like(q), 0.0), point)
     return r.x.value, r.y.value
