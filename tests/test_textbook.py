@@ -302,3 +302,80 @@ def test_a_law_that_is_spring_and_damper_in_one_keeps_the_energy_of_the_spring(l
     assert force.expression is not None
     shown, written = (text.replace("rate(x)", "v") for text in (to_python(force.expression), law))
     assert_same_function(shown, written, {})
+
+
+TWO_CARTS_STRUCK = """
+parameters: {m1: 2 kg, m2: 3 kg, k: 600 N/m, J: 10 N s, l0: 0.5 m}
+bodies: {a: {particle: {mass: m1}}, b: {particle: {mass: m2}}}
+connections: {ga: {slider: {body: a, along: right}}, gb: {slider: {body: b, along: right}}}
+loads:
+  s: {spring: {first: a, second: b, stiffness: k, length: l0}}
+  hit: {impulse: {at: b, along: right, magnitude: J}}
+measures: {x1: x of a, x2: x of b}
+start: {x1: 0, x2: l0, rate(x1): 0, rate(x2): 0}
+"""
+THREE_SPRINGS = """
+parameters: {m: 2 kg, k: 50 N/m, c: 30 N/m, a: 0.1 m, b: 0.3 m}
+bodies: {p: {particle: {mass: m}}, q: {particle: {mass: m}}}
+connections: {g1: {slider: {body: p, along: right}}, g2: {slider: {body: q, along: right}}}
+loads:
+  l1: {law: {measure: x, force: -k*x}}
+  l2: {law: {measure: y, force: -k*y}}
+  l3: {law: {measure: u, force: -c*u}}
+measures: {x: x of p, y: x of q, u: {expression: y - x}}
+start: {x: a, y: b, rate(x): 0, rate(y): 0}
+"""
+
+
+@pytest.mark.parametrize(
+    ("model", "question", "expected"),
+    [
+        # common motion J/(m1 + m2), and the swing of the spring with the reduced mass on top of it
+        (TWO_CARTS_STRUCK, "greatest velocity of x1", "2*J/(m1 + m2)"),
+        (TWO_CARTS_STRUCK, "least velocity of x2", "J*(m2 - m1)/(m2*(m1 + m2))"),
+        # k s^2/2 = m1 m2/(m1 + m2) (J/m2)^2/2
+        (TWO_CARTS_STRUCK, "greatest force in s", "J*sqrt(k*m1/(m2*(m1 + m2)))"),
+        # one of the modes alone
+        (THREE_SPRINGS, "greatest velocity of u", "sqrt((b - a)**2*(k + 2*c)/m)"),
+        (THREE_SPRINGS.replace("y: b,", "y: a,"), "greatest velocity of x", "a*sqrt(k/m)"),
+        (THREE_SPRINGS.replace("y: b,", "y: -a,"), "greatest x", "a"),
+    ],
+)
+def test_extremes_of_what_one_mode_swings(model: str, question: str, expected: str) -> None:
+    assert_same_function(expression(model, question), expected, {"b": 2.0})
+
+
+def test_two_modes_need_not_meet_and_the_first_turns_are_not_taken_for_the_farthest() -> None:
+    """x = 0.2 cos(5 t) - 0.1 cos(7.4 t) comes near 0.3 and has first turned at 0.102."""
+    (answer,) = fb.solve(fb.System.from_text(THREE_SPRINGS), "greatest x").answers
+    assert answer.expression is None
+    assert answer.value is None
+    assert "2 modes" in str(answer.reason)
+
+
+BOB_IN_X_AND_Y = """
+parameters: {m: 0.5 kg, L: 1.2 m, v0: V0 m/s, h: 0.5 m, g: 9.81 m/s^2}
+ground: {points: {O: [0, 0]}}
+bodies: {bob: {particle: {mass: m}}}
+connections: {rod: {link: [ground.O, bob, L]}}
+loads: {w: {gravity: g}}
+measures: {x: x of bob, y: y of bob}
+start: {x: 0, y: -L, rate(x): v0}
+"""
+
+
+@pytest.mark.parametrize(
+    ("v0", "question", "expected"),
+    [
+        (5, "tension of rod at start", "m*g + m*v0**2/L"),
+        # m (v^2/L + g cos) with v^2 = v0^2 - 2 g (L - h), cos = h/L
+        (5, "tension of rod when y = -h", "m*(v0**2 - 2*g*L + 3*g*h)/L"),
+        (4, "greatest y", "v0**2/(2*g) - L"),
+        # it turns below the pivot where cos = 1 - v0^2/(2 g L), or passes beside it
+        (4, "greatest x", "v0*sqrt(4*g*L - v0**2)/(2*g)"),
+        (5, "greatest x", "L"),
+    ],
+)
+def test_a_bob_that_is_given_by_its_place(v0: int, question: str, expected: str) -> None:
+    near = {"L": 1.2, "v0": float(v0), "g": 9.81, "h": 0.5}
+    assert_same_function(expression(BOB_IN_X_AND_Y.replace("V0", str(v0)), question), expected, near)

@@ -87,3 +87,24 @@ start: {X: 0, x: 0, rate(X): 0, rate(x): 0}
     reference = Reference(system, {"m": 6.0, "M": 4.0, "a": 0.1, "g": 9.81})
     q = assembled_touching(reference)
     assert reference.snapshot(q, 0 * q).value(system.measures["y"]) == pytest.approx(0.15)
+
+
+@pytest.mark.parametrize("at", ["", ", at: [0, 0]"])
+def test_a_rope_leads_to_the_left_as_it_does_to_the_right(at: str) -> None:
+    """A block on a table to the right of the pulley, over which the rope leads: the load hangs on its left."""
+    system = fb.System.from_text(
+        f"""
+parameters: {{m1: 3 kg, m2: 5 kg, r: 0.1 m, g: 9.81 m/s^2}}
+ground: {{points: {{edge: [-1 m, -r]}}, lines: {{table: {{along: right}}}}}}
+bodies: {{a: {{particle: {{mass: m1}}{at}}}, b: {{particle: {{mass: m2}}}}, p: {{disk: {{radius: r}}}}}}
+connections:
+  c: {{contact: {{between: [a, table]}}}}
+  ax: {{pin: [ground.edge, p.center]}}
+  rope: {{string: {{from: a, over: [p], to: b}}}}
+loads: {{G: {{gravity: g}}}}
+measures: {{z: travel of b along down}}
+"""
+    )
+    (answer,) = fb.solve(system, "acceleration of z").answers
+    assert answer.expression is not None
+    assert_same_function(to_python(answer.expression), "m2*g/(m1 + m2)", {})

@@ -15,6 +15,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
 from freebody.symbolic.field import Field, Ratio
 from freebody.symbolic.functions import functions
 from freebody.symbolic.linear import determinant
@@ -26,6 +27,16 @@ from freebody.symbolic.unknowns import Coordinate
 
 Matrix = list[list[Ratio]]
 _MOST = 6  # coordinates that are coupled
+
+
+@dataclass(frozen=True)
+class ModalWave:
+    """mean + cosine cos(w t) + sine/w sin(w t), with w^2 = square > 0."""
+
+    mean: Ratio
+    square: Ratio
+    cosine: Ratio
+    sine: Ratio
 
 
 @dataclass(frozen=True)
@@ -54,6 +65,53 @@ class CoupledMotion:
         for coordinate, place, rate in zip(self.coordinates, places, rates, strict=True):
             found[coordinate.index], found[coordinate.speed] = f.lowest_terms(place), f.lowest_terms(rate)
         return found
+
+    def wave_of(self, x: Ratio) -> ModalWave | None:
+        """What is linear in these coordinates and their rates, as mean + A cos(w t) + B sin(w t). None where it is not
+        linear, or drifts. Raises CannotAnswer where several modes have a part in it, whose periods need not fit."""
+        f = self.model.field
+        of_place, of_rate = (
+            [f.lowest_terms(f.derivative(x, index)) for index in indices]
+            for indices in zip(*((c.index, c.speed) for c in self.coordinates), strict=True)
+        )
+        mean = x
+        for c, r, s in zip(self.coordinates, of_place, of_rate, strict=True):
+            mean = mean - r * f.variable(c.index) - s * f.variable(c.speed)
+        mean = f.lowest_terms(mean)
+        if not all(part.is_constant() for part in (*of_place, *of_rate, mean)):
+            return None
+        waves: list[tuple[Ratio, Ratio, Ratio]] = []
+        q0, u0 = ([b[k] for b in self.begin] for k in range(2))
+        for square, projector in zip(self.squares, self.projectors, strict=True):
+            place, rate, push = (_times(projector, column) for column in (q0, u0, self.alpha))
+
+            def along(row: Sequence[Ratio], column: Sequence[Ratio]) -> Ratio:
+                return f.lowest_terms(sum((a * b for a, b in zip(row, column, strict=True)), f.zero))
+
+            if square.is_zero():
+                mean = mean + along(of_place, place) + along(of_rate, rate)
+                if not all(
+                    part.is_zero() for part in (along(of_place, rate), along(of_place, push), along(of_rate, push))
+                ):
+                    return None
+                continue
+            offset = along(of_place, push) / square
+            mean = mean + offset
+            cosine = f.lowest_terms(along(of_place, place) - offset + along(of_rate, rate))
+            sine = f.lowest_terms(along(of_place, rate) + along(of_rate, push) - square * along(of_rate, place))
+            if not (cosine.is_zero() and sine.is_zero()):
+                waves.append((square, cosine, sine))
+        if len(waves) > 1:
+            raise CannotAnswer(
+                Message(
+                    "{n} modes have a part in it, whose periods need not fit: it comes as near as one likes to the sum "
+                    "of their amplitudes, and need not reach it",
+                    n=len(waves),
+                )
+            )
+        if not waves or sign_of(waves[0][0]) is not Sign.POSITIVE:
+            return None
+        return ModalWave(f.lowest_terms(mean), *waves[0])
 
     def _waves(self, square: Ratio, t: Ratio) -> tuple[Ratio, Ratio, Ratio]:
         """c, s = int c dt, and int s dt."""

@@ -177,10 +177,23 @@ def _turn(names: Names, way: Sequence[StringNode], leads: Sequence[Direction | N
     if is_known and abs(bend) > ROUND_OFF:
         return 1 if bend > 0 else -1
     # over the top from the left to the right it runs clockwise
-    start, end = (None, None) if k in (0, len(way) - 1) else (way[k - 1].place, way[k + 1].place)
-    is_leftward = start is not None and end is not None and end[0] - start[0] < -ROUNDED
+    is_leftward = k not in (0, len(way) - 1) and _goes_left(names, way[k - 1], node, way[k + 1])
     over = 1 if is_leftward else -1
     return -over if node.way == "under" else over
+
+
+def _goes_left(names: Names, before: StringNode, wheel: StringNode, after: StringNode) -> bool:
+    """Whether a string comes to a wheel from the right, and goes on to the left. What hangs follows: it is on the other
+    side than what stands beside the wheel; nobody has put that elsewhere than at the origin, if it has no place."""
+    start, end, here = before.place, after.place, place_of(names, wheel.point)
+    if start is not None and end is not None:
+        return end[0] - start[0] < -ROUNDED
+    if here is None or before.hangs == after.hangs:
+        return False
+    beside = number_of(names, wheel.radius) + ROUNDED
+    if after.hangs:
+        return (0.0 if start is None else start[0]) - here[0] > beside
+    return here[0] - (0.0 if end is None else end[0]) > beside
 
 
 def _heading(

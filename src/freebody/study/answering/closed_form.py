@@ -313,8 +313,9 @@ class QuestionSolver:
     @_found.register(Extent)
     def _extent(self, q: Extent) -> Finding:
         from freebody.study.answering.extent import find, goes_one_way
+        from freebody.study.answering.modal_extremes import wave_of
 
-        if not goes_one_way(self.setup, q.measure):
+        if not goes_one_way(self.setup, q.measure) or wave_of(self.setup, q.of_motion.of) is not None:
             return self._extreme(q.of_motion)
         return find(self.setup, self.question.text, q.measure, q.side, q.name)
 

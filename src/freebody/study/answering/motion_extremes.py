@@ -28,6 +28,8 @@ from freebody.study.answering.draws import Draw
 from freebody.study.answering.finding import Finding, NotHere
 from freebody.study.answering.linear_extremes import find as find_linear
 from freebody.study.answering.linear_extremes import measure_followed
+from freebody.study.answering.modal_extremes import find as find_modal
+from freebody.study.answering.modal_extremes import wave_of
 from freebody.study.answering.motion_values import extremes_over_cycle
 from freebody.study.answering.repeated import checked, taken_throughout
 from freebody.study.setup import Setup
@@ -297,6 +299,9 @@ def find(setup: Setup, question: str, of: Quantity, sides: Sequence[int]) -> Fin
     followed = measure_followed(setup, of)
     if followed is not None:
         return find_linear(setup, question, of, followed, sides)
+    wave = wave_of(setup, of)
+    if wave is not None:
+        return find_modal(setup, question, of, wave, sides)
     seen = along(setup, of)
     seen.add_needs()
     found = seen.candidates()

@@ -27,7 +27,11 @@ def extremes_over_cycle(
     be taken up again. Raises CannotAnswer where the motion does not repeat itself."""
     if measure is None:
         raise CannotAnswer(Message("name a measure that moves to and fro, or round and round"))
-    begin, end = cycle_at_all(draw, measure, is_exact=is_exact)
+    return extremes_between(setup, draw, of, *cycle_at_all(draw, measure, is_exact=is_exact))
+
+
+def extremes_between(setup: Setup, draw: Draw, of: Quantity, begin: float, end: float) -> tuple[float, float]:
+    """The least and the largest value between two instants."""
     times = np.linspace(begin, end, _N_INSTANTS)
     values = _values(setup, draw, of, times)
     low, high = (sign * _closer(setup, draw, of, times, values, sign) for sign in (1.0, -1.0))

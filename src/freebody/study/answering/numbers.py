@@ -19,12 +19,14 @@ from freebody.questions.small_motion import OfSmallMotion, SmallOscillations
 from freebody.study.answering.crosscheck import as_parts
 from freebody.study.answering.draws import Draw
 from freebody.study.answering.passage import smooth_numbers
-from freebody.study.answering.witness import motion_to
+from freebody.study.answering.witness import motion_to, states_at
 from freebody.study.mobility.centres import moving_for
 from freebody.study.setup import Setup
 
 N_PANELS = 16
 LONGEST = 60.0  # [s] that an event is waited for
+_N_LOOKS = 2401  # in that time
+_FARTHER = 1e-6  # of the size: what is more than how exactly it is seen
 
 
 def at_event(setup: Setup, quantity: Quantity, draw: Draw, start: Snapshot, until: float, event: AskedEvent) -> object:
@@ -91,7 +93,24 @@ def _period_number(quantity: Period, setup: Setup, event: AskedEvent | None, dra
 def _extent_number(quantity: Extent, setup: Setup, event: AskedEvent | None, draw: Draw) -> float | tuple[float, ...]:
     from freebody.study.answering.extent import extent_in_numbers
 
-    return extent_in_numbers(draw, quantity.measure, quantity.side)
+    value = extent_in_numbers(draw, quantity.measure, quantity.side)
+    if len(setup.model.coordinates) > 1:  # the first turns need not be the farthest
+        _insist_no_farther(quantity, draw, value)
+    return value
+
+
+def _insist_no_farther(quantity: Extent, draw: Draw, value: float) -> None:
+    """Raises CannotAnswer where it gets farther within a minute."""
+    try:
+        seen = states_at(draw.reference, draw.start(), np.linspace(0.0, LONGEST, _N_LOOKS))
+    except CannotAnswer:  # the motion cannot be followed so long
+        return
+    reached = max(quantity.side * s.value(quantity.measure) for s in seen) * quantity.side
+    if quantity.side * (reached - value) > _FARTHER * max(abs(reached), abs(value)):
+        told = Message(
+            "it gets farther later on: in a simulation of {t:.3g} s to {value:.6g}", t=LONGEST, value=reached
+        )
+        raise CannotAnswer(told)
 
 
 @_number.register(ExtremeOfMotion)
