@@ -252,7 +252,7 @@ def _quantity(text: str, vocabulary: Vocabulary) -> TypedNumber | None:
             if free_symbols(expr):
                 continue
             value = float(evaluate(expr, {}))
-            known = _PERCENT if unit == "%" else parse_unit(_spelt(unit))
+            known = _PERCENT if unit == "%" else parse_unit(_spelt(unit), with_rare=False)
         except (ExpressionError, UnitError, ArithmeticError, ValueError, TypeError):
             continue
         si = value * float(known.factor) * 3.141592653589793**known.pi_power
@@ -296,15 +296,22 @@ def read_equations(text: str, vocabulary: Vocabulary) -> list[tuple[Expr, Expr]]
         raise ExpressionError(
             Message("an answer may have {most} characters, this one has {n}", most=MAX_CHARACTERS, n=len(text))
         )
-    found: list[tuple[Expr, Expr]] = []
     lines = [line for line in re.split(r"[;\n]|\\\\", text) if line.strip()]
-    for line in lines[:MOST_EQUATIONS]:
-        plain = _with_rates(normalized(plain_of_latex(line) if is_latex(line) else line).strip().rstrip(".,"))
-        sides = re.split(r":=|==|=", plain)
-        if len(sides) != 2 or not all(side.strip() for side in sides):
-            raise ExpressionError(Message("'{line}' is not one equation: write left = right", line=plain[:60]))
-        left, right = (readings(side.strip(), vocabulary)[0] for side in sides)
-        found.append((left, right))
+    found = [read_equation(line, vocabulary) for line in lines[:MOST_EQUATIONS]]
     if not found:
         raise ExpressionError(Message("the answer is empty"))
     return found
+
+
+def read_equation(line: str, vocabulary: Vocabulary) -> tuple[Expr, Expr]:
+    """One equation, as its sides. Raises ExpressionError."""
+    if len(line) > MAX_CHARACTERS:
+        raise ExpressionError(
+            Message("an answer may have {most} characters, this one has {n}", most=MAX_CHARACTERS, n=len(line))
+        )
+    plain = _with_rates(normalized(plain_of_latex(line) if is_latex(line) else line).strip().rstrip(".,"))
+    sides = re.split(r":=|==|=", plain)
+    if len(sides) != 2 or not all(side.strip() for side in sides):
+        raise ExpressionError(Message("'{line}' is not one equation: write left = right", line=plain[:60]))
+    left, right = (readings(side.strip(), vocabulary)[0] for side in sides)
+    return left, right

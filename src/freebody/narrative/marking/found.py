@@ -97,7 +97,7 @@ class CheckedAnswer(Result):
         answer, equations = self.judgement.answer, self.judgement.equations
         if equations:
             yield Paragraph((catalogue.word("marking.read_as"),))
-            yield Equations(tuple(Equation(Formula(sides, ("=",))) for sides in equations))
+            yield from (Paragraph(("    ", Formula(sides, ("=",)))) for sides in equations)
         elif answer is None:
             yield from entries(entry(catalogue.word("marking.answer"), self.text))
         else:
