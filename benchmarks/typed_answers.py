@@ -3,8 +3,9 @@
     python benchmarks/typed_answers.py [EXAMPLE ...]
 
 The answers are those of tests/typed_answers.tsv, with verdicts worked out by hand. "Right" for the naive comparison is
-what is correct; it knows no other form, convention or condition. Each typed text is given to SymPy's `parse_expr` with implicit
-multiplication after the most common replacements (^, Greek letters); this is the authors' own table, never users' text.
+what is correct; it knows no other form, convention or condition. Each typed text is given to SymPy's `parse_expr` with
+implicit multiplication after the most common replacements (^, Greek letters); this is the authors' own table, and never
+users' text.
 """
 
 from __future__ import annotations

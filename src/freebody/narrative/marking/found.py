@@ -27,6 +27,7 @@ class CheckedAnswer(Result):
     language: str = "en"
     leads: str = ""
     title: str = ""
+    is_brief: bool = False  # in a quiz: what would give the answer away is not shown
 
     @property
     def verdict(self) -> str:
@@ -111,8 +112,11 @@ class CheckedAnswer(Result):
         yield from entries(*self._said_of(catalogue))
 
     def _said_of(self, catalogue: Catalogue) -> Iterator[Entry]:
-        yield entry(catalogue.word("marking.reason"), *filter(None, [self.reason]))
+        gives_away = self.is_brief and self.verdict == "incorrect"
+        yield entry(catalogue.word("marking.reason"), *filter(None, ["" if gives_away else self.reason]))
         yield entry(catalogue.word("marking.mistake"), *filter(None, [self.mistake]))
+        if self.is_brief:
+            return
         is_new = self.counterexample and self.counterexample != self.reason
         yield entry(catalogue.word("marking.numbers"), *filter(None, [self.counterexample if is_new else ""]))
         yield entry(catalogue.word("marking.decided_by"), *filter(None, [self.decided_by]))
