@@ -122,6 +122,10 @@ class MarkedQuestion:
     def _known(self) -> KnownMistakes:
         return KnownMistakes(Context(self.system), self.question, self.answer)
 
+    def with_options(self, question: Question) -> Answer:
+        """The answer to the question as it stands in the file, with the verdicts on its options."""
+        return solve(replace(self.system, questions=(question,))).answers[0]
+
     def _options_judged(self, asked: Question) -> Mapping[str, Verdict]:
         """The options of the question, by the study that answers it."""
         match asked.quantity.scope:
