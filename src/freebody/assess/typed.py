@@ -173,8 +173,7 @@ class AnswerJudge:
         if missing := self._missing(exprs):
             raise _Unreadable(self._unknown(missing), answer)
         if len(answer.parts) != len(self.answers):
-            mine, its = shape(len(answer.parts)), shape(len(self.answers))
-            return TypedJudgement("incorrect", Message("is {mine}, the answer is {its}", mine=mine, its=its))
+            return TypedJudgement("incorrect", self._other_shape(len(answer.parts)))
         if answer.is_number:
             return self._number(cast("tuple[TypedNumber, ...]", answer.parts))
         try:
@@ -184,6 +183,11 @@ class AnswerJudge:
             if (number := self._put_in(exprs)) is not None:
                 raise _Unreadable(Message("{x} seems to be {name}: write {name}", **number), answer) from None
             return TypedJudgement("incorrect", settled.verdict.reason, decided_by=Message("units"))
+
+    def _other_shape(self, n: int) -> str:
+        if not self.wanted.has_order:
+            return Message("gives {n} of {all} values", n=n, all=len(self.answers))
+        return Message("is {mine}, the answer is {its}", mine=shape(n), its=shape(len(self.answers)))
 
     def _unknown(self, missing: Sequence[str]) -> str:
         names = sorted(n for n in self.setting.names.all_names if not n.startswith("_"))
@@ -210,7 +214,7 @@ class AnswerJudge:
         found = self._compared(exprs)
         if found.equality is not None:
             return self._equal(found)
-        pair, where = found.different
+        pair, where = found.different[0], found.different[1] if self.wanted.has_order else ""
         if not surely_differs(pair):
             return TypedJudgement("undecided", Message("neither proved nor refuted: it has no value at most points"))
         if self.policy.form == "number" and not any(free_symbols(e) for e in exprs):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Any, cast
+from typing import Any
 
 from freebody.assess.typed import TypedJudgement
 from freebody.language.expression import Expr
@@ -107,7 +107,7 @@ class CheckedAnswer(Result):
             yield from entries(entry(catalogue.word("marking.read_as"), *numbers))
             if formulas:
                 yield Paragraph((catalogue.word("marking.read_as"),))
-                yield Equations(tuple(Equation(Formula((cast(Expr, p),))) for p in formulas))
+                yield Equations(tuple(Equation(Formula((p,))) for p in formulas))
         yield Paragraph((Emphasis(catalogue.word(f"marking.{self.verdict}"), "strong"),))
         yield from entries(*self._said_of(catalogue))
 
