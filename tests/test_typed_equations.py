@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from functools import cache
 from itertools import takewhile
 from pathlib import Path
@@ -9,6 +10,8 @@ from pathlib import Path
 import pytest
 
 import freebody as fb
+from command import freebody
+from freebody.narrative.marking.working import CheckedWorking
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
 NEWTON = "m1 g - T1 = m1 x1''; T2 - m2 g = m2 x1''; (T1 - T2) R = 1/2 M R^2 x1''/R"
@@ -53,6 +56,57 @@ def test_equations_are_right_if_they_hold_on_every_motion(
     found = system(example).check("equations of motion", equations)
     assert found.verdict == verdict
     assert words in f"{found.reason} {found.mistake}"
+
+
+NAMED = {2: "forces", 3: "forces", 4: "kinematics", 5: "moments", 6: "algebra", 7: "algebra"}
+SOLUTION = """Newton for both masses, Euler for the pulley
+m1 g - T1 = m1 x1''
+m2 g - T2 = m2 x2''
+x2'' = -x1''
+(T1 - T2) R = 1/2 M R^2 x1''/R
+(m1 + m2 + M/2) x1'' = (m1 - m2) g
+x1'' = (m1 - m2) g/(m1 + m2 + M/2)
+"""
+
+
+def worked(tmp_path: Path, text: str) -> CheckedWorking:
+    (tmp_path / "solution.txt").write_text(text, encoding="utf-8")
+    found = system("atwood_machine").check(working=tmp_path / "solution.txt")
+    assert isinstance(found, CheckedWorking)
+    return found
+
+
+def test_every_line_of_a_right_solution_holds_by_its_principle(tmp_path: Path) -> None:
+    found = worked(tmp_path, SOLUTION)
+    assert found.verdict == "correct"
+    assert found.first_wrong is None
+    assert {line.n: line.found.principle for line in found.lines[1:]} == NAMED
+
+
+def test_the_first_wrong_line_is_named_and_what_follows_from_it_is_carried_forward(tmp_path: Path) -> None:
+    found = worked(tmp_path, SOLUTION.replace("1/2 M", "M").replace("M/2", "M"))
+    assert found.first_wrong == 5
+    assert [line.found.verdict for line in found.lines[4:]] == ["wrong", "carried_forward", "carried_forward"]
+    assert "equations 2, 3 and 5" in found.lines[4].found.reason
+
+
+def test_a_slip_of_algebra_in_a_right_solution_is_the_line_itself(tmp_path: Path) -> None:
+    found = worked(tmp_path, SOLUTION.replace("g/(m1 + m2 + M/2)", "g/(m1 - m2 + M/2)"))
+    assert found.first_wrong == 7
+    assert "equation 7" in found.lines[6].found.reason
+
+
+def test_a_constraint_with_the_wrong_sign_is_found(tmp_path: Path) -> None:
+    assert worked(tmp_path, SOLUTION.replace("x2'' = -x1''", "x2'' = x1''")).first_wrong == 4
+
+
+def test_working_on_the_command_line(tmp_path: Path) -> None:
+    path = tmp_path / "solution.txt"
+    path.write_text(SOLUTION.replace("m1 g - T1", "m1 g + T1"), encoding="utf-8")
+    done = freebody("check", str(EXAMPLES / "atwood_machine.yaml"), "--working", str(path), "--json")
+    assert done.returncode == 1
+    assert json.loads(done.stdout)["first_wrong"] is not None
+    assert freebody("check", str(EXAMPLES / "atwood_machine.yaml")).returncode == 2
 
 
 @pytest.mark.parametrize(

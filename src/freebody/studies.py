@@ -20,6 +20,7 @@ from freebody.narrative.words import languages
 if TYPE_CHECKING:
     from freebody.narrative.explain import Explanation
     from freebody.narrative.marking.found import CheckedAnswer
+    from freebody.narrative.marking.working import CheckedWorking
     from freebody.numeric.options import SimulationOptions
     from freebody.present.picture.picture import Picture
     from freebody.study.answering.solution import Solution
@@ -168,9 +169,9 @@ class Studies:
                 "question",
                 ("--question",),
                 "The question: its id in the file, or one in words; or equations of motion.",
-                default=...,
             ),
-            Option("answer", ("--answer",), "The answer as it is typed: plain text or LaTeX.", default=...),
+            Option("answer", ("--answer",), "The answer as it is typed: plain text or LaTeX."),
+            Option("working", ("--working",), "Instead of both: a file with a solution, one line a step.", Path),
             Option("form", ("--form",), "any, formula or number.", default="any"),
             Option("unit", ("--unit",), "Whether numbers need one: optional or required.", default="optional"),
             Option("tolerance", ("--tolerance",), "Of numbers: '1 %', '0.05 N' or '3 digits'.", default="1 %"),
@@ -187,19 +188,21 @@ class Studies:
     )
     def check(
         self,
-        question: str,
-        answer: str,
+        question: str | None = None,
+        answer: str | None = None,
         *,
+        working: str | Path | None = None,
         form: str = "any",
         unit: str = "optional",
         tolerance: str = "1 %",
         gravity: Sequence[float] = (),
         language: str = "en",
-    ) -> CheckedAnswer:
+    ) -> CheckedAnswer | CheckedWorking:
         """Judge an answer that somebody typed to a question.
 
-        question: its id, or one in words; form: any, formula or number; unit: optional or required; tolerance: of
-        numbers; gravity: further values of g that are accepted [m/s^2]."""
+        question: its id, or one in words; working: a file with a solution instead, one line a step; form: any, formula
+        or number; unit: optional or required; tolerance: of numbers; gravity: further values of g that are accepted
+        [m/s^2]."""
         ...
 
     @study("freebody.study.eom", "eom", busy="deriving the equations of motion")

@@ -36,6 +36,7 @@ from freebody.symbolic.functions import element
 from freebody.symbolic.tidy import tidy
 
 Equation = tuple[Expr, Expr]
+Left = tuple[tuple[int, ...], Ratio]  # the places of the equations that it is made of, and a difference of sides
 MOST_MULTIPLIERS = 12
 _CHANGES = ((-1, "sign"), (0, "extra"), (2, "half"), (Fraction(1, 2), "twice"))  # of a term, that make it right
 
@@ -61,20 +62,60 @@ class EquationJudge:
 
     def judge(self, equations: Sequence[Equation]) -> EquationsFound:
         """The verdict on a set. Raises CannotAnswer for what the field cannot say."""
-        multipliers = self._multipliers(equations)
-        if not multipliers and (fault := self._unit_fault(equations)):
+        multipliers, numbers = self._multipliers(equations), range(1, len(equations) + 1)
+        if not multipliers and (fault := self._unit_fault(equations, numbers)):
             return EquationsFound(False, fault)
+        left = self._left(equations, multipliers)
+        if (found := self._fault(equations, left, numbers)) is not None:
+            return found
+        return self._complete([(p, r) for p, r in left if not r.is_zero()], has_multipliers=bool(multipliers))
+
+    def fault(self, equations: Sequence[Equation], numbers: Sequence[int]) -> EquationsFound | None:
+        """What does not hold, however many there are; None where all does. numbers: by which they are called."""
+        multipliers = self._multipliers(equations)
+        if not multipliers and (fault := self._unit_fault(equations, numbers)):
+            return EquationsFound(False, fault)
+        return self._fault(equations, self._left(equations, multipliers), numbers)
+
+    def is_identity(self, equation: Equation) -> bool:
+        """Whether it holds for any motion, whatever the forces are."""
+        return not self._multipliers([equation]) and self._element(self._difference(equation), {}).is_zero()
+
+    def follows(self, equation: Equation, others: Sequence[Equation]) -> bool:
+        """Whether it is a combination of others, forces and accelerations being the unknowns."""
+        multipliers = self._multipliers([*others, equation])
+        unknowns = [*map(self.field.index, multipliers.values()), *self.model.accelerations]
+        rows = [self._row(self._element(self._difference(e), multipliers), unknowns) for e in (*others, equation)]
+        return _is_combination(self.field.zero, rows[-1], rows[:-1])
+
+    def _row(self, x: Ratio, unknowns: Sequence[int]) -> dict[int, Ratio]:
+        """Coefficients of the unknowns, and what is left in column -1."""
+        row: dict[int, Ratio] = {}
+        for u in unknowns:
+            slope = self.field.partial(x, u)
+            if not slope.is_zero():
+                row[u] = slope
+                x = self.field.lowest_terms(x - slope * self.field.variable(u))
+        return {**row, -1: x}
+
+    def _left(self, equations: Sequence[Equation], multipliers: dict[str, Ratio]) -> list[Left]:
         rows = [self._element(self._difference(e), multipliers) for e in equations]
-        left = self._without(rows, [self.field.index(x) for x in multipliers.values()])
+        return self._without(rows, [self.field.index(x) for x in multipliers.values()])
+
+    def _fault(
+        self, equations: Sequence[Equation], left: Sequence[Left], numbers: Sequence[int]
+    ) -> EquationsFound | None:
         for parts, residual in left:
             on_motion = self._on_motion(residual)
             if self._vanishes(on_motion):
                 continue
             if not residual.generators() & set(self.model.accelerations) and self._moves(residual):
-                told = Message("{which} has no acceleration: it can hold for one start only", which=_which(parts))
+                told = Message(
+                    "{which} has no acceleration: it can hold for one start only", which=_which(parts, numbers)
+                )
                 return EquationsFound(False, told, is_open=True)
-            return self._wrong(equations, parts, on_motion)
-        return self._complete([(p, r) for p, r in left if not r.is_zero()], has_multipliers=bool(multipliers))
+            return self._wrong(equations, parts, numbers, on_motion)
+        return None
 
     # -- elements -----------------------------------------------------------------------------
     def _multipliers(self, equations: Sequence[Equation]) -> dict[str, Ratio]:
@@ -108,8 +149,8 @@ class EquationJudge:
     def _known(self, key: str) -> Ratio:
         return self.setting.names.element(key)
 
-    def _unit_fault(self, equations: Sequence[Equation]) -> str:
-        for k, equation in enumerate(equations, 1):
+    def _unit_fault(self, equations: Sequence[Equation], numbers: Sequence[int]) -> str:
+        for k, equation in zip(numbers, equations, strict=True):
             try:
                 dimension_of(self._difference(equation), self.setting.names.dimensions)
             except UnitError as error:
@@ -117,7 +158,7 @@ class EquationJudge:
         return ""
 
     # -- multipliers --------------------------------------------------------------------------
-    def _without(self, rows: Sequence[Ratio], unknowns: Sequence[int]) -> list[tuple[tuple[int, ...], Ratio]]:
+    def _without(self, rows: Sequence[Ratio], unknowns: Sequence[int]) -> list[Left]:
         """What is left of the rows without the unknowns, in which they are linear; with the rows that it is made of."""
         left = [((k,), row) for k, row in enumerate(rows)]
         for u in unknowns:
@@ -147,16 +188,18 @@ class EquationJudge:
     def _moves(self, x: Ratio) -> bool:
         return not x.is_constant()
 
-    def _wrong(self, equations: Sequence[Equation], parts: tuple[int, ...], rest: Ratio) -> EquationsFound:
+    def _wrong(
+        self, equations: Sequence[Equation], parts: tuple[int, ...], numbers: Sequence[int], rest: Ratio
+    ) -> EquationsFound:
         shown = tidy(rest)
         if is_readable(shown):
             reason = Message(
                 "{which} does not hold: on the motions of the model the sides differ by {x}",
-                which=_which(parts),
+                which=_which(parts, numbers),
                 x=to_text(shown),
             )
         else:
-            reason = Message("{which} does not hold on the motions of the model", which=_which(parts))
+            reason = Message("{which} does not hold on the motions of the model", which=_which(parts, numbers))
         mistake = self._term(equations[parts[0]]) if len(parts) == 1 else ""
         return EquationsFound(False, reason, mistake)
 
@@ -172,7 +215,7 @@ class EquationJudge:
         return ""
 
     # -- enough of them -----------------------------------------------------------------------
-    def _complete(self, rows: list[tuple[tuple[int, ...], Ratio]], *, has_multipliers: bool) -> EquationsFound:
+    def _complete(self, rows: list[Left], *, has_multipliers: bool) -> EquationsFound:
         """Whether equations that hold determine all accelerations, and whether some follow from others."""
         left = [(parts, {a: self.field.partial(row, a) for a in self.model.accelerations}) for parts, row in rows]
         undetermined: list[str] = []
@@ -227,10 +270,32 @@ def _has_acceleration(expr: Expr) -> bool:
     return any(map(_has_acceleration, children(expr)))
 
 
-def _which(parts: tuple[int, ...]) -> str:
+def _which(parts: tuple[int, ...], numbers: Sequence[int]) -> str:
     if len(parts) == 1:
-        return Message("equation {k}", k=parts[0] + 1)
-    return Message("what follows from equations {k}", k=listed([str(p + 1) for p in parts]))
+        return Message("equation {k}", k=numbers[parts[0]])
+    return Message("what follows from equations {k}", k=listed([str(numbers[p]) for p in parts]))
+
+
+def _is_combination(zero: Ratio, row: dict[int, Ratio], rows: Sequence[dict[int, Ratio]]) -> bool:
+    """Whether a row, with its constant in column -1, is a combination of others."""
+    left = [dict(other) for other in rows]
+    target = dict(row)
+    for column in sorted({c for other in (*left, target) for c in other if c != -1}):
+        pivot = next((k for k, other in enumerate(left) if not other.get(column, zero).is_zero()), None)
+        if pivot is None:
+            continue
+        base = left.pop(pivot)
+        left = [_less(other, base, column, zero) for other in left]
+        target = _less(target, base, column, zero)
+    return all(x.is_zero() for x in target.values())
+
+
+def _less(row: dict[int, Ratio], base: dict[int, Ratio], column: int, zero: Ratio) -> dict[int, Ratio]:
+    factor = row.get(column, zero)
+    if factor.is_zero():
+        return row
+    share = factor / base[column]
+    return {c: zero.field.lowest_terms(row.get(c, zero) - share * base.get(c, zero)) for c in row.keys() | base.keys()}
 
 
 def _said(what: str, term: str) -> str:

@@ -8,9 +8,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
+from typing import Any
 
 from freebody.assess.comparing import ComponentPair
-from freebody.assess.points import EvaluationPoint, real
+from freebody.assess.points import BALL_FUNCTIONS, EvaluationPoint, real
 from freebody.assess.setting import Setting
 from freebody.errors import CannotAnswer
 from freebody.language.expression import free_symbols
@@ -33,13 +34,14 @@ from freebody.symbolic.tidy import tidy
 _LEFT_OUT = (INERTIA, MASS, DIMENSIONLESS, DAMPING, ROTARY_DAMPING, VELOCITY, ANGULAR_VELOCITY)
 _SHAPES = tuple(map(Fraction, ("1/2", "2/5", "1", "2/3", "1/3", "1/12")))  # I/(m r^2) of disk, sphere, ring, shell, rod
 _SMALL = Fraction(1, 10**6)
+_ROUND_OFF = Fraction(1, 10**12)  # of the value of a parameter, which is a float
 _N_POINTS = 4
 
 
 def proviso(pairs: Sequence[ComponentPair]) -> str | None:
     """Under which condition all components are right, or None."""
     told = next(_without(pairs), None)
-    return told if told is not None else _for_small_angles(pairs)
+    return told if told is not None else _for_small_angles(pairs) or _with_own_angle(pairs)
 
 
 # -- a parameter that is left out -------------------------------------------------------------
@@ -113,6 +115,33 @@ def _for_small_angles(pairs: Sequence[ComponentPair]) -> str | None:
             shown = to_text(field.generators[index].display)
             return Message("small angles: {angle} << 1", angle=shown)
     return None
+
+
+def _with_own_angle(pairs: Sequence[ComponentPair]) -> str | None:
+    """Whether the model's own value of an angle has been put in: sin(30°) for sin(alpha)."""
+    field, setting = pairs[0].field, pairs[0].setting
+    moving = {c.index for c in setting.model.coordinates}
+    for index in sorted((setting.angles - moving) & setting.own_numbers.keys()):
+        is_put_in = not any(index in map(field.index, map(setting.names.element, p.option.keys)) for p in pairs)
+        if is_put_in and all(_agrees_with(pair, index, setting.own_numbers[index]) for pair in pairs):
+            degrees = float(setting.own_numbers[index] * 180 / BALL_FUNCTIONS["pi"])
+            return f"{to_text(field.generators[index].display)} = {degrees:.6g}°"
+    return None
+
+
+def _agrees_with(pair: ComponentPair, index: int, value: Any) -> bool:
+    """Whether both agree at points with a value of a parameter."""
+
+    def put(point: EvaluationPoint) -> None:
+        point.values[index] = value
+
+    n = 0
+    for point in pair.setting.points(pair.option.conditions, put):
+        difference, scale = pair.difference(point)
+        if not difference.is_finite() or not abs(difference) <= scale * real(_ROUND_OFF):
+            return False
+        n += 1
+    return n >= _N_POINTS
 
 
 def _moving_angles(setting: Setting) -> set[int]:

@@ -22,12 +22,13 @@ from freebody.assess.points import EvaluationPoint, is_free, real, working_preci
 from freebody.assess.provisos import proviso
 from freebody.assess.reading import check_dimensions, shape
 from freebody.assess.reasons import why_wrong
+from freebody.assess.rounded import numbers_in, rounded_by
 from freebody.assess.setting import Setting
 from freebody.assess.solved import SolvedAnswer
 from freebody.assess.verdict import Settled
 from freebody.assess.words import of_component
 from freebody.errors import CannotAnswer, ExpressionError
-from freebody.language.expression import Expr, Number, Symbol, children, free_symbols
+from freebody.language.expression import Expr, Symbol, free_symbols
 from freebody.language.notation import to_text
 from freebody.language.sentences import Message, listed
 from freebody.language.typed import TypedAnswer, TypedNumber, Vocabulary, read_typed
@@ -40,7 +41,6 @@ TypedVerdict = Literal[
 ]
 Form = Literal["any", "formula", "number"]
 MOST_TERMS = 2_000  # of an answer that is multiplied out; beyond, numbers decide
-_ROUGH = 2e-3  # relative difference of a formula with rounded coefficients
 
 
 @dataclass(frozen=True)
@@ -173,8 +173,7 @@ class AnswerJudge:
         if missing := self._missing(exprs):
             raise _Unreadable(self._unknown(missing), answer)
         if len(answer.parts) != len(self.answers):
-            mine, its = shape(len(answer.parts)), shape(len(self.answers))
-            return TypedJudgement("incorrect", Message("is {mine}, the answer is {its}", mine=mine, its=its))
+            return TypedJudgement("incorrect", self._other_shape(len(answer.parts)))
         if answer.is_number:
             return self._number(cast("tuple[TypedNumber, ...]", answer.parts))
         try:
@@ -185,6 +184,11 @@ class AnswerJudge:
                 raise _Unreadable(Message("{x} seems to be {name}: write {name}", **number), answer) from None
             return TypedJudgement("incorrect", settled.verdict.reason, decided_by=Message("units"))
 
+    def _other_shape(self, n: int) -> str:
+        if not self.wanted.has_order:
+            return Message("gives {n} of {all} values", n=n, all=len(self.answers))
+        return Message("is {mine}, the answer is {its}", mine=shape(n), its=shape(len(self.answers)))
+
     def _unknown(self, missing: Sequence[str]) -> str:
         names = sorted(n for n in self.setting.names.all_names if not n.startswith("_"))
         hint = did_you_mean(missing[0], names)
@@ -194,7 +198,7 @@ class AnswerJudge:
 
     def _put_in(self, exprs: Sequence[Expr]) -> dict[str, str] | None:
         """A number in a formula that is the value of a parameter, as 9.81 is that of g."""
-        numbers = {abs(float(x.value)) for expr in exprs for x in _numbers(expr)}  # as written
+        numbers = {abs(float(x.value)) for expr in exprs for x in numbers_in(expr)}  # as written
         if not any(free_symbols(expr) for expr in exprs):
             return None
         for p in self.solved.system.parameters.values():
@@ -210,12 +214,12 @@ class AnswerJudge:
         found = self._compared(exprs)
         if found.equality is not None:
             return self._equal(found)
-        pair, where = found.different
+        pair, where = found.different[0], found.different[1] if self.wanted.has_order else ""
         if not surely_differs(pair):
             return TypedJudgement("undecided", Message("neither proved nor refuted: it has no value at most points"))
         if self.policy.form == "number" and not any(free_symbols(e) for e in exprs):
             return TypedJudgement("incorrect", of_component(where, why_wrong(pair)))
-        off = _roughly(found.pairs, exprs)
+        off = rounded_by(found.pairs, exprs)
         if off is not None:
             told = Message("agrees to {off:.1g} relative: a coefficient is rounded", off=off)
             return TypedJudgement("other_form", told, decided_by=self._at_points())
@@ -397,35 +401,3 @@ class _Unreadable(Exception):
 
     def __init__(self, reason: str, answer: TypedAnswer | None = None) -> None:
         self.reason, self.answer = reason, answer
-
-
-def _numbers(expr: Expr) -> list[Number]:
-    if isinstance(expr, Number):
-        return [expr]
-    return [x for part in children(expr) for x in _numbers(part)]
-
-
-def _roughly(pairs: Sequence[ComponentPair], exprs: Sequence[Expr]) -> float | None:
-    """By how much a formula with decimal coefficients is off everywhere, if that is by their rounding."""
-    decimals = [x for expr in exprs for x in _numbers(expr) if x.value.denominator > 1 and _is_decimal(x)]
-    if not decimals or any(pair.setting.up_to_constant for pair in pairs):
-        return None
-    largest = 0.0
-    for pair in pairs:
-        points = pair.setting.poses() if pair.is_looped else list(pair.setting.points(pair.option.conditions))[:12]
-        for point in points:
-            difference, scale = pair.difference(point)
-            if not (difference.is_finite() and abs(difference) <= scale * _ROUGH):
-                return None
-            if abs(scale) > 0:
-                largest = max(largest, float(abs(difference) / scale) * 2)
-    return largest or None
-
-
-def _is_decimal(x: Number) -> bool:
-    """Whether a number looks as if it were rounded: a decimal with three digits or more."""
-    below = x.value.denominator
-    for p in (2, 5):
-        while below % p == 0:
-            below //= p
-    return below == 1 and len(str(x.value.numerator)) >= 3

@@ -13,6 +13,7 @@ import typer
 from freebody.cli.doctor import doctor
 from freebody.cli.files import examples, new, schema
 from freebody.cli.motion import simulate
+from freebody.cli.quiz import quiz
 from freebody.cli.running import Terminated, command, quiet, say
 from freebody.cli.sheets import sheet
 from freebody.cli.studies import command_of
@@ -22,7 +23,7 @@ from freebody.studies import STUDIES
 
 # commands with outputs of their own, and those that are no study of a system
 _OWN: dict[str, Callable[..., None]] = {"simulate": simulate, "sweep": sweep}
-_BESIDE: tuple[Callable[..., None], ...] = (sheet, studio, examples, new, schema, doctor)
+_BESIDE: tuple[Callable[..., None], ...] = (sheet, quiz, studio, examples, new, schema, doctor)
 
 
 def commands() -> typer.Typer:

@@ -9,7 +9,7 @@ statement   labels, relations, vectors, intervals, numbers with units
 
 from __future__ import annotations
 
-from freebody.language.typed.statement import TypedAnswer, TypedNumber, read_equations, read_typed
+from freebody.language.typed.statement import TypedAnswer, TypedNumber, read_equation, read_equations, read_typed
 from freebody.language.typed.words import Vocabulary
 
-__all__ = ["TypedAnswer", "TypedNumber", "Vocabulary", "read_equations", "read_typed"]
+__all__ = ["TypedAnswer", "TypedNumber", "Vocabulary", "read_equation", "read_equations", "read_typed"]

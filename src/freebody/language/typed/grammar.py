@@ -139,6 +139,12 @@ class _Parser:
         self._at += 1
         return token
 
+    def _takes_kind(self, kind: str) -> bool:
+        """Takes the next token if it is of a kind."""
+        is_so = self._now.kind == kind
+        self._at += is_so
+        return is_so
+
     def expression(self) -> Expr:
         if self._now.kind == "end":
             raise ExpressionError(Message("the expression is empty"))
@@ -316,7 +322,7 @@ class _Parser:
             exponent = self._raised(self._take())
         elif self._now.kind == "^":
             self._take()
-            sign = -1 if self._now.kind == "-" and self._take() else 1
+            sign = -1 if self._takes_kind("-") else 1
             exponent = multiply(number(sign), self._primary())
         is_enclosed = self._now.kind == "("
         argument = self._inside(self._take(), ")") if is_enclosed else self._bare_argument(token)
@@ -342,9 +348,8 @@ class _Parser:
         if name == "elliptic_K":
             return Call(name, self._inside(opening, ")"))
         angle = self._sum()
-        if self._now.kind != "separator":
+        if not self._takes_kind("separator"):
             raise self._unexpected(self._now)
-        self._take()
         return Call(name, angle, self._inside(opening, ")"))
 
     def _bare_argument(self, token: _Token) -> Expr:

@@ -35,8 +35,12 @@ _SPACES = frozenset({",", ";", ":", "!", " ", "quad", "qquad", "thinspace", "dis
 _SIZES = frozenset(
     {"left", "right", "big", "Big", "bigg", "Bigg", "bigl", "bigr", "Bigl", "Bigr", "middle", "nolimits"}
 )
-_PLAIN_TEXT = frozenset({"mathrm", "text", "mathit", "mathbf", "boldsymbol", "bm", "vec", "operatorname", "textrm"})
-_PLAIN_TEXT |= {"hat", "bar", "overline", "mathbf", "mathsf", "unit", "si", "textit", "operatorname*", "underline"}
+_PLAIN_TEXT = frozenset(
+    (
+        *("mathrm", "text", "mathit", "mathbf", "boldsymbol", "bm", "vec", "operatorname", "operatorname*", "textrm"),
+        *("hat", "bar", "overline", "underline", "mathsf", "unit", "si", "textit"),
+    )
+)
 _DOTS = {"dot": 1, "ddot": 2, "dddot": 3}
 _FRACTIONS = frozenset({"frac", "dfrac", "tfrac", "cfrac", "nicefrac", "sfrac"})
 _MATRICES = frozenset({"pmatrix", "bmatrix", "matrix", "Bmatrix", "array", "vmatrix", "smallmatrix"})

@@ -128,6 +128,8 @@ def _apart(text: str, n_parts: int) -> tuple[str, tuple[str, ...], list[str]]:
         return "", (), _components(text, n_parts)
     if any(not side for side in sides):
         raise ExpressionError(Message("a side of the relation is empty"))
+    if signs == ["="] * n_parts and n_parts > 1 and (parts := _each_labelled(text, n_parts)):
+        return "", ("=",) * n_parts, parts
     if signs == ["="]:
         return _labelled(sides, n_parts)
     if len(signs) == 2 and "=" not in signs and signs[0][0] == signs[1][0] and _is_label(sides[1]):
@@ -146,6 +148,15 @@ def _labelled(sides: list[str], n_parts: int) -> tuple[str, tuple[str, ...], lis
     if not _is_label(sides[0]):
         raise ExpressionError(Message("write the answer alone, or after a name and =, as v = ..."))
     return sides[0], ("=",), _components(sides[1], n_parts)
+
+
+def _each_labelled(text: str, n_parts: int) -> list[str]:
+    """The components of a list in which each has its name: w1 = ..., w2 = ...; nothing for any other text."""
+    for parts in (_split(text, ";", keeps_decimals=True), _split(text, ",", keeps_decimals=True), _AND.split(text)):
+        sides = [part.split("=") for part in parts]
+        if len(parts) == n_parts and all(len(s) == 2 and _is_label(s[0].strip()) for s in sides):
+            return [s[1].strip() for s in sides]
+    return []
 
 
 def _two_bounds(text: str) -> tuple[str, tuple[str, ...], list[str]]:
@@ -252,7 +263,7 @@ def _quantity(text: str, vocabulary: Vocabulary) -> TypedNumber | None:
             if free_symbols(expr):
                 continue
             value = float(evaluate(expr, {}))
-            known = _PERCENT if unit == "%" else parse_unit(_spelt(unit))
+            known = _PERCENT if unit == "%" else parse_unit(_spelt(unit), with_rare=False)
         except (ExpressionError, UnitError, ArithmeticError, ValueError, TypeError):
             continue
         si = value * float(known.factor) * 3.141592653589793**known.pi_power
@@ -276,6 +287,7 @@ def _cuts(text: str) -> Iterator[tuple[str, str]]:
 def _spelt(unit: str) -> str:
     for pattern, replacement in _SPELT_UNITS:
         unit = pattern.sub(replacement, unit)
+    unit = re.sub(r"(?<=[A-Za-z])(?=[2-4]\b)", "^", unit)  # m/s2
     return unit.replace("'", "")
 
 
@@ -296,15 +308,22 @@ def read_equations(text: str, vocabulary: Vocabulary) -> list[tuple[Expr, Expr]]
         raise ExpressionError(
             Message("an answer may have {most} characters, this one has {n}", most=MAX_CHARACTERS, n=len(text))
         )
-    found: list[tuple[Expr, Expr]] = []
     lines = [line for line in re.split(r"[;\n]|\\\\", text) if line.strip()]
-    for line in lines[:MOST_EQUATIONS]:
-        plain = _with_rates(normalized(plain_of_latex(line) if is_latex(line) else line).strip().rstrip(".,"))
-        sides = re.split(r":=|==|=", plain)
-        if len(sides) != 2 or not all(side.strip() for side in sides):
-            raise ExpressionError(Message("'{line}' is not one equation: write left = right", line=plain[:60]))
-        left, right = (readings(side.strip(), vocabulary)[0] for side in sides)
-        found.append((left, right))
+    found = [read_equation(line, vocabulary) for line in lines[:MOST_EQUATIONS]]
     if not found:
         raise ExpressionError(Message("the answer is empty"))
     return found
+
+
+def read_equation(line: str, vocabulary: Vocabulary) -> tuple[Expr, Expr]:
+    """One equation, as its sides. Raises ExpressionError."""
+    if len(line) > MAX_CHARACTERS:
+        raise ExpressionError(
+            Message("an answer may have {most} characters, this one has {n}", most=MAX_CHARACTERS, n=len(line))
+        )
+    plain = _with_rates(normalized(plain_of_latex(line) if is_latex(line) else line).strip().rstrip(".,"))
+    sides = re.split(r":=|==|=", plain)
+    if len(sides) != 2 or not all(side.strip() for side in sides):
+        raise ExpressionError(Message("'{line}' is not one equation: write left = right", line=plain[:60]))
+    left, right = (readings(side.strip(), vocabulary)[0] for side in sides)
+    return left, right

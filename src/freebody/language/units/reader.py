@@ -29,13 +29,14 @@ _RUN_TOGETHER = re.compile(r"([kMm]?N|kg|lbf)(mm|cm|m|ft|in|s)(s)?|(ft|in)(lbf?)
 _SUPERSCRIPTS = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
 
 
-def parse_unit(text: str) -> Unit:
-    """The unit a text stands for; the empty text is the dimensionless 1. Raises UnitError."""
+def parse_unit(text: str, *, with_rare: bool = True) -> Unit:
+    """The unit a text stands for; the empty text is the dimensionless 1. with_rare: pint is asked for what is not in
+    the table. Raises UnitError."""
     if len(text) > MAX_CHARACTERS:
         raise UnitError(
             Message("the unit has {n} characters, at most {most} are read", n=len(text), most=MAX_CHARACTERS)
         )
-    return _UnitReader(text).unit() if text.strip() else Unit(DIMENSIONLESS)
+    return _UnitReader(text, with_rare).unit() if text.strip() else Unit(DIMENSIONLESS)
 
 
 def is_unit(name: str) -> bool:
@@ -48,8 +49,9 @@ def is_unit(name: str) -> bool:
 
 
 class _UnitReader:
-    def __init__(self, text: str) -> None:
+    def __init__(self, text: str, with_rare: bool) -> None:
         self._text = text.strip()
+        self._with_rare = with_rare
         self._tokens: list[str] = []
         place = 0
         while place < len(self._text):
@@ -116,7 +118,7 @@ class _UnitReader:
     def _named(self, name: str) -> Unit:
         if self._now.isdigit() and len(self._now) == 1:
             raise self._fault(Message("write {name}^{exponent} for a power", name=name, exponent=self._now))
-        return _named_unit(name)
+        return _named_unit(name, with_rare=self._with_rare)
 
     def _exponent(self) -> int:
         self._take()
@@ -130,7 +132,7 @@ class _UnitReader:
         return sign * int(digits)
 
 
-def _named_unit(name: str) -> Unit:
+def _named_unit(name: str, *, with_rare: bool = True) -> Unit:
     if unit := UNITS.get(name):
         return unit
     for n_letters in (1, 2):
@@ -143,6 +145,8 @@ def _named_unit(name: str) -> Unit:
                 "the unit '{name}' is not known: write {names}", name=name, names=" ".join(filter(None, parts.groups()))
             )
         )
+    if not with_rare:
+        raise UnitError(Message("the unit '{name}' is not known", name=name))
     from freebody.language.units.rare import unit_of_pint
 
     return unit_of_pint(name)

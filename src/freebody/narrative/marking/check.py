@@ -6,12 +6,14 @@ from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
+from pathlib import Path
 
 from freebody.assess.numbers import Tolerance
 from freebody.assess.solved import SolvedAnswer
 from freebody.assess.typed import AnswerJudge, Form, Policy, TypedJudgement, Wanted
 from freebody.assess.verdict import Verdict
 from freebody.errors import FreebodyError, InputError, UnitError
+from freebody.language.document.file import text_of
 from freebody.language.expression import ZERO, Expr
 from freebody.language.notation import to_python
 from freebody.language.plain_text import plain, shortened
@@ -22,6 +24,7 @@ from freebody.model.noting import did_you_mean
 from freebody.narrative.context import Context
 from freebody.narrative.marking.equations import equations_of
 from freebody.narrative.marking.found import CheckedAnswer
+from freebody.narrative.marking.working import CheckedWorking, check_working
 from freebody.narrative.mistakes.mistakes import KnownMistakes
 from freebody.narrative.mistakes.wrong_options import FAILURES
 from freebody.narrative.telling.catalogue import Catalogue
@@ -44,23 +47,29 @@ _LONGEST = 100_000  # characters that are looked at at all
 @in_words
 def check(
     system: System,
-    question: str,
-    answer: str,
+    question: str | None = None,
+    answer: str | None = None,
     *,
+    working: str | Path | None = None,
     form: str = "any",
     unit: str = "optional",
     tolerance: str = "1 %",
     gravity: Sequence[float] = (),
     language: str = "en",
-) -> CheckedAnswer:
+) -> CheckedAnswer | CheckedWorking:
     """Judges a typed answer to a question: its id in the file, or one in words. The system is solved once; each further
     answer to the same question is compared with what was found.
 
+    working: a file with a solution, one line a step, instead of both.
     Instead of a question "equations of motion": the answer is a set of equations, which must hold on every motion.
     form: any, formula or number; unit: optional or required; tolerance: '1 %', '0.05 N' or '3 digits'; gravity: further
     values of g that are accepted [m/s^2]. Raises InputError for a question that cannot be read and for a policy that is
     none; an answer that cannot be read has the verdict `unreadable`."""
     Catalogue(language)
+    if working is not None:
+        return check_working(system, text_of(Path(working)), language=language)
+    if question is None or answer is None:
+        raise InputError(Message("give --question and --answer, or --working"))
     policy = _policy(form, unit, tolerance, gravity)
     if question.strip().lower() in EQUATIONS:
         found = equations_of(system).judge(answer[:_LONGEST])
@@ -112,6 +121,10 @@ class MarkedQuestion:
     @cached_property
     def _known(self) -> KnownMistakes:
         return KnownMistakes(Context(self.system), self.question, self.answer)
+
+    def with_options(self, question: Question) -> Answer:
+        """The answer to the question as it stands in the file, with the verdicts on its options."""
+        return solve(replace(self.system, questions=(question,))).answers[0]
 
     def _options_judged(self, asked: Question) -> Mapping[str, Verdict]:
         """The options of the question, by the study that answers it."""

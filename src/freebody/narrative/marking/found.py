@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Any, cast
+from typing import Any
 
 from freebody.assess.typed import TypedJudgement
 from freebody.language.expression import Expr
@@ -27,6 +27,7 @@ class CheckedAnswer(Result):
     language: str = "en"
     leads: str = ""
     title: str = ""
+    is_brief: bool = False  # in a quiz: what would give the answer away is not shown
 
     @property
     def verdict(self) -> str:
@@ -97,7 +98,7 @@ class CheckedAnswer(Result):
         answer, equations = self.judgement.answer, self.judgement.equations
         if equations:
             yield Paragraph((catalogue.word("marking.read_as"),))
-            yield Equations(tuple(Equation(Formula(sides, ("=",))) for sides in equations))
+            yield from (Paragraph(("    ", Formula(sides, ("=",)))) for sides in equations)
         elif answer is None:
             yield from entries(entry(catalogue.word("marking.answer"), self.text))
         else:
@@ -106,13 +107,16 @@ class CheckedAnswer(Result):
             yield from entries(entry(catalogue.word("marking.read_as"), *numbers))
             if formulas:
                 yield Paragraph((catalogue.word("marking.read_as"),))
-                yield Equations(tuple(Equation(Formula((cast(Expr, p),))) for p in formulas))
+                yield Equations(tuple(Equation(Formula((p,))) for p in formulas))
         yield Paragraph((Emphasis(catalogue.word(f"marking.{self.verdict}"), "strong"),))
         yield from entries(*self._said_of(catalogue))
 
     def _said_of(self, catalogue: Catalogue) -> Iterator[Entry]:
-        yield entry(catalogue.word("marking.reason"), *filter(None, [self.reason]))
+        gives_away = self.is_brief and self.verdict == "incorrect"
+        yield entry(catalogue.word("marking.reason"), *filter(None, ["" if gives_away else self.reason]))
         yield entry(catalogue.word("marking.mistake"), *filter(None, [self.mistake]))
+        if self.is_brief:
+            return
         is_new = self.counterexample and self.counterexample != self.reason
         yield entry(catalogue.word("marking.numbers"), *filter(None, [self.counterexample if is_new else ""]))
         yield entry(catalogue.word("marking.decided_by"), *filter(None, [self.decided_by]))
