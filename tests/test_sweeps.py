@@ -128,6 +128,20 @@ def test_a_sign_that_the_model_excludes_is_a_status() -> None:
     assert "positive" in found.failures[0].why
 
 
+def test_a_value_that_the_reader_of_a_model_refuses_is_a_status() -> None:
+    """A coefficient of restitution above one: no formula is evaluated there."""
+    found = example("bouncing_ball").sweep({"e": "0.5, 1, 1.2"}, find=["time"], record=["end"], until=0.1)
+    for of in ("time", "motion"):
+        assert [str(x) == "not admissible" for x in found.status(of)] == [False, False, True]
+    assert "restitution" in found.failures[0].why
+
+
+def test_a_condition_that_no_parameter_tells_leaves_a_case_without_a_value() -> None:
+    """Of steady motion `cos(theta) > 0` at every pose: that is not broken, and not known."""
+    found = example("conical_pendulum").sweep({"m": "0.3, 0.4 kg"}, find=["rate"])
+    assert found.counts == {"rate": {"no value": 2}}
+
+
 def test_a_start_value_varies_as_a_parameter_does() -> None:
     """A pendulum let go at theta reaches the lowest place with sqrt(2 g (1 - cos theta)/L)."""
     angles = np.radians([-60.0, 20.0, 120.0])
