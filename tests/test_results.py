@@ -7,6 +7,7 @@ import json
 import sys
 from collections.abc import Callable, Sequence
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from xml.etree import ElementTree
 
 import pytest
@@ -21,6 +22,18 @@ from freebody.present.report.results import Result
 from freebody.studies import STUDIES, Option, study
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
+
+
+def fitted() -> Result:
+    """A cart's acceleration from three places."""
+    model = "parameters: {m: 1 kg, F: 1 N}\nbodies: {cart: {particle: {mass: m}}}\nmeasures: {x: x of cart}\n"
+    model += "loads: {push: {force: {at: cart, along: right, magnitude: F}}}\nstart: {x: 0, rate(x): 0}\ntitle: Cart"
+    with TemporaryDirectory() as folder:
+        data = Path(folder) / "data.csv"
+        data.write_text("t,x\n0,0\n1,1.1\n2,3.9\n", encoding="utf-8")
+        return fb.System.from_text(model).fit(data, ["F"])
+
+
 RESULTS: dict[str, tuple[str, Callable[[fb.System], Result]]] = {
     "solve": ("block_on_rough_incline", fb.System.solve),
     "eom": ("simple_pendulum", fb.System.equations_of_motion),
@@ -35,6 +48,7 @@ RESULTS: dict[str, tuple[str, Callable[[fb.System], Result]]] = {
     ),
     "turn": ("slider_crank", lambda system: system.over_a_turn("theta", rate=5.0, n=24)),
     "sweep": ("atwood_machine", lambda system: system.sweep({"m1": "1..3 kg:3"})),
+    "fit": ("atwood_machine", lambda _system: fitted()),
     "gradient": ("atwood_machine", lambda system: system.gradient(["tension"])),
     "sensitivity": (
         "atwood_machine",

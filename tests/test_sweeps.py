@@ -128,6 +128,20 @@ def test_a_sign_that_the_model_excludes_is_a_status() -> None:
     assert "positive" in found.failures[0].why
 
 
+def test_a_value_that_the_reader_of_a_model_refuses_is_a_status() -> None:
+    """A coefficient of restitution above one: no formula is evaluated there."""
+    found = example("bouncing_ball").sweep({"e": "0.5, 1, 1.2"}, find=["time"], record=["end"], until=0.1)
+    for of in ("time", "motion"):
+        assert [str(x) == "not admissible" for x in found.status(of)] == [False, False, True]
+    assert "restitution" in found.failures[0].why
+
+
+def test_a_condition_that_no_parameter_tells_leaves_a_case_without_a_value() -> None:
+    """Of steady motion `cos(theta) > 0` at every pose: that is not broken, and not known."""
+    found = example("conical_pendulum").sweep({"m": "0.3, 0.4 kg"}, find=["rate"])
+    assert found.counts == {"rate": {"no value": 2}}
+
+
 def test_a_start_value_varies_as_a_parameter_does() -> None:
     """A pendulum let go at theta reaches the lowest place with sqrt(2 g (1 - cos theta)/L)."""
     angles = np.radians([-60.0, 20.0, 120.0])
@@ -200,11 +214,11 @@ def test_results_are_the_same_bit_for_bit_however_cases_are_divided() -> None:
     asked: dict[str, Any] = {"find": ["tension", "lowest_speed"], "record": ["final theta"], "until": 0.2}
     vary = {"theta_0": "5..85 deg", "L": "normal(1 m, 5 %)"}
     digests = {
-        system.sweep(vary, sample="lhs:150", threads=threads, block=block, **asked).digest
+        system.sweep(vary, sample="lhs:100", threads=threads, block=block, **asked).digest
         for threads, block in ((1, 4096), (2, 64), (3, 100))
     }
     assert len(digests) == 1
-    assert system.sweep(vary, sample="lhs:150", seed=1, **asked).digest not in digests
+    assert system.sweep(vary, sample="lhs:100", seed=1, **asked).digest not in digests
 
 
 @pytest.mark.parametrize("sample", ["sobol:2048", "lhs:1500", "random:2500", "grid"])
@@ -435,6 +449,20 @@ def test_a_full_disk_is_told_with_the_size_of_what_is_missing(tmp_path: Path, mo
     monkeypatch.setattr(os, "posix_fallocate", full, raising=False)
     with pytest.raises(InputError, match=r"take 9\.?\d* MB.*disk is full|the disk is full"):
         example("atwood_machine").sweep({"m1": "1..3 kg:9"}, find=["tension"], out=tmp_path / "a.csv")
+    assert not list(tmp_path.iterdir())
+
+
+def test_netcdf_is_not_begun_where_it_has_no_room(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The library brings the interpreter down on a full disk, when it closes its file."""
+    pytest.importorskip("h5netcdf")
+    found = example("atwood_machine").sweep({"m1": "1..3 kg:9"}, find=["tension"])
+
+    def full(_descriptor: int, _start: int, _size: int) -> None:
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(os, "posix_fallocate", full, raising=False)
+    with pytest.raises(InputError, match=r"a\.nc cannot be written: No space left"):
+        found.write(tmp_path / "a.nc")
     assert not list(tmp_path.iterdir())
 
 

@@ -29,6 +29,8 @@ if TYPE_CHECKING:
     from freebody.study.conservation.conservation import Conservation
     from freebody.study.conservation.conserved import conserved
     from freebody.study.eom import Equations, equations_of_motion
+    from freebody.study.fitting.fit import fit
+    from freebody.study.fitting.result import Fit
     from freebody.study.friction.report import Statics, statics
     from freebody.study.inverse_dynamics import inverse_dynamics
     from freebody.study.mobility.mobility import Mobility, mobility
@@ -57,6 +59,7 @@ _HOMES = {
     "Simulator": "freebody.study.simulation.simulate",
     "Equations": "freebody.study.eom",
     "Sweep": "freebody.study.sweeps.result",
+    "Fit": "freebody.study.fitting.result",
     "Gradient": "freebody.study.sensitivity.local",
     "Sensitivity": "freebody.study.sensitivity.sensitivity",
     "effort": "freebody.budgets",
@@ -72,6 +75,7 @@ __all__ = [
     "CannotAnswer",
     "Conservation",
     "Equations",
+    "Fit",
     "FreebodyError",
     "Gradient",
     "InputError",
@@ -94,6 +98,7 @@ __all__ = [
     "equations_of_motion",
     "equilibria",
     "explain",
+    "fit",
     "free_body",
     "gradient",
     "inverse_dynamics",

@@ -74,6 +74,8 @@ from freebody.study.conservation.conservation import Conservation as Conservatio
 from freebody.study.conservation.conserved import conserved as conserved
 from freebody.study.eom import Equations as Equations
 from freebody.study.eom import equations_of_motion as equations_of_motion
+from freebody.study.fitting.fit import fit as fit
+from freebody.study.fitting.result import Fit as Fit
 from freebody.study.friction.report import Statics as Statics
 from freebody.study.friction.report import statics as statics
 from freebody.study.inverse_dynamics import inverse_dynamics as inverse_dynamics

@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from freebody.study.answering.solution import Solution
     from freebody.study.conservation.conservation import Conservation
     from freebody.study.eom import Equations
+    from freebody.study.fitting.result import Fit
     from freebody.study.friction.report import Statics
     from freebody.study.inverse_dynamics import InverseDynamics
     from freebody.study.mobility.found import Mobility
@@ -299,6 +300,21 @@ class Studies:
 
         vary: with which distributions, for Sobol' indices; without it the gradient alone; find, record, until: as of
         `sweep`."""
+        ...
+
+    @study("freebody.study.fitting.fit", "fit")
+    def fit(
+        self,
+        data: str | Path | Sequence[str | Path],
+        free: Sequence[str],
+        *,
+        tolerance: float = 1e-11,
+        method: str = "auto",
+    ) -> Fit:
+        """Fit parameters and start values to measured motions, with their errors.
+
+        data: a table for each run, `t [s]` and a column for each series; free: parameters, named measures (the start of
+        each run), `offset(x)`."""
         ...
 
     @study(

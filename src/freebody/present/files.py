@@ -9,6 +9,7 @@ from __future__ import annotations
 import errno
 import itertools
 import os
+import shutil
 from collections.abc import Generator, Sequence
 from contextlib import contextmanager, suppress
 from pathlib import Path
@@ -54,6 +55,22 @@ def check_writable(path: Path, suffixes: Sequence[str] = ()) -> None:
             raise InputError(f"{path}: there is no folder {path.parent}")
     try:
         _beside(_target(path)).unlink()
+    except (OSError, ValueError) as error:
+        raise InputError(_told(path, error)) from error
+
+
+def check_room(path: Path, size: int) -> None:
+    """Raises InputError if so many bytes have no room there: for libraries that do not survive a full disk."""
+    try:
+        temporary = _beside(_target(path))
+        try:
+            with temporary.open("r+b") as file:
+                if hasattr(os, "posix_fallocate"):
+                    os.posix_fallocate(file.fileno(), 0, size)
+                elif shutil.disk_usage(temporary.parent).free < size:
+                    raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+        finally:
+            temporary.unlink(missing_ok=True)
     except (OSError, ValueError) as error:
         raise InputError(_told(path, error)) from error
 

@@ -13,6 +13,7 @@ from freebody.present.picture.picture import Picture
 from freebody.present.picture.shapes import Ink, Shape
 
 _DASHES = ((), (6.0, 2.5), (2.0, 2.0), (6.0, 2.0, 1.5, 2.0))
+_MOST = 1500  # points of a curve
 _DOT = 1.6  # half of the side of a mark [points]
 
 
@@ -20,6 +21,7 @@ def line_chart(
     title: str, x_label: str, x: Array, y_label: str, curves: Sequence[tuple[str, Array]], *, is_joined: bool = True
 ) -> Picture:
     """curves: each with its name, (n,) values over x; is_joined: by lines, else dots stand alone."""
+    x, curves = _thinned(x, curves)
     frame = Frame(Scale.of(x_label, x), Scale.of(y_label, np.concatenate([y for _name, y in curves])))
     shapes = frame.shapes()
     for k, (_name, y) in enumerate(curves):
@@ -36,6 +38,12 @@ def line_chart(
         shapes, words = shapes + more, words + told
     names = ", ".join(name for name, _y in curves)
     return picture(title, f"{y_label} over {x_label}" + (f": {names}" if len(curves) > 1 else ""), shapes, words)
+
+
+def _thinned(x: Array, curves: Sequence[tuple[str, Array]]) -> tuple[Array, list[tuple[str, Array]]]:
+    """No more points than can be seen, evenly taken."""
+    kept = np.unique(np.linspace(0, len(x) - 1, min(len(x), _MOST)).round().astype(int))
+    return x[kept], [(name, y[kept]) for name, y in curves]
 
 
 def _runs(y: Array) -> Iterator[NDArray[np.intp]]:

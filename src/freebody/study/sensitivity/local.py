@@ -87,7 +87,7 @@ class Gradient(Result):
             lines = [Equation(Formula((d.expression,)), label=f"d/d {d.by}") for d in a.derivatives if d.expression]
             rows = [
                 [d.by, _told(d.value), d.unit, _told(d.relative), d.why]
-                for d in sorted(a.derivatives, key=lambda d: -abs(d.relative or 0.0))
+                for d in sorted(a.derivatives, key=lambda d: -round(abs(d.relative or 0.0), 9))
             ]
             head = ["by", "derivative", "unit", "% for 1 %", ""]
             blocks = [*([Equations(tuple(lines))] if lines else []), *table(rows, head)]

@@ -31,7 +31,7 @@ from freebody.study.answering.simulated_numbers import number_with_changes
 from freebody.study.answering.solve import solve
 from freebody.study.setup import Setup
 from freebody.study.simulation.simulator import has_phases
-from freebody.study.sweeps.evaluators import Codes, Column, Evaluator, Found, Values, not_admissible
+from freebody.study.sweeps.evaluators import Codes, Column, Evaluator, Found, Values
 from freebody.study.sweeps.statuses import (
     CODES,
     FORMULA,
@@ -62,8 +62,8 @@ class AnswerForm:
 class AnswerEvaluator(Evaluator):
     """One question in every case. A quantity of an instant that is not said is meant at the start."""
 
-    def __init__(self, system: System, question: Question) -> None:
-        super().__init__(system)
+    def __init__(self, system: System, question: Question, read: System | None = None) -> None:
+        super().__init__(system, read)
         q = question.quantity
         is_open = q.is_of_state and question.event is None and question.transition is None and q.wanted is None
         self.question = replace(question, options={}, key=None, at_start=question.at_start or is_open)
@@ -158,7 +158,7 @@ class AnswerEvaluator(Evaluator):
     def alone(self, values: Values) -> Found:
         """By the numeric route, where no formula is known to hold."""
         nothing = (math.nan,) * len(self.columns)
-        if why := not_admissible(self.system, values):
+        if why := self.refused(values):
             return Found(nothing, NOT_ADMISSIBLE, why)
         system = with_values(self.system, values)
         try:
@@ -166,17 +166,13 @@ class AnswerEvaluator(Evaluator):
         except _NotAssembled as error:
             return Found(nothing, NOT_ASSEMBLED, str(error))
         except (FreebodyError, ValueError, *FAILED) as error:
-            return Found(nothing, self._without, further(*self._broken(values), str(error)))
+            broken = self._broken(values)
+            return Found(nothing, OUTSIDE if broken else NO_VALUE, further(*broken, str(error)))
         parts = found if isinstance(found, tuple) else () if found is None else (found,)
         if len(parts) != len(self.columns) or not all(map(math.isfinite, parts)):
-            why = further(*(self._broken(values) or [self._reason]))
-            return Found(nothing, self._without, why)
+            broken = self._broken(values)
+            return Found(nothing, OUTSIDE if broken else NO_VALUE, further(*(broken or [self._reason])))
         return Found(tuple(map(float, parts)), NUMBERS)
-
-    @property
-    def _without(self) -> str:
-        """The status of a case without a number."""
-        return OUTSIDE if self.forms else NO_VALUE
 
     @property
     def _reason(self) -> str:

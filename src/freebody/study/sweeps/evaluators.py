@@ -15,6 +15,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from freebody.errors import ModelError
+from freebody.language.sentences import Message, further
 from freebody.numeric.jets import Array
 from freebody.study.sweeps.statuses import CODES, NOT_ADMISSIBLE, NOT_DONE
 from freebody.system.system import System
@@ -47,15 +49,25 @@ class Evaluator(ABC):
     name: str
     columns: tuple[Column, ...]
 
-    def __init__(self, system: System) -> None:
-        self.system = system
+    def __init__(self, system: System, read: System | None = None) -> None:
+        """read: the model as it was given, where its reader may refuse some of the values: then it reads every case."""
+        self.system, self.read = system, read
 
     def together(self, values: Mapping[str, Array], n: int) -> tuple[Array, Codes]:
         """(n, n_columns) numbers and (n,) codes of statuses, NOT_DONE where a case has to be looked at by itself;
         values: (n,) of the parameters that vary."""
         codes = np.full(n, CODES[NOT_DONE], dtype=np.int8)
-        codes[~admissible(self.system, values, n)] = CODES[NOT_ADMISSIBLE]
+        is_good = admissible(self.system, values, n)
+        if self.read is not None:
+            for i in np.flatnonzero(is_good):
+                is_good[i] = not self.refused({name: float(x[i]) for name, x in values.items()})
+        codes[~is_good] = CODES[NOT_ADMISSIBLE]
         return np.full((n, len(self.columns)), np.nan), codes
+
+    def refused(self, values: Values) -> str:
+        """Why the model does not allow the values of a case; nothing if it does."""
+        why = not_admissible(self.system, values)
+        return why if why or self.read is None else refused_by_reader(self.read, values)
 
     @abstractmethod
     def alone(self, values: Values) -> Found:
@@ -81,10 +93,18 @@ def admissible(system: System, values: Mapping[str, Array], n: int) -> NDArray[n
     return found
 
 
+def refused_by_reader(system: System, values: Values) -> str:
+    """What the reader of the model finds wrong with other values of its parameters; nothing if all is well."""
+    own = {name: x for name, x in values.items() if name in system.parameters}
+    try:
+        system.with_parameters(**own)
+    except ModelError as error:
+        return further(*(problem.message for problem in error.problems))
+    return ""
+
+
 def not_admissible(system: System, values: Values) -> str:
     """Why the values of a case are not admissible; nothing if they are."""
-    from freebody.language.sentences import Message, further
-
     one = {name: np.array([x]) for name, x in values.items()}
     wrong = [name for name, x in one.items() if not admissible(system, {name: x}, 1)[0]]
     return further(

@@ -12,7 +12,7 @@ from freebody.numeric.contact.words import event_names
 from freebody.numeric.options import SimulationOptions
 from freebody.study.simulation.simulate import simulate
 from freebody.study.simulation.simulator import Simulator
-from freebody.study.sweeps.evaluators import Column, Evaluator, Found, Values, not_admissible
+from freebody.study.sweeps.evaluators import Column, Evaluator, Found, Values
 from freebody.study.sweeps.records import read_record
 from freebody.study.sweeps.records.base import Followed, Record
 from freebody.study.sweeps.statuses import NO_VALUE, NOT_ADMISSIBLE, NOT_ASSEMBLED
@@ -30,10 +30,11 @@ class MotionEvaluator(Evaluator):
         until: float,
         options: SimulationOptions,
         events: Sequence[str] = (),
+        read: System | None = None,
     ) -> None:
         """events: what to look for besides, as "stop when y = 0". Raises InputError for records and events that cannot
         be read."""
-        super().__init__(system)
+        super().__init__(system, read)
         options.check_asked(until)
         self.name = "motion"
         self.records: tuple[Record, ...] = tuple(read_record(system, text) for text in records)
@@ -69,7 +70,7 @@ class MotionEvaluator(Evaluator):
 
     def alone(self, values: Values) -> Found:
         nothing = (math.nan,) * len(self.columns)
-        if why := not_admissible(self.system, values):
+        if why := self.refused(values):
             return Found(nothing, NOT_ADMISSIBLE, why)
         try:
             result = simulate(

@@ -45,6 +45,11 @@ class Plan:
     over: Grid
 
     @property
+    def extents(self) -> dict[str, tuple[float, float]]:
+        """The least and the greatest value of each name."""
+        return {name: of.extent for name, of in {**self.sampled.ranges, **self.over.ranges}.items()}
+
+    @property
     def n(self) -> int:
         return self.sampled.n * self.over.n
 

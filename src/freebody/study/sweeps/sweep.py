@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import math
 import time
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
@@ -15,7 +16,7 @@ from freebody.numeric.options import SimulationOptions
 from freebody.questions.reading import Question
 from freebody.study.sweeps import running
 from freebody.study.sweeps.answers import AnswerEvaluator
-from freebody.study.sweeps.evaluators import Evaluator
+from freebody.study.sweeps.evaluators import Evaluator, not_admissible, refused_by_reader
 from freebody.study.sweeps.formats import check_data_path, formats
 from freebody.study.sweeps.motions import MotionEvaluator
 from freebody.study.sweeps.plan import Given, Plan, plan
@@ -63,7 +64,7 @@ def sweep(
     running.check(threads, block)
     cases = plan(system, vary or {}, over or {}, sample, seed)
     followed = replace(options or SimulationOptions(), **given)
-    evaluators = _evaluators(cases, find, record, until, events, followed)
+    evaluators = _evaluators(system, cases, find, record, until, events, followed)
     names = [v.name for v in cases.names] + [c.name for e in evaluators for c in e.columns]
     for name in names:
         if names.count(name) > 1:
@@ -83,6 +84,7 @@ def sweep(
 
 
 def _evaluators(
+    given: System,
     cases: Plan,
     find: Sequence[str],
     record: Sequence[str],
@@ -93,14 +95,25 @@ def _evaluators(
     """What is asked of every case."""
     system = cases.system
     questions = [] if not find and (record or until is not None) else questions_asked(system, find)
-    found: list[Evaluator] = [AnswerEvaluator(system, q) for q in questions]
+    read = given if _may_be_refused(given, cases) else None
+    found: list[Evaluator] = [AnswerEvaluator(system, q, read) for q in questions]
     if record and until is None:
         raise InputError(Message("how long is the motion? Say until when it is followed, as --until '5 s'"))
     if until is not None:
-        found.append(MotionEvaluator(system, record, until, options, events))
+        found.append(MotionEvaluator(system, record, until, options, events, read))
     if not found:
         raise InputError(Message("nothing is asked: the model has no questions; say what to find or to record"))
     return tuple(found)
+
+
+def _may_be_refused(system: System, cases: Plan) -> bool:
+    """Whether the reader of the model finds a value at an end of a range wrong for another reason than its sign."""
+    for name, ends in cases.extents.items():
+        for x in ends:
+            is_number = name in system.parameters and math.isfinite(x)
+            if is_number and not not_admissible(system, {name: x}) and refused_by_reader(system, {name: x}):
+                return True
+    return False
 
 
 def questions_asked(system: System, find: Sequence[str]) -> list[Question]:

@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
+import math
 from importlib import import_module
 from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from freebody.present.files import replaced
+from freebody.present.files import check_room, replaced
 
 if TYPE_CHECKING:
     from freebody.study.sweeps.result import Sweep
 
 SUFFIX = ".nc"
 EXTRA = "data"
+_OF_HEADS = 16_384  # bytes that a variable takes besides its numbers
 
 
 def missing() -> str:
@@ -22,6 +24,8 @@ def missing() -> str:
 
 def write(result: Sweep, path: Path) -> None:
     library: Any = import_module("h5netcdf")
+    # on a full disk the library brings the interpreter down when it closes its file
+    check_room(path, _OF_HEADS + sum(8 * math.prod(of.shape) + _OF_HEADS for of in result.variables()))
     with replaced(path) as file, library.File(file, "w") as out:
         out.dimensions = dict(result.plan.dimensions)
         for name, value in result.attributes.items():
