@@ -61,4 +61,4 @@ export const open = () => kept ? Promise.resolve(kept.opening) : post<Opening>("
 export const openFile = (name: string) => post<OpenedFile>("file", { name });
 export const save = (request: SaveRequest) => post<SaveAnswer>("save", request);
 export const examples = () => post<Example[]>("examples", {});
-export const schema = () => post<Record<string, unknown>>("schema", {});
+export const schema = () => kept ? Promise.resolve<Record<string, unknown>>({}) : post<Record<string, unknown>>("schema", {});

@@ -40,7 +40,7 @@ const kept = {
 };
 
 const FRAMES = 301;
-const FEWER = 121; // while something is moved by hand
+const FEWER = 61; // while something is moved by hand
 const prefersDark = matchMedia("(prefers-color-scheme: dark)");
 
 export class Studio {
@@ -56,6 +56,7 @@ export class Studio {
   modelText = $state("");
   parameters = $state.raw<Parameter[]>([]);
   kinds = $state.raw<Kind[]>([]);
+  release = $state("");
   canUndo = $state(false);
   canRedo = $state(false);
 
@@ -118,6 +119,7 @@ export class Studio {
       const opening = await server.open();
       this.files = opening.files;
       this.kinds = opening.kinds;
+      this.release = opening.version;
       this.take(opening.file.name, opening.file.text, opening.file.version);
       if (!opening.file.text) {
         if (opening.is_file) this.load("");

@@ -147,7 +147,6 @@ export interface Opening {
   file: OpenedFile;
   files: string[];
   is_file: boolean;
-  languages: string[];
   version: string;
   kinds: Kind[];
 }

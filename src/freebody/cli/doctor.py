@@ -14,6 +14,7 @@ import typer
 
 # what each extra brings, by the module that must be there
 _EXTRAS = {
+    "studio": ("starlette", "a model in the browser"),
     "report": ("typst", "reports as .pdf"),
     "data": ("xarray", "motions as .nc and as datasets"),
     "parquet": ("pyarrow", "motions as .parquet"),

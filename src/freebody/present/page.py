@@ -28,7 +28,7 @@ _KEYS = (
     "Space plays and pauses, {step}, Home and End go to the ends; {turn}the wheel or plus and minus come nearer, "
     "a double click or 0 goes back."
 )
-_KEYS_OF_PLANE = {"step": "the arrow keys step", "turn": ""}
+_KEYS_OF_PLANE = {"step": "the arrow keys step", "turn": "drag the picture to move it, "}
 _KEYS_OF_SPACE = {
     "step": "comma and full stop step",
     "turn": "drag the picture or use the arrow keys to turn the view, ",

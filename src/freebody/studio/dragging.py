@@ -28,7 +28,7 @@ from freebody.numeric.contact.start import assembled_touching
 from freebody.numeric.jets import Array
 from freebody.numeric.placing import ACCEPTED
 from freebody.numeric.reference import Reference
-from freebody.studio.reading import checked_system
+from freebody.studio.reading import checked_system, mapping_of
 from freebody.studio.wire import DragRequest, TextAnswer
 from freebody.system.system import System
 
@@ -188,15 +188,14 @@ def _with_place(document: Document, system: System, body: str, pose: _Pose, q: A
 
 
 def _entry(document: Document, body: str) -> dict[str, Any]:
-    entry = (document.data.get("bodies") or {}).get(body)
-    return entry if isinstance(entry, dict) else {}  # pyright: ignore[reportUnknownVariableType]
+    return mapping_of(mapping_of(document.data.get("bodies")).get(body))
 
 
 def _with_value(document: Document, system: System, path: Place, formula: Expr, value: float, unit: str) -> Document:
     """With a value [SI] at a path; where a parameter stands there, of that parameter."""
     name = formula.name if isinstance(formula, Symbol) else ""
     if name in system.parameters:
-        given = (document.data.get("parameters") or {}).get(name)
+        given = mapping_of(document.data.get("parameters")).get(name)
         path = ("parameters", name, "value") if isinstance(given, dict) else ("parameters", name)
     return _with_number(document, path, value, unit)
 
@@ -204,16 +203,15 @@ def _with_value(document: Document, system: System, path: Place, formula: Expr, 
 def _with_number(document: Document, path: Place, value: float, unit: str) -> Document:
     """With a number [SI] at a path, in the unit that stands there, or a unit for one that is not there yet. A formula
     stays as it is."""
-    now: Any = document.data
-    for part in path:
-        now = now[part] if isinstance(now, list) or (isinstance(now, dict) and part in now) else None
-    if now is None:
+    span = document.span(path)
+    if span is None:
         return document.with_value(path, _shown(value, unit))
+    now = document.dumps()[slice(*span)].strip("\"'")
     try:
         quantity = parse_quantity(now)
-    except (FreebodyError, TypeError):
+    except FreebodyError:
         return document
-    parts = str(now).split(maxsplit=1)
+    parts = now.split(maxsplit=1)
     if len(parts) == 1:
         return document.with_value(path, float(f"{value:.{_DIGITS}g}"))
     if abs(quantity.value - value) <= 1e-6 * max(1.0, abs(value)):

@@ -35,5 +35,5 @@ def _value(section: str, kind: str, example: str) -> Any:
     if section == "bodies":  # the example of a shape is its fields
         return Document.read(f"bodies: {{{kind}: {example}}}").data["bodies"] if example else None
     entries = Document.read(example).data.get(section) if example else None
-    found = cast("dict[str, Any]", entries).values() if isinstance(entries, dict) else ()
-    return next((each for each in found if isinstance(each, dict) and kind in each), None)
+    found = list(cast("dict[str, Any]", entries).values()) if isinstance(entries, dict) else []
+    return next((each for each in found if kind in each), None)

@@ -143,10 +143,10 @@ class Worker:
 
 
 async def _ended(process: Process) -> None:
-    """When a process is gone and its pipes are closed."""
+    """When a process is gone. Whoever waits for its answer hears of that from the pipe."""
     if process.stdin is not None:
         process.stdin.close()
-    await process.communicate()
+    await process.wait()
 
 
 class Lanes:

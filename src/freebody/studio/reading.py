@@ -25,7 +25,7 @@ from freebody.studio.wire import (
 from freebody.system.system import System
 
 # sections whose entries have names, by their path
-_SECTIONS: tuple[Place, ...] = (
+_SECTIONS: tuple[tuple[str, ...], ...] = (
     ("parameters",),
     ("ground", "points"),
     ("ground", "lines"),
@@ -136,10 +136,9 @@ def _fixes(message: str, places: Places, span: tuple[int, int], language: Langua
     """Where a name is misspelt, the one that is meant in its place."""
     part = places.text[span[0] : span[1]]
     for inner in (message, *(a for a in _arguments(message) if isinstance(a, Message))):
-        template = getattr(inner, "template", "")
-        if template not in (_HINT, _ONE_OF):
+        if not isinstance(inner, Message) or inner.template not in (_HINT, _ONE_OF):
             continue
-        known = str(next(iter(inner.arguments.values()))).split(", ")  # pyright: ignore[reportAttributeAccessIssue]
+        known = str(next(iter(inner.arguments.values()))).split(", ")
         wrong = _misspelt(part, known, [str(a) for a in _arguments(message)])
         if wrong is None:
             continue
@@ -162,10 +161,9 @@ def _elements(document: Document, places: Places) -> Iterator[Element]:
     for section in _SECTIONS:
         found: Any = data
         for part in section:
-            found = cast("dict[str, Any]", found).get(part) if isinstance(found, dict) else None
-        entries = found.items() if isinstance(found, dict) else enumerate(found) if isinstance(found, list) else ()
-        for key, value in cast("Any", entries):
-            path = (*section, key)
+            found = mapping_of(found).get(part)
+        for key, value in _entries(found):
+            path: Place = (*section, key)
             span, name = document.span(path), document.key_span(path)
             if span is None:
                 continue
@@ -181,23 +179,29 @@ def _elements(document: Document, places: Places) -> Iterator[Element]:
             )
 
 
+def _entries(value: Any) -> list[tuple[str | int, Any]]:
+    """The entries of a mapping or a list, with their keys; none of anything else."""
+    if isinstance(value, list):
+        return list(enumerate(cast("list[Any]", value)))
+    return list(mapping_of(value).items())
+
+
 def _name_of(key: str | int, value: Any) -> str:
     """Questions in a list are named by their id."""
     if isinstance(key, str):
         return key
-    entry = cast("dict[str, Any]", value) if isinstance(value, dict) else {}
+    entry = mapping_of(value)
     return str(entry.get("id") or entry.get("find") or value)
 
 
 def _kind_of(value: Any) -> str:
-    return str(next(iter(cast("dict[str, Any]", value)), "")) if isinstance(value, dict) else ""
+    return str(next(iter(mapping_of(value)), ""))
 
 
 def _leaves(document: Document, places: Places, path: Place, value: Any) -> Iterator[Leaf]:
     """Every single value under a path."""
     if isinstance(value, dict | list):
-        inner: Any = value.items() if isinstance(value, dict) else enumerate(value)  # pyright: ignore[reportUnknownVariableType, reportUnknownMemberType]
-        for key, each in inner:
+        for key, each in _entries(cast("Any", value)):
             yield from _leaves(document, places, (*path, key), each)
         return
     span = document.span(path)
@@ -209,17 +213,18 @@ def _leaves(document: Document, places: Places, path: Place, value: Any) -> Iter
 
 def _parameters(document: Document, system: System | None, places: Places) -> Iterator[Parameter]:
     """Parameters and values of the start that have a number, with where it stands."""
-    for name, value in _mapping(document.data.get("parameters")).items():
+    for name, value in mapping_of(document.data.get("parameters")).items():
         path: Place = ("parameters", name, "value") if isinstance(value, dict) else ("parameters", name)
         known = None if system is None else system.parameters.get(name)
         if known is None or known.value is not None:
             is_positive = known is None or known.sign != "any"
             yield from _number(document, places, "parameters", path, is_positive=is_positive)
-    for name in _mapping(document.data.get("start")):
+    for name in mapping_of(document.data.get("start")):
         yield from _number(document, places, "start", ("start", name), is_positive=False)
 
 
-def _mapping(value: Any) -> dict[str, Any]:
+def mapping_of(value: Any) -> dict[str, Any]:
+    """A part of a document that should be a mapping; an empty one where it is none."""
     return cast("dict[str, Any]", value) if isinstance(value, dict) else {}
 
 

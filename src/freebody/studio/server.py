@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import json
 import secrets
-from collections.abc import AsyncIterator, Awaitable, Callable
+from collections.abc import AsyncGenerator, Awaitable, Callable
 from contextlib import asynccontextmanager
 from importlib.metadata import version
 from importlib.resources import files
@@ -25,7 +25,6 @@ from starlette.routing import Route
 from freebody.errors import InputError
 from freebody.examples_folder import folder as examples_folder
 from freebody.examples_folder import listed_examples, listed_templates, templates
-from freebody.narrative.words import languages
 from freebody.studio.folder import Folder
 from freebody.studio.kinds import kinds
 from freebody.studio.lanes import Lanes
@@ -69,7 +68,7 @@ def studio(folder: Folder, token: str, port: int) -> Starlette:
     hosts = {f"{name}:{port}" for name in NAMES}
 
     @asynccontextmanager
-    async def life(_app: Starlette) -> AsyncIterator[None]:
+    async def life(_app: Starlette) -> AsyncGenerator[None]:
         await lanes.begin()
         yield
         await lanes.end()
@@ -107,7 +106,6 @@ def studio(folder: Folder, token: str, port: int) -> Starlette:
             file=folder.first_opened(),
             files=folder.names(),
             is_file=bool(folder.first),
-            languages=languages(),
             version=version("freebody"),
             kinds=kinds(),
         )

@@ -14,7 +14,6 @@ from pathlib import PurePath
 from typing import Any
 
 from freebody.language.plain_text import plain
-from freebody.narrative.words import languages
 from freebody.studio.look import style_sheet
 from freebody.studio.reading import checked_system
 from freebody.studio.wire import File, FilesAnswer, OpenedFile, Opening, Reply, ShareRequest
@@ -47,7 +46,6 @@ def shared_page(request: ShareRequest) -> str:
         file=OpenedFile(name=request.name, text=request.text, version=""),
         files=[],
         is_file=True,
-        languages=languages(),
         version=version("freebody"),
         kinds=[],
     )

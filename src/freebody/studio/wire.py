@@ -299,7 +299,6 @@ class Opening(Said):
     file: OpenedFile
     files: list[str]
     is_file: bool
-    languages: list[str]
     version: str
     kinds: list[Kind]
 
