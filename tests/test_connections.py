@@ -95,6 +95,22 @@ start: {x: 0, rate(x): v}
 """,
         {"normal force of it at start": "m*(g - 2*a*v**2)"},
     ),
+    # the cam at rest carries the tappet: N = m g, held by a torque of N times lift'
+    "cam that carries a tappet": (
+        "cam",
+        """
+parameters: {m: 2 kg, r: 0.05 m, h: 0.02 m, w: 5 rad/s, g: 9.81 m/s^2}
+bodies: {disk: {body: {inertia: 0.01 kg m^2}}, tappet: {particle: {mass: m}}}
+measures: {phi: angle of disk from up}
+connections:
+  axle: {pin: [ground.O, disk]}
+  motor: {driver: {measure: phi, follows: w*t}}
+  guide: {slider: {body: tappet, along: up}}
+  it: {cam: {cam: disk, follower: tappet, base_radius: r, lift: h*phi^2, along: up}}
+loads: {weight: {gravity: g}}
+""",
+        {"contact force of it": "m*(g + 2*h*w**2)", "driving torque of motor": "2*h*w*t*m*(g + 2*h*w**2)"},
+    ),
     # Scotch yoke x = r cos(w t); T w = m x'' x'
     "slot of a Scotch yoke moves harmonically": (
         "slot",

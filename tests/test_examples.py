@@ -697,6 +697,13 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
         "bottom": "m*g*(1 + 4*a**2*x_0**2)",
         "period": "2*pi/sqrt(2*a*g)",
     },
+    # y = r + h/2 (1 - cos(phi)); m y'' = N - F - m g; the face is pushed h/2 sin(phi) beside the centre
+    "cam_with_flat_follower": {
+        "acceleration": "h/2*Omega**2*cos(Omega*t)",
+        "force": "m*g + F + m*h/2*Omega**2*cos(Omega*t)",
+        "torque": "h/2*sin(Omega*t)*(m*g + F + m*h/2*Omega**2*cos(Omega*t))",
+        "jump": "sqrt(2*(m*g + F)/(m*h))",
+    },
     "throw_at_target": {
         "angles": [
             "atan((v0**2 + sqrt(v0**4 - 2*v0**2*h*g - s**2*g**2))/(s*g))",
