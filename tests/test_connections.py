@@ -111,6 +111,31 @@ loads: {weight: {gravity: g}}
 """,
         {"contact force of it": "m*(g + 2*h*w**2)", "driving torque of motor": "2*h*w*t*m*(g + 2*h*w**2)"},
     ),
+    # new faces: 2/3 mu F (R^3 - r^3)/(R^2 - r^2); a cone of 1/sin(alpha) times that
+    "disc brake with new faces": (
+        "disc_clutch",
+        """
+parameters: {J: 2 kg m^2, F: 500 N, mu: 0.3, r: 0.08 m, R: 0.12 m, w: 40 rad/s}
+bodies: {wheel: {body: {inertia: J}, angular_velocity: w}}
+connections:
+  p: {pin: [ground.O, wheel]}
+  it: {disc_clutch: {between: [wheel, ground], force: F, friction: mu, inner_radius: r, outer_radius: R, faces: 4,
+    pressure: uniform}}
+""",
+        {"friction torque of it at start": "-4*2/3*mu*F*(R**3 - r**3)/(R**2 - r**2)"},
+    ),
+    "cone clutch": (
+        "disc_clutch",
+        """
+parameters: {J: 2 kg m^2, F: 500 N, mu: 0.3, r: 0.08 m, R: 0.12 m, w: 40 rad/s, alpha: 12 deg}
+bodies: {wheel: {body: {inertia: J}, angular_velocity: w}}
+connections:
+  p: {pin: [ground.O, wheel]}
+  it: {disc_clutch: {between: [wheel, ground], force: F, friction: mu, inner_radius: r, outer_radius: R,
+    cone_angle: alpha}}
+""",
+        {"friction torque of it at start": "-mu*F*(R + r)/(2*sin(alpha))"},
+    ),
     # Scotch yoke x = r cos(w t); T w = m x'' x'
     "slot of a Scotch yoke moves harmonically": (
         "slot",

@@ -704,6 +704,13 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
         "torque": "h/2*sin(Omega*t)*(m*g + F + m*h/2*Omega**2*cos(Omega*t))",
         "jump": "sqrt(2*(m*g + F)/(m*h))",
     },
+    # T = 2 mu F (R + r)/2 brakes the one and drives the other; the angular momentum stays, energy does not
+    "clutch_engages": {
+        "torque": "mu*F*(R + r)",
+        "time": "I_1*I_2*omega_0/((I_1 + I_2)*mu*F*(R + r))",
+        "speed": "I_1*omega_0/(I_1 + I_2)",
+        "lost": "I_1*I_2*omega_0**2/(2*(I_1 + I_2))",
+    },
     "throw_at_target": {
         "angles": [
             "atan((v0**2 + sqrt(v0**4 - 2*v0**2*h*g - s**2*g**2))/(s*g))",
