@@ -136,6 +136,20 @@ connections:
 """,
         {"friction torque of it at start": "-mu*F*(R + r)/(2*sin(alpha))"},
     ),
+    # a screw locks itself where mu >= tan(lambda) = p/(2 pi r)
+    "screw that locks itself": (
+        "screw",
+        """
+space: {up: z}
+parameters: {m: 100 kg, g: 9.81 m/s^2, p: 8 mm, r: 15 mm, mu: 0.15, J: 0.05 kg m^2}
+bodies: {spindle: {body: {mass: m, inertia: J}}}
+connections: {it: {screw: {first: ground.A, second: spindle, about: z, pitch: p, friction: mu, radius: r}}}
+loads: {weight: {gravity: g}}
+measures: {phi: angle of spindle about z}
+start: {phi: 0, rate(phi): 0}
+""",
+        {"least mu so that it stays at rest": "p/(2*pi*r)", "range of p that keeps it at rest": "2*pi*r*mu"},
+    ),
     # Scotch yoke x = r cos(w t); T w = m x'' x'
     "slot of a Scotch yoke moves harmonically": (
         "slot",

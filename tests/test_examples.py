@@ -711,6 +711,10 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
         "speed": "I_1*omega_0/(I_1 + I_2)",
         "lost": "I_1*I_2*omega_0**2/(2*(I_1 + I_2))",
     },
+    # T = m g r tan(lambda +- rho) with tan(lambda) = p/(2 pi r), tan(rho) = mu
+    "screw_jack": {
+        "torque": ["m*g*r*(p - 2*pi*r*mu)/(2*pi*r + mu*p)", "m*g*r*(p + 2*pi*r*mu)/(2*pi*r - mu*p)"],
+    },
     "throw_at_target": {
         "angles": [
             "atan((v0**2 + sqrt(v0**4 - 2*v0**2*h*g - s**2*g**2))/(s*g))",
