@@ -95,6 +95,61 @@ start: {x: 0, rate(x): v}
 """,
         {"normal force of it at start": "m*(g - 2*a*v**2)"},
     ),
+    # the cam at rest carries the tappet: N = m g, held by a torque of N times lift'
+    "cam that carries a tappet": (
+        "cam",
+        """
+parameters: {m: 2 kg, r: 0.05 m, h: 0.02 m, w: 5 rad/s, g: 9.81 m/s^2}
+bodies: {disk: {body: {inertia: 0.01 kg m^2}}, tappet: {particle: {mass: m}}}
+measures: {phi: angle of disk from up}
+connections:
+  axle: {pin: [ground.O, disk]}
+  motor: {driver: {measure: phi, follows: w*t}}
+  guide: {slider: {body: tappet, along: up}}
+  it: {cam: {cam: disk, follower: tappet, base_radius: r, lift: h*phi^2, along: up}}
+loads: {weight: {gravity: g}}
+""",
+        {"contact force of it": "m*(g + 2*h*w**2)", "driving torque of motor": "2*h*w*t*m*(g + 2*h*w**2)"},
+    ),
+    # new faces: 2/3 mu F (R^3 - r^3)/(R^2 - r^2); a cone of 1/sin(alpha) times that
+    "disc brake with new faces": (
+        "disc_clutch",
+        """
+parameters: {J: 2 kg m^2, F: 500 N, mu: 0.3, r: 0.08 m, R: 0.12 m, w: 40 rad/s}
+bodies: {wheel: {body: {inertia: J}, angular_velocity: w}}
+connections:
+  p: {pin: [ground.O, wheel]}
+  it: {disc_clutch: {between: [wheel, ground], force: F, friction: mu, inner_radius: r, outer_radius: R, faces: 4,
+    pressure: uniform}}
+""",
+        {"friction torque of it at start": "-4*2/3*mu*F*(R**3 - r**3)/(R**2 - r**2)"},
+    ),
+    "cone clutch": (
+        "disc_clutch",
+        """
+parameters: {J: 2 kg m^2, F: 500 N, mu: 0.3, r: 0.08 m, R: 0.12 m, w: 40 rad/s, alpha: 12 deg}
+bodies: {wheel: {body: {inertia: J}, angular_velocity: w}}
+connections:
+  p: {pin: [ground.O, wheel]}
+  it: {disc_clutch: {between: [wheel, ground], force: F, friction: mu, inner_radius: r, outer_radius: R,
+    cone_angle: alpha}}
+""",
+        {"friction torque of it at start": "-mu*F*(R + r)/(2*sin(alpha))"},
+    ),
+    # a screw locks itself where mu >= tan(lambda) = p/(2 pi r)
+    "screw that locks itself": (
+        "screw",
+        """
+space: {up: z}
+parameters: {m: 100 kg, g: 9.81 m/s^2, p: 8 mm, r: 15 mm, mu: 0.15, J: 0.05 kg m^2}
+bodies: {spindle: {body: {mass: m, inertia: J}}}
+connections: {it: {screw: {first: ground.A, second: spindle, about: z, pitch: p, friction: mu, radius: r}}}
+loads: {weight: {gravity: g}}
+measures: {phi: angle of spindle about z}
+start: {phi: 0, rate(phi): 0}
+""",
+        {"least mu so that it stays at rest": "p/(2*pi*r)", "range of p that keeps it at rest": "2*pi*r*mu"},
+    ),
     # Scotch yoke x = r cos(w t); T w = m x'' x'
     "slot of a Scotch yoke moves harmonically": (
         "slot",

@@ -697,6 +697,24 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
         "bottom": "m*g*(1 + 4*a**2*x_0**2)",
         "period": "2*pi/sqrt(2*a*g)",
     },
+    # y = r + h/2 (1 - cos(phi)); m y'' = N - F - m g; the face is pushed h/2 sin(phi) beside the centre
+    "cam_with_flat_follower": {
+        "acceleration": "h/2*Omega**2*cos(Omega*t)",
+        "force": "m*g + F + m*h/2*Omega**2*cos(Omega*t)",
+        "torque": "h/2*sin(Omega*t)*(m*g + F + m*h/2*Omega**2*cos(Omega*t))",
+        "jump": "sqrt(2*(m*g + F)/(m*h))",
+    },
+    # T = 2 mu F (R + r)/2 brakes the one and drives the other; the angular momentum stays, energy does not
+    "clutch_engages": {
+        "torque": "mu*F*(R + r)",
+        "time": "I_1*I_2*omega_0/((I_1 + I_2)*mu*F*(R + r))",
+        "speed": "I_1*omega_0/(I_1 + I_2)",
+        "lost": "I_1*I_2*omega_0**2/(2*(I_1 + I_2))",
+    },
+    # T = m g r tan(lambda +- rho) with tan(lambda) = p/(2 pi r), tan(rho) = mu
+    "screw_jack": {
+        "torque": ["m*g*r*(p - 2*pi*r*mu)/(2*pi*r + mu*p)", "m*g*r*(p + 2*pi*r*mu)/(2*pi*r - mu*p)"],
+    },
     "throw_at_target": {
         "angles": [
             "atan((v0**2 + sqrt(v0**4 - 2*v0**2*h*g - s**2*g**2))/(s*g))",

@@ -12,7 +12,7 @@ import numpy as np
 from freebody.language.expression import ZERO, Expr
 from freebody.measures.geometry import GROUND as GROUND_NAME
 from freebody.measures.geometry import Point
-from freebody.model.elements import RigidBody
+from freebody.model.elements import Edge, RigidBody
 from freebody.model.glyphs import (
     Ball,
     Belt,
@@ -227,7 +227,7 @@ class _Reader:
             outside=tuple(dict.fromkeys(name for name, within in touched if not within)),
             inside=tuple(dict.fromkeys(name for name, within in touched if within)),
             edges=tuple(
-                replace(edge, places=tuple(self.places.place(Point(body.name, at)) for at in edge.places))
+                Edge(tuple(self.places.place(Point(body.name, at)) for at in edge.places), edge.look)
                 for edge in body.edges
             ),
             path=tuple(points[name] for name in self.system.looks.paths.get(body.name, ())),

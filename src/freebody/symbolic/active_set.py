@@ -73,7 +73,8 @@ class RestEquations:
     # -- what the model says ------------------------------------------------------------------
     @cached_property
     def slots(self) -> list[Slot]:
-        return [(b.name, s) for b in self.system.moving for s in (("x", "y", "angle") if b.turns else ("x", "y"))]
+        order = self.state.model.bodies.slots
+        return [(b.name, s) for b in self.system.moving for s in order if b.turns or s in ("x", "y", "z")]
 
     @cached_property
     def gradients(self) -> dict[str, dict[Slot, Ratio]]:
@@ -90,7 +91,7 @@ class RestEquations:
     @cached_property
     def loads(self) -> dict[Slot, Ratio]:
         """Forces and moments of the loads, at rest."""
-        order = ("x", "y", "angle")
+        order = self.state.model.bodies.slots
         wrenches = self.state.model.loads.wrenches
         return {slot: self.here(wrenches[slot[0]][order.index(slot[1])]) for slot in self.slots}
 

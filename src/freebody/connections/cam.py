@@ -1,0 +1,194 @@
+"""Cam: a plate whose edge drives a follower with a flat face, with an edge, or with a roller.
+
+With phi the angle by which the cam has turned, counter-clockwise, from where its x axis points at the follower, and
+r(phi) = base radius + lift(phi):
+
+    flat face     it is r(phi) from the centre, along its normal (r is the support function of the cam); the edge of
+                  the cam has the radius of curvature rho = r + r''
+    edge, roller  its point, the middle of the roller, is r(phi) (roller: and the roller's radius more) from the centre;
+                  the pressure angle is tan(alpha) = r'/r, and the path of the middle has the radius of curvature
+                  rho = (r^2 + r'^2)^(3/2)/(r^2 + 2 r'^2 - r r'')
+
+Divided by the size of their gradients, both are distances from the edge, so that the multiplier is the contact force.
+An edge with rho < 0 (flat face), or with 0 < rho < the radius of the roller, cannot be cut: it is undercut. Source:
+Norton, Design of Machinery, ch. 8; Shigley & Uicker, Theory of Machines and Mechanisms, ch. 5.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable
+from typing import TYPE_CHECKING, Any
+
+from freebody.connections.base import Connection
+from freebody.errors import FreebodyError
+from freebody.language.expression import (
+    PI,
+    ZERO,
+    Call,
+    Expr,
+    Symbol,
+    differentiate,
+    divide,
+    evaluate,
+    number,
+    substitute,
+)
+from freebody.language.sentences import Message
+from freebody.language.units import DIMENSIONLESS, LENGTH
+from freebody.measures.angle import Angle
+from freebody.measures.base import Measure
+from freebody.measures.combination import Composed
+from freebody.measures.displacement import Displacement
+from freebody.measures.distance import Bearing, Distance
+from freebody.measures.geometry import Direction, Point
+from freebody.model import glyphs
+from freebody.model.elements import ConstraintRow, RigidBody
+from freebody.model.glyphs import Glyph
+from freebody.model.phrases import direction_angle
+from freebody.model.spec import Formula, Heading
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+_FORMS = ("flat", "edge", "roller")
+_N_DRAWN = 120  # stretches of a drawn edge
+_N_LOOKED_AT = 720  # angles at which the edge is looked at for undercutting
+_PHI = "phi"
+
+
+class Cam(Connection, kind="cam"):
+    """`cam: {cam: disk, follower: valve.face, base_radius: r, lift: h/2*(1 - cos(phi)), along: up}`: the edge of a cam
+    pushes a follower with a flat face, whose normal is `along` (a direction of the ground, or of the follower:
+    `along: lever.y`). `form: edge`: the point of the follower itself runs on the edge; `form: roller` with a
+    `roller_radius`: it is the middle of a roller. The lift is a formula in phi, the angle of the cam from where its x
+    axis points at the follower. The contact force is positive where the cam pushes (1 row)."""
+
+    cam: str
+    follower: str
+    base_radius: Formula
+    lift: Formula
+    along: Heading | None = None
+    form: str = "flat"
+    roller_radius: Formula | None = None
+
+    in_plane = True
+    has_contact_point = True
+    example = """
+bodies:
+  disk: {body: {mass: 1 kg, inertia: 0.01 kg m^2}}
+  valve: {particle: {mass: 1 kg}, near: {at: [0, 0.05 m]}}
+connections:
+  axle: {pin: [ground.O, disk]}
+  guide: {slider: {body: valve, along: up}}
+  it: {cam: {cam: disk, follower: valve, base_radius: 40 mm, lift: 5 mm * (1 - cos(phi)), along: up}}
+"""
+
+    def _radius(self, names: Names) -> Expr:
+        """r(phi): for a roller that of the path of its middle."""
+        lift = names.formula(self.lift, LENGTH, "lift", extra={_PHI: DIMENSIONLESS})
+        return names.positive(self, "base_radius", LENGTH) + lift + self._roller(names)
+
+    def _roller(self, names: Names) -> Expr:
+        return names.optional(self, "roller_radius", LENGTH) or ZERO
+
+    def _parts(self, names: Names) -> tuple[RigidBody, Point, Direction | None] | None:
+        """The cam, the point of the follower and the normal of its face; None with problems noted."""
+        cam, point = names.body(self.cam, "cam"), names.point(self.follower, "follower")
+        if self.form not in _FORMS:
+            names.problem(Message("form is one of {names}", names=", ".join(_FORMS)), "form")
+            return None
+        if cam.name == point.body or not cam.turns:
+            names.problem(Message("a cam is a body that turns, and its follower another body"), "cam")
+            return None
+        if (self.form == "roller") != (self.roller_radius is not None):
+            names.problem(Message("roller_radius goes with form: roller"), "roller_radius")
+            return None
+        if (self.form == "flat") != (self.along is not None):
+            names.problem(Message("along is the normal of a flat face, e.g. along: up; edges and rollers have none"))
+            return None
+        return cam, point, None if self.along is None else names.direction(self.along, "along")
+
+    def rows(self, names: Names) -> list[ConstraintRow]:
+        parts = self._parts(names)
+        if parts is None:
+            return []
+        cam, point, normal = parts
+        r = self._radius(names)
+        self._look_for_undercut(names, r)
+        used: tuple[tuple[str, Measure], ...]
+        if normal is not None:
+            away = Symbol("away") - r
+            turned: Measure = Angle(cam.name, normal.body, direction_angle(normal))
+            used = (("away", Displacement(point, cam.center, normal)), (_PHI, turned))
+        else:
+            steep = divide(differentiate(r, _PHI), r)  # tan of the pressure angle
+            away = (Symbol("away") - r) / Call("sqrt", number(1) + steep * steep)
+            away = substitute(away, {_PHI: Symbol("turned") - Symbol("seen")})
+            used = (
+                ("away", Distance(cam.center, point)),
+                ("turned", Angle(cam.name)),
+                ("seen", Bearing(cam.center, point)),
+            )
+        return [ConstraintRow("contact", "contact force", Composed(away, used, LENGTH), unilateral=True)]
+
+    # -- its edge -----------------------------------------------------------------------------
+    def _look_for_undercut(self, names: Names, r: Expr) -> None:
+        """Notes a problem where the edge cannot be cut, with the size that would do."""
+        first = differentiate(r, _PHI)
+        values = {p.name: p.value for p in names.parameters.values() if p.value is not None}
+
+        def at(e: Expr, phi: float) -> float:
+            return float(evaluate(e, {**values, _PHI: phi}))
+
+        try:
+            found = [
+                [at(e, math.tau * k / _N_LOOKED_AT) for e in (r, first, differentiate(first, _PHI))]
+                for k in range(_N_LOOKED_AT)
+            ]
+        except (ArithmeticError, ValueError, FreebodyError):  # parameters without values
+            return
+        if self.form == "flat":
+            least = min(a + c for a, _b, c in found)
+            if least < 0.0:
+                wanted = names.numeric(names.formula(self.base_radius, LENGTH)) or 0.0
+                told = Message(
+                    "the cam is undercut: its edge would have the radius of curvature {least:.4g} m. Take a base "
+                    "radius of at least {wanted:.4g} m",
+                    least=least,
+                    wanted=wanted - least,
+                )
+                names.problem(told, "base_radius")
+        elif self.form == "roller":
+            curvatures = [(a * a + 2 * b * b - a * c) / (a * a + b * b) ** 1.5 for a, b, c in found]
+            sharpest, roller = max(curvatures), names.numeric(self._roller(names)) or 0.0
+            if sharpest * roller > 1.0:
+                told = Message(
+                    "the cam is undercut: the path of the middle of the roller has the radius of curvature {least:.4g} "
+                    "m, less than that of the roller. Take a smaller roller, or a larger base radius",
+                    least=1.0 / sharpest,
+                )
+                names.problem(told, "roller_radius")
+
+    def _edge(self, names: Names) -> list[tuple[Expr, Expr]]:
+        """Places on the edge in the cam's own frame: seen from the cam, the follower is at the angle -phi."""
+        r = substitute(self._radius(names), {_PHI: -Symbol("psi")})
+        slope, roller = differentiate(r, "psi"), self._roller(names)
+        cos, sin = Call("cos", Symbol("psi")), Call("sin", Symbol("psi"))
+        if self.form == "flat":
+            x, y = r * cos - slope * sin, r * sin + slope * cos
+        else:
+            size = Call("sqrt", r * r + slope * slope)
+            x = r * cos - roller * (r * cos + slope * sin) / size
+            y = r * sin - roller * (r * sin - slope * cos) / size
+        angles = [divide(2 * k * PI, number(_N_DRAWN)) for k in range(_N_DRAWN + 1)]
+        at: Callable[[Any, Any], Expr] = lambda e, psi: substitute(e, {"psi": psi})  # noqa: E731
+        return [(at(x, psi), at(y, psi)) for psi in angles]
+
+    def glyphs(self, names: Names) -> Iterable[Glyph]:
+        cam, point = names.body(self.cam), names.point(self.follower)
+        center = cam.center.offset
+        places = (tuple(a + b for a, b in zip(center, at, strict=False)) for at in self._edge(names))
+        yield glyphs.Relation(tuple(Point(cam.name, (*at, *center[2:])) for at in places))
+        if self.form == "roller":
+            yield glyphs.Groove(point, point, self._roller(names))

@@ -1,0 +1,100 @@
+"""Cams: what an eccentric circle does is known, and edges that cannot be cut are refused."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import freebody as fb
+from freebody.numeric.reference import Reference
+
+# an eccentric circle of radius a, its middle e from the axle; it points at the follower where phi = 0
+MECHANISM = """
+parameters: {{a: 30 mm, e: 8 mm, b: 10 mm, m: 0.5 kg, w: 20 rad/s, g: 9.81 m/s^2}}
+bodies:
+  disk: {{body: {{inertia: 0.01 kg m^2}}, points: {{E: [e, 0]}}}}
+  tappet: {{particle: {{mass: m}}, near: {{at: [0, 0.05 m]}}}}
+connections:
+  axle: {{pin: [ground.O, disk]}}
+  motor: {{driver: {{measure: phi, follows: 0.4 + w*t}}}}
+  guide: {{slider: {{body: tappet, along: up}}}}
+  it: {cam}
+loads: {{weight: {{gravity: g}}}}
+measures: {{phi: angle of disk from up, y: height of tappet}}
+questions: {{y: y, a: acceleration of y at start, side: normal force of guide at start,
+  torque: driving torque of motor at start}}
+"""
+ROLLER = (
+    "{cam: {cam: disk, follower: tappet, base_radius: a, form: roller, roller_radius: b, "
+    "lift: e*cos(phi) + sqrt((a + b)^2 - e^2*sin(phi)^2) - a - b}}"
+)
+
+
+def values(cam: str, names: tuple[str, ...] = ("a", "side", "torque")) -> list[float]:
+    solution = fb.System.from_text(MECHANISM.format(cam=cam)).solve()
+    return [float(solution[name].value or 0.0) for name in names]
+
+
+@pytest.mark.parametrize(
+    ("form", "arm"), [("form: roller, roller_radius: b", "a + b"), ("form: edge", "a")], ids=["roller", "edge"]
+)
+def test_a_follower_of_an_eccentric_circle_moves_and_is_pushed_as_by_a_rod_from_its_middle(form: str, arm: str) -> None:
+    # the middle of the roller is a + b from that of the circle, which is so in polar coordinates of the cam
+    lift = f"e*cos(phi) + sqrt(({arm})^2 - e^2*sin(phi)^2) - ({arm})"
+    cam = f"{{cam: {{cam: disk, follower: tappet, base_radius: a, {form}, lift: {lift}}}}}"
+    found, expected = (
+        fb.System.from_text(MECHANISM.format(cam=it)) for it in (cam, f"{{link: [disk.E, tappet, {arm}]}}")
+    )
+    heights = [system.simulate(0.3, every=0.05).series["y"][0] for system in (found, expected)]
+    assert heights[0] == pytest.approx(heights[1], rel=1e-8)
+    # a unit of the contact force acts on both bodies as a unit of the force in the rod
+    pushes = []
+    for system in (found, expected):
+        s = Reference(system).snapshot(Reference(expected).assemble(), np.zeros(5))
+        (row,) = (row for row in system.constraint_rows if row.connection == "it")
+        pushes.append([part for body in ("disk", "tappet") for part in s.gradient(row.measure, body)])
+    assert pushes[0] == pytest.approx(pushes[1], abs=1e-9)
+
+
+def test_a_flat_face_on_an_eccentric_circle_moves_harmonically_and_is_not_pushed_aside() -> None:
+    # y = a + e cos(phi), N = m (g + y''), torque N e sin(phi) against the motor
+    flat = "{cam: {cam: disk, follower: tappet, base_radius: a, lift: e*cos(phi), along: up}}"
+    a, side, torque = values(flat)
+    acceleration = -0.008 * 400 * np.cos(0.4)
+    assert a == pytest.approx(acceleration)
+    assert side == pytest.approx(0.0, abs=1e-12)
+    assert torque == pytest.approx(-0.5 * (9.81 + acceleration) * 0.008 * np.sin(0.4))
+
+
+def test_the_drawn_edge_of_an_eccentric_circle_is_a_circle() -> None:
+    for form in (
+        "{cam: {cam: disk, follower: tappet, base_radius: a, lift: e*cos(phi), along: up}}",
+        ROLLER,
+    ):
+        system = fb.System.from_text(MECHANISM.format(cam=form))
+        closed = [shape.points for shape in system.picture().shapes if len(shape.points) > 100]
+        sizes = [np.ptp(points, axis=0) for points in closed]
+        assert any(size[0] == pytest.approx(size[1], rel=1e-2) for size in sizes)
+
+
+@pytest.mark.parametrize(
+    ("cam", "told"),
+    [
+        # r + r'' = 10 mm + 8 mm (1 - cos 2 phi)/1 + 32 mm cos 2 phi is least where cos = -1: 10 + 16 - 32
+        (
+            "{cam: {cam: disk, follower: tappet, base_radius: 10 mm, lift: e*(1 - cos(2*phi)), along: up}}",
+            "undercut: .* -0.006 m. Take a base radius of at least 0.016 m",
+        ),
+        (
+            "{cam: {cam: disk, follower: tappet, base_radius: a, lift: e*(1 - cos(4*phi)), form: roller, "
+            "roller_radius: 30 mm}}",
+            "undercut: the path",
+        ),
+        ("{cam: {cam: disk, follower: tappet, base_radius: a, lift: e}}", "along is the normal of a flat face"),
+        ("{cam: {cam: disk, follower: tappet, base_radius: a, lift: e, form: roller}}", "goes with form: roller"),
+        ("{cam: {cam: disk, follower: tappet, base_radius: a, lift: e, form: round}}", "form is one of flat, edge"),
+    ],
+)
+def test_cams_that_cannot_be_are_refused_with_what_would_do(cam: str, told: str) -> None:
+    with pytest.raises(fb.ModelError, match=told):
+        fb.System.from_text(MECHANISM.format(cam=cam))
