@@ -17,7 +17,8 @@ Every generator knows its time derivative, so `Field.rate` is total differentiat
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections import abc
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from fractions import Fraction
@@ -295,7 +296,7 @@ class Field(PolynomialRing):
         self._rates.pop(index, None)
 
     @contextmanager
-    def other_rates(self, rates: Mapping[int, Ratio]) -> Iterator[None]:
+    def other_rates(self, rates: Mapping[int, Ratio]) -> abc.Generator[None]:
         """Some generators change otherwise inside."""
         kept = {g: self._rates.get(g) for g in rates}
         self._rates |= rates

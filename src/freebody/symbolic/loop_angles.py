@@ -64,7 +64,9 @@ class LoopAngles:
     def __init__(self, closure: Closure) -> None:
         self.closure, self.model, self.field = closure, closure.model, closure.field
         self.found: list[LoopAngle] = []
-        self.left = [d for d in self.model.dependent if any(d.index in self._inside(e.value) for e in self.model.loops)]
+        self.left: list[Coordinate] = [
+            d for d in self.model.dependent if any(d.index in self._inside(e.value) for e in self.model.loops)
+        ]
         while self.left:
             step = next(self._next(), None)
             if step is None:

@@ -11,6 +11,7 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from functools import partial
+from typing import Any
 
 from freebody.errors import CannotAnswer, ExpressionError
 from freebody.language.expression import (
@@ -125,7 +126,7 @@ class ChainBuilder:
         self.setup, self.model, self.field = setup, setup.model, setup.model.field
         model = self.model
         system = setup.system
-        self.taken = set() if taken is None else taken
+        self.taken: set[str] = set() if taken is None else taken
         self.taken |= {*system.parameters, *system.measures, *system.bodies, "pi", "t"}
         self.taken |= {c.name for c in (*model.coordinates, *model.dependent)}
         kept = {g for c in model.coordinates for g in (c.index, c.speed)} | {self.field.index(self.field.time)}
@@ -148,7 +149,7 @@ class ChainBuilder:
         self.name_motion(staged.speeds, staged.biases, staged.forces, staged.accelerations)
         with f.other_rates(staged.rates()):
             value = quantity.value(self.setup.system, SymbolicState(staged.model, self.values))
-        elements = value if isinstance(value, tuple) else (value,)
+        elements: tuple[Any, ...] = value if isinstance(value, tuple) else (value,)  # type: ignore[assignment]
         result = [self.here(f.element(x)) for x in elements]
         chain = self._ordered(list(map(tidy, result)))
         return None if chain is None else self._found(chain, self._needs(chain, result))

@@ -92,8 +92,8 @@ class AnswerCompletion:
     def _expression(self, element: Elements, chain: Chain | None) -> Expr | tuple[Expr, ...]:
         """The whole formula; by the names of its chain where nobody would read it."""
         parts = element if isinstance(element, tuple) else (element,)
-        is_short = chain is None or sum(x.n_terms for x in parts) <= _READ_WHOLE
-        shown = tuple(map(tidy, parts)) if is_short else chain.result
+        is_long = sum(x.n_terms for x in parts) > _READ_WHOLE
+        shown = chain.result if chain is not None and is_long else tuple(map(tidy, parts))
         return shown if isinstance(element, tuple) else shown[0]
 
     def conditions(self, found: Finding, element: Elements, root: int | None = None) -> list[Condition]:

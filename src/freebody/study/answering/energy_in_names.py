@@ -32,9 +32,16 @@ from freebody.symbolic.zeros import solve_linear
 def answer_by_energy(setup: Setup, question: Question) -> Answer | None:
     """At the place of the one coordinate that the question names; None for other questions. Raises CannotAnswer where
     energy does not lead there."""
-    q, model = question.quantity, setup.model
+    q, model, event = question.quantity, setup.model, question.event
     place = _place(setup, question)
-    if place is None or not q.is_of_state or q.wanted is not None or question.options or is_driven(model):
+    if (
+        place is None
+        or event is None
+        or not q.is_of_state
+        or q.wanted is not None
+        or question.options
+        or is_driven(model)
+    ):
         return None
     (c,) = model.coordinates
     builder = ChainBuilder(setup, {c.index: place})
@@ -48,12 +55,12 @@ def answer_by_energy(setup: Setup, question: Question) -> Answer | None:
 
     def compare(draw: Draw) -> None:
         exact, start = in_numbers(setup, found, draw, draw.start()), draw.start()
-        check.compare(draw, exact, at_event(setup, q, draw, start, LONGEST, question.event))
+        check.compare(draw, exact, at_event(setup, q, draw, start, LONGEST, event))
         in_order.append(draw)
 
     evidence = check.gather(setup.draw_stream(), compare).evidence()
     if setup.has_values and setup.draws[0] not in in_order:
-        raise CannotAnswer(Message("'{event}' does not come at the model's own values", event=question.event.text))
+        raise CannotAnswer(Message("'{event}' does not come at the model's own values", event=event.text))
     return told(setup, question, found, evidence, [energy.condition])
 
 

@@ -54,7 +54,7 @@ def told(setup: Setup, question: Question, found: InNames, evidence: Evidence, s
     return made(
         question,
         result if len(result) > 1 else result[0],
-        value if value is None or len(result) > 1 else value[0],
+        value if value is None or len(result) > 1 else next(iter(value)),
         conditions=[*says, *texts(needed, until_event=is_of_event)],
         notes=notes,
         evidence=evidence,

@@ -255,7 +255,8 @@ def _extreme_transmission(q: TransmissionAngle, links: FourLinks, question: Ques
             return
         (exact,) = element_at(setup, x, draw, draw.start())
         seen = extreme_in_numbers(links, draw, is_least=q.end == "least")
-        check.compare(draw, math.cos(exact), math.cos(seen))  # next to 0 the arc magnifies round-off
+        # by 1 + cos: next to 0 the arc magnifies round-off, and a cosine of 0 has no size of its own
+        check.compare(draw, 1.0 + math.cos(exact), 1.0 + math.cos(seen))
 
     evidence = check.gather(loop_draws(setup), compare).evidence()
     notes: list[str] = [_meant(links), Message("of the angle and what it lacks to 180 degrees the smaller one")]
