@@ -113,7 +113,7 @@ def _for_small_angles(pairs: Sequence[ComponentPair]) -> str | None:
         speeds = [c.speed for c in setting.model.coordinates if c.index == index]
         if all(_agrees_near_zero(pair, index, speeds) for pair in pairs):
             shown = to_text(field.generators[index].display)
-            return Message("small angles: {angle} << 1", angle=shown)
+            return Message("{angle} is small", angle=shown)
     return None
 
 

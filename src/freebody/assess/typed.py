@@ -16,7 +16,7 @@ from freebody.assess.comparing import ComponentPair, surely_differs
 from freebody.assess.conventions import other_convention
 from freebody.assess.counterexample import counterexample
 from freebody.assess.names import named_in
-from freebody.assess.numbers import ONE_PERCENT, Tolerance, are_near, fault_of
+from freebody.assess.numbers import Tolerance, are_near, fault_of
 from freebody.assess.options import Compared, compared
 from freebody.assess.points import EvaluationPoint, is_free, real, working_precision
 from freebody.assess.provisos import proviso
@@ -26,6 +26,7 @@ from freebody.assess.rounded import numbers_in, rounded_by
 from freebody.assess.setting import Setting
 from freebody.assess.solved import SolvedAnswer
 from freebody.assess.verdict import Settled
+from freebody.assess.wanted import Policy, Wanted
 from freebody.assess.words import of_component
 from freebody.errors import CannotAnswer, ExpressionError
 from freebody.language.expression import Expr, Symbol, free_symbols
@@ -39,19 +40,7 @@ from freebody.symbolic.tidy import tidy
 TypedVerdict = Literal[
     "correct", "other_form", "other_convention", "correct_only_if", "incorrect", "undecided", "unreadable"
 ]
-Form = Literal["any", "formula", "number"]
 MOST_TERMS = 2_000  # of an answer that is multiplied out; beyond, numbers decide
-
-
-@dataclass(frozen=True)
-class Policy:
-    """What the author of a question accepts. form: what is asked for; needs_unit: whether a number must have one;
-    gravity: further values of g with which a number may have been computed [m/s^2]."""
-
-    form: Form = "any"
-    needs_unit: bool = False
-    tolerance: Tolerance = ONE_PERCENT
-    gravity: tuple[float, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -71,21 +60,6 @@ class TypedJudgement:
     def exprs(self) -> tuple[Expr, ...]:
         parts = () if self.answer is None or self.answer.is_number else self.answer.parts
         return cast("tuple[Expr, ...]", parts)
-
-
-@dataclass(frozen=True)
-class Wanted:
-    """What is known of the answer beside its formula: its value in numbers at the model's own (None: none), the
-    conditions under which it holds, other cases with theirs, whether its sign is a convention and of which measure,
-    whether its parts have an order, and whether numbers of the model hide units in it (20 for 20 rad/s)."""
-
-    value: tuple[float, ...] | None
-    conditions: tuple[str, ...] = ()
-    cases: tuple[tuple[tuple[Expr, ...], tuple[str, ...]], ...] = ()
-    is_signed: bool = False
-    measure: str = ""
-    has_order: bool = True
-    hides_units: bool = False
 
 
 class AnswerJudge:
@@ -172,6 +146,11 @@ class AnswerJudge:
         exprs = () if answer.is_number else cast("tuple[Expr, ...]", answer.parts)
         if missing := self._missing(exprs):
             raise _Unreadable(self._unknown(missing), answer)
+        if len(answer.relations) == 1 and answer.relations[0] != "=" and len(answer.parts) == 1:
+            if not self.wanted.bound:
+                raise _Unreadable(Message("an inequality is no answer here: write the value alone, or after ="), answer)
+            if answer.relations[0][0] != self.wanted.bound:
+                return TypedJudgement("incorrect", Message("the inequality points the wrong way"))
         if len(answer.parts) != len(self.answers):
             return TypedJudgement("incorrect", self._other_shape(len(answer.parts)))
         if answer.is_number:

@@ -7,11 +7,13 @@ from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 from pathlib import Path
+from typing import Literal
 
 from freebody.assess.numbers import Tolerance
 from freebody.assess.solved import SolvedAnswer
-from freebody.assess.typed import AnswerJudge, Form, Policy, TypedJudgement, Wanted
+from freebody.assess.typed import AnswerJudge, TypedJudgement
 from freebody.assess.verdict import Verdict
+from freebody.assess.wanted import Form, Policy, Wanted
 from freebody.errors import FreebodyError, InputError, UnitError
 from freebody.language.document.file import text_of
 from freebody.language.expression import ZERO, Expr
@@ -166,6 +168,17 @@ def marked_question(system: System, question: str) -> MarkedQuestion:
     return MarkedQuestion(system, asked, answer, _judge_of(asked, answer))
 
 
+def _bound(question: Question) -> Literal["<", ">", ""]:
+    """Above a least value, below a largest one."""
+    match (question.understood or question.text).split(maxsplit=1)[0]:
+        case "least":
+            return ">"
+        case "largest":
+            return "<"
+        case _:
+            return ""
+
+
 def _is_of_values(q: Quantity) -> bool:
     """Whether values of a parameter are asked for, of which there may be several."""
     return q.wanted is not None and q.wanted.relation == "="
@@ -190,6 +203,7 @@ def _judge_of(question: Question, answer: Answer) -> AnswerJudge | None:
         is_signed=q.sign_is_conventional,
         measure=q.counted_along,
         hides_units=_hides_units(answer.solved, parts),
+        bound=_bound(question),
         has_order=not (q.is_any_of_several or q.scope == "small motion" or _is_of_values(q)),
     )
     return AnswerJudge(answer.solved, wanted)
