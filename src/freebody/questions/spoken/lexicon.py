@@ -1,7 +1,8 @@
 """The words of each language, a file `xx.toml` each: kinds of words, what each means, and the phrases for it.
 
 A phrase is words, with choices (a|b), parts that may be left out (a)?, an open end (turn*), a gap, for what stands
-between its words (comes _ back), and verbs in all their forms (~tug, inflecting.py). The table `spelling` is of rules for the whole text, before its words are looked up.
+between its words (comes _ back), and verbs in all their forms (~tug, inflecting.py). The table `spelling` is of rules
+for the whole text, before its words are looked up.
 A file other than the English one says what things are called in English (`nouns`), with their endings, and which words
 are written as one with them (`compounds`).
 """
@@ -110,7 +111,9 @@ def tables(language: str) -> dict[str, dict[str, list[str]]]:
     """The phrases of a language by kind and by what they mean, with all forms of their verbs."""
     found = {kind: table for kind, table in _file(language).items() if kind not in _NO_WORDS}
     return {
-        kind: {what: [form for text in written for form in inflected(text, language)] for what, written in table.items()}
+        kind: {
+            what: [form for text in written for form in inflected(text, language)] for what, written in table.items()
+        }
         for kind, table in found.items()
     }
 
