@@ -145,9 +145,9 @@ def _readings(elements: Elements, tokens: Sequence[str], k: int) -> Iterator[tup
             continue
         named = list(_named(elements, window[::2]))
         beside = tokens[k - 2] if k > 1 else ""
-        if n == 1 and sum(beside in elements.touching.get(name, ()) for name, _ in named) > 1:
-            yield tokens[k], 1, ALIKE  # the lower rope, where two of them are at the lower pulley
-            return
+        is_rope = n == 1 and tokens[k].lower() in _ROPES
+        if is_rope and sum(beside in elements.touching.get(name, ()) for name, _ in named) > 1:
+            return  # the lower rope, where two of them are at the lower pulley
         for name, distance in named:
             if name not in seen:
                 seen[name] = distance
