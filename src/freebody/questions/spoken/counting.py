@@ -22,7 +22,7 @@ COUNTED = ("work", "work of friction", "energy lost", "turns")  # up to an event
 
 def time(names: Names, sentence: Sentence) -> Groups:
     """The time of an event: when, after what time, how long until."""
-    main = sentence.main
+    main = _until_struck(sentence.main)
     if main.has("quantity", "flight time") and (sentence.others or main.has("verb") or main.has("value")):
         main = Clause([Word("quantity", "time") if w == Word("quantity", "flight time") else w for w in main.words])
     asks = main.has("ask", "when", "soon", "long") or main.has("quantity", "time")
@@ -61,6 +61,17 @@ def time(names: Names, sentence: Sentence) -> Groups:
         return
     for group in conditions(names, clause):
         yield [f"time when {condition}" for condition in group]
+
+
+def _until_struck(main: Clause) -> Clause:
+    """How long does it fall before the impact: until it hits."""
+    struck = ("before the impact", "at the impact", "in the impact")
+    if not main.has("instant", *struck) or not main.has("ask", "when", "soon", "long"):
+        return main
+    kept = main.without("instant", *struck)
+    if set(kept.all("verb")) - set(GOES_ON):
+        return main
+    return Clause([*kept.without("verb").words, Word("verb", "hit")])
 
 
 def stopping(names: Names, sentence: Sentence) -> Groups:

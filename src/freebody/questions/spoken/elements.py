@@ -31,6 +31,7 @@ class Elements:
         default_factory=dict[tuple[str, ...], list[tuple[Element, str, int]]]
     )
 
+    touching: dict[str, frozenset[str]] = field(default_factory=dict[str, frozenset[str]])  # bodies, by connection
     # of bodies, so far as they are numbers
     masses: dict[str, float] = field(default_factory=dict[str, float])
     radii: dict[str, float] = field(default_factory=dict[str, float])

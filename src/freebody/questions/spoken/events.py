@@ -187,12 +187,13 @@ def _with_value(names: Names, clause: Clause, verbs: list[str]) -> Groups:
     of = [name for _, name in clause.names]
     if not values and of and of[-1] in names.parameters:
         values = [of.pop()]
-    if len(values) != 1 or len(of) > 2:
+    if len(values) != 1 or len(of) > 3:
         return
     lines = [
         name for before, name in clause.names if before in ("along", "up", "down") and lookup.direction(names, name)
     ]
-    [value], of = values, [name for name in of if name not in lines]
+    acting = [name for name in of if name in names.loads] if len(of) > 1 else []  # the motor lifts the crate by 2 m
+    [value], of = values, [name for name in of if name not in (*lines, *acting)]
     who = next(iter(of), "")
     if dimensions.is_speed(value) or dimensions.is_turning_speed(value):
         found = lookup.places if dimensions.is_speed(value) else lookup.angles
@@ -264,6 +265,8 @@ def _hits(names: Names, who: str, other: str) -> Groups:
 
 
 def _leaves(names: Names, who: str, other: str) -> Groups:
+    if other in names.loads:
+        return  # nothing is said of where a spring no longer pushes
     if who or other:
         yield [f"{who or 'it'} leaves {other}".strip()]
         yield [f"{who or other} opens"]

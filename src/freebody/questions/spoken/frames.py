@@ -1,7 +1,7 @@
 """What a question word and a verb ask for together, and which verbs say no more than a quantity does.
 
-How fast does it turn: its angular velocity. How hard does the wall push on the ladder: a normal force. What speed does it
-reach: its speed. A frame is taken from the meanings of words alone; their order is of no account.
+How fast does it turn: its angular velocity. How hard does the wall push on the ladder: a normal force. What speed does
+it reach: its speed. A frame is taken from the meanings of words alone; their order is of no account.
 """
 
 from __future__ import annotations
@@ -31,8 +31,9 @@ _LIGHT = {
     **dict.fromkeys(MOTION, _GOING),
     **dict.fromkeys(("angular velocity", "angular acceleration"), _GOING | {"tip"}),
     **dict.fromkeys(OSCILLATION, frozenset({"move", "turn"})),
-    **dict.fromkeys(FORCES, _ACTING | {"move", "carry"}),
+    **dict.fromkeys(FORCES, _ACTING | {"move", "carry", "hang", "reach"}),
     **dict.fromkeys(("highest place", "lowest place"), _GOING),
+    "friction force": _ACTING | {"move", "carry", "hang", "reach", "hold"},
     "dead points": frozenset({"move", "reach", "stop"}),
     "deceleration": frozenset({"move", "stop", "slide", "roll", "rise", "fall"}),
     "angular deceleration": frozenset({"move", "stop", "turn"}),
@@ -48,8 +49,8 @@ _RATES = {
 
 @dataclass(frozen=True)
 class Frame:
-    """asks: question words, of which one leads it ("" where none need); verbs: of which one is in it; beside: verbs that
-    may be in it as well, None where all but one may that ends it."""
+    """asks: question words, of which one leads it ("" where none need); verbs: of which one is in it; beside: verbs
+    that may be in it as well, None where all but one may that ends it."""
 
     quantity: str
     asks: frozenset[str]
@@ -67,10 +68,13 @@ _FRAMES = (
     Frame("acceleration", frozenset({"", "fast", "much", "large", "with"}), frozenset({"accelerate"}), _GOING),
     Frame("angular velocity", frozenset({"fast"}), frozenset({"turn"}), None),
     Frame("speed", frozenset({"fast"}), frozenset(), None),
+    Frame("horizontal range", frozenset({"far"}), frozenset({"fly", "hit"})),
+    Frame("deceleration", frozenset({"large", "much"}), frozenset({"stop"})),
     Frame("position", frozenset({"where"}), frozenset(), frozenset({"move"})),
     Frame("height", frozenset({"high"})),
     Frame("equilibrium", frozenset({"where"}), frozenset({"hold"}), frozenset({"move"})),
     Frame("force", frozenset({"large", "much", "what", "with"}), frozenset({"exert"}), _ACTING | {"move"}),
+    Frame("force", frozenset({"large", "much"}), frozenset({"taut"}), _ACTING),
 )
 
 
@@ -79,17 +83,46 @@ def framed(names: Names, clause: Clause) -> Clause:
     clause = _changing(clause)
     asked, asks, verbs = clause.all("quantity"), set(clause.all("ask")), set(clause.all("verb"))
     kept = [w for w in clause.words if w.kind not in ("ask", "verb")]
+    if asked == ["deflection"] and asks <= {"large", "much"} and asks and _are_strings(names, clause):
+        return _with_quantity(
+            names, "tension", [w for w in kept if w.kind != "quantity"]
+        )  # how strongly is it stretched
+    if not asked and not asks and verbs == {"exert"} and _is_noun(clause):  # the push of the arm
+        return _with_quantity(names, "force", kept)
     if not asked:
         frame = next((frame for frame in _FRAMES if frame.fits(asks, verbs)), None)
         return clause if frame is None else _with_quantity(names, frame.quantity, kept)
+    climbs = bool(verbs) and verbs <= {"reach", "rise", "move", "fly"} and not clause.has("degree")
+    if asked == ["height"] and climbs and asks <= _PLAIN_ASKS | {"high"}:
+        return _with_quantity(names, "highest place", [w for w in kept if w.kind != "quantity"])
+    if asks == {"up_to"} and asked in (["angle"], ["height"]) and verbs and verbs <= _GOING:  # to what angle
+        things = [w for w in kept if w.kind != "quantity" and w.what not in names.connections]
+        return Clause([Word("degree", "greatest"), Word("quantity", asked[0]), *things])
+    is_turned = "turn" in verbs and any(word.what in lookup.turning(names) for word in clause.words)
+    if is_turned and asked[0] in ("velocity", "speed") and len(asked) == 1:  # at what rate does it turn
+        kept = [w for w in kept if w.kind != "quantity"]
+        return _with_quantity(names, "angular velocity", kept) if asks <= _PLAIN_ASKS else clause
     is_where = "where" in asks and bool({*asked} & {*_WHERE})
-    light = frozenset().union(*(_LIGHT.get(quantity, frozenset({"move"})) for quantity in asked))
+    light: frozenset[str] = frozenset[str]().union(*(_LIGHT.get(quantity, frozenset({"move"})) for quantity in asked))
     is_plain = asks <= _PLAIN_ASKS and verbs <= light
     is_far = asked == ["deflection"] and asks <= {"far", "much", "large"} and not verbs
     is_slowed = asked[0] in ("deceleration", "angular deceleration") and asks <= {"fast", *_PLAIN_ASKS}
     if is_where or is_plain or is_far or (is_slowed and verbs <= light):
         return Clause(kept)
     return clause
+
+
+def _are_strings(names: Names, clause: Clause) -> bool:
+    """Whether all that is named are ropes."""
+    pulling = {row.connection for row in names.constraint_rows if row.reaction == "tension"}
+    of = [name for _, name in clause.names]
+    return bool(of) and set(of) <= pulling
+
+
+def _is_noun(clause: Clause) -> bool:
+    """Whether a verb stands where a noun does: before all that is named."""
+    kinds = [word.kind for word in clause.words if word.kind in ("verb", "name", "part")]
+    return kinds[:1] == ["verb"] or kinds[:2] == ["part", "verb"]
 
 
 def _with_quantity(names: Names, quantity: str, words: list[Word]) -> Clause:

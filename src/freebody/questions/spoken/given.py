@@ -98,6 +98,19 @@ def of_kind(names: Names, kind: str) -> list[str]:
     return [parameter.name for parameter in given if is_by_unit(kind) and KIND_OF[kind].has(parameter)]
 
 
+def started_with(names: Names, bodies: list[str]) -> list[str]:
+    """Parameters that are speeds with which the file lets bodies start."""
+    used = frozenset[str]()
+    for body in bodies:
+        if body in names.bodies:
+            for component in names.bodies[body].start.velocity or ():
+                used |= free_symbols(component)
+        for name, rate in names.start_rates.items():
+            if body == name or (name in names.measures and body in names.measures[name].bodies()):
+                used |= free_symbols(rate)
+    return [name for name in of_kind(names, "speed") if name in used]
+
+
 def chosen(names: Names, kind: ParameterKind, of: list[str]) -> list[str]:
     """Parameters that are of a kind and can be chosen: a force that a load exerts, a length that is no size of a body.
 

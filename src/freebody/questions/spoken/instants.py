@@ -5,6 +5,7 @@ from __future__ import annotations
 from itertools import pairwise, product
 from typing import TYPE_CHECKING
 
+from freebody.measures.geometry import GROUND
 from freebody.questions.spoken import dimensions, lookup, poses
 from freebody.questions.spoken.asking import quantities
 from freebody.questions.spoken.composing import Groups
@@ -53,6 +54,12 @@ def timed(names: Names, sentence: Sentence) -> Groups:
         others = [("when" if mark == "until" else mark, clause) for mark, clause in others]
     if main.has("ask", "when", "soon", "long", "for", "from", "up_to") or main.has("quantity", *COUNTED):
         return
+    if (
+        main.has("ask", "high")
+        and main.all("instant") == ["after the impact"]
+        and lookup.is_struck_at_start_alone(names)
+    ):
+        main = main.without("instant")
     if main.has("ask", "high") and not others and main.has("verb") and main.only("ask", "verb", "name", "pronoun"):
         yield from _how_high(names, main)
         return
@@ -134,6 +141,8 @@ def _how_high(names: Names, main: Clause) -> Groups:
 
 def _how_far(names: Names, main: Clause) -> Groups:
     """How far does it swing, how far up does it slide? As far as where it turns back."""
+    lines = [name for _, name in main.names if name in names.bodies[GROUND].lines]  # up the slope
+    main = Clause([word for word in main.words if word.what not in lines])
     who = next((name for _, name in main.names), "")
     up = main.has("updown", "up") or main.has("part", "upward") or main.has("verb", "rise")
     if len(main.names) > 1 or main.has("updown", "down") or main.has("verb", "fall"):
@@ -274,7 +283,7 @@ def _at(names: Names, mark: str, clause: Clause) -> Groups:
 def _event_within(names: Names, main: Clause) -> tuple[Clause, list[list[str]]] | None:
     """A main clause that tells an event with the quantity there: with what speed does the ball hit the floor."""
     verbs = main.all("verb")
-    if main.has("not"):
+    if main.has("not") or (main.has("ask", "large", "much") and set(verbs) == {"taut"}):  # how taut is it
         return None
     if main.has("ask", "with", "where") and (found_at := _where_it_is(names, main)) is not None:
         return found_at
@@ -327,5 +336,6 @@ def _where_it_is(names: Names, main: Clause) -> tuple[Clause, list[list[str]]] |
 
 def is_throughout(names: Names, mark: str, clause: Clause) -> bool:
     """Whether a clause is of all of the motion: while it rolls, where nothing else can come."""
-    goes_on = set(clause.all("verb")) <= {"move", "roll", "turn", "fly", "fall"} and clause.has("verb")
-    return mark == "while" and goes_on and lookup.goes_on(names) and clause.only("verb", "pronoun", "name")
+    lasts = {"move", "roll", "turn", "fly", "fall", "rise", "accelerate", "exert"}
+    goes_on = set(clause.all("verb")) <= lasts and clause.has("verb")
+    return mark in ("while", "when") and goes_on and lookup.goes_on(names) and clause.only("verb", "pronoun", "name")

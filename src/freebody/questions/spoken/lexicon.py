@@ -1,7 +1,8 @@
 """The words of each language, a file `xx.toml` each: kinds of words, what each means, and the phrases for it.
 
 A phrase is words, with choices (a|b), parts that may be left out (a)?, an open end (turn*), a gap, for what stands
-between its words (comes _ back), and verbs in all their forms (~tug, inflecting.py). The table `spelling` is of rules for the whole text, before its words are looked up.
+between its words (comes _ back), and verbs in all their forms (~tug, inflecting.py). The table `spelling` is of rules
+for the whole text, before its words are looked up.
 A file other than the English one says what things are called in English (`nouns`), with their endings, and which words
 are written as one with them (`compounds`).
 """

@@ -366,6 +366,13 @@ def springs(names: Names) -> list[str]:
     return [name for name in names.loads if name in named | laws]
 
 
+def driving(names: Names) -> list[str]:
+    """Loads that are no weight, no spring and no damper: forces and torques that something exerts."""
+    passive = {"gravity", "spring", "damper"}
+    plain = [name for name in names.loads if name not in springs(names)]
+    return [name for name in plain if not passive & {word.split()[-1] for word in names.called.get(name, ())}]
+
+
 def is_forced(names: Names) -> bool:
     """Whether a load is a function of time."""
     is_driven = any("drive" in names.called.get(name, ()) for name in names.connections)

@@ -28,6 +28,7 @@ _HOW_FAR = tuple(Word("ask", what) for what in ("large", "small", "heavy", "far"
 _LEADS_ON = ("from", "about", "relative", "between", "along")  # prepositions behind which something stands
 _NOT, _ACCELERATE = Word("not", "not"), Word("verb", "accelerate")
 _SO_THAT = Word("mark", "so_that")
+_FOR = Word("preposition", "of")  # friction for rolling
 # what only a limit tells apart: how small, how steep
 _AS_LARGE = {Word("ask", what): Word("ask", "large") for what in ("small", "flat", "steep")}
 
@@ -41,6 +42,7 @@ def meanings(names: Names, words: list[Word]) -> Groups:
     said = _bounded(_without_auxiliary(said))
     if said and said[-1].kind == "preposition" and said[-1].what in _LEADS_ON:
         return
+    said = _by_friction(_needed_to_roll(names, _in_doing(said)))
     said = _unaccelerated(_not_slipping(names, _carrying(names, said, modal)))
     words = [_AS_LARGE.get(word, word) for word in said]
     lasting = [_SO_THAT if word == Word("mark", "while") else word for word in said]  # as long as it does not slip
@@ -93,6 +95,40 @@ def _signs_between(words: list[Word]) -> list[Word]:
     return found
 
 
+def _by_friction(words: list[Word]) -> list[Word]:
+    """Energy that is lost by friction is energy lost."""
+    friction = Word("quantity", "friction force")
+    k = words.index(friction) if friction in words and Word("quantity", "energy lost") in words else 0
+    return [*words[: k - 1], *words[k + 1 :]] if k > 1 and words[k - 1].kind == "preposition" else words
+
+
+def _needed_to_roll(names: Names, words: list[Word]) -> list[Word]:
+    """The friction that rolling needs is the friction force, where it has no limit."""
+    if words[:1] == [Word("ask", "rough")] or Word("quantity", "friction force") not in words:
+        return words
+    marks = [k for k, w in enumerate(words) if w in (_SO_THAT, Word("mark", "to"))]
+    marks += [k for k in range(1, len(words)) if words[k - 1] == _FOR and words[k] == Word("verb", "roll")]
+    tail = Clause(words[marks[0] :]) if marks else Clause()
+    doing = set(tail.all("verb"))
+    rolls = doing == {"roll"} or (doing == {"slide"} and tail.has("not"))
+    if (
+        not rolls
+        or given.parameters(names, "friction coefficient", "")
+        or not tail.only("mark", "verb", "not", "name", *SILENT)
+    ):
+        return words
+    head = words[: marks[0] - (words[marks[0] - 1] == _FOR)]
+    return head if any(word.kind == "name" for word in head) else [*head, *(w for w in tail.words if w.kind == "name")]
+
+
+def _in_doing(words: list[Word]) -> list[Word]:
+    """Beim Hochziehen, in falling: while it does so."""
+    is_doing = len(words) > 2 and words[-2] == Word("preposition", "in") and words[-1].kind == "verb"
+    if not is_doing or words[-1].what not in (*GOES_ON, "exert") or not any(w.kind == "quantity" for w in words):
+        return words
+    return [*words[:-2], Word("mark", "while"), words[-1]]
+
+
 def _bounded(words: list[Word]) -> list[Word]:
     """`F ist mindestens nötig` is the least F: at least, where no value follows, is the end of a range."""
     ends = {">=": Word("degree", "least"), "<=": Word("degree", "greatest")}
@@ -109,6 +145,8 @@ def _carrying(names: Names, words: list[Word], modal: set[str]) -> list[Word]:
     """What a connection carries is its force: the rope carries 500 N; what it can carry is no less than that."""
     carry = Word("verb", "carry")
     joints = [word.what for word in words if word.kind == "name" and word.what in names.connections]
+    if len(joints) == 1 and "may" not in modal and _asks_what_holds(words):
+        words = [carry if word == Word("verb", "hold") else word for word in words]
     rows = {row.reaction for row in names.constraint_rows if row.connection in joints}
     kind = next((kind for kind in ("tension", "normal force", "reaction") if kind in rows), "reaction")
     meant = Word("quantity", kind) if len(joints) == 1 and not any(w.kind == "quantity" for w in words) else None
@@ -124,6 +162,13 @@ def _carrying(names: Names, words: list[Word], modal: set[str]) -> list[Word]:
         k = words.index(Word("name", joints[0]))
         return [w for w in (*words[:k], meant, *words[k:]) if w != carry]
     return [Word("verb", "move") if word == carry else word for word in words]
+
+
+def _asks_what_holds(words: list[Word]) -> bool:
+    """What must the rope hold, how much does it hold: its force."""
+    is_what = words[:1] and words[0] in (Word("ask", what) for what in ("what", "much", "large", "with"))
+    plain = [w.what for w in words if w.kind not in ("ask", "name", *SILENT)]
+    return bool(is_what) and plain == ["hold"] and sum(w.kind == "name" for w in words) == 1
 
 
 def _limit(names: Names, sentence: Sentence) -> Groups:
@@ -168,6 +213,8 @@ def _structure(names: Names, sentence: Sentence) -> Groups:
     main = sentence.main
     whole = Clause([*main.words, *(word for _, own in sentence.others for word in own.words)])
     growing = [name for _, name in whole.names if name in names.parameters]
+    if not growing and whole.has("verb", "grow") and not any(name in names.bodies for _, name in whole.names):
+        growing = given.chosen(names, given.KIND_OF["force"], [name for _, name in whole.names])
     fails = set(whole.all("verb")) - {"start", "move"} == {"tip", "slide", "grow"} and not whole.has("value")
     if fails and len(growing) == 1 and not whole.has("not") and set(whole.all("degree")) <= {"first"}:
         yield [f"does it tip or slide as {growing[0]} grows"]

@@ -8,6 +8,7 @@ Names are marked («left») until the text is read, so that no rule takes them f
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import islice
@@ -70,11 +71,19 @@ def elements_of(names: Names) -> Elements:
     for point in names.free_ground_points:
         found.add(f"{GROUND}.{point}", _POINT_WORDS)
         found.add(f"{GROUND}.{point}", said=point, distance=INFERRED)
+    touching = [
+        (name, f"{body} {word}")
+        for name, joint in names.connections.items()
+        for body in sorted(joint.mentions(names) - {GROUND})
+        for word in names.called.get(name, ())
+    ]
+    said_once = Counter(said for _, said in touching)
     for name in names.connections:
         found.add(name, (*names.called.get(name, ()), *_stems(name), *_alike(name), *_JOINT_WORDS))
-        for body in names.connections[name].mentions(names) - {GROUND}:  # the bearing of the pulley
-            for word in names.called.get(name, ()):
-                found.add(name, said=f"{body} {word}", distance=INFERRED)
+        found.touching[name] = frozenset(names.connections[name].mentions(names))
+    for name, said in touching:  # the bearing of the pulley, where it has one
+        if said_once[said] == 1:
+            found.add(name, said=said, distance=INFERRED)
     if not any("rope" in element.words for element in found.exact.values()):  # a light rod is told from no thread
         for name in (name for name in names.connections if "link" in names.called.get(name, ())):
             found.add(name, _ROPES)
@@ -134,7 +143,12 @@ def _readings(elements: Elements, tokens: Sequence[str], k: int) -> Iterator[tup
         window = tokens[k : k + 2 * n - 1]
         if len(window) < 2 * n - 1 or any(token.strip() for token in window[1::2]):
             continue
-        for name, distance in _named(elements, window[::2]):
+        named = list(_named(elements, window[::2]))
+        beside = tokens[k - 2] if k > 1 else ""
+        is_rope = n == 1 and tokens[k].lower() in _ROPES
+        if is_rope and sum(beside in elements.touching.get(name, ()) for name, _ in named) > 1:
+            return  # the lower rope, where two of them are at the lower pulley
+        for name, distance in named:
             if name not in seen:
                 seen[name] = distance
                 yield f"{OPEN}{name}{CLOSE}", len(window), distance

@@ -32,6 +32,10 @@ def _transmitted(names: Names, quantity: str, rest: Clause) -> Groups:
     """A force that a connection transmits: of the connection, or of that between things."""
     if not rest.only("name", "part", *SILENT):
         return
+    pulled = [name for _, name in rest.names if name in lookup.springs(names) and names.loads[name] != TORQUE]
+    if quantity in ("tension", "axial force") and pulled:
+        yield from _in_spring(names, quantity, rest)
+        return
     own = {row.reaction for row in names.constraint_rows}
     kinds = _KINDS.get(quantity, (quantity,))
     if quantity == "tension" and quantity not in own:
@@ -192,5 +196,7 @@ def _work(names: Names, quantity: str, rest: Clause) -> Groups:
     of = [name for _, name in rest.names]
     loads = [name for name in of if name in names.loads]
     of = loads if len(loads) == 1 else of  # whose load it is
+    if not of and len(driving := lookup.driving(names)) == 1:
+        of = driving
     if rest.only("name", *SILENT) and len(of) == 1:
         yield [f"{quantity} of {of[0]}"]

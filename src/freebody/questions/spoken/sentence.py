@@ -38,7 +38,7 @@ def parted(words: list[Word]) -> Sentence | None:
             parts.append(("", []))
         elif word != _COMMA:
             parts[-1][1].append(word)
-        elif k + 1 < len(words) and words[k + 1].kind not in ("mark", "instant"):
+        elif k + 1 < len(words) and words[k + 1].kind not in ("mark", "instant", "part"):
             return None  # two questions, or a name and another one
     for mark, own in parts[1:]:  # what did it reach after 2 s: the verb may stand behind the time
         if mark == "after" and len(own) > 1 and own[0].kind == "value" and dimensions.is_time(own[0].what):

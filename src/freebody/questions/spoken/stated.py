@@ -22,6 +22,7 @@ _DESCRIBES = {  # verbs that only say what the instant is like
     *("hit", "return", "reach", "stop", "turn_back", "top", "bottom", "move", "fall", "rise", "fly", "turn", "start"),
     "slide",
     "roll",
+    "exert",  # at what angle does one throw
 }
 _PLACES = ("at the top", "at the bottom", "at the impact", "in the impact")
 _SPEEDS = ("speed", "velocity")
@@ -128,4 +129,7 @@ def _parameter(names: Names, equations: list[Equation], rest: Clause) -> Groups:
     found = named or (given.of_kind(names, asked[0]) if asked else [])
     if len(found) == 1:
         first, second = equations
+        is_high = second.measure in [name for name, _ in lookup.heights(names, "")] and second.value != "0"
+        if is_high and first.measure in lookup.level(names, ""):  # a height is passed twice
+            first, second = second, first
         yield [f"value of {found[0]} for which {first} when {second}"]

@@ -13,6 +13,7 @@ _WITH_MASS = re.compile(
     r"\b([^\W\d_]+) (?:of|with|with a|mit|mit der|von) (?:mass|masse)? ?(\d+(?:[.,]\d+)?) ?(kg|g|t)\b"
 )
 _IN_KILOGRAMS = {"kg": 1.0, "g": 1e-3, "t": 1e3}
+_MASSES = ("mass", "masses", "body", "one")
 _PAIR = re.compile(r"\b([^\W\d_]+) ([^\W\d_]+|\d{1,2})\b")
 
 
@@ -41,7 +42,9 @@ def _told(elements: Elements, first: str, second: str) -> list[str]:
     if first.lower() in elements.exact or (first.lower(), second.lower()) in elements.spoken:
         return []
     kind = second if second.isalpha() else first
-    of_kind = _of_kind(elements, kind) or (list(elements.masses) if kind.lower() in ("one", "two") else [])
+    of_kind = _plain_masses(elements, _of_kind(elements, kind), kind) or (
+        list(elements.masses) if kind.lower() in ("one", "two") else []
+    )
     number = second if second.isdigit() else _meant(numbered(), first)
     if number:
         kinds = [e.name for e in elements.exact.values() if kind.lower() in e.words and "." not in e.name]
@@ -58,6 +61,12 @@ def _told(elements: Elements, first: str, second: str) -> list[str]:
     largest = than in ("heavier", "bigger")
     end, beside = (sorted_[-1], sorted_[-2]) if largest else (sorted_[0], sorted_[1])
     return [] if math.isclose(end[0], beside[0]) else [end[1]]
+
+
+def _plain_masses(elements: Elements, of_kind: list[str], kind: str) -> list[str]:
+    """Of what `mass` may mean, what is no wheel, where two are not: the lighter mass of a hoist."""
+    plain = [name for name in of_kind if name not in elements.radii] if kind.lower() in _MASSES else []
+    return plain if len(plain) > 1 else of_kind
 
 
 def _meant(table: dict[str, str], word: str) -> str:

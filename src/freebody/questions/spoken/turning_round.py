@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
+from freebody.language.units import TORQUE
 from freebody.questions.spoken import given
 from freebody.questions.spoken.composing import Groups
 from freebody.questions.spoken.lexicon import Word
@@ -30,6 +31,8 @@ def parameters(names: Names, words: list[Word], whole: Callable[..., Groups]) ->
     for parameter in chosen:
         for group in so(names, relation, whole):
             for text in group:
+                if text.partition(" = ")[0] in names.measures:
+                    continue  # of a place that changes it is to be said when
                 yield from _asked(parameter, text, end)
 
 
@@ -142,8 +145,13 @@ def _head(names: Names, head: Clause, rest: Clause, *, is_marked: bool = False) 
     if not named and not others and len(asked) == 1 and given.is_by_unit(asked[0]):  # the only one that is a force
         found = given.of_kind(names, asked[0])
         return (found, rest, end) if len(found) == 1 and (end or head.has("ask")) else None
+    if not named and others and len(asked) == 1 and asked[0] in ("speed", "velocity") and is_marked:
+        found = given.started_with(names, others)  # the speed that the bullet must have
+        return (found, rest, end) if len(found) == 1 else None
     loads = [name for name in others if name in names.loads]
     kind = asked[0].replace("driving ", "") if len(asked) == 1 else ""
+    if not asked and len(loads) == 1:  # what motor torque
+        kind = "torque" if names.loads[loads[0]] == TORQUE else "force"
     if not named and loads == others != [] and kind in ("force", "torque", "moment"):  # the torque of the motor
         found = given.chosen(names, given.KIND_OF[kind], loads)
         return (found, rest, end) if len(found) == 1 else None

@@ -183,7 +183,7 @@ def _near(names: Names, text: str) -> Iterator[str]:
 
 def _concepts(names: Names, text: str) -> Iterator[str]:
     """What the words of a text mean, in words of the grammar."""
-    _, words = next(_known(names, text))
+    _, words = next(_known(names, text), (0, list[Word]()))
     yield from (word.what for word in words if word.kind in ("quantity", "name", "verb"))
 
 
