@@ -6,6 +6,7 @@ import pytest
 
 import freebody as fb
 from conftest import Agree, assert_same_function
+from freebody.language.expression import Expr
 from freebody.language.notation import Stated, to_python
 
 CART = """
@@ -49,7 +50,7 @@ measures: {th: angle of rod from down}
 
 def expression(model: str, question: str) -> str:
     (answer,) = fb.solve(fb.System.from_text(model), question).answers
-    assert answer.expression is not None, answer.reason
+    assert isinstance(answer.expression, Expr), answer.reason
     return to_python(answer.expression)
 
 
@@ -175,7 +176,7 @@ def test_a_largest_value_is_one_that_exists() -> None:
     empty ladder needs no s is small enough."""
     (answer,) = fb.solve(fb.System.from_text(LADDER), "largest s so that it stays at rest").answers
     limit = "L*(2*mu*(m + M)*tan(alpha) - m)/(2*M)"
-    assert answer.expression is not None
+    assert isinstance(answer.expression, Expr)
     assert_same_function(to_python(answer.expression), limit, {})
     (condition,) = answer.conditions
     assert isinstance(condition, Stated)
@@ -186,7 +187,7 @@ def test_a_largest_value_is_one_that_exists() -> None:
 def test_a_contact_that_would_have_to_pull_is_compared_as_it_is_written() -> None:
     """Far below the friction that holds, poses of sliding are compared in which the floor would have to pull."""
     (answer,) = fb.solve(fb.System.from_text(LADDER), "normal force of wall").answers
-    assert answer.expression is not None, answer.reason
+    assert isinstance(answer.expression, Expr), answer.reason
     assert_same_function(to_python(answer.expression), "g*(m*L/2 + M*s)/(L*tan(alpha))", {})
 
 
@@ -296,10 +297,10 @@ def test_a_law_that_is_spring_and_damper_in_one_keeps_the_energy_of_the_spring(l
         fb.solve(system, question).answers[0]
         for question in ("total energy", "is total energy conserved", "force of l")
     )
-    assert energy.expression is not None
+    assert isinstance(energy.expression, Expr)
     assert_same_function(to_python(energy.expression).replace("rate(x)", "v"), "m*v**2/2 + k*x**2/2", {})
     assert condition in str(kept.conditions)
-    assert force.expression is not None
+    assert isinstance(force.expression, Expr)
     shown, written = (text.replace("rate(x)", "v") for text in (to_python(force.expression), law))
     assert_same_function(shown, written, {})
 

@@ -6,6 +6,7 @@ import pytest
 
 import freebody as fb
 from conftest import assert_same_function
+from freebody.language.expression import Expr
 from freebody.language.notation import to_python
 from freebody.numeric.contact.start import assembled_touching
 from freebody.numeric.reference import Reference
@@ -63,7 +64,7 @@ measures: {y: y of pile.P}
 )
 def test_contacts_that_textbooks_ask_for(model: str, question: str, expected: str, near: dict[str, float]) -> None:
     (answer,) = fb.solve(fb.System.from_text(model), question).answers
-    assert answer.expression is not None, answer.reason
+    assert isinstance(answer.expression, Expr), answer.reason
     assert answer.value is not None
     assert_same_function(to_python(answer.expression), expected, near)
 
@@ -106,5 +107,5 @@ measures: {{z: travel of b along down}}
 """
     )
     (answer,) = fb.solve(system, "acceleration of z").answers
-    assert answer.expression is not None
+    assert isinstance(answer.expression, Expr)
     assert_same_function(to_python(answer.expression), "m2*g/(m1 + m2)", {})

@@ -62,7 +62,7 @@ def find(setup: Setup, question: str, of: Quantity, wave: ModalWave, sides: Sequ
         return tuple(low if side < 0 else high for side in sides)
 
     check = CrossCheck(question, Message("numerical integration over a cycle of the motion"), MOTION_TOLERANCE)
-    shown: Ratio | tuple[Ratio, ...] = values if len(values) > 1 else values[0]
+    shown: Ratio | tuple[Ratio, ...] = values if len(values) > 1 else next(iter(values))
     evidence = checked(setup, check, values, conditions, numbers)
     if evidence is None:
         needs = ", ".join(broken(setup, conditions))
