@@ -24,9 +24,9 @@ class Lane:
 
 
 READING, MOVING, COUNTING, STUDYING = (
-    Lane("reading", 20),
-    Lane("moving", 60),
-    Lane("counting", 60),
+    Lane("reading", 60),
+    Lane("moving", 90),
+    Lane("counting", 90),
     Lane("studying", 600),
 )
 
