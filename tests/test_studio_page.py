@@ -266,6 +266,32 @@ def test_it_is_accessible(page: Any, theme: str, width: int) -> None:
     assert not found, "\n".join(found)
 
 
+def test_a_shared_page_answers_without_a_server(browser: Any, tmp_path: Path) -> None:
+    file, shared = tmp_path / "pendulum.yaml", tmp_path / "shared.html"
+    file.write_text(PENDULUM, encoding="utf-8")
+    command = [sys.executable, "-m", "freebody", "studio", str(file), "--export", str(shared), "--until", "1 s"]
+    subprocess.run(command, check=True, capture_output=True)
+    page = browser.new_page(viewport={"width": 1500, "height": 900}, locale="en-GB", offline=True)
+    wrong: list[str] = []
+    page.on("pageerror", lambda error: wrong.append(str(error)))
+    page.on("console", lambda said: wrong.append(said.text))
+    page.on("request", lambda asked: wrong.append(asked.url) if asked.url.startswith("http") else None)
+    page.goto(shared.as_uri())
+    page.wait_for_selector(".view canvas", timeout=WAIT)
+    for panel in ("ask", "derivation", "mobility", "conserved", "more"):
+        page.click(f"#tab-{panel}")
+        page.wait_for_selector(".content .freebody-report", timeout=WAIT)
+    page.click("#tab-free")
+    page.wait_for_selector(".content .picture svg", timeout=WAIT)
+    page.click(".choice >> text=Picture")
+    page.wait_for_selector(".view .picture svg", timeout=WAIT)
+    page.click(".cm-line:has-text('a pendulum')")
+    page.keyboard.type("x")
+    assert text_of(page) == PENDULUM
+    page.close()
+    assert wrong == []
+
+
 @pytest.mark.skipif(
     shutil.which("node") is None, reason="NOT RUN: there is no node for the tests of the page's own code"
 )

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from importlib import import_module
 from typing import Any
 
 from pydantic import BaseModel, ValidationError
@@ -23,9 +24,9 @@ class Lane:
 
 
 READING, MOVING, COUNTING, STUDYING = (
-    Lane("reading", 20),
-    Lane("moving", 60),
-    Lane("counting", 60),
+    Lane("reading", 60),
+    Lane("moving", 90),
+    Lane("counting", 90),
     Lane("studying", 600),
 )
 
@@ -42,14 +43,10 @@ class Work:
     @property
     def answers(self) -> str:
         """The name of what it answers with."""
-        from importlib import import_module
-
         function = getattr(import_module(f"freebody.studio.{self.home}"), self.function)
         return str(function.__annotations__["return"])
 
     def run(self, request: wire.Request) -> BaseModel:
-        from importlib import import_module
-
         function: Callable[[Any], BaseModel] = getattr(import_module(f"freebody.studio.{self.home}"), self.function)
         return function(request)
 
@@ -68,6 +65,13 @@ WORK: dict[str, Work] = {
     "page": Work(wire.PageRequest, "asking", "page_of", STUDYING),
     "share": Work(wire.ShareRequest, "sharing", "share", STUDYING),
 }
+
+
+def prepare(lane: str = "") -> None:
+    """Imports what the work of a lane needs, before the first piece of it comes."""
+    for work in WORK.values():
+        if work.lane.name == lane:
+            import_module(f"freebody.studio.{work.home}")
 
 
 def done(kind: str, body: dict[str, Any]) -> wire.Reply:

@@ -21,8 +21,9 @@ def main() -> None:
     answers = os.fdopen(os.dup(1), "w", encoding="utf-8")
     os.dup2(2, 1)
     _limit_memory()
-    from freebody.studio.work import done
+    from freebody.studio.work import done, prepare
 
+    prepare(*sys.argv[1:])
     lock = threading.Lock()
 
     def say(document: dict[str, Any]) -> None:
