@@ -12,11 +12,14 @@ from freebody.building import Model as Model
 from freebody.connections.belt import Belt as _Belt
 from freebody.connections.brake import Brake as _Brake
 from freebody.connections.brake import FrictionAlongMeasure as _FrictionAlongMeasure
+from freebody.connections.cam import Cam as _Cam
 from freebody.connections.constant_velocity import ConstantVelocity as _ConstantVelocity
 from freebody.connections.constraint import Constraint as _Constraint
 from freebody.connections.constraint import VelocityConstraint as _VelocityConstraint
 from freebody.connections.contact import Contact as _Contact
+from freebody.connections.curved_rail import CurvedRail as _CurvedRail
 from freebody.connections.cylindrical import Cylindrical as _Cylindrical
+from freebody.connections.disc_clutch import DiscClutch as _DiscClutch
 from freebody.connections.driver import Driver as _Driver
 from freebody.connections.gear_mesh import GearMesh as _GearMesh
 from freebody.connections.gear_pair import GearPair as _GearPair
@@ -43,22 +46,39 @@ from freebody.errors import InputError as InputError
 from freebody.errors import ModelError as ModelError
 from freebody.errors import RoutesDisagree as RoutesDisagree
 from freebody.loads.angular_impulse import AngularImpulse as _AngularImpulse
+from freebody.loads.attraction import Attraction as _Attraction
+from freebody.loads.buoyancy import Buoyancy as _Buoyancy
+from freebody.loads.drag import Drag as _Drag
+from freebody.loads.elastic_string import ElasticString as _ElasticString
+from freebody.loads.elastic_string import TensionedString as _TensionedString
 from freebody.loads.force import Force as _Force
 from freebody.loads.gravity import Gravity as _Gravity
 from freebody.loads.impulse import Impulse as _Impulse
 from freebody.loads.law import Law as _Law
+from freebody.loads.motor import Motor as _Motor
 from freebody.loads.spring import Damper as _Damper
 from freebody.loads.spring import Spring as _Spring
 from freebody.loads.spring import TorsionalDamper as _TorsionalDamper
 from freebody.loads.spring import TorsionalSpring as _TorsionalSpring
 from freebody.loads.torque import Torque as _Torque
 from freebody.model.shapes.composite import Composite as _Composite
+from freebody.model.shapes.frustum import Frustum as _Frustum
 from freebody.model.shapes.given import Body as _Body
+from freebody.model.shapes.hemisphere import Hemisphere as _Hemisphere
+from freebody.model.shapes.hemisphere import HemisphericalShell as _HemisphericalShell
+from freebody.model.shapes.hollow import Annulus as _Annulus
+from freebody.model.shapes.hollow import HollowCylinder as _HollowCylinder
+from freebody.model.shapes.hollow import HollowSphere as _HollowSphere
+from freebody.model.shapes.hollow import SphericalShell as _SphericalShell
 from freebody.model.shapes.round import Cone as _Cone
 from freebody.model.shapes.round import Cylinder as _Cylinder
 from freebody.model.shapes.round import Disk as _Disk
 from freebody.model.shapes.round import Ring as _Ring
 from freebody.model.shapes.round import Sphere as _Sphere
+from freebody.model.shapes.sector import Arc as _Arc
+from freebody.model.shapes.sector import HalfDisk as _HalfDisk
+from freebody.model.shapes.sector import HalfRing as _HalfRing
+from freebody.model.shapes.sector import Sector as _Sector
 from freebody.model.shapes.straight import Box as _Box
 from freebody.model.shapes.straight import Particle as _Particle
 from freebody.model.shapes.straight import Polygon as _Polygon
@@ -108,6 +128,42 @@ class AngularImpulse(_AngularImpulse):
         reacts_on: _Text = ...,
         about: _Along | None = ...,
         when: _Text = ...,
+    ) -> None: ...
+
+class Annulus(_Annulus):
+    """`annulus: {mass: m, radius: R, inner_radius: r}`: a uniform disk with a round hole in its middle (thick pipe,
+    flange); I = m (R^2 + r^2)/2. Wheels may run on its outside. In space it is thin, about its `axis` (z)."""
+
+    def __init__(
+        self,
+        mass: _Formula = ...,
+        radius: _Formula = ...,
+        inner_radius: _Formula = ...,
+        axis: _Along = ...,
+    ) -> None: ...
+
+class Arc(_Arc):
+    """`arc: {mass: m, radius: R, angle: 90 deg}`: a thin wire bent to an arc, alike on both sides of its own x axis.
+    The reference point is the `center` of the circle, the mass centre R sin(beta)/beta from it along x, beta = angle/2.
+    Points: `start`, `middle` and `end` of the wire."""
+
+    def __init__(
+        self,
+        mass: _Formula = ...,
+        radius: _Formula = ...,
+        angle: _Formula = ...,
+    ) -> None: ...
+
+class Attraction(_Attraction):
+    """`attraction: {center: ground.O, strength: mu}`: pulls the mass centre of every body of mass m to a point with
+    m mu/r^2; mu = G M [m^3/s^2] of what is there. A body that carries the point feels the opposite force; `on: [moon]`
+    names the bodies that are pulled."""
+
+    def __init__(
+        self,
+        center: _Text,
+        strength: _Formula,
+        on: _List | None = ...,
     ) -> None: ...
 
 class Belt(_Belt):
@@ -162,14 +218,53 @@ class Brake(_Brake):
         torque: _Formula | _Mapping,
     ) -> None: ...
 
+class Buoyancy(_Buoyancy):
+    """`buoyancy: {at: buoy.bottom, density: rho, strength: g, area: A}`: pushes up with rho g A d, d how far the point
+    is below the surface, which is level with `surface` (a point, default the origin of the ground); of what stays
+    upright and floats. With `height: h` it may also dive (d more than h) or leave the water (d < 0). `volume: V` in
+    place of area: wholly immersed, rho g V."""
+
+    def __init__(
+        self,
+        at: _Text,
+        density: _Formula,
+        strength: _Formula,
+        area: _Formula | None = ...,
+        height: _Formula | None = ...,
+        volume: _Formula | None = ...,
+        surface: _Text | None = ...,
+    ) -> None: ...
+
+class Cam(_Cam):
+    """`cam: {cam: disk, follower: valve.face, base_radius: r, lift: h/2*(1 - cos(phi)), along: up}`: the edge of a cam
+    pushes a follower with a flat face, whose normal is `along` (a direction of the ground, or of the follower:
+    `along: lever.y`). `form: edge`: the point of the follower itself runs on the edge; `form: roller` with a
+    `roller_radius`: it is the middle of a roller. The lift is a formula in phi, the angle of the cam from where its x
+    axis points at the follower. The contact force is positive where the cam pushes (1 row)."""
+
+    def __init__(
+        self,
+        cam: _Text,
+        follower: _Text,
+        base_radius: _Formula,
+        lift: _Formula,
+        along: _Along | None = ...,
+        form: _Text = ...,
+        roller_radius: _Formula | None = ...,
+    ) -> None: ...
+
 class Composite(_Composite):
     """`composite: {parts: {hub: {disk: {mass: M, radius: R}}, arm: {rod: {mass: m, length: L}, at: [R, 0]}}}`: every
     part is a shape whose reference point stands at `at` in the body's own frame, turned by `angle`, or, in space, by
-    `turned`. Points: `origin`, and the reference point of every part by its name."""
+    `turned`. Points: `origin`, and the reference point of every part by its name.
+
+    `holes` are written as parts and taken away, each with the mass of what was there: a plate of mass M with a hole
+    where m has been cut out weighs M - m."""
 
     def __init__(
         self,
         parts: _Mapping,
+        holes: _Mapping = ...,
     ) -> None: ...
 
 class Cone(_Cone):
@@ -227,6 +322,22 @@ class Contact(_Contact):
         below: bool = ...,
     ) -> None: ...
 
+class CurvedRail(_CurvedRail):
+    """`curved_rail: {point: bead, y: a*x^2}`: a point stays on the curve y = f(x) of another body (`on`, default the
+    ground), x and y from its reference point along its axes, without friction (1 row, in space 2). f is a formula in x
+    and the parameters. The normal force is positive when it pushes to the left of the way of growing x, which is up
+    where the curve is level. `leaves: true`: the point lies on the curve and is not held from above. `ends: [x1, x2]`:
+    from where to where the curve is drawn."""
+
+    def __init__(
+        self,
+        point: _Text,
+        y: _Formula,
+        on: _Text = ...,
+        leaves: bool = ...,
+        ends: _List | None = ...,
+    ) -> None: ...
+
 class Cylinder(_Cylinder):
     """A homogeneous cylinder about its `axis` (z): I = m R^2/2 about it, m (3 R^2 + L^2)/12 across. Points `start`,
     `end`: the middles of its ends. For models in space."""
@@ -261,6 +372,25 @@ class Damper(_Damper):
         damping: _Formula,
     ) -> None: ...
 
+class DiscClutch(_DiscClutch):
+    """`disc_clutch: {between: [flywheel, shaft], force: F, friction: mu, inner_radius: r, outer_radius: R}`: faces that
+    are pressed on each other with F resist a relative turn by mu F (R + r)/2; with the ground it is a brake. `faces: n`
+    pairs of them (a plate between two disks has 2); `pressure: uniform` for new faces,
+    2/3 mu F (R^3 - r^3)/(R^2 - r^2); `cone_angle: alpha`, the angle between the faces and the axis, for a cone. The
+    force may depend on time `t`."""
+
+    def __init__(
+        self,
+        between: _List,
+        force: _Formula,
+        friction: _Formula | _Mapping,
+        inner_radius: _Formula,
+        outer_radius: _Formula,
+        faces: _Formula = ...,
+        pressure: _Text = ...,
+        cone_angle: _Formula | None = ...,
+    ) -> None: ...
+
 class Disk(_Disk):
     """A uniform disk (or cylinder, pulley, gear wheel); I = m R^2/2 unless `inertia` is given. In space it is thin,
     about its `axis` (z), with half of that inertia about its diameters."""
@@ -273,6 +403,19 @@ class Disk(_Disk):
         axis: _Along = ...,
     ) -> None: ...
 
+class Drag(_Drag):
+    """`drag: {body: ball, linear: c}`: resists the velocity of the mass centre with c v; `quadratic: k`: with k v^2;
+    both may be given. `body: boat.bow` is a point of a body. `along` a direction: only the motion along it is resisted,
+    as of what slides on a track."""
+
+    def __init__(
+        self,
+        body: _Text,
+        linear: _Formula | None = ...,
+        quadratic: _Formula | None = ...,
+        along: _Along | None = ...,
+    ) -> None: ...
+
 class Driver(_Driver):
     """`driver: {measure: theta, follows: omega*t}`. The driving force or torque does positive work when it pushes
     the measure up (1 row)."""
@@ -281,6 +424,22 @@ class Driver(_Driver):
         self,
         measure: _Mapping,
         follows: _Formula,
+    ) -> None: ...
+
+class ElasticString(_ElasticString):
+    """`elastic_string: {from: ground.A, over: [ground.B], to: ball, stiffness: k, length: l0}`: a rubber band, a bungee
+    cord: pulls with k (l - l0) along all its way, through smooth rings and over small pulleys (`over`), and is slack
+    where it is shorter than l0. Without a length it is relaxed at the start. `taut: true` leaves the case of slackness
+    out: it stays taut."""
+
+    def __init__(
+        self,
+        start: _Text,
+        to: _Text,
+        over: _List = ...,
+        stiffness: _Formula = ...,
+        length: _Formula | None = ...,
+        taut: bool = ...,
     ) -> None: ...
 
 class Force(_Force):
@@ -304,12 +463,26 @@ class FrictionAlongMeasure(_FrictionAlongMeasure):
         force: _Formula | _Mapping,
     ) -> None: ...
 
+class Frustum(_Frustum):
+    """`frustum: {mass: m, radius: R, top_radius: r, height: h}`: a homogeneous cone without its tip, from the middle
+    of its `base` (radius R), the reference point, along its `axis` (z) to the middle of its `top` (radius r). For
+    models in space."""
+
+    def __init__(
+        self,
+        mass: _Formula = ...,
+        radius: _Formula = ...,
+        top_radius: _Formula = ...,
+        height: _Formula = ...,
+        axis: _Along = ...,
+    ) -> None: ...
+
 class GearMesh(_GearMesh):
     """`gear_mesh: [sun, planet]`, `gear_mesh: {first: ring, second: planet, internal: true}` with the ring gear
     first. The tooth force acts along the common tangent of the pitch circles (pressure angle 0) and is positive
     when it resists a counter-clockwise turn of the first gear. The distance of the centres is held too where no
     carrier or bearing holds it already (1 or 2 rows). `first_radius`, `second_radius` for a wheel with several
-    gears on it."""
+    gears on it, or `module: m, teeth: [z1, z2]`: the pitch circles have the diameters m z."""
 
     def __init__(
         self,
@@ -318,6 +491,8 @@ class GearMesh(_GearMesh):
         internal: bool = ...,
         first_radius: _Formula | None = ...,
         second_radius: _Formula | None = ...,
+        module: _Formula | None = ...,
+        teeth: _List | None = ...,
     ) -> None: ...
 
 class GearPair(_GearPair):
@@ -344,6 +519,75 @@ class Gravity(_Gravity):
         self,
         strength: _Formula,
         along: _Along = ...,
+    ) -> None: ...
+
+class HalfDisk(_HalfDisk):
+    """`half_disk: {mass: m, radius: R}`: a uniform half disk (half cylinder, semicircular plate), its round side
+    towards its own +x: the mass centre is 4 R/(3 pi) from the `center`, its reference point. It rolls with its rim.
+    Points: `start`, `middle` and `end` of the rim."""
+
+    def __init__(
+        self,
+        mass: _Formula = ...,
+        radius: _Formula = ...,
+    ) -> None: ...
+
+class HalfRing(_HalfRing):
+    """`half_ring: {mass: m, radius: R}`: a thin wire or hoop of half a circle, its middle on its own +x: the mass
+    centre is 2 R/pi from the `center`, its reference point. Points: `start`, `middle` and `end` of the wire."""
+
+    def __init__(
+        self,
+        mass: _Formula = ...,
+        radius: _Formula = ...,
+    ) -> None: ...
+
+class Hemisphere(_Hemisphere):
+    """`hemisphere: {mass: m, radius: R}`: a homogeneous half ball, its round side towards its own +x, seen from the
+    side in the plane: the mass centre is 3 R/8 from the `center` of its flat face, its reference point; about the mass
+    centre I = 2/5 m R^2 along x and 83/320 m R^2 across. It rolls with its round side. Points: `start`, `middle` and
+    `end` of the rim."""
+
+    def __init__(
+        self,
+        mass: _Formula = ...,
+        radius: _Formula = ...,
+    ) -> None: ...
+
+class HemisphericalShell(_HemisphericalShell):
+    """`hemispherical_shell: {mass: m, radius: R}`: a thin half ball (bowl, dome), its round side towards its own +x,
+    seen from the side in the plane: the mass centre is R/2 from the `center`, its reference point; about the mass
+    centre I = 2/3 m R^2 along x and 5/12 m R^2 across. Points: `start`, `middle` and `end` of the rim."""
+
+    def __init__(
+        self,
+        mass: _Formula = ...,
+        radius: _Formula = ...,
+    ) -> None: ...
+
+class HollowCylinder(_HollowCylinder):
+    """`hollow_cylinder: {mass: m, radius: R, inner_radius: r, length: L}`: a homogeneous pipe about its `axis` (z):
+    I = m (R^2 + r^2)/2 about it, m (3 (R^2 + r^2) + L^2)/12 across; a thin shell has inner_radius R. Points `start`,
+    `end`: the middles of its ends. For models in space."""
+
+    def __init__(
+        self,
+        mass: _Formula = ...,
+        radius: _Formula = ...,
+        inner_radius: _Formula = ...,
+        length: _Formula = ...,
+        axis: _Along = ...,
+    ) -> None: ...
+
+class HollowSphere(_HollowSphere):
+    """`hollow_sphere: {mass: m, radius: R, inner_radius: r}`: a ball with a hollow in its middle;
+    I = 2/5 m (R^5 - r^5)/(R^3 - r^3) about any axis through its centre."""
+
+    def __init__(
+        self,
+        mass: _Formula = ...,
+        radius: _Formula = ...,
+        inner_radius: _Formula = ...,
     ) -> None: ...
 
 class Impulse(_Impulse):
@@ -378,6 +622,20 @@ class Link(_Link):
         first: _Text,
         second: _Text,
         length: _Formula | None = ...,
+    ) -> None: ...
+
+class Motor(_Motor):
+    """`motor: {on: rotor, stall_torque: T_0, no_load_speed: omega_0}`: the torque T_0 (1 - omega/omega_0), omega the
+    speed against `reacts_on` (default the ground), counter-clockwise positive; beyond omega_0 it brakes. Negative
+    values of both turn it round. In space `about` says the axis, fixed in the body that it reacts on."""
+
+    def __init__(
+        self,
+        on: _Text,
+        stall_torque: _Formula,
+        no_load_speed: _Formula,
+        reacts_on: _Text = ...,
+        about: _Along | None = ...,
     ) -> None: ...
 
 class Particle(_Particle):
@@ -538,7 +796,9 @@ class Rolling(_Rolling):
 
 class Screw(_Screw):
     """`screw: {first: ground.A, second: nut, about: x, pitch: 2 mm}`: a cylindrical joint in which a turn of the second
-    body moves it by the pitch along the axis (5 rows). A negative pitch is a left-hand thread."""
+    body moves it by the pitch along the axis (5 rows). A negative pitch is a left-hand thread. `friction` in the thread
+    needs its mean `radius`; the screw locks itself where the coefficient is at least pitch/(2 pi radius). The friction
+    force is its part round the axis."""
 
     def __init__(
         self,
@@ -547,6 +807,20 @@ class Screw(_Screw):
         about: _Along,
         pitch: _Formula,
         second_axis: _Along | None = ...,
+        friction: _Formula | _Mapping = ...,
+        radius: _Formula | None = ...,
+    ) -> None: ...
+
+class Sector(_Sector):
+    """`sector: {mass: m, radius: R, angle: 60 deg}`: a uniform plate cut from a disk, alike on both sides of its own x
+    axis. The reference point is the `center` of the circle, the mass centre 2 R sin(beta)/(3 beta) from it along x,
+    beta = angle/2. Points: `start`, `middle` and `end` of the rim."""
+
+    def __init__(
+        self,
+        mass: _Formula = ...,
+        radius: _Formula = ...,
+        angle: _Formula = ...,
     ) -> None: ...
 
 class Slider(_Slider):
@@ -595,6 +869,16 @@ class Spherical(_Spherical):
         second: _Text,
     ) -> None: ...
 
+class SphericalShell(_SphericalShell):
+    """`spherical_shell: {mass: m, radius: R}`: a thin hollow ball (table tennis ball, football); I = 2/3 m R^2 about
+    any axis through its centre."""
+
+    def __init__(
+        self,
+        mass: _Formula = ...,
+        radius: _Formula = ...,
+    ) -> None: ...
+
 class Spring(_Spring):
     """`spring: {first: ground.A, second: block, stiffness: k, length: l0}`: pulls with k (l - l0); without a
     natural length it is relaxed at the start. One of length 0 pulls with k r, also through the point itself."""
@@ -629,7 +913,7 @@ class String(_String):
     leaves the pulley, if it has no position or is put there; a lead to a body on a straight guide runs along the
     guide if the body has no position, or one from which it does so whatever the parameters are; `leads` states the
     directions instead; otherwise leads are the common tangents of the circles, wherever these move (`swings: true`
-    also for hanging bodies).
+    also for hanging bodies). In space it runs from point to point, through rings and over small pulleys.
     `friction`: that of the drums and pulleys over which it slides, one coefficient or {drum: mu}. The tensions on both
     sides of a drum differ by up to e^(mu beta), beta the angle of wrap between leads with constant directions, or
     `wrap: {drum: 3*pi}`; ask for the tension at an end, or between two places."""
@@ -646,6 +930,19 @@ class String(_String):
         swings: bool = ...,
         friction: _Formula | _Mapping = ...,
         wrap: _Formula | _Mapping | None = ...,
+    ) -> None: ...
+
+class TensionedString(_TensionedString):
+    """`tensioned_string: {from: ground.winch, over: [ground.B], to: block, tension: S}`: pulls with the tension S along
+    all its way, through smooth rings and over small pulleys (`over`). The tension may depend on time `t` and on named
+    measures and their rates."""
+
+    def __init__(
+        self,
+        start: _Text,
+        to: _Text,
+        over: _List = ...,
+        tension: _Formula = ...,
     ) -> None: ...
 
 class Torque(_Torque):
