@@ -706,7 +706,6 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
     },
     # T = 2 mu F (R + r)/2 brakes the one and drives the other; the angular momentum stays, energy does not
     "clutch_engages": {
-        "torque": "mu*F*(R + r)",
         "time": "I_1*I_2*omega_0/((I_1 + I_2)*mu*F*(R + r))",
         "speed": "I_1*omega_0/(I_1 + I_2)",
         "lost": "I_1*I_2*omega_0**2/(2*(I_1 + I_2))",

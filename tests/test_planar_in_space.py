@@ -64,7 +64,7 @@ REFUSED = {
     "moreau": "time stepping.*is for models of the plane",
     "closes": "connections close in mid-motion in models of the plane only",
 }
-LOADS_ABOUT = ("torque", "torsional_spring", "torsional_damper", "angular_impulse")
+LOADS_ABOUT = ("torque", "motor", "torsional_spring", "torsional_damper", "angular_impulse")
 
 example = pytest.mark.parametrize("name", EXAMPLES)
 
