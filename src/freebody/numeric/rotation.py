@@ -19,7 +19,7 @@ Array = NDArray[np.float64]
 
 def matrix(phi: Array) -> Array:
     """(3, 3) of a rotation vector (3,)."""
-    return np.array(_matrix_rows(*_normalized(*_parts_of_vector(phi))))
+    return from_quaternion(quaternion_of_vector(phi))
 
 
 def rotation_vector(R: Array) -> Array:
@@ -53,7 +53,8 @@ def quaternion(R: Array) -> Array:
 
 def from_quaternion(q: Array) -> Array:
     """(3, 3) of a quaternion (4,) of any length but zero."""
-    return np.array(_matrix_rows(*_normalized(*q.tolist())))
+    w, x, y, z = (float(c) for c in q / np.linalg.norm(q))
+    return np.array(_matrix_rows(w, x, y, z))
 
 
 def matrices(q: Array) -> Array:
@@ -108,17 +109,6 @@ def turned(q: Array, v: Array) -> Array:
 
 def quaternion_of_vector(phi: Array) -> Array:
     """(4,) unit quaternion of a rotation vector."""
-    return np.array(_parts_of_vector(phi))
-
-
-# of three or four numbers NumPy's norm takes as long as all the rest
-def _parts_of_vector(phi: Array) -> tuple[float, float, float, float]:
-    x, y, z = phi.tolist()
-    angle = math.sqrt(x * x + y * y + z * z)
+    angle = float(np.linalg.norm(phi))
     part = math.sin(0.5 * angle) / angle if angle > 0.0 else 0.5
-    return math.cos(0.5 * angle), part * x, part * y, part * z
-
-
-def _normalized(w: float, x: float, y: float, z: float) -> tuple[float, float, float, float]:
-    size = math.sqrt(w * w + x * x + y * y + z * z)
-    return w / size, x / size, y / size, z / size
+    return np.array([math.cos(0.5 * angle), *(part * phi)])
