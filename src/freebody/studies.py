@@ -239,7 +239,7 @@ class Studies:
         until: float | None = None,
         events: Sequence[str] = (),
         options: SimulationOptions | None = None,
-        threads: int = 1,
+        threads: int | None = None,
         out: str | Path | Sequence[str | Path] = (),
         resume: bool = False,
         **given: Any,
@@ -280,7 +280,7 @@ class Studies:
             ),
             Option("record", ("--record",), "Of the motion, as 'final x' (repeatable).", list[str]),
             Option("until", ("--until",), "How long the motion is followed, as 10 or 200 ms.", read=SECONDS),
-            Option("threads", ("--threads",), "For motions, and what has no formula.", int, 1),
+            Option("threads", ("--threads",), "For motions, and what has no formula; else as many as processors.", int),
         ],
     )
     def sensitivity(
@@ -293,7 +293,7 @@ class Studies:
         by: Sequence[str] = (),
         record: Sequence[str] = (),
         until: float | None = None,
-        threads: int = 1,
+        threads: int | None = None,
         **given: Any,
     ) -> Sensitivity:
         """Tell how much answers and motions hang on parameters and start values.

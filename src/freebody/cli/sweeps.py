@@ -59,7 +59,9 @@ def sweep(
     step: Annotated[str | None, typer.Option("--step", help="The step of a fixed-step method, as 1 ms.")] = None,
     every: Annotated[str | None, typer.Option("--every", help="Distance of output times, as 10 ms.")] = None,
     max_steps: Annotated[int, typer.Option("--max-steps", help="A motion stops after so many steps.")] = 10_000_000,
-    threads: Annotated[int, typer.Option("--threads", help="For motions, and what has no formula.")] = 1,
+    threads: Annotated[
+        int | None, typer.Option("--threads", help="For motions, and what has no formula; else as many as processors.")
+    ] = None,
     block: Annotated[int, typer.Option("--block", help="Cases that are in memory at once.")] = 4096,
     out: Annotated[
         list[Path] | None,

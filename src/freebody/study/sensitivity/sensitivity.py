@@ -99,7 +99,7 @@ def sensitivity(
     by: Sequence[str] = (),
     record: Sequence[str] = (),
     until: float | None = None,
-    threads: int = 1,
+    threads: int | None = None,
     **given: Any,
 ) -> Sensitivity:
     """How much answers, and what is recorded of motions, hang on parameters and start values.

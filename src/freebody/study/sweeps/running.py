@@ -7,6 +7,7 @@ another place of a vector register: results are the same, bit for bit, for any n
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor, as_completed
 from itertools import pairwise
@@ -29,6 +30,11 @@ _GROUP = 4  # cases that a thread takes at a time
 
 Progress = Callable[[int, int], None]  # cases done, cases in all
 _Job = list[tuple[int, list[int]]]  # cases of a block, each with the evaluators that have to look at it
+
+
+def n_threads(threads: int | None) -> int:
+    """As many as are asked for, else as there are processors."""
+    return min(os.cpu_count() or 1, MOST_THREADS) if threads is None else threads
 
 
 def check(threads: int, block: int) -> None:

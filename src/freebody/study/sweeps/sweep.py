@@ -42,7 +42,7 @@ def sweep(
     until: float | None = None,
     events: Sequence[str] = (),
     options: SimulationOptions | None = None,
-    threads: int = 1,
+    threads: int | None = None,
     block: int = BLOCK,
     out: str | Path | Sequence[str | Path] = (),
     resume: bool = False,
@@ -55,12 +55,14 @@ def sweep(
     numbers in SI; over: the same for what every case is gone over. sample: which cases; a grid if nothing is said.
     seed: of what is drawn. find: questions, by id or in words; without `find` and `record` those of the model. record:
     what is recorded of the motion up to `until` [s]; events: as of `simulate`; options, given: how it is followed.
-    threads: for what is computed case by case; block: cases that are in memory at once. out: files to write; the first
-    data file has a folder beside it until all is done, from which `resume` goes on.
+    threads: for what is computed case by case, as many as there are processors if nothing is said; block: cases that
+    are in memory at once. out: files to write; the first data file has a folder beside it until all is done, from which
+    `resume` goes on.
 
     Raises InputError for what cannot be read and for files that cannot be written. A case that fails is a status of the
     result. After Ctrl-C the result has what was done."""
     began = time.perf_counter()
+    threads = running.n_threads(threads)
     running.check(threads, block)
     cases = plan(system, vary or {}, over or {}, sample, seed)
     followed = replace(options or SimulationOptions(), **given)
