@@ -63,7 +63,9 @@ def timed(names: Names, sentence: Sentence) -> Groups:
     if main.has("ask", "high") and not others and main.has("verb") and main.only("ask", "verb", "name", "pronoun"):
         yield from _how_high(names, main)
         return
-    if main.has("ask", "far") and not others and main.only("ask", "verb", "name", "pronoun", "updown", "part"):
+    is_range = set(main.all("verb")) <= {"fly", "hit"} and main.only("ask", "verb", "name", "pronoun")
+    is_far = main.has("ask", "far") and main.only("ask", "verb", "name", "pronoun", "updown", "part")
+    if is_far and not is_range and not others:
         yield from _how_far(names, main)
         return
     if main.has("ask", "where") and main.has("instant", "in equilibrium") and not main.has("quantity"):
