@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 
 
 _WAYS = ("distance", "displacement", "distance travelled")
+_STAYS = {"hold", "fly", "move", "stay_on"}  # verbs of what is in the air
 _TO_THE_END = ("ask", "quantity", "verb", "name", *SILENT)
 COUNTED = ("work", "work of friction", "energy lost", "turns")  # up to an event, and at no instant
 
@@ -24,6 +25,8 @@ COUNTED = ("work", "work of friction", "energy lost", "turns")  # up to an event
 def time(names: Names, sentence: Sentence) -> Groups:
     """The time of an event: when, after what time, how long until."""
     main = _until_struck(sentence.main)
+    if main.has("quantity", "flight time") and set(main.all("verb")) <= _STAYS and not sentence.others:
+        return  # how long it stays in the air
     if main.has("quantity", "flight time") and (sentence.others or main.has("verb") or main.has("value")):
         main = Clause([Word("quantity", "time") if w == Word("quantity", "flight time") else w for w in main.words])
     asks = main.has("ask", "when", "soon", "long") or main.has("quantity", "time")
@@ -39,6 +42,8 @@ def time(names: Names, sentence: Sentence) -> Groups:
         and set(head.all("verb")) <= set(GOES_ON)
     ):
         of = [name for _, name in head.names]
+        if head.only("verb", "name", "pronoun") and len(of) <= 1 and set(head.all("verb")) - {"move"} == {"turn"}:
+            yield [f"time when {name} stops" for name in losing.runs_down(names) if name in (of or [name])]
         if head.only("verb", "name", "pronoun") and len(of) <= 1 and set(head.all("verb")) == {"slide"}:
             yield [f"time when slipping of {of[0]} ends" if of else "time when slipping ends"]
         return
@@ -105,7 +110,8 @@ def lost(names: Names, sentence: Sentence) -> Groups:
     )
     if not is_energy or not main.only("quantity", "ask", "verb", "instant", "name", *SILENT):
         return
-    if asked == ["kinetic energy"] and main.has("name") and losing.only_loses_in_the_blow(names):
+    bodies = [name for _, name in main.names if name in lookup.massive(names)]
+    if len(bodies) == 1 < len(lookup.massive(names)) and not sentence.others:
         return  # of one body: what the others get is no loss
     is_blow = not main.has("instant") and losing.only_loses_in_the_blow(names)
     if (main.has("instant", "in the impact", "at the impact") or is_blow) and not sentence.others:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from freebody.measures.geometry import GROUND
 from freebody.questions.spoken import dimensions, lookup, poses
 from freebody.questions.spoken.asking import quantities
-from freebody.questions.spoken.composing import Groups
+from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.counting import COUNTED
 from freebody.questions.spoken.events import GOES_ON, HAPPENS, conditions
 from freebody.questions.spoken.lexicon import Word
@@ -50,6 +50,11 @@ def timed(names: Names, sentence: Sentence) -> Groups:
     main, others = sentence.main, [one for one in sentence.others if not is_throughout(names, *one)]
     if main.has("instant", "over the motion") and not main.has("degree") and lookup.goes_on(names):
         main = main.without("instant", "over the motion")
+    if main.has("quantity", "deflection") and main.all("instant") == ["in equilibrium"] and not others:
+        if main.only("ask", "quantity", "instant", "name", "verb", *SILENT):
+            of = next((name for _, name in main.names), "")
+            yield [f"equilibrium of {measure}" for measure in lookup.deflections(names, of)]
+        return
     if main.has("quantity", "deflection", "displacement"):  # how far until something happens is how far when it does
         others = [("when" if mark == "until" else mark, clause) for mark, clause in others]
     if main.has("ask", "when", "soon", "long", "for", "from", "up_to") or main.has("quantity", *COUNTED):
