@@ -134,6 +134,7 @@ def _halved(names: Names, clause: Clause) -> Groups:
     turning = clause.has("quantity", "angular velocity")
     if clause.has("quantity", "angular velocity", "velocity", "speed") and len(clause.names) <= 1:
         measures = lookup.angles(names, of) if turning else lookup.places(names, of)
+        measures = measures or (lookup.angles(names, of) if lookup.axle_of(names, of) == "center" or not of else [])
         moving = [(name, names.start_rates.get(name, ZERO)) for name in measures]
         yield [f"rate({name}) = {to_python(rate / 2).replace('**', '^')}" for name, rate in moving if rate != ZERO]
 

@@ -159,7 +159,11 @@ def _how_far(names: Names, main: Clause) -> Groups:
     elif set(main.all("verb")) - {"move"} == {"slide"} and not lookup.rests(names):
         yield [f"distance travelled along {way} until slipping ends" for way in lookup.ways(names, who)]
     elif set(main.all("verb")) == {"turn"}:
-        yield [f"{angle} when rate({angle}) = 0" for angle in lookup.angles(names, who)]
+        led = {name for name in names.measures if names.start_rates and name not in names.start_rates}
+        yield [
+            f"stroke of {angle}" if angle in led or lookup.is_forced(names) else f"{angle} when rate({angle}) = 0"
+            for angle in lookup.angles(names, who)
+        ]
 
 
 def _tails(names: Names, main: Clause) -> tuple[list[list[str]], Clause]:

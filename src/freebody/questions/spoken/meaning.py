@@ -28,6 +28,7 @@ _HOW_FAR = tuple(Word("ask", what) for what in ("large", "small", "heavy", "far"
 _LEADS_ON = ("from", "about", "relative", "between", "along")  # prepositions behind which something stands
 _NOT, _ACCELERATE = Word("not", "not"), Word("verb", "accelerate")
 _STARTS, _AT_START, _FROM_REST = Word("verb", "start"), Word("instant", "at start"), Word("verb", "from_rest")
+_WHILE = Word("mark", "while")
 _COMMA = Word("preposition", ",")
 _SO_THAT = Word("mark", "so_that")
 _FOR = Word("preposition", "of")  # friction for rolling
@@ -48,7 +49,7 @@ def meanings(names: Names, words: list[Word]) -> Groups:
     said = _by_friction(_needed_to_roll(names, _in_doing(said)))
     said = _unaccelerated(_not_slipping(names, _carrying(names, said, modal)))
     words = [_AS_LARGE.get(word, word) for word in said]
-    lasting = [_SO_THAT if word == Word("mark", "while") else word for word in said]  # as long as it does not slip
+    lasting = _as_long_as(said)
     if modal == {"may"} and any(word in _HOW_FAR for word in said):  # how large may it be
         yield from limits(names, lasting, modal)
     yield from turning_round.parameters(names, [_AS_LARGE.get(word, word) for word in lasting], meanings)
@@ -59,6 +60,15 @@ def meanings(names: Names, words: list[Word]) -> Groups:
             yield from told(names, sentence)
     yield from stated(names, words)
     yield from limits(names, lasting, modal)
+
+
+def _as_long_as(words: list[Word]) -> list[Word]:
+    """As long as it does not slip is so that it does not: but while it slides says when."""
+    if _WHILE not in words:
+        return words
+    state = Clause(words[words.index(_WHILE) + 1 :])
+    is_going = set(state.all("verb")) <= {*GOES_ON} - {"roll"} and state.has("verb") and not state.has("not")
+    return words if is_going else [_SO_THAT if word == _WHILE else word for word in words]
 
 
 def _from_rest(names: Names, words: list[Word]) -> list[Word]:
