@@ -274,3 +274,25 @@ def test_the_border_belongs_to_the_range_where_an_extreme_is_left_there(text: st
     answer = System.from_text(text).solve(question).answers[0]
     assert answer.expression is not None, answer.reason
     assert [c.partition(" (")[0] for c in answer.conditions] == [needed]
+
+
+PAIR = """
+parameters: {m: 2 kg, M: 3 kg, k: 300 N/m, l: 1 m, d: 0.2 m}
+ground: {lines: {rail: {along: right}}}
+bodies: {a: {particle: {mass: m}}, b: {particle: {mass: M}}}
+connections: {r: {slider: {body: a, along: rail}}, s: {slider: {body: b, along: rail}}}
+loads: {spring: {law: {measure: stretch, force: -k*stretch}}}
+measures: {x1: x of a, x2: x of b, stretch: {expression: x2 - x1 - l}}
+start: {x1: 0, x2: l + d, rate(x1): 0, rate(x2): 0}
+"""
+
+
+def test_two_bodies_on_a_spring_come_as_near_as_the_stretch_at_the_start_leaves() -> None:
+    """u = x2 - x1 - l swings between d and -d."""
+    assert posed(PAIR, "least (x2 - x1)").value == pytest.approx(0.8)
+    assert posed(PAIR, "greatest (x2 - x1)").value == pytest.approx(1.2)
+
+
+def test_whether_the_least_is_of_the_first_or_of_the_difference_has_to_be_said() -> None:
+    with pytest.raises(fb.errors.ModelError, match="what does '-' belong to"):
+        System.from_text(PAIR).question("least x2 - x1")

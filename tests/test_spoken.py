@@ -447,3 +447,12 @@ def test_phrases_are_found_whatever_their_order_in_a_file() -> None:
                     found = phrases_at(said, 0, language)
                     assert found, (language, said)
                     assert len(found[0][1]) == len(said.split()), (language, said, found[0])
+
+
+@pytest.mark.parametrize(
+    "said",
+    ["if mu is 0.3, when does it roll?", "Wann rollt die Kugel für mu = 0.3?", "wann rollt sie, wenn mu 0.3 beträgt"],
+)
+def test_another_value_of_a_parameter_in_passing_is_refused_with_the_way_to_set_it(said: str) -> None:
+    with pytest.raises(ModelError, match=r"--set 'mu=0\.3'"):
+        example("bowling_ball").question(said)

@@ -81,7 +81,7 @@ class Names(Formulas):
         self.measures: dict[str, Measure] = {}
         self.connections: Mapping[str, Joining] = {}
         self.called: dict[str, tuple[str, ...]] = {}  # words for the kind of each body, connection and load
-        self.placed_at_start: set[str] = set()  # named measures whose start the file gives
+        self.placed_at_start: dict[str, Expr] = {}  # where the file lets named measures start
         self.started_at_zero: set[str] = set()  # named measures that the file lets start at zero
         self.starts_away = False  # a named measure, or its rate, starts away from zero
         self.start_rates: dict[str, Expr] = {}  # of named measures, as the file gives them

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
@@ -9,17 +10,18 @@ from freebody.language.expression import ZERO, Symbol
 from freebody.language.sentences import Message, Sentence
 from freebody.language.units import DIMENSIONLESS, Dimension
 from freebody.measures.base import Measure
-from freebody.model.phrases import PHRASES, measure_of
+from freebody.model.phrases import PHRASES, composed, measure_of
 from freebody.questions.base import Described, Found, Path, Quantity, angular_unit, asked
 from freebody.questions.event import QuestionEvent
 from freebody.questions.motion import OfMeasure
+from freebody.questions.operands import GREATEST, LEAST
 from freebody.questions.reading import read_quantity
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
 
-_GREATEST = "greatest|largest|maximum|maximal|highest"
-_LEAST = "least|smallest|minimum|minimal|lowest"
+
+_SUM = re.compile(r"\(([^()]*)\)")  # least (x2 - x1)
 
 
 @dataclass(frozen=True)
@@ -107,12 +109,15 @@ questions: {it: greatest tension of rod}
 
 @asked(
     "greatest | least QUANTITY [over the motion]",
-    rf"(?P<end>{_GREATEST}|{_LEAST}) (?:value )?(?:of )?(?:the )?(?P<of>.+?)"
+    rf"(?P<end>{GREATEST}|{LEAST}) (?:value )?(?:of )?(?:the )?(?P<of>.+?)"
     r"(?: (?:over|during|of|in) the (?:whole )?motion)?",
     rank=15,
 )
 def _extent(names: Names, found: Found, path: Path) -> Quantity | None:
-    of, end = str(found["of"]), "greatest" if found["end"] in _GREATEST else "least"
+    of, end = str(found["of"]), "greatest" if found["end"] in GREATEST else "least"
+    if (summed := _SUM.fullmatch(of)) and _is_of_measures(names, summed[1]):
+        measure = composed(names, summed[1], *path)
+        return None if measure is None else Extent(measure, of, end)
     if of not in names.measures and not any(phrase.pattern.match(of) for phrase in PHRASES):
         quantity = read_quantity(names, of, path)
         if quantity is None or quantity.scope == "instant":
@@ -121,3 +126,8 @@ def _extent(names: Names, found: Found, path: Path) -> Quantity | None:
         return None
     measure = measure_of(names, of, *path)
     return None if measure is None else Extent(measure, of, end)
+
+
+def _is_of_measures(names: Names, text: str) -> bool:
+    """Whether nothing but measures and parameters are in an expression."""
+    return all(name in names.measures or name in names.parameters for name in re.findall(r"[^\W\d]\w*", text))

@@ -28,6 +28,12 @@ _PLAIN = re.compile(r"\d+(?:\.\d+)?(?:[eE]\d+)?|[A-Za-z_]\w*")
 _RATIO = re.compile(r"^(?:the )?ratio of (?P<top>.+) to (?:the )?(?P<bottom>.+)$")
 
 
+GREATEST = "greatest|largest|maximum|maximal|highest"
+LEAST = "least|smallest|minimum|minimal|lowest"
+_END = re.compile(rf"(?:the )?(?:{GREATEST}|{LEAST}) ")
+_OF_WHOLE = re.compile(rf"(?:the )?(?:{GREATEST}|{LEAST}) (?:value )?(?:of )?\([^()]*\)")  # least (x2 - x1)
+
+
 @dataclass(frozen=True)
 class Operand:
     """A quantity in words, and what is said of when it is meant."""
@@ -83,14 +89,18 @@ def _goes_on(names: Names, tail: str) -> bool:
 def operands_of(names: Names, phrase: str) -> Operands | None:
     """What a phrase calculates with; None where it is one quantity. Notes a problem where the sense is open."""
     found = _operands(names, phrase)
-    if len(found.runs) < 2 or not found.phrases:
+    if len(found.runs) < 2 or not found.phrases or _OF_WHOLE.fullmatch(phrase):
         return None
     first = next(k for k, run in enumerate(found.runs) if run not in _OPERATOR_SIGNS)
     if first in found.phrases and not _is_quantity(names, found.phrases[first].phrase):
         return None
     for k, operand in found.phrases.items():
         following = found.runs[k + 1 :]
-        if " " in operand.phrase and operand.phrase.split()[-1] in names.measures and _is_drawn_in(names, following):
+        if (
+            " " in operand.phrase
+            and operand.phrase.split()[-1] in names.measures
+            and _is_drawn_in(names, operand.phrase, following)
+        ):
             told = Message(
                 "what does '{sign}' belong to in '{text}'? Put the quantity in parentheses: ({phrase})",
                 sign=following[0],
@@ -106,8 +116,11 @@ def has_quantities(names: Names, text: str) -> bool:
     return any(_is_quantity(names, operand.phrase) for operand in _operands(names, text).phrases.values())
 
 
-def _is_drawn_in(names: Names, following: tuple[str, ...]) -> bool:
-    """Whether what follows could as well be part of the measure whose rate is asked for: velocity of x^2."""
+def _is_drawn_in(names: Names, phrase: str, following: tuple[str, ...]) -> bool:
+    """Whether what follows could as well be part of the measure whose rate, or end, is asked for: velocity of x^2,
+    least x2 - x1."""
+    if _END.match(phrase) and len(following) > 1 and following[0] in ("+", "-"):
+        return following[1].strip() in names.measures
     if not following or following[0] not in ("^", "**", "*", "/"):
         return False
     return following[0] in ("^", "**") or (len(following) > 1 and following[1].strip() in names.measures)

@@ -56,7 +56,7 @@ def read_system(document: Document, file: str | None) -> SystemDescription:
     blows = gathered(closing, striking, later, list(impulses))
     contacts, limits, brakes = read_bounds(names, connections, closing)
     start, rates = read_start(source, measures)
-    names.placed_at_start = set(start)
+    names.placed_at_start = dict(start)
     names.started_at_zero = {name for name, value in start.items() if value == ZERO}
     names.starts_away = any(value != ZERO for value in (*start.values(), *rates.values()))
     names.start_rates = rates

@@ -5,7 +5,7 @@ from __future__ import annotations
 from itertools import product
 from typing import TYPE_CHECKING
 
-from freebody.questions.spoken import dimensions, lookup, poses
+from freebody.questions.spoken import dimensions, lookup, losing, poses
 from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.events import GOES_ON, conditions
 from freebody.questions.spoken.lexicon import Word
@@ -17,12 +17,16 @@ if TYPE_CHECKING:
 
 
 _WAYS = ("distance", "displacement", "distance travelled")
+_STAYS = {"hold", "fly", "move", "stay_on"}  # verbs of what is in the air
+_TO_THE_END = ("ask", "quantity", "verb", "name", *SILENT)
 COUNTED = ("work", "work of friction", "energy lost", "turns")  # up to an event, and at no instant
 
 
 def time(names: Names, sentence: Sentence) -> Groups:
     """The time of an event: when, after what time, how long until."""
     main = _until_struck(sentence.main)
+    if main.has("quantity", "flight time") and set(main.all("verb")) <= _STAYS and not sentence.others:
+        return  # how long it stays in the air
     if main.has("quantity", "flight time") and (sentence.others or main.has("verb") or main.has("value")):
         main = Clause([Word("quantity", "time") if w == Word("quantity", "flight time") else w for w in main.words])
     asks = main.has("ask", "when", "soon", "long") or main.has("quantity", "time")
@@ -38,6 +42,8 @@ def time(names: Names, sentence: Sentence) -> Groups:
         and set(head.all("verb")) <= set(GOES_ON)
     ):
         of = [name for _, name in head.names]
+        if head.only("verb", "name", "pronoun") and len(of) <= 1 and set(head.all("verb")) - {"move"} == {"turn"}:
+            yield [f"time when {name} stops" for name in losing.runs_down(names) if name in (of or [name])]
         if head.only("verb", "name", "pronoun") and len(of) <= 1 and set(head.all("verb")) == {"slide"}:
             yield [f"time when slipping of {of[0]} ends" if of else "time when slipping ends"]
         return
@@ -96,17 +102,34 @@ def lost(names: Names, sentence: Sentence) -> Groups:
     """The energy that is lost in an impact, and the kinetic energy that is lost up to an event."""
     main = sentence.main
     asked = main.all("quantity")
+    if asked[:1] == ["fraction"]:
+        yield from _fraction_lost(names, sentence, asked[1:])
+        return
     is_energy = asked in (["energy lost"], ["kinetic energy lost"]) or (
         asked in (["energy"], ["kinetic energy"]) and main.has("verb", "lost")
     )
     if not is_energy or not main.only("quantity", "ask", "verb", "instant", "name", *SILENT):
         return
-    if main.has("instant", "in the impact", "at the impact") and not sentence.others:
+    bodies = [name for _, name in main.names if name in lookup.massive(names)]
+    if len(bodies) == 1 < len(lookup.massive(names)) and not sentence.others:
+        return  # of one body: what the others get is no loss
+    is_blow = not main.has("instant") and losing.only_loses_in_the_blow(names)
+    if (main.has("instant", "in the impact", "at the impact") or is_blow) and not sentence.others:
         yield ["energy lost in the blow" if lookup.is_struck_at_start_alone(names) else "energy lost in the impact"]
     elif asked[0].startswith("kinetic") and len(sentence.others) == 1:
         of = "".join(f" of {name}" for _, name in main.names)
         for end in ends(names, sentence):
             yield [f"kinetic energy{of} at start - kinetic energy{of} when {condition}" for condition in end]
+
+
+def _fraction_lost(names: Names, sentence: Sentence, asked: list[str]) -> Groups:
+    """What fraction of the energy is lost up to an event: of the kinetic energy, where there is no other."""
+    main = sentence.main
+    is_lost = asked in (["energy lost"], ["kinetic energy lost"])
+    is_all = all(lookup.is_all_that_moves(names, name) for _, name in main.names)
+    if is_lost and is_all and losing.has_kinetic_energy_alone(names) and main.only("quantity", "ask", "name", *SILENT):
+        for end in ends(names, sentence):
+            yield [f"ratio of energy lost until {condition} to kinetic energy at start" for condition in end]
 
 
 def counted(names: Names, sentence: Sentence) -> Groups:
@@ -149,7 +172,7 @@ def _heads_counted(names: Names, sentence: Sentence) -> Groups:
         if who in names.connections or who in names.loads:
             yield [] if main.has("instant", "in the impact") else [f"energy lost in {who}"]
         else:
-            is_all = not of or lookup.is_all_that_moves(names, who) or lookup.is_all_that_rubs(names, who)
+            is_all = not of or lookup.is_all_that_moves(names, who) or losing.is_all_that_rubs(names, who)
             yield ["energy lost"] if is_all else []
     elif (main.has("ask", "far", "much", "high", "large") and not asked and goes) or (
         asked in (["distance"], ["displacement"], ["distance travelled"], ["horizontal range"]) and (goes or not verbs)
@@ -191,6 +214,9 @@ def ends(names: Names, sentence: Sentence) -> Groups:
         elif mark == "while" and clause.all("verb") == ["slide"] and clause.only("verb", "name", "pronoun"):
             yield [f"slipping of {name} ends" for _, name in clause.names] or ["slipping ends"]
     elif not sentence.others:
+        if sentence.main.has("quantity", *COUNTED) and sentence.main.only(*_TO_THE_END):  # how many turns are left
+            who = [name for _, name in sentence.main.names if name in names.bodies]
+            yield [f"{name} stops" for name in losing.runs_down(names) if not who or who == [name]]
         within = [value for before, value in sentence.main.values if before in ("in", "of")]
         within += [value for before, value in sentence.main.values if before in ("on", "along", "through", "over")]
         if len(within) == 1 == len(sentence.main.values):

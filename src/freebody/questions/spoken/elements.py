@@ -32,6 +32,7 @@ class Elements:
     )
 
     touching: dict[str, frozenset[str]] = field(default_factory=dict[str, frozenset[str]])  # bodies, by connection
+    hanging: frozenset[str] = frozenset()  # bodies that strings alone hold, straight below them
     # of bodies, so far as they are numbers
     masses: dict[str, float] = field(default_factory=dict[str, float])
     radii: dict[str, float] = field(default_factory=dict[str, float])

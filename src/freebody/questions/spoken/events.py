@@ -134,6 +134,7 @@ def _halved(names: Names, clause: Clause) -> Groups:
     turning = clause.has("quantity", "angular velocity")
     if clause.has("quantity", "angular velocity", "velocity", "speed") and len(clause.names) <= 1:
         measures = lookup.angles(names, of) if turning else lookup.places(names, of)
+        measures = measures or (lookup.angles(names, of) if lookup.axle_of(names, of) == "center" or not of else [])
         moving = [(name, names.start_rates.get(name, ZERO)) for name in measures]
         yield [f"rate({name}) = {to_python(rate / 2).replace('**', '^')}" for name, rate in moving if rate != ZERO]
 
@@ -163,6 +164,8 @@ def _quantity_is(names: Names, clause: Clause, value: str) -> Groups:
             yield lookup.climbed(names, of, value, 1)
         elif quantity in ("displacement", "distance travelled"):
             yield [f"{way} = {value}" for way in lookup.ways(names, of)]
+        elif quantity == "deflection":
+            yield [f"{measure} = {value}" for measure in lookup.deflections(names, of) if _grows(names, measure)]
         elif quantity in ("position", "distance"):
             yield [f"{place} = {value}" for place in lookup.places(names, of)]
         elif quantity in ("velocity", "speed", "angular velocity") and is_zero:
@@ -175,6 +178,12 @@ def _quantity_is(names: Names, clause: Clause, value: str) -> Groups:
             yield [f"{joint} goes slack" for joint in lookup.joints(names, of, "", "tension")]
         elif quantity in ("normal force", "contact force") and is_zero:
             yield [f"{joint} opens" for joint in lookup.joints(names, of, "", "normal force")]
+
+
+def _grows(names: Names, measure: str) -> bool:
+    """Whether a measure starts at zero, and no rate lets it fall at first."""
+    rate = names.numeric(names.start_rates.get(measure, ZERO))
+    return measure in names.started_at_zero and rate is not None and rate >= 0.0
 
 
 # -- how far something has come ---------------------------------------------------------------
@@ -257,9 +266,9 @@ def _who(names: Names, clause: Clause) -> tuple[str, str]:
 
 
 def _hits(names: Names, who: str, other: str) -> Groups:
-    """What can strike nothing lands where it is as low as at the start."""
+    """What can strike nothing lands where it is as low as at the start, or as zero of its height if it starts above."""
     if not lookup.strikes(names) and other in ("", GROUND):
-        yield [f"{height} = 0" for height in lookup.rising(names, who)]
+        yield [f"{height} = 0" for height in (lookup.rising(names, who) or lookup.falling(names, who))]
         return
     yield [f"{who or 'it'} hits {other}".strip()]
 

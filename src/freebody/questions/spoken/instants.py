@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from freebody.measures.geometry import GROUND
 from freebody.questions.spoken import dimensions, lookup, poses
 from freebody.questions.spoken.asking import quantities
-from freebody.questions.spoken.composing import Groups
+from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.counting import COUNTED
 from freebody.questions.spoken.events import GOES_ON, HAPPENS, conditions
 from freebody.questions.spoken.lexicon import Word
@@ -50,6 +50,11 @@ def timed(names: Names, sentence: Sentence) -> Groups:
     main, others = sentence.main, [one for one in sentence.others if not is_throughout(names, *one)]
     if main.has("instant", "over the motion") and not main.has("degree") and lookup.goes_on(names):
         main = main.without("instant", "over the motion")
+    if main.has("quantity", "deflection") and main.all("instant") == ["in equilibrium"] and not others:
+        if main.only("ask", "quantity", "instant", "name", "verb", *SILENT):
+            of = next((name for _, name in main.names), "")
+            yield [f"equilibrium of {measure}" for measure in lookup.deflections(names, of)]
+        return
     if main.has("quantity", "deflection", "displacement"):  # how far until something happens is how far when it does
         others = [("when" if mark == "until" else mark, clause) for mark, clause in others]
     if main.has("ask", "when", "soon", "long", "for", "from", "up_to") or main.has("quantity", *COUNTED):
@@ -63,7 +68,9 @@ def timed(names: Names, sentence: Sentence) -> Groups:
     if main.has("ask", "high") and not others and main.has("verb") and main.only("ask", "verb", "name", "pronoun"):
         yield from _how_high(names, main)
         return
-    if main.has("ask", "far") and not others and main.only("ask", "verb", "name", "pronoun", "updown", "part"):
+    is_range = set(main.all("verb")) <= {"fly", "hit"} and main.only("ask", "verb", "name", "pronoun")
+    is_far = main.has("ask", "far") and main.only("ask", "verb", "name", "pronoun", "updown", "part")
+    if is_far and not is_range and not others:
         yield from _how_far(names, main)
         return
     if main.has("ask", "where") and main.has("instant", "in equilibrium") and not main.has("quantity"):
@@ -152,7 +159,11 @@ def _how_far(names: Names, main: Clause) -> Groups:
     elif set(main.all("verb")) - {"move"} == {"slide"} and not lookup.rests(names):
         yield [f"distance travelled along {way} until slipping ends" for way in lookup.ways(names, who)]
     elif set(main.all("verb")) == {"turn"}:
-        yield [f"{angle} when rate({angle}) = 0" for angle in lookup.angles(names, who)]
+        led = {name for name in names.measures if names.start_rates and name not in names.start_rates}
+        yield [
+            f"stroke of {angle}" if angle in led or lookup.is_forced(names) else f"{angle} when rate({angle}) = 0"
+            for angle in lookup.angles(names, who)
+        ]
 
 
 def _tails(names: Names, main: Clause) -> tuple[list[list[str]], Clause]:

@@ -51,6 +51,12 @@ def can_roll(names: Names) -> bool:
     return any(names.bodies[name].radius is not None or names.bodies[name].round for name in turning(names))
 
 
+def rolls(names: Names) -> bool:
+    """Whether what dry friction acts on is round: that it does not slip is not that it is at rest."""
+    held = {body for joint in rough(names, "") for body in names.connections[joint].mentions(names)}
+    return any(names.bodies[name].radius is not None or names.bodies[name].round for name in held)
+
+
 def is_all_that_moves(names: Names, body: str) -> bool:
     return massive(names) == [body]
 
@@ -69,13 +75,6 @@ def rough(names: Names, thing: str) -> list[str]:
 def is_all_that_slips(names: Names, body: str) -> bool:
     """Whether all dry friction is that of a body."""
     return bool(rough(names, "")) and rough(names, "") == rough(names, body)
-
-
-def is_all_that_rubs(names: Names, connection: str) -> bool:
-    """Whether nothing but a connection takes energy away: no other is rough, and nothing is damped."""
-    rough = {row.connection for row in names.constraint_rows if row.reaction == "friction force"} - {connection}
-    damped = [name for name in names.loads if "damper" in (*names.called.get(name, ()), name.lower())]
-    return connection in names.connections and not rough and not damped and not strikes(names)
 
 
 def rests(names: Names) -> bool:
@@ -216,6 +215,15 @@ def lifted(names: Names, body: str, value: str) -> list[str]:
 def rising(names: Names, body: str) -> list[str]:
     """Heights that start at zero."""
     return [name for name, sense in heights(names, body) if sense > 0 and name in names.started_at_zero]
+
+
+def falling(names: Names, body: str) -> list[str]:
+    """Heights at zero of which something that flies lands: those that start there, or above it."""
+    places = names.placed_at_start
+    above = [name for name in places if (names.numeric(places[name]) or 0.0) > 0.0]
+    return [
+        name for name, sense in heights(names, body) if name in names.started_at_zero or (name in above and sense > 0)
+    ]
 
 
 def rises(names: Names, measure: str, sense: int) -> bool:

@@ -27,6 +27,9 @@ _HOLDS = ({"friction force"}, {"friction coefficient"}, {"force"}, {"tension"}) 
 _HOW_FAR = tuple(Word("ask", what) for what in ("large", "small", "heavy", "far", "high", "steep", "flat"))
 _LEADS_ON = ("from", "about", "relative", "between", "along")  # prepositions behind which something stands
 _NOT, _ACCELERATE = Word("not", "not"), Word("verb", "accelerate")
+_STARTS, _AT_START, _FROM_REST = Word("verb", "start"), Word("instant", "at start"), Word("verb", "from_rest")
+_WHILE = Word("mark", "while")
+_COMMA = Word("preposition", ",")
 _SO_THAT = Word("mark", "so_that")
 _FOR = Word("preposition", "of")  # friction for rolling
 # what only a limit tells apart: how small, how steep
@@ -38,6 +41,7 @@ def meanings(names: Names, words: list[Word]) -> Groups:
     if any(word.kind == "other" for word in words):
         return
     modal = {word.what for word in words if word.kind == "filler"} & {"may", "must"}
+    words = _from_rest(names, words)
     said = _signs_between([word for word in words if word.kind != "filler"])
     said = _bounded(_without_auxiliary(said))
     if said and said[-1].kind == "preposition" and said[-1].what in _LEADS_ON:
@@ -45,7 +49,7 @@ def meanings(names: Names, words: list[Word]) -> Groups:
     said = _by_friction(_needed_to_roll(names, _in_doing(said)))
     said = _unaccelerated(_not_slipping(names, _carrying(names, said, modal)))
     words = [_AS_LARGE.get(word, word) for word in said]
-    lasting = [_SO_THAT if word == Word("mark", "while") else word for word in said]  # as long as it does not slip
+    lasting = _as_long_as(said)
     if modal == {"may"} and any(word in _HOW_FAR for word in said):  # how large may it be
         yield from limits(names, lasting, modal)
     yield from turning_round.parameters(names, [_AS_LARGE.get(word, word) for word in lasting], meanings)
@@ -56,6 +60,33 @@ def meanings(names: Names, words: list[Word]) -> Groups:
             yield from told(names, sentence)
     yield from stated(names, words)
     yield from limits(names, lasting, modal)
+
+
+def _as_long_as(words: list[Word]) -> list[Word]:
+    """As long as it does not slip is so that it does not: but while it slides says when."""
+    if _WHILE not in words:
+        return words
+    state = Clause(words[words.index(_WHILE) + 1 :])
+    is_going = set(state.all("verb")) <= {*GOES_ON} - {"roll"} and state.has("verb") and not state.has("not")
+    return words if is_going else [_SO_THAT if word == _WHILE else word for word in words]
+
+
+def _from_rest(names: Names, words: list[Word]) -> list[Word]:
+    """Without `if it starts from rest`, where the model does so and another instant is meant."""
+    if _FROM_REST not in words:
+        return words
+    k = begin = words.index(_FROM_REST)
+    others = Clause([*words[:k], *words[k + 1 :]])
+    if not (lookup.rests(names) and others.has("value") and others.has("mark", "after", "when", "until")):
+        return [own for word in words for own in ((_STARTS, _AT_START) if word == _FROM_REST else (word,))]
+    while (
+        begin > 0
+        and words[begin - 1].kind in ("pronoun", "filler", "name")
+        and any(w.kind == "mark" for w in words[:begin])
+    ):
+        begin -= 1
+    begin -= begin > 0 and words[begin - 1].kind == "mark"
+    return [*words[:begin], *words[k + 1 + (words[k + 1 : k + 2] == [_COMMA] and not begin) :]]
 
 
 def _without_auxiliary(words: list[Word]) -> list[Word]:
@@ -241,7 +272,10 @@ def _structure(names: Names, sentence: Sentence) -> Groups:
     at_rest = main.all("instant") == ["in equilibrium"] and main.only("instant", "name", "pronoun") and everything
     if lookup.rests(names) and at_rest:
         yield ["does it hold"]
-    if verbs == {"move"} and main.only("verb", "pronoun", "name") and everything:
+    begins = verbs - {"start"}
+    is_other = "slide" in begins and (lookup.rolls(names) or not lookup.is_rough(names))
+    is_begun = begins and begins <= {"move", "slide"} and main.only("verb", "pronoun", "name")
+    if is_begun and everything and not is_other:
         yield ["does it hold"] if lookup.rests(names) else []
     if verbs & {"stable", "unstable"} and main.only("verb", "quantity", "pronoun", "preposition", "name", "instant"):
         asked = main.all("quantity")

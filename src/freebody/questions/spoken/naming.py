@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING
 
 from freebody.language.expression import Symbol
 from freebody.measures.geometry import GROUND
+from freebody.questions.spoken import strings
 from freebody.questions.spoken.elements import ALIKE, INFERRED, WRITTEN, Elements
 from freebody.questions.spoken.lexicon import (
     CLOSE,
@@ -93,6 +94,7 @@ def elements_of(names: Names) -> Elements:
         found.add(name, (*_LINE_WORDS, *_alike(name)))
     for name in (*names.measures, *names.parameters):
         found.add(name)
+    found.hanging = strings.hanging(names)
     return found
 
 
@@ -118,8 +120,12 @@ def _stems(name: str) -> list[str]:
 
 
 def linked(elements: Elements, text: str) -> list[Way]:
-    """The text with names put in, in every way that its words can be meant, the nearest to what is written first."""
-    tokens: list[str] = _TOKEN.findall(told_apart(elements, text))
+    """The text with names put in, in every way that its words can be meant, the nearest to what is written first; none
+    where what tells a body from others tells no one."""
+    told = told_apart(elements, text)
+    if told is None:
+        return []
+    tokens: list[str] = _TOKEN.findall(told)
     ways = list(islice(_linked(elements, tokens, 0, Way("", 0)), MOST))
     return sorted(ways, key=lambda way: way.distance)
 
@@ -143,6 +149,8 @@ def _readings(elements: Elements, tokens: Sequence[str], k: int) -> Iterator[tup
         window = tokens[k : k + 2 * n - 1]
         if len(window) < 2 * n - 1 or any(token.strip() for token in window[1::2]):
             continue
+        if n > 1 and tokens[k + 2 * n : k + 2 * n + 1] == ["to"] and is_verb(window[-1].lower()):
+            continue  # the ladder starts to slide
         named = list(_named(elements, window[::2]))
         beside = tokens[k - 2] if k > 1 else ""
         is_rope = n == 1 and tokens[k].lower() in _ROPES

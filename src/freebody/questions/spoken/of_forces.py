@@ -5,7 +5,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from freebody.language.units import TORQUE
-from freebody.questions.spoken import lookup
+from freebody.measures.geometry import GROUND
+from freebody.questions.spoken import lookup, strings
 from freebody.questions.spoken.composing import SILENT, Groups, said_of, without_owners
 from freebody.questions.spoken.words import Clause
 
@@ -71,6 +72,9 @@ def _of_joint(names: Names, kind: str, rest: Clause) -> Groups:
     along = [name for before, name in things if before in ("along", "up", "down")]
     ends = "".join([*(f" about {name}" for name in about), *(f" along {name}" for name in along)])
     things = [(before, name) for before, name in things if name not in (*about, *along)]
+    if kind == "tension" and len(joints) == 1 and not things and not loads and _is_stretch(rest):
+        yield _in_stretch(names, joints[0], level=rest.has("part", "horizontal"))
+        return
     head = _headed(kind, rest)
     if head is None or len(loads) > 1 or len(joints) > 1 or (loads and joints):
         return
@@ -85,6 +89,26 @@ def _of_joint(names: Names, kind: str, rest: Clause) -> Groups:
         yield from _at_joint(names, kind, head, joints[0], things, ends)
     elif kind != "force":
         yield from _between(names, kind, head, things, on, ends, bearings)
+
+
+def _is_stretch(rest: Clause) -> bool:
+    """Whether it is of a part of a string: in the level part of it, and not the level part of a force in it."""
+    kinds = [word.kind for word in rest.words if word.kind != "filler"]
+    parts = [k for k, kind in enumerate(kinds) if kind == "part"]
+    is_level = rest.has("part", "horizontal", "vertical")
+    return is_level and len(parts) == 1 and kinds[parts[0] + 1 : parts[0] + 2] == ["name"]
+
+
+def _in_stretch(names: Names, string: str, *, level: bool) -> list[str]:
+    """The tension of the parts of a string that are level, or straight up: at the end where no pulley is."""
+    found: list[str] = []
+    for ends in strings.sections(names, string, level=level):
+        plain = [end for end in ends if end in names.bodies and names.bodies[end].radius is None]
+        is_end = len(plain) == 1 and plain[0] != GROUND
+        found.append(
+            f"tension of {string} at {plain[0]}" if is_end else f"tension of {string} between {ends[0]} and {ends[1]}"
+        )
+    return found
 
 
 def _headed(kind: str, rest: Clause) -> str | None:

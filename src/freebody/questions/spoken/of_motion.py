@@ -148,8 +148,7 @@ def _of_flight(names: Names, quantity: str, rest: Clause) -> Groups:
         heads = lookup.level(names, of) if quantity == "horizontal range" else ["time"]
         heads = heads if lookup.flies(names, of) else []
         yield [f"{head} when it lands" for head in heads] if lookup.strikes(names) else []
-        down = [name for name, _ in lookup.heights(names, of) if name in names.started_at_zero]
-        yield [f"{head} when {height} = 0" for head in heads for height in down]
+        yield [f"{head} when {height} = 0" for head in heads for height in lookup.falling(names, of)]
 
 
 @said_of("equation of motion")

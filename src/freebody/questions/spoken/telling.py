@@ -14,11 +14,16 @@ _WITH_MASS = re.compile(
 )
 _IN_KILOGRAMS = {"kg": 1.0, "g": 1e-3, "t": 1e3}
 _MASSES = ("mass", "masses", "body", "one")
+_SIZES = ("heavier", "lighter", "bigger", "smaller")
+# words for what can hang on a string, whatever its shape
+_HANGS = (*_MASSES, "weight", "block", "box", "crate", "load", "particle", "object", "bucket", "cart")
+_PAIR_OF_A_KIND = 2  # bodies of which a name says which is meant
 _PAIR = re.compile(r"\b([^\W\d_]+) ([^\W\d_]+|\d{1,2})\b")
 
 
-def told_apart(elements: Elements, text: str) -> str:
-    """The text in which a body that is told by its mass or its number is called by its name."""
+def told_apart(elements: Elements, text: str) -> str | None:
+    """The text in which a body that is told by its mass, its number, or by how it is held is called by its name; None
+    where words tell several bodies of a kind apart, and none of them is meant."""
 
     def of_mass(kind: str, number: str, unit: str) -> list[str]:
         mass = float(number.replace(",", ".")) * _IN_KILOGRAMS[unit]
@@ -31,6 +36,8 @@ def told_apart(elements: Elements, text: str) -> str:
     text = _WITH_MASS.sub(lambda m: named(of_mass(m[1], m[2], m[3]), m[0]), text)
     begin = 0
     while (pair := _PAIR.search(text, begin)) is not None:
+        if _is_untold(elements, pair[1], pair[2]):
+            return None
         name = named(_told(elements, pair[1], pair[2]), "")
         text = f"{text[: pair.start()]}{name or pair[0]}{text[pair.end() :]}"
         begin = pair.start() + (len(name) or len(pair[1]) + 1)
@@ -41,6 +48,8 @@ def _told(elements: Elements, first: str, second: str) -> list[str]:
     """Bodies that two words tell: the first wagon, wagon 1, the heavier mass."""
     if first.lower() in elements.exact or (first.lower(), second.lower()) in elements.spoken:
         return []
+    if hung := _hung(elements, first, second):
+        return hung
     kind = second if second.isalpha() else first
     of_kind = _plain_masses(elements, _of_kind(elements, kind), kind) or (
         list(elements.masses) if kind.lower() in ("one", "two") else []
@@ -53,7 +62,7 @@ def _told(elements: Elements, first: str, second: str) -> list[str]:
     sizes = elements.masses if than in ("heavier", "lighter") else elements.radii
     found = [e.name for e in elements.exact.values() if kind.lower() in e.words and e.name in elements.radii]
     of_kind = of_kind if than in ("heavier", "lighter") else found
-    if not than or len(of_kind) < 2:
+    if than not in _SIZES or len(of_kind) < 2:
         return []
     sorted_ = sorted((sizes[name], name) for name in of_kind if name in sizes)
     if len(sorted_) != len(of_kind):
@@ -61,6 +70,32 @@ def _told(elements: Elements, first: str, second: str) -> list[str]:
     largest = than in ("heavier", "bigger")
     end, beside = (sorted_[-1], sorted_[-2]) if largest else (sorted_[0], sorted_[1])
     return [] if math.isclose(end[0], beside[0]) else [end[1]]
+
+
+def _hung(elements: Elements, first: str, second: str) -> list[str]:
+    """The hanging block, the mass hanging from a rope: the only body that strings alone hold, whatever its shape."""
+    kind = (second if _meant(compared(), first) == "hanging" else first).lower()
+    if "hanging" not in (_meant(compared(), first), _meant(compared(), second)):
+        return []
+    of_kind = [name for name in elements.hanging if kind in (name.lower(), *elements.exact[name].words)]
+    found = of_kind or (list(elements.hanging) if kind in _HANGS else [])
+    return found if len(found) == 1 else []
+
+
+def _is_untold(elements: Elements, first: str, second: str) -> bool:
+    """Whether words would tell a body from others of its kind, and do not: the hanging one of two, the driven gear."""
+    if first.lower() in elements.exact or (first.lower(), second.lower()) in elements.spoken:
+        return False
+    than, kind = _meant(compared(), first), second.lower()
+    if than == "hanging":
+        is_other = kind in elements.exact and kind not in elements.hanging
+        return bool(elements.hanging) and kind in _HANGS and is_other and not _hung(elements, first, second)
+    of_kind = [
+        e.name
+        for e in elements.exact.values()
+        if kind in e.words and (e.name in elements.masses or e.name in elements.radii)
+    ]
+    return than == "acting" and kind in elements.exact and len(of_kind) > _PAIR_OF_A_KIND
 
 
 def _plain_masses(elements: Elements, of_kind: list[str], kind: str) -> list[str]:

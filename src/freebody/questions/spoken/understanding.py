@@ -23,6 +23,11 @@ if TYPE_CHECKING:
 AskedT = TypeVar("AskedT")
 
 _APOSTROPHE = re.compile(r"(?<=\w)['’](?=(?:s|t|d|re|ll|m|ve)\b)|(?<=s)['’](?=\s)")
+_IN_PASSING = re.compile(  # a parameter and a value behind a word that says for what
+    r"\b(?:if|for|with|when|where|wenn|falls|für|mit|bei) (?P<name>\w+)(?: ?=| is| equals| was| of| ist| von|) ?"
+    r"(?P<value>\d+(?:\.\d+)?(?: ?[A-Za-z°][A-Za-z0-9/^]*)?)(?=[ ,.?!]|$)",
+    re.IGNORECASE,
+)
 LONGEST = 300  # characters of a question: what is longer is none
 _GENERAL = {"askable", "form", "forms"}  # what messages list where nothing of a text could be read
 
@@ -74,6 +79,8 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
         ways = "\n    ".join(islice(nearest, MOST))
         several = Message("'{text}' can be meant in several ways. Ask for\n    {ways}", text=text, ways=ways)
         names.problem(several, "find")
+    elif (other := _other_value(names, text)) is not None:
+        names.problem(other, "find")
     elif _is_specific(told) or instead or _has_form(told):
         names.problems += (
             told if _is_specific(told) and not (_is_of_words(names, told) and instead) else instead or told
@@ -88,6 +95,20 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
         askable = "\n    ".join(fits)
         none = Message("cannot read '{text}'. One can ask for\n    {askable}", text=text, askable=askable)
         names.unknown(text, none, "find")
+    return None
+
+
+def _other_value(names: Names, text: str) -> Message | None:
+    """What is said of a text in which a parameter has another value in passing: if mu is 0.3, when does it roll?"""
+    for found in _IN_PASSING.finditer(text):
+        parameter = names.parameters.get(found["name"])
+        if parameter is not None and parameter.value is not None:
+            return Message(
+                "the file gives {name} its value; ask without '{said}', with --set '{name}={value}'",
+                name=found["name"],
+                said=found[0],
+                value=found["value"],
+            )
     return None
 
 

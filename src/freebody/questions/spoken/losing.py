@@ -1,0 +1,49 @@
+"""What takes energy away in a model: dry friction, dampers, brakes, a blow."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from freebody.questions.spoken import lookup
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+
+def is_all_that_rubs(names: Names, connection: str) -> bool:
+    """Whether nothing but a connection takes energy away: no other is rough, and nothing is damped."""
+    rough = {row.connection for row in names.constraint_rows if row.reaction == "friction force"} - {connection}
+    return connection in names.connections and not rough and not damped(names) and not lookup.strikes(names)
+
+
+def damped(names: Names) -> list[str]:
+    """Loads that are dampers."""
+    return [name for name in names.loads if "damper" in (*names.called.get(name, ()), name.lower())]
+
+
+def only_loses_in_the_blow(names: Names) -> bool:
+    """Whether nothing but the blow at the start takes energy away."""
+    stops = [name for name in names.connections if "stop" in names.called.get(name, ())]
+    is_alone = lookup.is_struck_at_start_alone(names) and lookup.goes_on(names)
+    return is_alone and not _takes_energy(names) and not stops
+
+
+def runs_down(names: Names) -> list[str]:
+    """What turns at the start, where nothing drives it and a brake stops it."""
+    brakes = [name for name in names.connections if "brake" in names.called.get(name, ())]
+    return lookup.started(names) if brakes and not names.loads else []
+
+
+def has_kinetic_energy_alone(names: Names) -> bool:
+    """Whether no load but weight acts, and all ways that are measured are level."""
+    weights = {name for name in names.loads if "gravity" in names.called.get(name, ())}
+    measures = lookup.places(names, "")
+    return bool(measures) and weights == set(names.loads) and set(lookup.level(names, "")) == set(measures)
+
+
+def _takes_energy(names: Names) -> bool:
+    return (
+        bool(damped(names))
+        or lookup.is_rough(names)
+        or any("brake" in names.called.get(name, ()) for name in names.connections)
+    )

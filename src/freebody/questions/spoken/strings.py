@@ -1,0 +1,51 @@
+"""What strings of a model have for words: what hangs on them, between what they run level, or straight up."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from freebody.measures.angle import Angle
+from freebody.measures.combination import Combination
+from freebody.measures.displacement import Displacement
+from freebody.measures.geometry import GROUND
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+_LEVEL = 1e-9  # of a direction that is level, or straight up
+
+
+def hanging(names: Names) -> frozenset[str]:
+    """Bodies that hang on strings alone, straight below where these leave them."""
+    rows = [row for row in names.constraint_rows if row.reaction == "sideways force" and len(row.ends) == 1]
+    down = [row for row in rows if isinstance(row.measure, Displacement) and _is_along(names, row.measure, level=True)]
+    strings = {row.connection for row in names.constraint_rows if row.reaction == "tension"}
+    others = {
+        body for name in names.connections if name not in strings for body in names.connections[name].mentions(names)
+    }
+    return frozenset(body for row in down for body in row.ends) - others
+
+
+def sections(names: Names, string: str, *, level: bool) -> list[tuple[str, ...]]:
+    """What the stretches of a string that are level, or straight up, run between."""
+    found: list[tuple[str, ...]] = []
+    for row in names.constraint_rows:
+        measure = row.measure
+        if row.connection != string or row.reaction != "tension" or len(row.ends) != 2:
+            continue
+        parts = [part for _, part in measure.terms] if isinstance(measure, Combination) else [measure]
+        leads = [part for part in parts if not isinstance(part, Angle)]
+        if leads and all(isinstance(lead, Displacement) and _is_along(names, lead, level=level) for lead in leads):
+            found.append(row.ends)
+    return found
+
+
+def _is_along(names: Names, measure: Displacement, *, level: bool) -> bool:
+    """Whether what is measured is so along a level line of the ground, or along one straight up."""
+    across = names.numeric(measure.along.components[1 if level else 0])
+    return (
+        measure.along.body == GROUND
+        and len(measure.along.components) == 2
+        and across is not None
+        and abs(across) <= _LEVEL
+    )
