@@ -32,6 +32,11 @@ TABLE = [
     ("atwood_machine", "left", "T up", "incorrect", "the weight of left is missing"),
     ("atwood_machine", "left", "T up; m2 g down", "incorrect", "'m2 g down' acts on right, not on left"),
     ("atwood_machine", "left", "T up; m1 g down; m1 a up", "incorrect", "'m1 a up'"),
+    ("atwood_machine", "left", "T up; m1 down", "incorrect", "wrong magnitude: the weight of left is"),
+    ("atwood_machine", "left", "T up; -m1 g up", "correct", ""),
+    ("atwood_machine", "left", "T up at rope; H right at rope; m1 g down at G", "incorrect", "'H right at rope'"),
+    ("atwood_machine", "left", "T; m1 g down", "unreadable", "in which direction"),
+    ("atwood_machine", "left", "T up; m1 g down at", "unreadable", "at which point"),
     ("atwood_machine", "right", "S nach oben; m2 g nach unten im Schwerpunkt", "correct", ""),
     ("atwood_machine", "pulley", "A up at axle; M g down at center; T1 down at left; T2 down at right", "correct", ""),
     (
@@ -185,6 +190,7 @@ TABLE = [
     ("mass_on_spring", "block", "F_s up at spring; m g down at G", "correct", ""),
     ("mass_on_spring", "block", "F_s up at spring; k y down at G", "incorrect", ""),
     ("two_masses_three_springs", "A", "k x1 left at left; k (x2 - x1) right at middle", "correct", ""),
+    ("two_masses_three_springs", "B", "k (x1 - x2) right at middle; k x2 left at right", "correct", ""),
     ("two_masses_three_springs", "A", "F1 right at left; F2 right at middle", "correct", ""),
     (
         "two_masses_three_springs",
@@ -192,6 +198,15 @@ TABLE = [
         "k x1 right at left; k (x2 - x1) right at middle",
         "incorrect",
         "wrong sense for the load left",
+    ),
+    # a massless pulley on a rope has no weight
+    ("compound_atwood", "lower", "T1 up at center; T2 down at left; T3 down at right", "correct", ""),
+    (
+        "compound_atwood",
+        "lower",
+        "T1 up at center; T2 down at left; T3 down at right; m g down at G",
+        "incorrect",
+        "'m g down at G' is extra",
     ),
     # a hinge
     ("falling_hinged_rod", "rod", "A_x right at hinge; A_y up at hinge; m g down at G", "correct", ""),

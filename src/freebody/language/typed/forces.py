@@ -116,6 +116,8 @@ def _entry(line: str) -> TypedForce:
         if what in ("at", "angle") and (angle := _ANGLE.fullmatch(arg)) is not None:
             told["angle"] = angle["any"] or f"{angle['value'].replace(',', '.')} deg"
         elif what == "at":
+            if not arg:
+                raise ExpressionError(Message("'{line}': say at which point it acts", line=line))
             place = arg
         elif what == "compass":
             vector, has_sense = _COMPASS[word]

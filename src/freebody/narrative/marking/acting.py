@@ -142,7 +142,9 @@ class FreeBodies:
     # -- the table ----------------------------------------------------------------------------
     def _of(self, bodies: Sequence[str], *, is_whole: bool) -> Iterator[Acting]:
         """is_whole: those between the bodies alone."""
-        idle = idle_rows(self.snapshot)
+        # what keeps a hanging rope upright in the model is no force that a rope transmits
+        helping = {row.name for row in self.system.rows if row.if_needed}
+        idle = idle_rows(self.snapshot) - helping
         free = FreeBody(self.snapshot, bodies, closed=closed_bounds(self.snapshot), told=idle)
         outside = free.forces()
         shown = [s for s in free.all_forces() if s not in outside] if is_whole else outside

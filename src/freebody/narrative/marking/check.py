@@ -126,10 +126,16 @@ class MarkedQuestion:
         parts = judgement.answer.parts
         with suppress(FreebodyError, *FAILURES):
             if judgement.answer.is_number:
+                if any(isinstance(p, TypedNumber) and self._has_other_unit(p) for p in parts):
+                    return None  # a number that is near the result of a mistake in another unit says nothing
                 return self._known.behind_numbers([p.value for p in parts if isinstance(p, TypedNumber)])
             text = ", ".join(map(to_python, judgement.exprs))
             return self._known.behind({"a": f"[{text}]" if len(parts) > 1 else text}).get("a")
         return None
+
+    def _has_other_unit(self, given: TypedNumber) -> bool:
+        assert self.judging is not None
+        return given.has_unit and given.dimension != self.judging.solved.dimension
 
     @cached_property
     def _known(self) -> KnownMistakes:

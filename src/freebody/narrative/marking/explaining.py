@@ -31,8 +31,8 @@ class Explaining:
         """In the order of what is most certain."""
         for explain in (
             self._by_magnitude,
-            self._pair,
             self._sense,
+            self._pair,
             self._internal,
             self._elsewhere,
             self._smooth,
@@ -55,8 +55,12 @@ class Explaining:
         return not with_place or is_place(self.free, entry, a)
 
     def _pair(self, entry: Entry) -> str:
-        """It acts against one that is drawn, or repeats it."""
+        """It acts against a reaction that is drawn at the same place, or repeats it."""
+        if entry.magnitude is not None or not entry.typed.place:
+            return ""
         for other, a in self.matching.pairs.items():
+            if other.typed.place != entry.typed.place:
+                continue
             if other.heading is None or entry.heading is None or a.row is None or other.typed.is_couple:
                 continue
             if is_place(self.free, entry, a) and is_parallel(entry.heading.way, other.heading.way):

@@ -149,7 +149,7 @@ class Places:
         return Heading(way if along > 0 else -way, abs(along) > 1e-9)
 
     def _towards(self, force: TypedForce, place: Place | None) -> Heading:
-        start = self._of_place(force) if place is None or not place.points else next(iter(place.points))
+        start = self._of_place(force) if place is None or not place.points else place.points[0]
         away = self._aim(force.of[0]) - start
         size = float(np.hypot(*away))
         if size < self.free.small:
@@ -157,14 +157,15 @@ class Places:
         return Heading((-1.0 if force.way == "away" else 1.0) * away / size, True)
 
     def _of_place(self, force: TypedForce) -> Array:
-        if len(self.free.bodies) > 1 or not self.free.is_point(self.free.bodies[0]):
+        body, *others = self.free.bodies
+        if others or not self.free.is_point(body):
             raise ExpressionError(Message("'{line}': say at which point it acts", line=force.text))
-        return self.action.center(self.free.bodies[0])
+        return self.action.center(body)
 
     def _aim(self, text: str) -> Array:
         """What a force points to: a point, or the middle of a body."""
         found = self._named(text)
-        return next(iter(self.place(text).points)) if found is None else found[1]
+        return self.place(text).points[0] if found is None else found[1]
 
     def _line(self, text: str) -> Array:
         """(2,) along a line of the ground or of a body, a connection, a body from its start to its end, or at an angle

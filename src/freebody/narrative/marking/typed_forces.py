@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from freebody.errors import CannotAnswer, ExpressionError
+from freebody.errors import ExpressionError, FreebodyError
 from freebody.language.expression import FLOAT_FUNCTIONS, Expr, evaluate, free_symbols
 from freebody.language.sentences import Message
 from freebody.language.typed import TypedNumber, Vocabulary, read_typed
@@ -18,6 +18,7 @@ from freebody.narrative.marking.acting import Acting, FreeBodies, Weight
 from freebody.narrative.marking.places import Heading, Place, Places
 from freebody.numeric.jets import Array
 from freebody.study.pictures.action import cross
+from freebody.tolerances import ROUND_OFF
 
 _WEIGHTS = ("weight", "gravity", "gewicht", "gewichtskraft", "schwerkraft")
 _N_DRAWS = 5  # of the parameters, at which two formulas are compared
@@ -77,25 +78,36 @@ def _check(free: FreeBodies, entry: Entry) -> None:
 # -- what fits --------------------------------------------------------------------------------
 def is_magnitude(free: FreeBodies, entry: Entry, a: Acting) -> bool | None:
     """Whether a load has the magnitude of an entry; None where one of both has only a name."""
+    sign = sign_of(free, entry, a)
+    return None if sign is None else sign != 0
+
+
+def sign_of(free: FreeBodies, entry: Entry, a: Acting) -> int | None:
+    """1 where the magnitude of an entry is that of a load, -1 where it is the opposite, else 0; None where one of both
+    has only a name."""
     own, law = entry.magnitude, a.law
     if own is None or law is None:
         return None
     try:
         if isinstance(own, TypedNumber):
             if own.has_unit and own.dimension != (TORQUE if a.is_couple else FORCE):
-                return False
+                return 0
             value = free.snapshot.scalar(law) * a.size
-            return abs(own.value - value) <= _NEAR * abs(value)
-        names = sorted(free_symbols(law) | free_symbols(own))
-        draw = random.Random(1)
-        for _ in range(_N_DRAWS):
-            values = {name: draw.uniform(0.5, 1.5) for name in names}
-            first, second = (float(evaluate(x, values, FLOAT_FUNCTIONS)) for x in (own, law))
-            if abs(first - second * a.size) > 1e-9 * max(1.0, abs(first)):
-                return False
-    except (ExpressionError, CannotAnswer, ArithmeticError, ValueError, KeyError):
+            return next((s for s in (1, -1) if abs(s * own.value - value) <= _NEAR * abs(value)), 0)
+        return _same(own, law, a.size)
+    except (FreebodyError, ArithmeticError, ValueError, KeyError):
         return None
-    return True
+
+
+def _same(own: Expr, law: Expr, size: float) -> int:
+    """The sign with which a formula is so many times a law, at random values of all names."""
+    draw, signs = random.Random(1), {1, -1}
+    names = sorted(free_symbols(law) | free_symbols(own))
+    for _ in range(_N_DRAWS):
+        values = {name: draw.uniform(0.5, 1.5) for name in names}
+        first, second = (float(evaluate(x, values, FLOAT_FUNCTIONS)) for x in (own, law))
+        signs = {s for s in signs if abs(s * first - second * size) <= ROUND_OFF * max(1.0, abs(first))}
+    return min(signs, default=0)
 
 
 def is_place(free: FreeBodies, entry: Entry, a: Acting) -> bool:
@@ -109,7 +121,7 @@ def is_place(free: FreeBodies, entry: Entry, a: Acting) -> bool:
         return False
     if a.is_couple:
         return True
-    if any(other.is_couple and other.source == a.source and other.body == a.body for other in free.outside):
+    if a.is_normal and any(b.is_couple and (b.source, b.body) == (a.source, a.body) for b in free.outside):
         return True
     if entry.heading is None:
         return any(float(np.hypot(*(p - a.at))) < free.small for p in place.points)
@@ -130,12 +142,14 @@ def is_parallel(first: Array, second: Array) -> bool:
 
 
 def is_sense(free: FreeBodies, entry: Entry, a: Acting) -> bool:
-    """Whether an entry has the sense of a force, where that is known."""
-    is_known = a.is_known or is_magnitude(free, entry, a) is True
+    """Whether an entry has the sense of a force, where that is known: one against it with the opposite formula has."""
+    sign = sign_of(free, entry, a)
+    if not a.is_known and not sign:
+        return True
     if a.is_couple:
-        return not is_known or entry.typed.turn * a.moment >= 0
+        return (sign or 1) * entry.typed.turn * a.moment >= 0
     assert entry.heading is not None
-    return not (is_known and entry.heading.has_sense) or float(entry.heading.way @ a.way) > 0
+    return not entry.heading.has_sense or (sign or 1) * float(entry.heading.way @ a.way) > 0
 
 
 def twice(first: Entry, second: Entry, body: str) -> str:
