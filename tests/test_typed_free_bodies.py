@@ -208,6 +208,10 @@ TABLE = [
         "incorrect",
         "'m g down at G' is extra",
     ),
+    # a band brake: two tensions are all that the band does to the drum
+    ("band_brake", "drum", "A at axle; T counterclockwise; S1 down at left; S2 down at right", "correct", ""),
+    ("band_brake", "drum", "A at axle; T counterclockwise; S1 down at left", "incorrect", "the tension of band"),
+    ("band_brake", "lever", "A at hinge; F down at push; S up at band", "correct", ""),
     # a hinge
     ("falling_hinged_rod", "rod", "A_x right at hinge; A_y up at hinge; m g down at G", "correct", ""),
     ("falling_hinged_rod", "rod", "A1 at 30 deg at hinge; A2 at 120° at hinge; 29.43 N down at G", "correct", ""),
@@ -316,6 +320,37 @@ loads:
 def test_a_massless_member_transmits_along_its_line(body: str, answer: str, verdict: str) -> None:
     found = fb.System.from_text(STRUT).check(answer=answer, free_body=body)
     assert found.verdict == verdict, found.reason
+
+
+CANTILEVER = """freebody: 1
+title: Cantilever
+parameters: {m: 2 kg, L: 1 m, g: 9.81 m/s^2, F: 5 N}
+bodies:
+  beam: {rod: {mass: m, length: L}, angle: 0}
+connections:
+  wall: {weld: [ground.A, beam.start]}
+loads:
+  weight: {gravity: g}
+  push: {force: {at: beam.end, along: down, magnitude: F}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("answer", "verdict", "says"),
+    [
+        ("A at wall; moment M at wall; m g down at G; F down at end", "correct", ""),
+        ("A_x right at wall; A_y up at wall; M clockwise at start; m g down at G; F down at push", "correct", ""),
+        ("A_x right at wall; A_y up at wall; m g down at G; F down at end", "incorrect", "the moment of wall"),
+        ("A_x right at wall; A_y up at G; M ccw at wall; m g down at G; F down at end", "incorrect", "line of action"),
+        ("A at wall; moment M at wall; m g down at G; P down at end", "correct", ""),
+        ("A at wall; moment M at wall; m g down at G; F up at end", "incorrect", "wrong sense for the load push"),
+        ("A at wall; moment M at wall; m g down at G; 5 N down at end; F down at end", "incorrect", "extra"),
+    ],
+)
+def test_a_clamp_has_two_forces_and_a_moment(answer: str, verdict: str, says: str) -> None:
+    found = fb.System.from_text(CANTILEVER).check(answer=answer, free_body="beam")
+    assert found.verdict == verdict, found.reason
+    assert says in found.reason
 
 
 # -- reading ----------------------------------------------------------------------------------

@@ -18,7 +18,7 @@ from freebody.language.sentences import Message
 from freebody.model.elements import AppliedLoad, ConstraintRow
 from freebody.numeric.jets import Array
 from freebody.present.picture.forces import ShownForce
-from freebody.study.pictures.action import Action
+from freebody.study.pictures.action import Action, cross
 from freebody.study.pictures.free_body import FreeBody
 from freebody.study.pictures.general_position import general_position
 from freebody.study.pictures.idle import idle_rows
@@ -149,7 +149,21 @@ class FreeBodies:
         outside = free.forces()
         shown = [s for s in free.all_forces() if s not in outside] if is_whole else outside
         found = [self._acting(free, s, idle) for s in shown]
-        yield from (replace(a, is_needed=a.is_needed and not self._is_alone(a, found)) for a in found)
+        for a in found:
+            is_needed = a.is_needed and not self._is_alone(a, found) and not self._is_in_tension(a, found)
+            yield replace(a, is_needed=is_needed)
+
+    def _is_in_tension(self, a: Acting, acting: Sequence[Acting]) -> bool:
+        """Whether friction of a rope on a drum acts along one of its ends: two different tensions are all of it."""
+        return a.is_friction and any(
+            b.row is not None
+            and b.row.reaction == "tension"
+            and (b.source, b.body) == (a.source, a.body)
+            and abs(float(cross(b.way, a.way)[0])) < ON_LINE
+            and abs(float(cross(b.at - a.at, a.way)[0])) < self.small
+            for b in acting
+            if not a.is_couple
+        )
 
     def _is_alone(self, a: Acting, acting: Sequence[Acting]) -> bool:
         """Whether a reaction that holds the mass centre of its body across a line has nothing to hold in this pose: no

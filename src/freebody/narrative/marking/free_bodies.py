@@ -62,7 +62,7 @@ def judge_free_bodies(system: System, bodies: Sequence[str], text: str) -> Typed
         tries = (Matching(free, entries, along_links=along).found() for along in (False, True))
         faults, opened = min(tries, key=lambda found: len(found[0]))
     except ExpressionError as error:
-        return TypedJudgement("unreadable", str(error))
+        return TypedJudgement("unreadable", error.message)
     except CannotAnswer as error:
         return TypedJudgement("undecided", str(error))
     read = tuple(entry.text for entry in entries)
@@ -72,7 +72,7 @@ def judge_free_bodies(system: System, bodies: Sequence[str], text: str) -> Typed
     if faults:
         return TypedJudgement("incorrect", further(*faults), decided_by=how, forces=read)
     if opened:
-        told = Message("the magnitude of {forces} is a result, which is not judged here: write a name", forces=opened)
+        told = Message("the magnitude of {forces} is not judged here: write a name", forces=opened)
         return TypedJudgement("undecided", told, forces=read)
     return TypedJudgement("correct", Message("every force that acts, and no other"), decided_by=how, forces=read)
 
@@ -108,7 +108,7 @@ class Matching:
 
     def is_free_joint(self, a: Acting) -> bool:
         """Whether a force is one of two components that may have any direction."""
-        own = self.joint(a)
+        own = [] if a.is_couple else self.joint(a)
         return len(own) > 1 and all(b.row is not None and not b.is_known and not b.is_friction for b in own)
 
     def fits(self, entry: Entry, a: Acting) -> bool:
@@ -280,7 +280,7 @@ def told_missing(matching: Matching, missing: Iterable[Acting]) -> Iterator[str]
     told: set[str] = set()
     gone = list(missing)
     for a in gone:
-        is_part = matching.is_free_joint(a) if not a.is_couple else False
+        is_part = matching.is_free_joint(a)
         whole = [b for b in matching.joint(a) if b.is_needed] if is_part else []
         if is_part and any(b not in gone for b in whole):
             said = Message("one component of {force} is missing", force=a.words)
