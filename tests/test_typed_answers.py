@@ -266,3 +266,9 @@ def test_a_verdict_shows_itself_in_a_notebook(answer: str) -> None:
     html = found._repr_html_()
     assert "<math" in html
     assert ("Correct." if answer == "2g/3" else "Incorrect.") in html
+
+
+def test_a_wrong_unit_names_no_mistake_of_mechanics() -> None:
+    found = system("atwood_machine").check("acceleration", "1.7836 m/s")
+    assert (found.verdict, found.mistake) == ("incorrect", "")
+    assert "the magnitude is right, the unit is not" in found.reason

@@ -172,6 +172,12 @@ class Studies:
                 "The question: its id in the file, or one in words; or equations of motion.",
             ),
             Option("answer", ("--answer",), "The answer as it is typed: plain text or LaTeX."),
+            Option(
+                "free_body",
+                ("--free-body",),
+                "Instead of a question: the answer is what acts on this body, as 'N up at contact; m g down at G'.",
+                metavar="BODY",
+            ),
             Option("working", ("--working",), "Instead of both: a file with a solution, one line a step.", Path),
             Option("form", ("--form",), "any, formula or number.", default="any"),
             Option("unit", ("--unit",), "Whether numbers need one: optional or required.", default="optional"),
@@ -193,6 +199,7 @@ class Studies:
         answer: str | None = None,
         *,
         working: str | Path | None = None,
+        free_body: str | None = None,
         form: str = "any",
         unit: str = "optional",
         tolerance: str = "1 %",
@@ -201,9 +208,9 @@ class Studies:
     ) -> CheckedAnswer | CheckedWorking:
         """Judge an answer that somebody typed to a question.
 
-        question: its id, or one in words; working: a file with a solution instead, one line a step; form: any, formula
-        or number; unit: optional or required; tolerance: of numbers; gravity: further values of g that are accepted
-        [m/s^2]."""
+        question: its id, or one in words; working: a file with a solution instead, one line a step; free_body: a
+        body instead, and the answer is what acts on it; form: any, formula or number; unit: optional or required;
+        tolerance: of numbers; gravity: further values of g that are accepted [m/s^2]."""
         ...
 
     @study("freebody.study.eom", "eom", busy="deriving the equations of motion")

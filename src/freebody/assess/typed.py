@@ -55,6 +55,7 @@ class TypedJudgement:
     mistake: str = ""
     answer: TypedAnswer | None = None
     equations: tuple[tuple[Expr, Expr], ...] = ()  # as they were read, where equations are the answer
+    forces: tuple[str, ...] = ()  # the entries of a free-body diagram
 
     @property
     def exprs(self) -> tuple[Expr, ...]:

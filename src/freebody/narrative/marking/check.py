@@ -19,13 +19,14 @@ from freebody.language.document.file import text_of
 from freebody.language.expression import ZERO, Expr
 from freebody.language.notation import to_python
 from freebody.language.plain_text import plain, shortened
-from freebody.language.sentences import Message, Sentence
+from freebody.language.sentences import Message, Sentence, listed
 from freebody.language.typed import TypedNumber
 from freebody.language.units import dimension_of
 from freebody.model.noting import did_you_mean
 from freebody.narrative.context import Context
 from freebody.narrative.marking.equations import equations_of
 from freebody.narrative.marking.found import CheckedAnswer
+from freebody.narrative.marking.free_bodies import asked_bodies, judge_free_bodies
 from freebody.narrative.marking.working import CheckedWorking, check_working
 from freebody.narrative.mistakes.mistakes import KnownMistakes
 from freebody.narrative.mistakes.wrong_options import FAILURES
@@ -53,6 +54,7 @@ def check(
     answer: str | None = None,
     *,
     working: str | Path | None = None,
+    free_body: str | None = None,
     form: str = "any",
     unit: str = "optional",
     tolerance: str = "1 %",
@@ -63,6 +65,8 @@ def check(
     answer to the same question is compared with what was found.
 
     working: a file with a solution, one line a step, instead of both.
+    free_body: a body, or several cut free together; the answer is the set of forces and moments that act on it, as for
+    the question "free body of BODY".
     Instead of a question "equations of motion": the answer is a set of equations, which must hold on every motion.
     form: any, formula or number; unit: optional or required; tolerance: '1 %', '0.05 N' or '3 digits'; gravity: further
     values of g that are accepted [m/s^2]. Raises InputError for a question that cannot be read and for a policy that is
@@ -70,12 +74,19 @@ def check(
     Catalogue(language)
     if working is not None:
         return check_working(system, text_of(Path(working)), language=language)
+    if free_body is not None:
+        question = f"free body of {free_body}"
     if question is None or answer is None:
-        raise InputError(Message("give --question and --answer, or --working"))
+        raise InputError(Message("give --question or --free-body, and --answer; or --working"))
     policy = _policy(form, unit, tolerance, gravity)
     if question.strip().lower() in EQUATIONS:
         found = equations_of(system).judge(answer[:_LONGEST])
         asked = Question("equations", Message("the equations of motion"), DegreesOfFreedom())
+        return CheckedAnswer(asked, shortened(plain(answer), 300), found, language, title=system.title)
+    if (bodies := asked_bodies(question)) is not None:
+        found = judge_free_bodies(system, bodies, answer[:_LONGEST])
+        told = Message("the free-body diagram of {bodies}", bodies=listed(bodies))
+        asked = Question("free body", told, DegreesOfFreedom())
         return CheckedAnswer(asked, shortened(plain(answer), 300), found, language, title=system.title)
     marked = marked_question(system, question)
     text = plain(answer)
@@ -115,10 +126,16 @@ class MarkedQuestion:
         parts = judgement.answer.parts
         with suppress(FreebodyError, *FAILURES):
             if judgement.answer.is_number:
+                if any(isinstance(p, TypedNumber) and self._has_other_unit(p) for p in parts):
+                    return None  # a number that is near the result of a mistake in another unit says nothing
                 return self._known.behind_numbers([p.value for p in parts if isinstance(p, TypedNumber)])
             text = ", ".join(map(to_python, judgement.exprs))
             return self._known.behind({"a": f"[{text}]" if len(parts) > 1 else text}).get("a")
         return None
+
+    def _has_other_unit(self, given: TypedNumber) -> bool:
+        assert self.judging is not None
+        return given.has_unit and given.dimension != self.judging.solved.dimension
 
     @cached_property
     def _known(self) -> KnownMistakes:

@@ -76,6 +76,8 @@ class CheckedAnswer(Result):
 
     def _reading(self) -> dict[str, Any] | None:
         answer = self.judgement.answer
+        if self.judgement.forces:
+            return {"expression": list(self.judgement.forces), "latex": [], "label": None}
         if self.judgement.equations:
             sides = [tuple(map(to_python, equation)) for equation in self.judgement.equations]
             latex = [" = ".join(map(to_latex, equation)) for equation in self.judgement.equations]
@@ -99,6 +101,9 @@ class CheckedAnswer(Result):
         if equations:
             yield Paragraph((catalogue.word("marking.read_as"),))
             yield from (Paragraph(("    ", Formula(sides, ("=",)))) for sides in equations)
+        elif self.judgement.forces:
+            yield Paragraph((catalogue.word("marking.read_as"),))
+            yield from (Paragraph((f"    {force}",)) for force in self.judgement.forces)
         elif answer is None:
             yield from entries(entry(catalogue.word("marking.answer"), self.text))
         else:

@@ -27,7 +27,7 @@ class LoadSymbols:
     def of(self, push: AppliedLoad) -> tuple[Label, int]:
         """The label, and whether its force acts with the gradient of the measure (+1) or against it."""
         given = self.given.get(push.name, self.given.get(push.load))
-        law, sign = self._law(push)
+        law, sign = self.law(push)
         if law is None:
             sign = getattr(self.system.loads.get(push.load), "pulling_sign", 1)
         if given is not None:
@@ -39,8 +39,8 @@ class LoadSymbols:
         called = load if load in self.system.loads else load.partition(".")[0]
         return name(f"F_{re.sub(r'[^0-9A-Za-z]', '_', called)}")
 
-    def _law(self, push: AppliedLoad) -> tuple[Expr | None, int]:
-        """None where the model has no name for what a law depends on."""
+    def law(self, push: AppliedLoad) -> tuple[Expr | None, int]:
+        """The law and its sign as for `of`; None where the model has no name for what it depends on."""
         law = push.in_symbols
         for symbol in sorted(s for s in free_symbols(law) if s.startswith(_LOAD)):
             row = self._pressed(symbol.removeprefix(_LOAD))

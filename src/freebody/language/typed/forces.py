@@ -1,0 +1,164 @@
+"""What is typed as a free-body diagram: forces and moments, one a line or between semicolons.
+
+entry     = name or formula, and in any order: direction, "at" place        N up at contact
+direction = right | left | up | down | horizontal | vertical | [up | down] along LINE | normal to LINE
+          | towards POINT | away from POINT | at 30 deg | (a, b) | unknown direction
+moment    = name with one of: moment, torque, clockwise, counterclockwise    M counterclockwise at hinge
+
+The German words stand beside the English ones. Which lines and points there are is not known here.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+from freebody.errors import ExpressionError
+from freebody.language.sentences import Message
+from freebody.language.typed.characters import normalized
+
+MOST_ENTRIES = 40
+_LONGEST = 200  # characters of an entry
+
+Way = Literal["", "compass", "along", "normal", "towards", "away", "angle", "components", "any"]
+Vector = tuple[float, float]
+
+_COMPASS: dict[str, tuple[Vector, bool]] = {  # with a sense or without
+    **dict.fromkeys(("right", "rightward", "rightwards", "rechts"), ((1.0, 0.0), True)),
+    **dict.fromkeys(("left", "leftward", "leftwards", "links"), ((-1.0, 0.0), True)),
+    **dict.fromkeys(("up", "upward", "upwards", "oben", "aufwärts", "hinauf"), ((0.0, 1.0), True)),
+    **dict.fromkeys(("down", "downward", "downwards", "unten", "abwärts", "hinab", "hinunter"), ((0.0, -1.0), True)),
+    **dict.fromkeys(("horizontal", "horizontally", "waagrecht", "waagerecht"), ((1.0, 0.0), False)),
+    **dict.fromkeys(("vertical", "vertically", "vertikal", "lotrecht"), ((0.0, 1.0), False)),
+}
+_KEYS: dict[str, Way | Literal["at"]] = {
+    **dict.fromkeys(("at", "in", "bei", "beim", "am", "im", "an"), "at"),
+    **dict.fromkeys(("along", "parallel to", "entlang", "längs", "parallel zu"), "along"),
+    **dict.fromkeys(("normal to", "perpendicular to", "normal zu", "senkrecht zu", "senkrecht auf"), "normal"),
+    **dict.fromkeys(("towards", "toward", "in richtung", "zu", "nach"), "towards"),
+    **dict.fromkeys(("away from", "weg von"), "away"),
+    **dict.fromkeys(("under", "unter"), "angle"),
+    **dict.fromkeys(("unknown direction", "any direction", "unbekannte richtung", "beliebige richtung"), "any"),
+    **dict.fromkeys(_COMPASS, "compass"),
+}
+_KEY = re.compile(rf"(?<!\S)({'|'.join(sorted(map(re.escape, _KEYS), key=len, reverse=True))})(?=\s|$)", re.IGNORECASE)
+_FILLER = re.compile(
+    r"(?<!\S)(?:(?:to the|nach)\s+(?=right|left|rechts|links|oben|unten)|(?:the|point|dem|der|den|des|die|punkt)\s+)",
+    re.IGNORECASE,
+)
+_AXIS = re.compile(r"(?<=\s)(?:in\s+)?([+-])([xy])(?:[- ]?(?:direction|richtung))?(?=\s|$)", re.IGNORECASE)
+_AXES = {"+x": "right", "-x": "left", "+y": "up", "-y": "down"}
+_ANGLE = re.compile(
+    r"(?:an angle of|angle|winkel)\s+(?P<any>.+)|(?P<value>[-+]?[0-9.,]+)\s*(?:°|deg|degrees|grad)", re.IGNORECASE
+)
+_DEGREES = re.compile(r"(?P<value>[-+]?[0-9]+(?:[.,][0-9]+)?)\s*(?:°|deg|degrees|grad)", re.IGNORECASE)
+_TURNS = (
+    (
+        re.compile(r"counter-?clockwise|anti-?clockwise|gegen den uhrzeigersinn|linksdrehend|↺|\bccw\b", re.IGNORECASE),
+        1,
+    ),
+    (re.compile(r"clockwise|im uhrzeigersinn|rechtsdrehend|↻|\bcw\b", re.IGNORECASE), -1),
+    (re.compile(r"\b(?:moment|torque|couple|drehmoment|kräftepaar)\b", re.IGNORECASE), 0),
+)
+
+
+@dataclass(frozen=True)
+class TypedForce:
+    """One entry. name: a name or formula; way: how the direction is told, of: the line, point, angle or components that
+    it names; vector: a direction of the compass, has_sense: whether it says which way; turn: of a moment, 1
+    counterclockwise, -1 clockwise, 0 not said."""
+
+    text: str
+    name: str
+    way: Way = ""
+    of: Sequence[str] = ()
+    vector: Vector | None = None
+    has_sense: bool = False
+    place: str = ""
+    is_couple: bool = False
+    turn: int = 0
+
+
+def read_forces(text: str) -> list[TypedForce]:
+    """The entries of a diagram. Raises ExpressionError for what is none."""
+    entries = [line.strip(" \t.,") for line in re.split(r"[;\n]", text)]
+    found = [_entry(line) for line in entries if line]
+    if not found:
+        raise ExpressionError(Message("the answer is empty"))
+    if len(found) > MOST_ENTRIES:
+        raise ExpressionError(
+            Message("a diagram may have {most} forces, this one has {n}", most=MOST_ENTRIES, n=len(found))
+        )
+    return found
+
+
+def _entry(line: str) -> TypedForce:
+    if len(line) > _LONGEST:
+        raise ExpressionError(
+            Message("an answer may have {most} characters, this one has {n}", most=_LONGEST, n=len(line))
+        )
+    text, is_couple, turn = _turned(" ".join(line.split()))
+    text, components = _components(text)
+    text = _AXIS.sub(lambda found: _AXES[found[1] + found[2].lower()], text)
+    text = _FILLER.sub("", text)
+    name, *parts = _KEY.split(text)
+    told = dict[str, str]()
+    place, vector, has_sense = "", None, False
+    keys = [(_KEYS[key.lower()], key.lower(), arg.strip()) for key, arg in zip(parts[::2], parts[1::2], strict=True)]
+    k = 0
+    while k < len(keys):
+        what, word, arg = keys[k]
+        if what == "at" and not arg and k + 1 < len(keys) and keys[k + 1][0] == "compass":  # at left
+            k += 1
+            arg = keys[k][1]
+        if what in ("at", "angle") and (angle := _ANGLE.fullmatch(arg)) is not None:
+            told["angle"] = angle["any"] or f"{angle['value'].replace(',', '.')} deg"
+        elif what == "at":
+            if not arg:
+                raise ExpressionError(Message("'{line}': say at which point it acts", line=line))
+            place = arg
+        elif what == "compass":
+            vector, has_sense = _COMPASS[word]
+            if arg:  # down the incline
+                told["along"] = arg
+        else:
+            told[what] = arg
+        k += 1
+    if components:
+        told["components"] = "\0".join(components)
+    if (angle := _DEGREES.search(name)) is not None:
+        name, told["angle"] = name[: angle.start()], f"{angle['value'].replace(',', '.')} deg"
+    if len(told) > 1 or (told and vector is not None and not told.keys() & {"along", "normal"}):
+        raise ExpressionError(Message("'{line}' has two directions", line=line))
+    way = next(iter(told), "" if vector is None else "compass")
+    of = tuple(told[way].split("\0")) if way in told else ()
+    if is_couple and way:
+        raise ExpressionError(Message("'{line}' is a moment: it turns, and has no direction in the plane", line=line))
+    return TypedForce(line, normalized(name).strip(" =:,"), way, of, vector, has_sense, place, is_couple, turn)  # type: ignore[arg-type]
+
+
+def _turned(text: str) -> tuple[str, bool, int]:
+    """The text without the words of a moment, whether it is one, and in which sense."""
+    is_couple, turn = False, 0
+    for pattern, sense in _TURNS:
+        if pattern.search(text):
+            text, is_couple, turn = pattern.sub(" ", text), True, turn or sense
+    return " ".join(text.split()), is_couple, turn
+
+
+def _components(text: str) -> tuple[str, tuple[str, ...]]:
+    """The text without (a, b) or [a, b], and its parts."""
+    for start in (k for k, letter in enumerate(text) if letter in "(["):
+        level, cuts = 0, [start]
+        for k in range(start, len(text)):
+            level += (text[k] in "([") - (text[k] in ")]")
+            if level == 1 and text[k] == ",":
+                cuts.append(k)
+            if level == 0:
+                if len(cuts) == 2:
+                    inside = text[start + 1 : cuts[1]].strip(), text[cuts[1] + 1 : k].strip()
+                    return " ".join((text[:start] + " " + text[k + 1 :]).split()), inside
+                break
+    return text, ()

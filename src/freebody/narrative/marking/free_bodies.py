@@ -1,0 +1,291 @@
+"""A typed free-body diagram, beside what acts on the bodies.
+
+Entries are matched with forces: first those that stand for all forces of a joint (one force of unknown direction, or
+one along a massless member with two pins), then the others, as many as can be. Two components of a pin may have any two
+directions: what is drawn must span what acts. Forces of one contact at several points may be drawn as one, at the
+contact. Every entry that is left over is explained by the force that it comes nearest to, and what is not drawn is
+missing. A force acts anywhere on its line of action.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Sequence
+from itertools import product
+
+import numpy as np
+
+from freebody.assess.typed import TypedJudgement
+from freebody.errors import CannotAnswer, ExpressionError, FreebodyError
+from freebody.language.expression import Symbol
+from freebody.language.sentences import Message, further, listed
+from freebody.language.typed import TypedNumber
+from freebody.language.units import FORCE, TORQUE
+from freebody.narrative.marking.acting import Acting, FreeBodies, free_bodies
+from freebody.narrative.marking.explaining import Explaining
+from freebody.narrative.marking.typed_forces import (
+    Entry,
+    entries_of,
+    is_magnitude,
+    is_parallel,
+    is_place,
+    is_point_of,
+    is_sense,
+    twice,
+)
+from freebody.study.pictures.free_body import checked_bodies
+from freebody.system.system import System
+
+_ASKED = re.compile(
+    r"(?:free[- ]body(?: diagram)?|fbd|freikörperbild|freischnitt|freigeschnitten)\s*(?:of|von|:)?\s*(?P<bodies>.+)",
+    re.IGNORECASE,
+)
+_BETWEEN = re.compile(r"\s*(?:,|\band\b|\bund\b|\+)\s*")
+_ADDS_UP = 1e-6  # relative, of forces in numbers
+
+
+def asked_bodies(question: str) -> tuple[str, ...] | None:
+    """The bodies of a question for a free-body diagram; None for any other question."""
+    found = _ASKED.fullmatch(question.strip())
+    return None if found is None else tuple(filter(None, _BETWEEN.split(found["bodies"].strip())))
+
+
+def judge_free_bodies(system: System, bodies: Sequence[str], text: str) -> TypedJudgement:
+    """The verdict on a typed diagram. Raises InputError for bodies that there are not."""
+    cut = checked_bodies(system, bodies)
+    if system.space:
+        return TypedJudgement("undecided", Message("free-body diagrams are judged in the plane"))
+    try:
+        free = free_bodies(system, cut)
+        entries = list(entries_of(free, text))
+        # a force along a massless member is one component of its pin or all of it: whichever leaves fewer faults
+        tries = (Matching(free, entries, along_links=along).found() for along in (False, True))
+        faults, opened = min(tries, key=lambda found: len(found[0]))
+    except ExpressionError as error:
+        return TypedJudgement("unreadable", error.message)
+    except CannotAnswer as error:
+        return TypedJudgement("undecided", str(error))
+    read = tuple(entry.text for entry in entries)
+    how = Message("compared with the loads and the reactions of the connections")
+    if faults and (parts := resolved(free, entries)):
+        return TypedJudgement("undecided", parts, forces=read)
+    if faults:
+        return TypedJudgement("incorrect", further(*faults), decided_by=how, forces=read)
+    if opened:
+        told = Message("the magnitude of {forces} is not judged here: write a name", forces=opened)
+        return TypedJudgement("undecided", told, forces=read)
+    return TypedJudgement("correct", Message("every force that acts, and no other"), decided_by=how, forces=read)
+
+
+class Matching:
+    """Entries and the forces that they stand for. along_links: one force along a massless member with two pins is all
+    that acts at either."""
+
+    def __init__(self, free: FreeBodies, entries: Sequence[Entry], *, along_links: bool) -> None:
+        self.free, self.entries, self.acting = free, entries, free.outside
+        self.along_links = along_links
+        self.pairs: dict[Entry, Acting] = {}
+        self.covered: set[Acting] = set()
+
+    def found(self) -> tuple[list[str], str]:
+        """What is wrong, and the reactions whose magnitudes are given."""
+        self._joints()
+        self._match(is_strict=True)
+        self._match(is_strict=False)
+        faults = [*self._span(), *self._left_over()]
+        opened = [a.words for entry, a in self.pairs.items() if entry.magnitude is not None and self._is_open(entry, a)]
+        return faults, listed(list(dict.fromkeys(opened)))
+
+    def joint(self, a: Acting) -> list[Acting]:
+        """The forces of a connection at one point of a body."""
+        return [
+            b
+            for b in self.acting
+            if not b.is_couple
+            and (b.source, b.body) == (a.source, a.body)
+            and float(np.hypot(*(b.at - a.at))) < self.free.small
+        ]
+
+    def is_free_joint(self, a: Acting) -> bool:
+        """Whether a force is one of two components that may have any direction."""
+        own = [] if a.is_couple else self.joint(a)
+        return len(own) > 1 and all(b.row is not None and not b.is_known and not b.is_friction for b in own)
+
+    def fits(self, entry: Entry, a: Acting) -> bool:
+        if entry.typed.is_couple != a.is_couple or is_magnitude(self.free, entry, a) is False:
+            return False
+        if not is_place(self.free, entry, a):
+            return False
+        if a.is_couple:
+            return is_sense(self.free, entry, a)
+        if entry.heading is None:
+            return False
+        if self.is_free_joint(a):
+            return True
+        return is_parallel(entry.heading.way, a.way) and is_sense(self.free, entry, a)
+
+    def _is_open(self, entry: Entry, a: Acting) -> bool:
+        """Whether an entry says how large a force is whose size the model does not say. A parameter with another unit,
+        as the radius R, is but a name."""
+        if is_magnitude(self.free, entry, a) is not None:
+            return False
+        if isinstance(entry.magnitude, Symbol):
+            own = self.free.system.parameters.get(entry.magnitude.name)
+            return own is not None and own.dimension == (TORQUE if a.is_couple else FORCE)
+        return True
+
+    # -- matching -----------------------------------------------------------------------------
+    def _joints(self) -> None:
+        """One entry for all forces of a joint."""
+        for entry in self.entries:
+            if entry.typed.is_couple:
+                continue
+            for a in self.acting:
+                if a in self.covered or a.is_couple or not is_place(self.free, entry, a):
+                    continue
+                own = self.joint(a) if entry.place is None or not entry.place.source else self._of_contact(a)
+                if self._stands_for_all(entry, a, own):
+                    self.pairs[entry] = a
+                    self.covered |= set(own)
+                    break
+            if entry.heading is None and entry not in self.pairs:
+                raise ExpressionError(Message("'{line}': say in which direction it acts", line=entry.text))
+
+    def _of_contact(self, a: Acting) -> list[Acting]:
+        if not a.is_normal and not a.is_friction:
+            return self.joint(a)
+        return [b for b in self.acting if (b.source, b.body) == (a.source, a.body) and not b.is_couple]
+
+    def _stands_for_all(self, entry: Entry, a: Acting, own: Sequence[Acting]) -> bool:
+        if len(own) < 2 or any(b in self.covered for b in own) or a.row is None:
+            return False
+        if entry.heading is None:
+            return True
+        line = self.free.of_link(a) if self.along_links and self.is_free_joint(a) else None
+        return line is not None and is_parallel(line, entry.heading.way)
+
+    def _match(self, *, is_strict: bool) -> None:
+        """As many pairs as there can be, by augmenting paths. is_strict: a magnitude that a load has is given to none
+        but such a load."""
+        owner: dict[Acting, Entry] = {a: entry for entry, a in self.pairs.items() if a not in self.covered}
+
+        def candidates(entry: Entry) -> list[Acting]:
+            fitting = [a for a in self.acting if a not in self.covered and self.fits(entry, a)]
+            same = [a for a in self.acting if is_magnitude(self.free, entry, a)]
+            return [a for a in fitting if a in same] if same and is_strict else fitting
+
+        def placed(entry: Entry, seen: set[Acting]) -> bool:
+            for a in candidates(entry):
+                if a in seen:
+                    continue
+                seen.add(a)
+                if a not in owner or placed(owner[a], seen):
+                    owner[a] = entry
+                    return True
+            return False
+
+        left = [entry for entry in self.entries if entry not in self.pairs]
+        for entry in sorted(left, key=lambda e: e.magnitude is None):
+            placed(entry, set())
+        self.pairs |= {entry: a for a, entry in owner.items()}
+
+    # -- what is wrong ------------------------------------------------------------------------
+    def _span(self) -> Iterator[str]:
+        """Two components of a joint that are one, and those that are covered."""
+        done: set[Acting] = set()
+        for a in self.acting:
+            if a in self.covered or a in done or a.is_couple or not self.is_free_joint(a):
+                continue
+            own = self.joint(a)
+            done |= set(own)
+            drawn = [(e, e.heading) for e, b in self.pairs.items() if b in own and e.heading is not None]
+            if len(drawn) == 2 and is_parallel(drawn[0][1].way, drawn[1][1].way):
+                yield twice(drawn[0][0], drawn[1][0], a.body)
+                drawn = drawn[:1]
+            self.covered |= {b for b in own if len(drawn) == 2 or any(is_parallel(h.way, b.way) for _e, h in drawn)}
+
+    def _missing(self) -> Iterator[Acting]:
+        matched = {a for a in self.pairs.values() if a in self.covered or not self.is_free_joint(a)}
+        for a in self.acting:
+            if a.is_needed and a not in matched and a not in self.covered and not self._is_in_one(a):
+                yield a
+
+    def _is_in_one(self, a: Acting) -> bool:
+        """Whether a force at one point of a contact is drawn together with that at another."""
+        return any(
+            a.row is not None
+            and b.row is not None
+            and entry.place is not None
+            and (entry.place.source, b.source, b.body, b.row.reaction) == (a.source, a.source, a.body, a.row.reaction)
+            and (b.is_normal or b.is_friction)
+            and is_parallel(a.way, b.way)
+            for entry, b in self.pairs.items()
+            if not a.is_couple and not b.is_couple
+        )
+
+    def _left_over(self) -> Iterator[str]:
+        missing = list(self._missing())
+        explaining = Explaining(self, missing)
+        for entry in self.entries:
+            if entry not in self.pairs:
+                yield explaining.why(entry)
+        yield from told_missing(self, explaining.missing)
+
+
+def resolved(free: FreeBodies, entries: Sequence[Entry]) -> str:
+    """What is said where two entries add up, in numbers, to a load that is known: its components instead of itself."""
+    for a in free.outside:
+        if a.law is None or a.is_couple or any(is_magnitude(free, entry, a) for entry in entries):
+            continue
+        own = [e for e in entries if e.heading is not None and is_point_of(free, e, a) and _size(free, e) is not None]
+        for k, first in enumerate(own):
+            for second in own[k + 1 :]:
+                if _adds_up(free, first, second, a):
+                    return Message(
+                        "'{first}' and '{second}' seem to be components of {force}: draw it as one force",
+                        first=first.text,
+                        second=second.text,
+                        force=a.words,
+                    )
+    return ""
+
+
+def _size(free: FreeBodies, entry: Entry) -> float | None:
+    """[N] of an entry, where the parameters say it."""
+    own = entry.magnitude
+    if own is None or isinstance(own, TypedNumber):
+        return None if own is None else own.value
+    try:
+        return free.snapshot.scalar(own)
+    except FreebodyError:
+        return None
+
+
+def _adds_up(free: FreeBodies, first: Entry, second: Entry, a: Acting) -> bool:
+    assert a.law is not None
+    assert first.heading is not None
+    assert second.heading is not None
+    try:
+        whole = free.snapshot.scalar(a.law) * a.force
+    except FreebodyError:
+        return False
+    one = (_size(free, first) or 0.0) * first.heading.way
+    other = (_size(free, second) or 0.0) * second.heading.way
+    signs = ((1, -1)[: 1 if heading.has_sense else 2] for heading in (first.heading, second.heading))
+    near = _ADDS_UP * float(np.hypot(*whole))
+    return any(float(np.hypot(*(s * one + t * other - whole))) < near for s, t in product(*signs))
+
+
+def told_missing(matching: Matching, missing: Iterable[Acting]) -> Iterator[str]:
+    told: set[str] = set()
+    gone = list(missing)
+    for a in gone:
+        is_part = matching.is_free_joint(a)
+        whole = [b for b in matching.joint(a) if b.is_needed] if is_part else []
+        if is_part and any(b not in gone for b in whole):
+            said = Message("one component of {force} is missing", force=a.words)
+        else:
+            said = Message("{force} is missing", force=a.words)
+        if said not in told:
+            told.add(said)
+            yield said

@@ -1,0 +1,436 @@
+"""Free-body diagrams as they are typed. The verdicts and what they name were written down by hand, from the mechanics
+of the examples, before anything was run."""
+
+from __future__ import annotations
+
+import json
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+import freebody as fb
+from command import freebody
+from freebody.errors import ExpressionError, InputError
+from freebody.language.typed.forces import read_forces
+from freebody.narrative.marking.acting import Acting, free_bodies
+
+EXAMPLES = Path(__file__).parents[1] / "examples"
+
+
+@cache
+def system(name: str) -> fb.System:
+    return fb.System.load(EXAMPLES / f"{name}.yaml")
+
+
+# example, body, answer, verdict, what the reason names
+TABLE = [
+    # Atwood machine: a mass hangs on its rope; the pulley on its axle, with two ropes and its weight
+    ("atwood_machine", "left", "T up; m1 g down", "correct", ""),
+    ("atwood_machine", "left", "T1 up at rope; m1 g down at G", "correct", ""),
+    ("atwood_machine", "left", "T down; m1 g down", "incorrect", "a string only pulls"),
+    ("atwood_machine", "left", "T up", "incorrect", "the weight of left is missing"),
+    ("atwood_machine", "left", "T up; m2 g down", "incorrect", "'m2 g down' acts on right, not on left"),
+    ("atwood_machine", "left", "T up; m1 g down; m1 a up", "incorrect", "'m1 a up'"),
+    ("atwood_machine", "left", "T up; m1 down", "incorrect", "wrong magnitude: the weight of left is"),
+    ("atwood_machine", "left", "T up; -m1 g up", "correct", ""),
+    ("atwood_machine", "left", "T up at rope; H right at rope; m1 g down at G", "incorrect", "'H right at rope'"),
+    ("atwood_machine", "left", "T; m1 g down", "unreadable", "in which direction"),
+    ("atwood_machine", "left", "T up; m1 g down at", "unreadable", "at which point"),
+    ("atwood_machine", "right", "S nach oben; m2 g nach unten im Schwerpunkt", "correct", ""),
+    ("atwood_machine", "pulley", "A up at axle; M g down at center; T1 down at left; T2 down at right", "correct", ""),
+    (
+        "atwood_machine",
+        "pulley",
+        "A_x right at axle; A_y up at axle; M g down at G; T1 down at rope; T2 down at rope",
+        "correct",  # A_x is zero, and may be drawn
+        "",
+    ),
+    ("atwood_machine", "pulley", "A at axle; M g down at G; T1 down at left; T2 down at right", "correct", ""),
+    ("atwood_machine", "pulley", "A up at axle; M g down at G; T1 down at left", "incorrect", "the tension of rope"),
+    (
+        "atwood_machine",
+        "pulley",
+        "A up at axle; M g down at G; T1 down at left; T1 up at left; T2 down at right",
+        "incorrect",
+        "action and reaction",
+    ),
+    # a disk that rolls: normal force and friction at the contact
+    (
+        "disk_rolling_down_incline",
+        "disk",
+        "N normal to incline at contact; F along incline at contact; m g down at G",
+        "correct",
+        "",
+    ),
+    ("disk_rolling_down_incline", "disk", "R at contact; m g down at center", "correct", ""),
+    (
+        "disk_rolling_down_incline",
+        "disk",
+        "N normal to incline at contact; m g down at G",
+        "incorrect",
+        "the friction force of contact is missing",
+    ),
+    (
+        "disk_rolling_down_incline",
+        "disk",
+        "N normal to incline at contact; F along incline at contact; m g down at contact",
+        "incorrect",
+        "line of action of the weight of disk",
+    ),
+    (
+        "disk_rolling_down_incline",
+        "disk",
+        "N normal to incline at contact; F along incline at center; m g down at G",
+        "incorrect",
+        "line of action of the friction force of contact",
+    ),
+    (
+        "disk_rolling_down_incline",
+        "disk",
+        "N down normal to incline at contact; F along incline at contact; m g down at G",
+        "incorrect",
+        "a contact only pushes",
+    ),
+    # a massless rod may push or pull; a string may not
+    ("simple_pendulum", "bob", "T along rod; m g down", "correct", ""),
+    ("simple_pendulum", "bob", "T away from O; m g down", "correct", ""),
+    ("simple_pendulum", "bob", "m g down", "incorrect", "the tension of rod is missing"),
+    ("simple_pendulum", "bob", "T towards O; m g down; F right", "incorrect", "'F right' is extra"),
+    # pins between three bodies, and a torque
+    (
+        "slider_crank",
+        "crank",
+        "T counterclockwise; A_x right at main; A_y up at main; B_x left at crankpin; B_y down at crankpin",
+        "correct",
+        "",
+    ),
+    ("slider_crank", "crank", "T clockwise; A at main; B at crankpin", "incorrect", "wrong sense for the load drive"),
+    ("slider_crank", "rod", "B at crankpin; C at wristpin", "correct", ""),
+    (
+        "slider_crank",
+        "rod",
+        "B_x right at start; B_y up at start; C_x right at end",
+        "incorrect",
+        "one component of the force of wristpin is missing",
+    ),
+    ("slider_crank", "rod", "B at crankpin; C at wristpin; T counterclockwise", "incorrect", "acts on crank"),
+    ("slider_crank", "piston", "C at wristpin; N vertical at cylinder", "correct", ""),
+    ("slider_crank", "piston", "C at wristpin; N along cylinder at cylinder", "incorrect", "cylinder is smooth"),
+    # a ladder: both ends rough, or the wall smooth
+    (
+        "ladder_rough_wall",
+        "ladder",
+        "N1 up at floor; F1 right at floor; N2 left at wall; F2 up at wall; m g down at G",
+        "correct",
+        "",
+    ),
+    (
+        "ladder_rough_wall",
+        "ladder",
+        "N1 up at floor; F1 right at floor; N2 left at wall; m g down at G",
+        "incorrect",
+        "the friction force of wall is missing",
+    ),
+    (
+        "ladder_rough_wall",
+        "ladder",
+        "N1 up at floor; F1 right at floor; N2 right at wall; F2 up at wall; m g down at G",
+        "incorrect",
+        "a contact only pushes",
+    ),
+    (
+        "ladder_against_wall",
+        "ladder",
+        "N_A up at start; F_A right at start; N_B left at end; m g down at G; M g down at rung",
+        "correct",
+        "",
+    ),
+    (
+        "ladder_against_wall",
+        "ladder",
+        "N_A up at start; F_A right at start; N_B left at end; F_B up at end; m g down at G; M g down at rung",
+        "incorrect",
+        "wall is smooth",
+    ),
+    (
+        "ladder_against_wall",
+        "ladder",
+        "N_A up at start; F_A right at start; N_B left at end; m g down at G",
+        "incorrect",
+        "the load person is missing",
+    ),
+    # particles on inclines: every force acts at the one point
+    ("block_on_rough_incline", "block", "N normal to incline; F along incline; m g down", "correct", ""),
+    ("block_on_rough_incline", "block", "N normal to incline; mu N down the incline; m g down", "correct", ""),
+    (
+        "block_on_rough_incline",
+        "block",
+        "N up; F along incline; m g down",
+        "incorrect",
+        "wrong direction for the normal force of contact",
+    ),
+    (
+        "block_on_rough_incline",
+        "block",
+        "N normal to incline; F along incline; m g sin(theta) down the incline; m g cos(theta) down normal to incline",
+        "undecided",
+        "components of the weight of block",
+    ),
+    ("incline_with_pulley", "block", "N normal to incline; T up along incline; m1 g down", "correct", ""),
+    ("incline_with_pulley", "block", "N normal to incline; T down along incline; m1 g down", "incorrect", "only pulls"),
+    (
+        "incline_with_pulley",
+        "pulley",
+        "A at axle; M g down; T1 along incline at rope; T2 down at rope",
+        "correct",
+        "",
+    ),
+    # springs: in the sense of their formula, or either way by name
+    ("mass_on_spring", "block", "F_s up at spring; m g down at G", "correct", ""),
+    ("mass_on_spring", "block", "F_s up at spring; k y down at G", "incorrect", ""),
+    ("two_masses_three_springs", "A", "k x1 left at left; k (x2 - x1) right at middle", "correct", ""),
+    ("two_masses_three_springs", "B", "k (x1 - x2) right at middle; k x2 left at right", "correct", ""),
+    ("two_masses_three_springs", "A", "F1 right at left; F2 right at middle", "correct", ""),
+    (
+        "two_masses_three_springs",
+        "A",
+        "k x1 right at left; k (x2 - x1) right at middle",
+        "incorrect",
+        "wrong sense for the load left",
+    ),
+    # a massless pulley on a rope has no weight
+    ("compound_atwood", "lower", "T1 up at center; T2 down at left; T3 down at right", "correct", ""),
+    (
+        "compound_atwood",
+        "lower",
+        "T1 up at center; T2 down at left; T3 down at right; m g down at G",
+        "incorrect",
+        "'m g down at G' is extra",
+    ),
+    # a band brake: two tensions are all that the band does to the drum
+    ("band_brake", "drum", "A at axle; T counterclockwise; S1 down at left; S2 down at right", "correct", ""),
+    ("band_brake", "drum", "A at axle; T counterclockwise; S1 down at left", "incorrect", "the tension of band"),
+    ("band_brake", "lever", "A at hinge; F down at push; S up at band", "correct", ""),
+    # a hinge
+    ("falling_hinged_rod", "rod", "A_x right at hinge; A_y up at hinge; m g down at G", "correct", ""),
+    ("falling_hinged_rod", "rod", "A1 at 30 deg at hinge; A2 at 120° at hinge; 29.43 N down at G", "correct", ""),
+    ("falling_hinged_rod", "rod", "A_y up at hinge; m g down at G", "incorrect", "one component"),
+    ("falling_hinged_rod", "rod", "A at hinge; m g down at center; M counterclockwise at hinge", "incorrect", "extra"),
+    ("falling_hinged_rod", "rod", "A_x right; A_y up; m g down", "unreadable", "at which point"),
+    ("falling_hinged_rod", "rod", "A at hinge; m g at G", "unreadable", "in which direction"),
+    ("falling_hinged_rod", "rod", "A at hinge; m g down at Q", "unreadable", "no point Q"),
+    ("falling_hinged_rod", "rod", "A at hinge; 2 m g down at G", "incorrect", "wrong magnitude"),
+    ("falling_hinged_rod", "rod", "A_x right at hinge; m g/4 up at hinge; m g down at G", "undecided", "hinge"),
+    # a slider: normal force and moment
+    (
+        "cart_and_pendulum",
+        "cart",
+        "N up at track; moment M_T at track; M g down at G; F right at push; H at hinge",
+        "correct",
+        "",
+    ),
+    (
+        "cart_and_pendulum",
+        "cart",
+        "N up at track; M g down at G; F right at push; H at hinge",
+        "incorrect",
+        "the moment of track is missing",
+    ),
+    (
+        "cart_and_pendulum",
+        "cart and rod",
+        "N up at track; moment M_T at track; M g down at cart; m g down at rod; F right at push",
+        "correct",
+        "",
+    ),
+    (
+        "cart_and_pendulum",
+        "cart and rod",
+        "N up at track; moment M_T at track; M g down at cart; m g down at rod; F right at push; H right at hinge",
+        "incorrect",
+        "is internal",
+    ),
+    # two ropes and a hook; a string on top of a rolling cylinder
+    ("hoist", "block", "T1 up at left; T2 up at right; T3 down at hook", "correct", ""),
+    (
+        "cylinder_pulled_by_string",
+        "cylinder",
+        "M g down at G; N up at bottom; F left at bottom; T right at top",
+        "correct",
+        "",
+    ),
+    (
+        "cylinder_pulled_by_string",
+        "cylinder",
+        "M g down at G; N up at bottom; F left at bottom; T right at center",
+        "incorrect",
+        "line of action of the tension of string",
+    ),
+    # a block on two corners: one force for both
+    ("block_tips_or_slides", "block", "m g down at G; F right at pull; N up at floor; H left at floor", "correct", ""),
+    ("block_tips_or_slides", "block", "m g down at G; F right at pull; N up at floor", "incorrect", "friction force"),
+]
+
+
+@pytest.mark.parametrize("example", sorted({row[0] for row in TABLE}))
+def test_diagrams_of_the_table_have_their_verdicts(example: str) -> None:
+    wrong = {}
+    for name, body, answer, verdict, says in TABLE:
+        if name == example:
+            found = system(name).check(f"free body of {body}", answer)
+            if found.verdict != verdict or says not in found.reason:
+                wrong[body, answer] = (found.verdict, found.reason)
+    assert wrong == {}
+
+
+def test_the_table_is_wide() -> None:
+    assert len(TABLE) >= 40
+    assert len({row[0] for row in TABLE}) >= 10
+
+
+# -- a massless member with two pins ----------------------------------------------------------
+STRUT = """freebody: 1
+title: Bracket
+parameters: {m: 2 kg, L: 1 m, g: 9.81 m/s^2}
+ground: {points: {A: [0, 0], B: [0, -1]}}
+bodies:
+  beam: {rod: {mass: m, length: L}, angle: 0}
+  strut: {rod: {mass: 0, length: sqrt(2)*L}, angle: 45 deg}
+connections:
+  a: {pin: [ground.A, beam.start]}
+  b: {pin: [ground.B, strut.start]}
+  c: {pin: [beam.end, strut.end]}
+loads:
+  weight: {gravity: g}
+"""
+
+
+@pytest.mark.parametrize(
+    ("body", "answer", "verdict"),
+    [
+        ("strut", "S along strut at b; S along strut at c", "correct"),
+        ("strut", "S along strut at b", "incorrect"),
+        ("strut", "S up at b; S down at c", "incorrect"),
+        ("beam", "A at a; S along strut at c; m g down at G", "correct"),
+        ("beam", "A at a; C_x right at c; C_y up at c; m g down at G", "correct"),
+        ("beam", "A at a; C up at c; m g down at G", "incorrect"),
+    ],
+)
+def test_a_massless_member_transmits_along_its_line(body: str, answer: str, verdict: str) -> None:
+    found = fb.System.from_text(STRUT).check(answer=answer, free_body=body)
+    assert found.verdict == verdict, found.reason
+
+
+CANTILEVER = """freebody: 1
+title: Cantilever
+parameters: {m: 2 kg, L: 1 m, g: 9.81 m/s^2, F: 5 N}
+bodies:
+  beam: {rod: {mass: m, length: L}, angle: 0}
+connections:
+  wall: {weld: [ground.A, beam.start]}
+loads:
+  weight: {gravity: g}
+  push: {force: {at: beam.end, along: down, magnitude: F}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("answer", "verdict", "says"),
+    [
+        ("A at wall; moment M at wall; m g down at G; F down at end", "correct", ""),
+        ("A_x right at wall; A_y up at wall; M clockwise at start; m g down at G; F down at push", "correct", ""),
+        ("A_x right at wall; A_y up at wall; m g down at G; F down at end", "incorrect", "the moment of wall"),
+        ("A_x right at wall; A_y up at G; M ccw at wall; m g down at G; F down at end", "incorrect", "line of action"),
+        ("A at wall; moment M at wall; m g down at G; P down at end", "correct", ""),
+        ("A at wall; moment M at wall; m g down at G; F up at end", "incorrect", "wrong sense for the load push"),
+        ("A at wall; moment M at wall; m g down at G; 5 N down at end; F down at end", "incorrect", "extra"),
+    ],
+)
+def test_a_clamp_has_two_forces_and_a_moment(answer: str, verdict: str, says: str) -> None:
+    found = fb.System.from_text(CANTILEVER).check(answer=answer, free_body="beam")
+    assert found.verdict == verdict, found.reason
+    assert says in found.reason
+
+
+# -- reading ----------------------------------------------------------------------------------
+@pytest.mark.parametrize(
+    ("text", "name", "way", "of", "place"),
+    [
+        ("N up at contact", "N", "compass", (), "contact"),
+        ("N at contact to the left", "N", "compass", (), "contact"),
+        ("F along incline at contact", "F", "along", ("incline",), "contact"),
+        ("F up the incline at the contact", "F", "along", ("incline",), "contact"),
+        ("T at 30 deg at A", "T", "angle", ("30 deg",), "A"),
+        ("F (cos(alpha), sin(alpha)) at A", "F", "components", ("cos(alpha)", "sin(alpha)"), "A"),
+        ("S in Richtung B bei A", "S", "towards", ("B",), "A"),
+        ("N senkrecht zu ebene im Punkt A", "N", "normal", ("ebene",), "A"),
+        ("T down at left", "T", "compass", (), "left"),
+    ],
+)
+def test_entries_are_read(text: str, name: str, way: str, of: tuple[str, ...], place: str) -> None:
+    [found] = read_forces(text)
+    assert (found.name, found.way, found.of, found.place) == (name, way, of, place)
+
+
+def test_two_directions_are_refused() -> None:
+    with pytest.raises(ExpressionError, match="two directions"):
+        read_forces("N up towards B at A")
+
+
+# -- the faces --------------------------------------------------------------------------------
+def test_a_body_that_there_is_not_is_refused() -> None:
+    with pytest.raises(InputError, match="there is no body blok"):
+        system("block_on_rough_incline").check(answer="N up", free_body="blok")
+
+
+def test_the_command_tells_the_verdict() -> None:
+    file = str(EXAMPLES / "atwood_machine.yaml")
+    ran = freebody("check", file, "--free-body", "left", "--answer", "T up", "--json")
+    assert ran.returncode == 1
+    found = json.loads(ran.stdout)
+    found = found.get("result", found)
+    assert found["verdict"] == "incorrect"
+    assert found["reason"] == "the weight of left is missing"
+    assert found["reading"]["expression"] == ["T up"]
+    assert freebody("check", file, "--free-body", "left", "--answer", "T up; m1 g down").returncode == 0
+
+
+def test_in_german() -> None:
+    found = system("atwood_machine").check(answer="T nach oben", free_body="left", language="de")
+    assert found.reason == "es fehlt: das Gewicht von left"
+
+
+# -- what the table says of itself ------------------------------------------------------------
+def plane_examples() -> list[str]:
+    return [path.stem for path in sorted(EXAMPLES.glob("*.yaml")) if not system(path.stem).space]
+
+
+def written(acting: Acting, k: int, sense: float = 1.0) -> str:
+    """A force of the table, as somebody would type it."""
+    if acting.is_couple:
+        turn = "counterclockwise" if acting.moment * sense > 0 else "clockwise"
+        return f"Z_{k} moment {turn} at {acting.source}"
+    x, y = sense * acting.way
+    return f"Z_{k} ({x:.12f}, {y:.12f}) at {acting.source}"
+
+
+@pytest.mark.parametrize("example", plane_examples())
+def test_what_acts_is_correct_and_neither_less_nor_against_it(example: str) -> None:
+    for body in system(example).moving:
+        acting = free_bodies(system(example), (body.name,)).outside
+        entries = [written(a, k) for k, a in enumerate(acting)]
+        if not entries:
+            continue
+        assert verdict_of(example, body.name, entries) == "correct", entries
+        for k, a in enumerate(acting):
+            if a.is_known:
+                turned = [*entries[:k], written(a, k, -1.0), *entries[k + 1 :]]
+                assert verdict_of(example, body.name, turned) == "incorrect", turned
+            others = [b for b in acting if b is not a and b.source == a.source]
+            if a.is_needed and not others and len(entries) > 1:
+                assert verdict_of(example, body.name, [e for e in entries if e != entries[k]]) == "incorrect"
+
+
+def verdict_of(example: str, body: str, entries: list[str]) -> str:
+    return system(example).check(answer="; ".join(entries), free_body=body).verdict
