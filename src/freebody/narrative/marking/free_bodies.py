@@ -69,6 +69,9 @@ def judge_free_bodies(system: System, bodies: Sequence[str], text: str) -> Typed
     how = Message("compared with the loads and the reactions of the connections")
     if faults and (parts := resolved(free, entries)):
         return TypedJudgement("undecided", parts, forces=read)
+    if faults and free.summed:
+        told = Message("of {connection} the model knows only the sum of its forces: not judged", connection=free.summed)
+        return TypedJudgement("undecided", told, forces=read)
     if faults:
         return TypedJudgement("incorrect", further(*faults), decided_by=how, forces=read)
     if opened:
