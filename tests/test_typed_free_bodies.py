@@ -96,6 +96,7 @@ TABLE = [
     ("simple_pendulum", "bob", "T along rod; m g down", "correct", ""),
     ("simple_pendulum", "bob", "T away from O; m g down", "correct", ""),
     ("simple_pendulum", "bob", "m g down", "incorrect", "the tension of rod is missing"),
+    ("simple_pendulum", "bob", "S along rod; m g down; m L theta'^2 away from O", "incorrect", "'m L theta'^2 away"),
     ("simple_pendulum", "bob", "T towards O; m g down; F right", "incorrect", "'F right' is extra"),
     # pins between three bodies, and a torque
     (
@@ -380,9 +381,19 @@ def test_entries_are_read(text: str, name: str, way: str, of: tuple[str, ...], p
     assert (found.name, found.way, found.of, found.place) == (name, way, of, place)
 
 
-def test_two_directions_are_refused() -> None:
-    with pytest.raises(ExpressionError, match="two directions"):
-        read_forces("N up towards B at A")
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        ("N up towards B at A", "two directions"),
+        ("N up left at A", "two directions"),
+        ("N at A up, F at A right", "two points"),
+        ("M clockwise up at A", "is a moment"),
+        ("; ;", "empty"),
+    ],
+)
+def test_what_is_no_one_force_is_refused(text: str, told: str) -> None:
+    with pytest.raises(ExpressionError, match=told):
+        read_forces(text)
 
 
 # -- the faces --------------------------------------------------------------------------------

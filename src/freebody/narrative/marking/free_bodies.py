@@ -188,9 +188,15 @@ class Matching:
             return False
 
         left = [entry for entry in self.entries if entry not in self.pairs]
-        for entry in sorted(left, key=lambda e: e.magnitude is None):
+        # formulas of loads first, then names, then formulas that are those of no load
+        for entry in sorted(left, key=self._rank):
             placed(entry, set())
         self.pairs |= {entry: a for a, entry in owner.items()}
+
+    def _rank(self, entry: Entry) -> int:
+        if entry.magnitude is None:
+            return 1
+        return 0 if any(is_magnitude(self.free, entry, a) for a in self.acting) else 2
 
     # -- what is wrong ------------------------------------------------------------------------
     def _span(self) -> Iterator[str]:
