@@ -104,6 +104,23 @@ def _entry(line: str) -> TypedForce:
     text = _AXIS.sub(lambda found: _AXES[found[1] + found[2].lower()], text)
     text = _FILLER.sub("", text)
     name, *parts = _KEY.split(text)
+    told, place, vector, has_sense = _told(line, parts)
+    if components:
+        told["components"] = "\0".join(components)
+    if (angle := _DEGREES.search(name)) is not None:
+        name, told["angle"] = name[: angle.start()], f"{angle['value'].replace(',', '.')} deg"
+    if len(told) > 1 or (told and vector is not None and not told.keys() & {"along", "normal"}):
+        raise ExpressionError(Message("'{line}' has two directions", line=line))
+    way = next(iter(told), "" if vector is None else "compass")
+    of = tuple(told[way].split("\0")) if way in told else ()
+    if is_couple and way:
+        raise ExpressionError(Message("'{line}' is a moment: it turns, and has no direction in the plane", line=line))
+    return TypedForce(line, normalized(name).strip(" =:,"), way, of, vector, has_sense, place, is_couple, turn)  # type: ignore[arg-type]
+
+
+def _told(line: str, parts: Sequence[str]) -> tuple[dict[str, str], str, Vector | None, bool]:
+    """Of key words and what stands behind each: lines, points and angles by how they are told, the place, a direction
+    of the compass and whether it has a sense."""
     told = dict[str, str]()
     place, vector, has_sense = "", None, False
     keys = [(_KEYS[key.lower()], key.lower(), arg.strip()) for key, arg in zip(parts[::2], parts[1::2], strict=True)]
@@ -118,25 +135,21 @@ def _entry(line: str) -> TypedForce:
         elif what == "at":
             if not arg:
                 raise ExpressionError(Message("'{line}': say at which point it acts", line=line))
+            if place:
+                raise ExpressionError(
+                    Message("'{line}' has two points: write each force on a line of its own", line=line)
+                )
             place = arg
         elif what == "compass":
+            if vector is not None:
+                raise ExpressionError(Message("'{line}' has two directions", line=line))
             vector, has_sense = _COMPASS[word]
             if arg:  # down the incline
                 told["along"] = arg
         else:
             told[what] = arg
         k += 1
-    if components:
-        told["components"] = "\0".join(components)
-    if (angle := _DEGREES.search(name)) is not None:
-        name, told["angle"] = name[: angle.start()], f"{angle['value'].replace(',', '.')} deg"
-    if len(told) > 1 or (told and vector is not None and not told.keys() & {"along", "normal"}):
-        raise ExpressionError(Message("'{line}' has two directions", line=line))
-    way = next(iter(told), "" if vector is None else "compass")
-    of = tuple(told[way].split("\0")) if way in told else ()
-    if is_couple and way:
-        raise ExpressionError(Message("'{line}' is a moment: it turns, and has no direction in the plane", line=line))
-    return TypedForce(line, normalized(name).strip(" =:,"), way, of, vector, has_sense, place, is_couple, turn)  # type: ignore[arg-type]
+    return told, place, vector, has_sense
 
 
 def _turned(text: str) -> tuple[str, bool, int]:

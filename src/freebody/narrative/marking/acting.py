@@ -120,6 +120,13 @@ class FreeBodies:
         others = [body.name for body in self.system.moving if body.name not in self.bodies]
         return tuple(a for other in others for a in self._of([other], is_whole=False))
 
+    @property
+    def summed(self) -> str:
+        """A connection of which the model keeps only the sum, a force and a couple, as of the two ends of a belt."""
+        forces = {(a.row.name, a.body) for a in self.outside if a.row is not None and not a.is_couple}
+        couples = (a for a in self.outside if a.row is not None and a.is_couple)
+        return next((a.source for a in couples if a.row is not None and (a.row.name, a.body) in forces), "")
+
     def is_point(self, body: str) -> bool:
         return not self.system.bodies[body].turns
 

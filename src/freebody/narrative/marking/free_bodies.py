@@ -69,6 +69,9 @@ def judge_free_bodies(system: System, bodies: Sequence[str], text: str) -> Typed
     how = Message("compared with the loads and the reactions of the connections")
     if faults and (parts := resolved(free, entries)):
         return TypedJudgement("undecided", parts, forces=read)
+    if faults and free.summed:
+        told = Message("of {connection} the model knows only the sum of its forces: not judged", connection=free.summed)
+        return TypedJudgement("undecided", told, forces=read)
     if faults:
         return TypedJudgement("incorrect", further(*faults), decided_by=how, forces=read)
     if opened:
@@ -185,9 +188,15 @@ class Matching:
             return False
 
         left = [entry for entry in self.entries if entry not in self.pairs]
-        for entry in sorted(left, key=lambda e: e.magnitude is None):
+        # formulas of loads first, then names, then formulas that are those of no load
+        for entry in sorted(left, key=self._rank):
             placed(entry, set())
         self.pairs |= {entry: a for a, entry in owner.items()}
+
+    def _rank(self, entry: Entry) -> int:
+        if entry.magnitude is None:
+            return 1
+        return 0 if any(is_magnitude(self.free, entry, a) for a in self.acting) else 2
 
     # -- what is wrong ------------------------------------------------------------------------
     def _span(self) -> Iterator[str]:
