@@ -44,6 +44,7 @@ def _everywhere(part: Any, known: set[str]) -> set[str]:
     if isinstance(part, dict):
         said = " ".join(n["text"] for n in part.get("notes", ()) if isinstance(n, dict) and n["expression"] is None)
         known = known | {name for name in symbols_of(part.get("expression")) if to_text(Symbol(name)) in said.split()}
+        known = known | {named["name"] for named in part.get("chain", {}).get("named", ())}
         found = symbols_of(part["expression"]) - known if "expression" in part else set[str]()
         return found.union(*(_everywhere(value, known) for key, value in part.items() if key != "options"))
     if isinstance(part, list):

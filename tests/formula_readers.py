@@ -58,6 +58,20 @@ class _Names:
         return None
 
 
+def _closing_bar(row: str, opening: int) -> int:
+    """Where the bar at a column is closed: a bar opens where a value is due, and closes behind one."""
+    n_open, is_due = 0, True
+    for column in range(opening, len(row)):
+        character = row[column]
+        if character == "|":
+            n_open += 1 if is_due else -1
+            if n_open == 0:
+                return column
+        elif character != " ":
+            is_due = character in "+-*/^·⋅(,"
+    raise Unreadable(f"a bar is not closed in {row!r}")
+
+
 # -- one line and stacked lines ---------------------------------------------------------------
 def line(text: str, known: Known) -> float:
     """A formula on one line of Unicode."""
@@ -152,6 +166,9 @@ class _Drawing:
             right = self._closing(column, top, bottom)
             inner = self.part(top, bottom, column + 1, right).inside()
             return ("abs" if character == "│" else "") + f"({inner})", right + 1, top
+        if character == "|":
+            right = _closing_bar(row, column)
+            return f"abs({self.part(baseline, baseline + 1, column + 1, right).inside()})", right + 1, baseline
         found = self.names.at(row, column)
         if found is not None:
             return found[0], found[1], baseline

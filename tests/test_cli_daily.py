@@ -86,7 +86,10 @@ def test_a_watched_file_is_read_again_when_it_is_saved(tmp_path: Path) -> None:
     file = tmp_path / "block.yaml"
     file.write_text(BLOCK, "utf-8")
     command = [sys.executable, "-u", "-m", "freebody", "solve", str(file), "--watch"]
-    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True) as running:
+    listening = {
+        "preexec_fn": lambda: signal.signal(signal.SIGINT, signal.default_int_handler)
+    }  # background jobs do not
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, **listening) as running:
         assert running.stdout is not None
         seen: list[str] = []
 

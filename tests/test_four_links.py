@@ -281,7 +281,7 @@ def test_values_for_which_a_link_turns_fully(name: str) -> None:
     assert found.evidence is not None
 
 
-RANGES = {
+LENGTHS = {
     # the ends of |b - c| <= 0.2 and c >= a + d - b, of which the second is the lesser one
     "rocker of a crank-rocker": (CRANK_ROCKER, "c", (0.12, 0.52)),
     "frame of a drag link": (DRAG_LINK, "d", (0.26,)),
@@ -292,10 +292,10 @@ RANGES = {
 }
 
 
-@pytest.mark.parametrize("name", RANGES)
+@pytest.mark.parametrize("name", LENGTHS)
 def test_lengths_for_which_the_crank_turns_fully(name: str) -> None:
     """By Grashof's rule with the numbers of the others: a + d <= b + c and |a - d| >= |b - c|."""
-    text, length, wanted = RANGES[name]
+    text, length, wanted = LENGTHS[name]
     found = posed(text, f"range of {length} for which the crank turns fully")
     values = found.value if isinstance(found.value, tuple) else (found.value,)
     assert found.evidence is not None, found.reason

@@ -162,7 +162,7 @@ questions: [rate(x), how nice is it, what is up]
 @pytest.mark.parametrize(
     ("question", "told"),
     [
-        ("tension of pull", "pull is a load; ask for: force in pull"),
+        ("normal force of pull", "pull is a load; ask for: force in pull"),
         ("force in pul", "there is no load pul. Did you mean pull?"),
     ],
 )

@@ -83,7 +83,7 @@ class Pen:
         for spring in self.scene.springs:
             yield from self._spring(spring)
         for sign in self.scene.signs:
-            if isinstance(sign, glyphs.Relation) and len({place.body for place in sign.points}) == 1:
+            if isinstance(sign, glyphs.Relation) and len({place.body for place in sign.points}) == 1 < len(sign.points):
                 first = sign.points[0]  # a line fixed in a body
                 line = np.array([place.xy for place in sign.points]) - np.array(first.xy)
                 yield Path(first, first.body, line, "surface")

@@ -9,9 +9,10 @@ every quantity is a short formula in angles, speeds and accelerations, each of w
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from typing import Any
 
 from freebody.language.expression import Call, Symbol
 from freebody.symbolic.field import Generator, Kind, Ratio
@@ -65,12 +66,19 @@ class StagedMotion:
         return self._of_display(Symbol(self._fresh(name)), value, "function", positive=positive)
 
     def _of_display(self, shown: Symbol | Call, value: Ratio, kind: Kind, *, positive: bool = False) -> NamedElement:
-        f = self.field
+        f, constant = self.field, value.fraction()
+
+        def compute(values: Mapping[int, Any], functions: Any) -> Any:
+            if constant is None:
+                return f.evaluate(value, values, functions)
+            number = 0 * functions.pi + constant.numerator  # of the kind that is computed with
+            return number / constant.denominator
+
         generator = Generator(
             shown,
             kind,
             positive,
-            compute=lambda values, functions: f.evaluate(value, values, functions),
+            compute=compute,
             made_of=f.ingredients(value),
         )
         return NamedElement(f.index(f.generator(generator, key=("staged", shown, value.key()))), value)

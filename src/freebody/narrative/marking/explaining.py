@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Mapping
 
 from freebody.language.notation import to_text
 from freebody.language.sentences import Message
-from freebody.narrative.marking.acting import Acting
+from freebody.narrative.marking.acting import Acting, FreeBodies
 from freebody.narrative.marking.typed_forces import (
     Entry,
     is_magnitude,
@@ -17,15 +17,13 @@ from freebody.narrative.marking.typed_forces import (
     twice,
 )
 
-if TYPE_CHECKING:
-    from freebody.narrative.marking.free_bodies import Matching
-
 
 class Explaining:
-    """missing: forces that are not drawn yet; one that an entry was meant for is taken out."""
+    """pairs: entries with the forces that they stand for; missing: forces that are not drawn yet; one that an entry was
+    meant for is taken out."""
 
-    def __init__(self, matching: Matching, missing: list[Acting]) -> None:
-        self.matching, self.free, self.missing = matching, matching.free, missing
+    def __init__(self, free: FreeBodies, pairs: Mapping[Entry, Acting], missing: list[Acting]) -> None:
+        self.free, self.pairs, self.missing = free, pairs, missing
 
     def why(self, entry: Entry) -> str:
         """In the order of what is most certain."""
@@ -58,7 +56,7 @@ class Explaining:
         """It acts against a reaction that is drawn at the same place, or repeats it."""
         if entry.magnitude is not None or not entry.typed.place:
             return ""
-        for other, a in self.matching.pairs.items():
+        for other, a in self.pairs.items():
             if other.typed.place != entry.typed.place:
                 continue
             if other.heading is None or entry.heading is None or a.row is None or other.typed.is_couple:

@@ -234,7 +234,7 @@ class Matching:
 
     def _left_over(self) -> Iterator[str]:
         missing = list(self._missing())
-        explaining = Explaining(self, missing)
+        explaining = Explaining(self.free, self.pairs, missing)
         for entry in self.entries:
             if entry not in self.pairs:
                 yield explaining.why(entry)

@@ -35,10 +35,26 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
 def _told(
     quantity: Quantity, context: Context, question: Question, answer: Answer, method: Method
 ) -> list[DerivationStage]:
+    return _turning(quantity, context, question, answer, method)
+
+
+@_told.register
+def _of_extent(
+    quantity: Extent, context: Context, question: Question, answer: Answer, method: Method
+) -> list[DerivationStage]:
+    """By the turn of its coordinate where it goes one way with it, else as an extreme of the motion."""
+    setup = context.setup
+    if setup.model.coordinates and not goes_one_way(setup, quantity.measure):
+        return _extreme(quantity.of_motion, context, question, answer, method)
+    return _turning(quantity, context, question, answer, method)
+
+
+def _turning(
+    quantity: Quantity, context: Context, question: Question, answer: Answer, method: Method
+) -> list[DerivationStage]:
+    """What is reached where the motion turns back."""
     setup = context.setup
     measure, side = getattr(quantity, "measure", None), int(getattr(quantity, "side", 1))
-    if isinstance(quantity, Extent) and setup.model.coordinates and not goes_one_way(setup, quantity.measure):
-        return _extreme(quantity.of_motion, context, question, answer, method)
     if measure is None:
         raise CannotAnswer(Message("there is no closed form"))
     refuse(method, ("energy",), Message("how far it gets"))

@@ -116,7 +116,7 @@ class SpatialDrawing:
         axes = basis(self.poses.heading(normal, 0))
         over = (points - self.poses.place(through, 0)) @ axes.T
         low, high = over.min(axis=0)[:2], over.max(axis=0)[:2]
-        step = round_length(float((high - low).max()) / 6)
+        step = round_length((float((high - low).max()) or self.size or 1.0) / 6)
         middle, half = 0.5 * (low + high), 0.5 * (high - low)
         half = np.maximum(half, 0.5 * half.max())
         low, high = step * np.floor((middle - half) / step - 0.4), step * np.ceil((middle + half) / step + 0.4)

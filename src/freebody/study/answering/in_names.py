@@ -53,7 +53,7 @@ def told(setup: Setup, question: Question, found: InNames, evidence: Evidence, s
     result, value = found.chain.result, _value(setup, found)
     return made(
         question,
-        result if len(result) > 1 else result[0],
+        result if len(result) > 1 else next(iter(result)),
         value if value is None or len(result) > 1 else next(iter(value)),
         conditions=[*says, *texts(needed, until_event=is_of_event)],
         notes=notes,

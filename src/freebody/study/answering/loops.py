@@ -6,9 +6,10 @@ Otherwise the answer keeps them, beside the equations of the loop.
 from __future__ import annotations
 
 import math
+from fractions import Fraction
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import ZERO, Expr, children
+from freebody.language.expression import ZERO, Expr, Symbol, children, number
 from freebody.language.notation import compared, joined, reworded
 from freebody.language.sentences import Message
 from freebody.present.lines import number_text, symbol_text
@@ -108,7 +109,9 @@ def loops_in(setup: Setup, element: Elements, state: SymbolicState | None, chain
     if told:
         LoopAngles(closure)
         numbers = ", ".join(f"{symbol_text(name)} = {number_text(math.degrees(x))}°" for name, x in told)
-        return [*_equations(setup), *branch(closure), Message("with the given numbers: {case}", case=numbers)]
+        values = joined(compared(Symbol(name), "=", number(Fraction(x).limit_denominator(10**6))) for name, x in told)
+        numeric = reworded(Message("with the given numbers: {case}", case=numbers), values)
+        return [*_equations(setup), *branch(closure), numeric]
     found = None if state is None else angles(setup, element, state, closure)
     if found is None:
         return _equations(setup)

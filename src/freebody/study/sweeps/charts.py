@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,13 +19,36 @@ from freebody.present.picture.picture import Picture
 from freebody.study.sweeps.statuses import STATUSES
 
 if TYPE_CHECKING:
-    from freebody.study.sweeps.result import Sweep
+    from freebody.study.sweeps.evaluators import Column, Evaluator
+    from freebody.study.sweeps.plan import Plan
+    from freebody.study.sweeps.statistics import Statistics
+
+
+class Swept(Protocol):
+    """A sweep, as far as it is drawn."""
+
+    @property
+    def plan(self) -> Plan: ...
+    @property
+    def evaluators(self) -> tuple[Evaluator, ...]: ...
+    @property
+    def columns(self) -> tuple[Column, ...]: ...
+    @property
+    def statistics(self) -> Mapping[str, Statistics]: ...
+    @property
+    def counts(self) -> Mapping[str, Mapping[str, int]]: ...
+    @property
+    def n(self) -> int: ...
+    def values(self, name: str) -> Array: ...
+    def status(self, of: str) -> Any: ...
+    def parameters(self) -> dict[str, Array]: ...
+
 
 KINDS = ("line", "heat", "parallel", "regions")
 _MOST_CURVES = 7
 
 
-def chart(result: Sweep, name: str, kind: str = "") -> Picture:
+def chart(result: Swept, name: str, kind: str = "") -> Picture:
     """A picture of a column, or, as regions, of which formula or status holds. Raises InputError for what is not there,
     and for a kind that the axes do not allow."""
     kind = kind or _usual(result)
@@ -43,7 +66,7 @@ def chart(result: Sweep, name: str, kind: str = "") -> Picture:
     return {"line": _lines, "heat": _heat, "parallel": _parallel, "regions": _regions}[kind](result, name)
 
 
-def charts(result: Sweep) -> Iterator[Picture]:
+def charts(result: Swept) -> Iterator[Picture]:
     """One of each column that has two different numbers, and of what holds where if that is not everywhere the same."""
     kind = _usual(result)
     for column in result.columns:
@@ -59,7 +82,7 @@ def charts(result: Sweep) -> Iterator[Picture]:
                 yield chart(result, evaluator.name, "regions")
 
 
-def _usual(result: Sweep) -> str:
+def _usual(result: Swept) -> str:
     sizes = list(result.plan.dimensions.values())
     if len(result.plan.axes) < len(sizes):  # cases are drawn
         return "line" if len(sizes) == 1 and len(result.plan.names) == 1 else "parallel"
@@ -68,7 +91,7 @@ def _usual(result: Sweep) -> str:
     return "heat" if len(sizes) == 2 else "parallel"
 
 
-def _shown(result: Sweep, name: str) -> tuple[str, float]:
+def _shown(result: Swept, name: str) -> tuple[str, float]:
     """The name with its unit, and by what numbers in SI are multiplied; angles are shown in degrees."""
     units = {v.name: v.unit for v in result.plan.names} | {c.name: c.unit for c in result.columns}
     unit = units[name]
@@ -77,12 +100,12 @@ def _shown(result: Sweep, name: str) -> tuple[str, float]:
     return (name if unit in ("", "1") else f"{name} [{unit}]"), 1.0
 
 
-def _scaled(result: Sweep, name: str, values: Array) -> tuple[str, Array]:
+def _scaled(result: Swept, name: str, values: Array) -> tuple[str, Array]:
     label, factor = _shown(result, name)
     return label, values * factor
 
 
-def _lines(result: Sweep, name: str) -> Picture:
+def _lines(result: Swept, name: str) -> Picture:
     y_label, z = _scaled(result, name, result.values(name))
     if len(result.plan.axes) < len(result.plan.dimensions):  # of drawn cases, dots
         only = result.plan.names[0].name
@@ -101,18 +124,18 @@ def _lines(result: Sweep, name: str) -> Picture:
     return line_chart(f"{name} over {across}", x_label, x, y_label, curves[:_MOST_CURVES])
 
 
-def _plane(result: Sweep) -> tuple[str, Array, str, Array]:
+def _plane(result: Swept) -> tuple[str, Array, str, Array]:
     y, x = result.plan.axes
     return (*_scaled(result, x, result.plan.axes[x]), *_scaled(result, y, result.plan.axes[y]))
 
 
-def _heat(result: Sweep, name: str) -> Picture:
+def _heat(result: Swept, name: str) -> Picture:
     label, z = _scaled(result, name, result.values(name))
     x_label, x, y_label, y = _plane(result)
     return heat_map(f"{name} over {x_label} and {y_label}", x_label, x, y_label, y, label, z)
 
 
-def _regions(result: Sweep, name: str) -> Picture:
+def _regions(result: Swept, name: str) -> Picture:
     names = [e.name for e in result.evaluators]
     own = next((e for e in result.evaluators if name == e.name or name in [c.name for c in e.columns]), None)
     if own is None:
@@ -130,7 +153,7 @@ def _regions(result: Sweep, name: str) -> Picture:
     return kinds_map(title, x_label, x, y_label, y, [kinds[int(k)] for k in used], places.reshape(shape))
 
 
-def _parallel(result: Sweep, name: str) -> Picture:
+def _parallel(result: Swept, name: str) -> Picture:
     names = [*(v.name for v in result.plan.names), name]
     pairs = [_scaled(result, each, result.values(each).ravel()) for each in names]
     return parallel_chart(

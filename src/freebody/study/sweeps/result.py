@@ -133,9 +133,13 @@ class Sweep(Result):
         cases = self.plan.cases(0, self.n)
         return {v.parameter: cases[:, k] for k, v in enumerate(self.plan.names)}
 
-    @cached_property
+    @property
     def counts(self) -> dict[str, dict[str, int]]:
         """How many cases have which status, by answer or motion."""
+        return self._counts
+
+    @cached_property
+    def _counts(self) -> dict[str, dict[str, int]]:
         found: dict[str, dict[str, int]] = {}
         for k, evaluator in enumerate(self.evaluators):
             sums = sum(np.bincount(self._codes(k, a, b), minlength=len(STATUSES)) for a, b in self.store.chunks())
@@ -162,9 +166,13 @@ class Sweep(Result):
                 found.append(Failure(evaluator.name, status, count, case, by_name, why))
         return tuple(found)
 
-    @cached_property
+    @property
     def statistics(self) -> dict[str, Statistics]:
         """Mean, spread and extremes of every column over the cases that have a number."""
+        return self._statistics
+
+    @cached_property
+    def _statistics(self) -> dict[str, Statistics]:
         chunks = list(self.store.chunks())
         return {c.name: statistics(self._flat(c.name, a, b) for a, b in chunks) for c in self.columns}
 

@@ -286,8 +286,8 @@ def _ball(value: Fraction) -> Any:
 
 
 def _around(ball: Any) -> Interval:
-    middle = int((ball * _DIGITS).floor().unique_fmpz())
-    return Fraction(middle - 1, _DIGITS), Fraction(middle + 2, _DIGITS)
+    low, high = (int(end.floor().unique_fmpz()) for end in ((ball * _DIGITS).lower(), (ball * _DIGITS).upper()))
+    return Fraction(low - 1, _DIGITS), Fraction(high + 2, _DIGITS)
 
 
 def _scalable(rows: list[list[Fraction]], may: list[bool | None]) -> list[int]:
