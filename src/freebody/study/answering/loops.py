@@ -109,7 +109,7 @@ def loops_in(setup: Setup, element: Elements, state: SymbolicState | None, chain
     if told:
         LoopAngles(closure)
         numbers = ", ".join(f"{symbol_text(name)} = {number_text(math.degrees(x))}°" for name, x in told)
-        values = joined(compared(Symbol(name), "=", number(Fraction(x).limit_denominator(10**6))) for name, x in told)
+        values = joined(compared(Symbol(name), "=", number(Fraction(f"{x:.6g}"))) for name, x in told)
         numeric = reworded(Message("with the given numbers: {case}", case=numbers), values)
         return [*_equations(setup), *branch(closure), numeric]
     found = None if state is None else angles(setup, element, state, closure)

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
-from typing import TYPE_CHECKING, Any, Protocol
+from collections.abc import Iterator
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,32 +17,7 @@ from freebody.present.charts.lines import line_chart
 from freebody.present.charts.parallel import parallel_chart
 from freebody.present.picture.picture import Picture
 from freebody.study.sweeps.statuses import STATUSES
-
-if TYPE_CHECKING:
-    from freebody.study.sweeps.evaluators import Column, Evaluator
-    from freebody.study.sweeps.plan import Plan
-    from freebody.study.sweeps.statistics import Statistics
-
-
-class Swept(Protocol):
-    """A sweep, as far as it is drawn."""
-
-    @property
-    def plan(self) -> Plan: ...
-    @property
-    def evaluators(self) -> tuple[Evaluator, ...]: ...
-    @property
-    def columns(self) -> tuple[Column, ...]: ...
-    @property
-    def statistics(self) -> Mapping[str, Statistics]: ...
-    @property
-    def counts(self) -> Mapping[str, Mapping[str, int]]: ...
-    @property
-    def n(self) -> int: ...
-    def values(self, name: str) -> Array: ...
-    def status(self, of: str) -> Any: ...
-    def parameters(self) -> dict[str, Array]: ...
-
+from freebody.study.sweeps.swept import Swept
 
 KINDS = ("line", "heat", "parallel", "regions")
 _MOST_CURVES = 7

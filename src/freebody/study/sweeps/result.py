@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property, partial
 from pathlib import Path
@@ -21,7 +21,8 @@ from freebody.study.sweeps.evaluators import Column, Evaluator
 from freebody.study.sweeps.plan import Plan
 from freebody.study.sweeps.statistics import Statistics, statistics
 from freebody.study.sweeps.statuses import CODES, GOOD, NOT_DONE, STATUSES
-from freebody.study.sweeps.store import CHUNK, Store
+from freebody.study.sweeps.store import Store
+from freebody.study.sweeps.swept import Variable
 
 if TYPE_CHECKING:
     import xarray
@@ -30,26 +31,6 @@ if TYPE_CHECKING:
     from freebody.system.system import System
 
 MOST_SHOWN = 1_000_000  # cases of which a report has charts
-
-
-@dataclass(frozen=True)
-class Variable:
-    """An array over axes of the sweep, which is read in slabs along the first of them."""
-
-    name: str
-    dimensions: tuple[str, ...]
-    shape: tuple[int, ...]
-    dtype: Any
-    attributes: dict[str, Any]
-    read: Callable[[int, int], Array]  # of flat places from, to
-
-    def parts(self) -> Iterator[tuple[slice, Array]]:
-        """Slabs and their values."""
-        inner = math.prod(self.shape[1:])
-        step = max(1, CHUNK // max(inner, 1))
-        for a in range(0, self.shape[0], step):
-            b = min(a + step, self.shape[0])
-            yield slice(a, b), np.asarray(self.read(a * inner, b * inner), self.dtype).reshape(b - a, *self.shape[1:])
 
 
 def _slice(x: Array, start: int, stop: int) -> Array:

@@ -16,7 +16,7 @@ from freebody.language.sentences import Message
 from freebody.present.files import check_writable
 
 if TYPE_CHECKING:
-    from freebody.study.sweeps.result import Sweep
+    from freebody.study.sweeps.swept import Swept
 
 
 @cache
@@ -37,7 +37,7 @@ def check_data_path(path: Path) -> None:
         check_writable(path)
 
 
-def write_data(result: Sweep, path: Path) -> None:
+def write_data(result: Swept, path: Path) -> None:
     """Writes the results in the format of the suffix."""
     check_data_path(path)
     formats()[path.suffix].write(result, path)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from freebody.present.files import replaced
 
 if TYPE_CHECKING:
-    from freebody.study.sweeps.result import Sweep
+    from freebody.study.sweeps.swept import Swept
 
 SUFFIX = ".csv"
 
@@ -18,7 +18,7 @@ def missing() -> str:
     return ""
 
 
-def write(result: Sweep, path: Path) -> None:
+def write(result: Swept, path: Path) -> None:
     with replaced(path) as file, file.open("w", encoding="utf-8", newline="") as out:
         writer = csv.writer(out)
         for k, table in enumerate(result.tables()):

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 from freebody.present.files import check_room, replaced
 
 if TYPE_CHECKING:
-    from freebody.study.sweeps.result import Sweep
+    from freebody.study.sweeps.swept import Swept
 
 SUFFIX = ".nc"
 EXTRA = "data"
@@ -22,7 +22,7 @@ def missing() -> str:
     return "" if find_spec("h5netcdf") else "h5netcdf"
 
 
-def write(result: Sweep, path: Path) -> None:
+def write(result: Swept, path: Path) -> None:
     library: Any = import_module("h5netcdf")
     # on a full disk the library brings the interpreter down when it closes its file
     check_room(path, _OF_HEADS + sum(8 * math.prod(of.shape) + _OF_HEADS for of in result.variables()))

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from freebody.present.files import replaced
 
 if TYPE_CHECKING:
-    from freebody.study.sweeps.result import Sweep
+    from freebody.study.sweeps.swept import Swept
 
 SUFFIX = ".parquet"
 EXTRA = "parquet"
@@ -20,7 +20,7 @@ def missing() -> str:
     return "" if find_spec("pyarrow") else "pyarrow"
 
 
-def write(result: Sweep, path: Path) -> None:
+def write(result: Swept, path: Path) -> None:
     arrow: Any = import_module("pyarrow")
     parquet: Any = import_module("pyarrow.parquet")
     with replaced(path) as file:

@@ -12,7 +12,7 @@ from freebody.errors import InputError
 from freebody.language.sentences import Message
 
 if TYPE_CHECKING:
-    from freebody.study.sweeps.result import Sweep
+    from freebody.study.sweeps.swept import Swept
 
 SUFFIX = ".zarr"
 EXTRA = "sweep"
@@ -22,7 +22,7 @@ def missing() -> str:
     return "" if find_spec("zarr") else "zarr"
 
 
-def write(result: Sweep, path: Path) -> None:
+def write(result: Swept, path: Path) -> None:
     library: Any = import_module("zarr")
     beside = path.with_name(f".freebody-{path.name}")
     try:
