@@ -121,6 +121,7 @@ def test_the_acceleration_from_rest_is_the_slope_of_the_potential_over_the_mass(
     assert found.value == pytest.approx(-slope / mass(start), rel=1e-8)
 
 
+@pytest.mark.slow
 def test_a_driving_torque_is_the_power_of_weight_and_inertia() -> None:
     """T w = d/dt (M(psi) w^2/2 + V(psi)) at a constant speed w."""
     h, w, psi = 1e-5, 20.0, math.radians(60)
@@ -234,6 +235,7 @@ def test_a_six_bar_is_solved_dyad_by_dyad() -> None:
     assert ratio.value == pytest.approx(slope, rel=1e-6)
 
 
+@pytest.mark.slow
 def test_the_acceleration_of_a_six_bar_has_a_chain_where_one_formula_would_be_too_long() -> None:
     found = posed(WATT, "angular acceleration of out at start")
     assert found.chain is not None

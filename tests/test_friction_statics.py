@@ -297,6 +297,7 @@ def test_self_locking_force_has_no_upper_limit() -> None:
     assert answer.reason == "there is no upper limit"
 
 
+@pytest.mark.slow
 def test_block_wedged_between_walls_has_reactions_without_limit() -> None:
     found = fb.statics(fb.System.from_text(WEDGED))
     assert found.holds

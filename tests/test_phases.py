@@ -555,6 +555,7 @@ questions: [acceleration of y, tension of cord, speed of hanger when y = h]
 """
 
 
+@pytest.mark.slow
 def test_a_block_pulled_over_a_table_slides_until_its_string_has_no_length(agrees: Agree) -> None:
     """y'' = (m2 - mu m1) g/(m1 + m2) from y = 0.3 m on; at y = 1.3 m the block, 1 m from the edge, is there."""
     solution = fb.System.from_text(ON_A_TABLE).solve()
@@ -733,6 +734,7 @@ start: {x: 0, rate(x): v0, u: 0, rate(u): v0, y: h, rate(y): 0}
 """
 
 
+@pytest.mark.slow
 def test_one_may_ask_for_the_instant_at_which_something_is_hit(agrees_text: Agree) -> None:
     """Velocities are those just before, also where the motion begins with the impact."""
     found = solved(

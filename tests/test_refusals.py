@@ -183,6 +183,7 @@ questions: [angular acceleration of p at start]
 """
 
 
+@pytest.mark.slow
 def test_terms_that_cancel_are_added_with_more_digits() -> None:
     """u has the sine of 25 times an angle in it, as a polynomial with terms of 1e3, and its cube terms of 1e9."""
     (answer,) = fb.System.from_text(GEARED).solve().answers

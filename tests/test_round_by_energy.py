@@ -74,6 +74,7 @@ def test_a_range_may_end_where_a_plateau_begins(question: str, formula: str) -> 
     is_formula(THROWN, question, formula, factors=(1.0,))
 
 
+@pytest.mark.slow
 def test_below_the_plateau_there_is_nothing() -> None:
     found = posed(THROWN, "least mu so that velocity of x after the impact < 5*u/7")
     assert "no value of mu" in found.reason

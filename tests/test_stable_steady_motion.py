@@ -80,6 +80,7 @@ def test_collar_on_a_turning_arm_is_stable_below_the_critical_rate():
     assert answer.value == pytest.approx(math.sqrt(90 / 0.4))
 
 
+@pytest.mark.slow
 def test_bead_leaves_the_lowest_point_of_the_hoop_where_it_turns_fast_enough():
     """cos(theta) = g/(R Omega^2), which exists and is stable for R Omega^2 > g."""
     critical = math.sqrt(9.81 / 0.5)

@@ -51,6 +51,7 @@ def case_of(answer: Answer, what: str, **values: float) -> float:
     return float(evaluate(case.expression, values))
 
 
+@pytest.mark.slow
 def test_a_block_on_a_pulled_block_sticks_up_to_the_force_of_friction() -> None:
     # together: a = F/(m + M), friction m a, as long as m a <= mu m g; beyond: lower (F - mu m g)/M, upper mu g
     known = {"m": 2.0, "M": 5.0, "mu": 0.4, "g": 9.81}

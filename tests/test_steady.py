@@ -288,6 +288,7 @@ def test_speeds_at_which_a_bead_stands_above_an_angle(agrees: Agree) -> None:
     assert "the value 0 does not depend on Omega and is left aside" in the(solution).notes
 
 
+@pytest.mark.slow
 def test_a_range_asks_for_no_number_with_which_there_is_the_motion(agrees: Agree) -> None:
     # at w = 3 rad/s the pendulum hangs down: g/(l w^2) > 1
     given = CONICAL.replace("l: 0.5 m}", "l: 0.5 m, beta: 40 deg, w: 3 rad/s}")

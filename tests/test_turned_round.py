@@ -282,6 +282,7 @@ def test_it_is_derived(name: str) -> None:
     assert len(equations) == len(formulas) + 1  # the equation of every value, and all values
 
 
+@pytest.mark.slow
 def test_it_is_derived_with_another_number_where_that_of_the_file_does_not_get_there() -> None:
     model, find, _formulas = CASES["rod, horizontal reaction"]
     (derivation,) = fb.explain(System.from_text(model), find).derivations
