@@ -272,3 +272,9 @@ def test_a_wrong_unit_names_no_mistake_of_mechanics() -> None:
     found = system("atwood_machine").check("acceleration", "1.7836 m/s")
     assert (found.verdict, found.mistake) == ("incorrect", "")
     assert "the magnitude is right, the unit is not" in found.reason
+
+
+def test_of_a_very_long_answer_the_beginning_is_told() -> None:
+    found = system("atwood_machine").check("acceleration", "(" * 5000)
+    assert found.verdict == "unreadable"
+    assert len(found.to_text()) < 1000

@@ -15,6 +15,8 @@ from freebody.present.report.blocks import Block, Emphasis, Entry, Equation, Equ
 from freebody.present.report.results import Result, entries, entry, line
 from freebody.questions.reading import Question
 
+_LONGEST = 200  # characters of an unreadable answer that are told
+
 
 @dataclass(frozen=True)
 class CheckedAnswer(Result):
@@ -105,7 +107,7 @@ class CheckedAnswer(Result):
             yield Paragraph((catalogue.word("marking.read_as"),))
             yield from (Paragraph((f"    {force}",)) for force in self.judgement.forces)
         elif answer is None:
-            yield from entries(entry(catalogue.word("marking.answer"), self.text))
+            yield from entries(entry(catalogue.word("marking.answer"), _shortened(self.text)))
         else:
             formulas = [p for p in answer.parts if not isinstance(p, TypedNumber)]
             numbers = [p.text for p in answer.parts if isinstance(p, TypedNumber)]
@@ -129,3 +131,8 @@ class CheckedAnswer(Result):
 
 def _shown(part: Expr | TypedNumber) -> str:
     return part.text if isinstance(part, TypedNumber) else to_python(part)
+
+
+def _shortened(text: str) -> str:
+    """The beginning of what is too long to be told whole."""
+    return text if len(text) <= _LONGEST else text[:_LONGEST] + " ..."
