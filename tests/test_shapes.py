@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Callable
 
 import numpy as np
@@ -218,3 +219,17 @@ def test_a_hole_is_drawn_on_what_it_is_cut_from() -> None:
     assert len(widths[1]) == len(widths[0]) + 1
     assert widths[1][0] == pytest.approx(widths[1][-1] / 2)
     assert math.isfinite(widths[1][0])
+
+
+def test_signs_and_letters_are_as_large_beside_a_disk_with_a_hole_as_beside_a_full_one() -> None:
+    full = "disk: {mass: 1 kg, radius: 0.3 m}"
+    hole = "hole: {disk: {mass: 0.1 kg, radius: 0.1 m}, at: [0.1 m, 0]}"
+
+    def widest(body: str) -> float:
+        text = fb.System.from_text(f"bodies: {{it: {{{body}}}}}").draw().svg()
+        found = re.search(r"viewBox=\"0 0 ([0-9.]+)", text)
+        assert found is not None
+        return float(found[1])
+
+    cut = f"composite: {{parts: {{full: {{{full}}}}}, holes: {{{hole}}}}}"
+    assert widest(cut) == pytest.approx(widest(full), rel=0.3)

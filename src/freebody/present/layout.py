@@ -219,6 +219,7 @@ def bounds(scene: Scene, poses: Array) -> tuple[Array, Array]:
     for figure in scene.figures:
         center = positions(poses, figure.center)
         corners += [positions(poses, place) for place in figure.points.values()]
+        corners += [positions(poses, place) for edge in figure.edges for place in edge.places]
         corners += [center + (figure.radius or 0.0) * sign for sign in (-1.0, 1.0)]
     ends = [*((s.first, s.second) for s in scene.springs), *scene.pins, *scene.welds, *scene.rods]
     corners += [positions(poses, place) for pair in ends for place in pair]
