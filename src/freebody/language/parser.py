@@ -18,6 +18,7 @@ from fractions import Fraction
 from functools import lru_cache
 
 from freebody.errors import ExpressionError
+from freebody.language.descent import Descent
 from freebody.language.expression import (
     FUNCTIONS,
     PI,
@@ -25,11 +26,9 @@ from freebody.language.expression import (
     Expr,
     Number,
     Symbol,
-    add,
     depth,
     multiply,
     name_problem,
-    negate,
 )
 from freebody.language.guards import checked_power, exact_number, exponent_too_large, refuse_huge
 from freebody.language.sentences import Message
@@ -150,23 +149,12 @@ def _hint_for(character: str) -> Message:
     return Message("{x} cannot be used in an expression", x=shown)
 
 
-class _Parser:
+class _Parser(Descent[_Token]):
     """Recursive descent over the tokens of one text."""
 
     def __init__(self, tokens: list[_Token]) -> None:
-        self._tokens = tokens
-        self._at = 0
-        self._nesting = 0
+        super().__init__(tokens, MAX_NESTING)
         self._bars = 0  # of sizes that are open
-
-    @property
-    def _now(self) -> _Token:
-        return self._tokens[self._at]
-
-    def _take(self) -> _Token:
-        token = self._now
-        self._at += 1
-        return token
 
     def expression(self) -> Expr:
         if self._now.kind == "end":
@@ -178,16 +166,6 @@ class _Parser:
         if depth(result) > MAX_NESTING:
             raise ExpressionError(Message("the expression nests more than {most} deep", most=MAX_NESTING))
         return result
-
-    def _sum(self) -> Expr:
-        start = self._now.column
-        terms = [self._product()]
-        while self._now.kind in ("+", "-"):
-            minus = self._take().kind == "-"
-            term = self._product()
-            terms.append(negate(term) if minus else term)
-        refuse_huge(terms, start)
-        return add(*terms)
 
     def _product(self) -> Expr:
         start = self._now.column
@@ -228,21 +206,6 @@ class _Parser:
             raise ExpressionError(Message("numbers are decimal"), before.column)
         if divided:
             raise ExpressionError(Message("a/2 b can be read in two ways: write a/(2*b) or (a/2)*b"), token.column)
-
-    def _signed(self) -> Expr:
-        self._nesting += 1
-        if self._nesting > MAX_NESTING + 1:
-            raise ExpressionError(
-                Message("the expression nests more than {most} deep", most=MAX_NESTING), self._now.column
-            )
-        if self._now.kind in ("+", "-"):
-            minus = self._take().kind == "-"
-            operand = self._signed()
-            result = negate(operand) if minus else operand
-        else:
-            result = self._power()
-        self._nesting -= 1
-        return result
 
     def _power(self) -> Expr:
         base = self._primary()

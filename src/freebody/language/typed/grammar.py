@@ -19,6 +19,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from freebody.errors import ExpressionError
+from freebody.language.descent import Descent
 from freebody.language.expression import (
     MINUS_ONE,
     PI,
@@ -26,10 +27,8 @@ from freebody.language.expression import (
     Expr,
     Number,
     Symbol,
-    add,
     depth,
     multiply,
-    negate,
     number,
     power,
 )
@@ -118,26 +117,16 @@ def _tokens(text: str, vocabulary: Vocabulary) -> list[_Token]:
     return tokens
 
 
-class _Parser:
+class _Parser(Descent[_Token]):
     """One reading. takes: a divisor takes of the factors that stand beside it none (0), the names without a space
     between (1), or all (2); is_wide: an argument without brackets takes all."""
 
     def __init__(self, tokens: list[_Token], vocabulary: Vocabulary, *, takes: int = 0, is_wide: bool = False) -> None:
-        self._tokens, self._vocabulary = tokens, vocabulary
+        super().__init__(tokens, MAX_DEPTH)
+        self._vocabulary = vocabulary
         self._takes, self._is_wide = takes, is_wide
-        self._at = 0
-        self._nesting = 0
         self._sizes = 0  # open bars of absolute values
         self.has_open_divisor = self.has_open_argument = False
-
-    @property
-    def _now(self) -> _Token:
-        return self._tokens[self._at]
-
-    def _take(self) -> _Token:
-        token = self._now
-        self._at += 1
-        return token
 
     def _takes_kind(self, kind: str) -> bool:
         """Takes the next token if it is of a kind."""
@@ -165,16 +154,6 @@ class _Parser:
         return ExpressionError(Message("'{x}' is not expected here", x=token.text[:40]), token.column)
 
     # -- sums and products --------------------------------------------------------------------
-    def _sum(self) -> Expr:
-        start = self._now.column
-        terms = [self._product()]
-        while self._now.kind in ("+", "-"):
-            minus = self._take().kind == "-"
-            term = self._product()
-            terms.append(negate(term) if minus else term)
-        refuse_huge(terms, start)
-        return add(*terms)
-
     def _product(self) -> Expr:
         start = self._now.column
         factors = [self._signed()]
@@ -223,19 +202,6 @@ class _Parser:
         if self._takes == 1:
             return self._now.kind == "name" and not self._now.after_space
         return self._takes == 2 and self._now.kind != "function"
-
-    def _signed(self) -> Expr:
-        self._nesting += 1
-        if self._nesting > MAX_DEPTH:
-            raise ExpressionError(Message("the expression nests more than {most} deep", most=MAX_DEPTH))
-        if self._now.kind in ("+", "-"):
-            minus = self._take().kind == "-"
-            operand = self._signed()
-            result = negate(operand) if minus else operand
-        else:
-            result = self._power()
-        self._nesting -= 1
-        return result
 
     # -- powers -------------------------------------------------------------------------------
     def _power(self) -> Expr:
