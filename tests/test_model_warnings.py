@@ -149,6 +149,16 @@ def test_a_rack_that_moves_across_its_teeth() -> None:
     assert "slider: {body: bar, along: ...}" in told
 
 
+def test_a_planet_that_does_not_fit_between_sun_and_ring() -> None:
+    """z_R = z_S + 2 z_P: with 24, 17 and 60 teeth of 2 mm the carrier holds 41 mm, and the ring needs 43."""
+    path = Path(__file__).parents[1] / "examples" / "planetary_gear_by_teeth.yaml"
+    text = path.read_text("utf-8").replace("z_P: 18", "z_P: 17")
+    ((kind, told),) = warned(text)
+    assert kind == "gears apart"
+    assert "ring and planet are 0.041 m apart" in told
+    assert "touch at 0.043 m" in told
+
+
 def test_a_wrong_angle_explains_what_stands_elsewhere_because_of_it() -> None:
     tilted = WALL.replace("along: right}", "along: 20 rad}").replace("PLACE", "0.45 m")
     assert [kind for kind, _told in warned(tilted)] == ["many turns"]
