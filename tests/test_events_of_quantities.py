@@ -117,3 +117,16 @@ def test_it_is_derived() -> None:
     assert not derivation.reason
     told = fb.explain(system, language="de").to_text()
     assert "in dem Augenblick, in dem gilt" in told
+
+
+def test_a_change_since_the_start_counts_from_where_the_motion_starts() -> None:
+    """A stone that leaves rest at the height h has v^2 = 2 g d when it has fallen by d, wherever it started."""
+    stone = """
+parameters: {m: 2 kg, d: 1 m, h: 3 m, g: 9.81 m/s^2}
+bodies: {stone: {particle: {mass: m}}}
+loads: {weight: {gravity: g}}
+measures: {y: y of stone}
+start: {y: h, rate(y): 0}
+"""
+    is_formula(stone, "speed of stone when y has changed by -d", "sqrt(2*g*d)")
+    is_formula(stone, "How fast is the stone after it has fallen 1 m?", "sqrt(2*g)")

@@ -46,6 +46,17 @@ class QuantityEvent(OfQuantity):
     value_text: str
 
 
+@dataclass(frozen=True)
+class ChangeEvent(QuestionEvent):
+    """A measure has changed by `change` since the start, as it is asked, before its value there is found
+    (`study/answering/places_of_quantities.py`): `value` means nothing yet. phrase, value_text: the measure and the
+    change in the words of the question."""
+
+    change: Expr
+    phrase: str
+    value_text: str
+
+
 AskedEvent = QuestionEvent | Clock
 
 
@@ -60,6 +71,13 @@ def read_event(names: Names, text: str, path: Path) -> AskedEvent | None:
     if turning is not None:
         turned = measure_of(names, turning["what"], *path)
         return None if turned is None else QuestionEvent(turned, 1, ZERO, text)
+    changed = re.match(r"^(?P<what>.+?) (?:has changed|changes) by (?P<by>.+)$", text)
+    if changed is not None:
+        moved = measure_of(names, changed["what"], *path)
+        by = None if moved is None else names.formula(changed["by"], moved.dimension, *path)
+        if moved is None or by is None:
+            return None
+        return ChangeEvent(moved, 0, Symbol(""), text, by, changed["what"], changed["by"])
     found = re.match(r"^(?P<what>.+?)\s*(?:=| reaches | is | equals )\s*(?P<value>.+)$", text)
     if found is None:
         names.problem(Message("cannot read the condition '{text}'; write for example x = h", text=text), *path)

@@ -79,7 +79,7 @@ def event_at_end(names: Names, phrase: str) -> tuple[str, str | None]:
 def _goes_on(names: Names, tail: str) -> bool:
     """Whether behind an event one goes on to calculate: with a further quantity, behind a value of zero, as in `tension
     of rod when theta = 0 / (m*g)`, or behind an event without a value."""
-    has_value = re.search(r"=|\breaches\b|\bequals\b|\bis\b", tail)
+    has_value = re.search(r"=|\breaches\b|\bequals\b|\bis\b|\bby\b", tail)
     if re.search(r"=\s*0\s*[-+*/^]", tail) or (has_value is None and len(_runs_of(tail)) > 1):
         return True
     further = _operands(names, tail).phrases.items()

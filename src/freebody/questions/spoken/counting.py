@@ -47,6 +47,11 @@ def time(names: Names, sentence: Sentence) -> Groups:
         if head.only("verb", "name", "pronoun") and len(of) <= 1 and set(head.all("verb")) == {"slide"}:
             yield [f"time when slipping of {of[0]} ends" if of else "time when slipping ends"]
         return
+    if main.has("ask", "long") and not sentence.others and set(head.all("verb")) == {"hold"}:
+        of = [name for _, name in head.names]  # how long does it stick
+        if head.only("verb", "name", "pronoun") and len(of) <= 1 and lookup.rough(names, next(iter(of), "")):
+            yield [f"time when {of[0]} begins to slip" if of else "time when slipping begins"]
+        return
     rises = "rise" in head.all("verb") and set(head.all("verb")) <= {"rise", *GOES_ON} and not head.has("value")
     if main.has("ask", "long") and not sentence.others and rises:
         of = next((name for _, name in head.names), "")
@@ -127,6 +132,12 @@ def _fraction_lost(names: Names, sentence: Sentence, asked: list[str]) -> Groups
     main = sentence.main
     is_lost = asked in (["energy lost"], ["kinetic energy lost"])
     is_all = all(lookup.is_all_that_moves(names, name) for _, name in main.names)
+    blows = ("in the impact", "at the impact")
+    if is_lost and not sentence.others and main.has("instant", *blows):
+        if main.only("quantity", "ask", "instant", *SILENT):
+            blow = "blow" if lookup.is_struck_at_start_alone(names) else "impact"
+            yield [f"ratio of energy lost in the {blow} to (kinetic energy before the {blow})"]
+        return
     if is_lost and is_all and losing.has_kinetic_energy_alone(names) and main.only("quantity", "ask", "name", *SILENT):
         for end in ends(names, sentence):
             yield [f"ratio of energy lost until {condition} to kinetic energy at start" for condition in end]
@@ -216,7 +227,10 @@ def ends(names: Names, sentence: Sentence) -> Groups:
     elif not sentence.others:
         if sentence.main.has("quantity", *COUNTED) and sentence.main.only(*_TO_THE_END):  # how many turns are left
             who = [name for _, name in sentence.main.names if name in names.bodies]
-            yield [f"{name} stops" for name in losing.runs_down(names) if not who or who == [name]]
+            clutches = losing.clutches(names)
+            yield [f"slipping of {name} ends" for name in clutches] or [
+                f"{name} stops" for name in losing.runs_down(names) if not who or who == [name]
+            ]
         within = [value for before, value in sentence.main.values if before in ("in", "of")]
         within += [value for before, value in sentence.main.values if before in ("on", "along", "through", "over")]
         if len(within) == 1 == len(sentence.main.values):

@@ -107,8 +107,9 @@ def framed(names: Names, clause: Clause) -> Clause:
     light: frozenset[str] = frozenset[str]().union(*(_LIGHT.get(quantity, frozenset({"move"})) for quantity in asked))
     is_plain = asks <= _PLAIN_ASKS and verbs <= light
     is_far = asked == ["deflection"] and asks <= {"far", "much", "large"} and not verbs
+    is_fast = asked == ["angular velocity"] and asks <= {"fast"}  # how fast does it spin
     is_slowed = asked[0] in ("deceleration", "angular deceleration") and asks <= {"fast", *_PLAIN_ASKS}
-    if is_where or is_plain or is_far or (is_slowed and verbs <= light):
+    if is_where or is_plain or is_far or (is_fast and verbs <= light) or (is_slowed and verbs <= light):
         return Clause(kept)
     return clause
 

@@ -42,7 +42,7 @@ _PLACES = {
     "upright pose": poses.upright,
 }
 _BLOWS = ("after the impact", "before the impact")
-_TIMED = {"in steady motion": " in steady motion", "when t grows": " when t grows"}
+_TIMED = {text: f" {text}" for text in ("in steady motion", "when t grows", "at the dead points")}
 
 
 def timed(names: Names, sentence: Sentence) -> Groups:

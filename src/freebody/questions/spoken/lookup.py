@@ -130,7 +130,7 @@ def hung(names: Names, body: str) -> list[str]:
 
 def gone(names: Names, body: str, by: str, sense: int) -> list[str]:
     """The condition that a body has come so far up (sense 1) or down (-1) along its way."""
-    return [f"{name} = {'' if own == sense else '-'}{_factor(by)}" for name, own in inclined(names, body)]
+    return [come(names, name, by, own * sense) for name, own in inclined(names, body)]
 
 
 def inclined(names: Names, body: str) -> list[tuple[str, int]]:
@@ -199,8 +199,13 @@ def heights(names: Names, body: str) -> list[tuple[str, int]]:
 
 def climbed(names: Names, body: str, by: str, sense: int) -> list[str]:
     """The condition that a body is higher (sense 1) or lower (-1) than at the start by a length."""
-    started = [(name, own) for name, own in heights(names, body) if name in names.started_at_zero]
-    return [f"{name} = {'' if own == sense else '-'}{_factor(by)}" for name, own in started]
+    return [come(names, name, by, own * sense) for name, own in heights(names, body)]
+
+
+def come(names: Names, measure: str, by: str, sense: int = 1) -> str:
+    """The condition that a measure is more (sense 1) or less (-1) than at the start by a value."""
+    begins = "=" if measure in names.started_at_zero else "has changed by"
+    return f"{measure} {begins} {'' if sense == 1 else '-'}{_factor(by)}"
 
 
 def _factor(value: str) -> str:
@@ -397,7 +402,8 @@ def deflections(names: Names, spring: str) -> list[str]:
 
 def strikes(names: Names) -> bool:
     """Whether there is something that can collide."""
-    return any(row.reaction == "normal force" for row in names.constraint_rows)
+    contacts = {name for name, called in names.called.items() if not {"contact", "stop", "rolling"}.isdisjoint(called)}
+    return any(row.connection in contacts for row in names.constraint_rows)
 
 
 def goes_on(names: Names) -> bool:

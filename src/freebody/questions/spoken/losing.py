@@ -34,6 +34,13 @@ def runs_down(names: Names) -> list[str]:
     return lookup.started(names) if brakes and not names.loads else []
 
 
+def clutches(names: Names) -> list[str]:
+    """Brakes between two bodies that move."""
+    brakes = [name for name in names.connections if "brake" in names.called.get(name, ())]
+    free = {*lookup.moving(names)}
+    return [name for name in brakes if len(free & names.connections[name].mentions(names)) > 1]
+
+
 def has_kinetic_energy_alone(names: Names) -> bool:
     """Whether no load but weight acts, and all ways that are measured are level."""
     weights = {name for name in names.loads if "gravity" in names.called.get(name, ())}

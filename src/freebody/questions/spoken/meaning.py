@@ -49,6 +49,7 @@ def meanings(names: Names, words: list[Word]) -> Groups:
     said = _by_friction(_needed_to_roll(names, _in_doing(said)))
     said = _unaccelerated(_not_slipping(names, _carrying(names, said, modal)))
     words = [_AS_LARGE.get(word, word) for word in said]
+    yield from _rough_enough_to_roll(names, Clause(words))
     lasting = _as_long_as(said)
     if modal == {"may"} and any(word in _HOW_FAR for word in said):  # how large may it be
         yield from limits(names, lasting, modal)
@@ -150,6 +151,21 @@ def _needed_to_roll(names: Names, words: list[Word]) -> list[Word]:
         return words
     head = words[: marks[0] - (words[marks[0] - 1] == _FOR)]
     return head if any(word.kind == "name" for word in head) else [*head, *(w for w in tail.words if w.kind == "name")]
+
+
+def _rough_enough_to_roll(names: Names, clause: Clause) -> Groups:
+    """The least coefficient of friction with which it rolls, where the contact has no limit: |F| / N."""
+    is_asked = clause.has("quantity", "friction coefficient") or clause.words[:1] == [Word("ask", "rough")]
+    doing = set(clause.all("verb"))
+    rolls = doing == {"roll"} or ("slide" in doing <= {"slide", "roll"} and clause.has("not"))
+    known = ("quantity", "degree", "ask", "verb", "not", "name", "mark", *SILENT)
+    if not (is_asked and rolls and clause.only(*known)) or set(clause.all("degree")) - {"least"}:
+        return
+    if len(clause.all("quantity")) > 1 or given.parameters(names, "friction coefficient", ""):
+        return
+    rough = lookup.rough(names, "")
+    joints = [joint for joint in rough if all(lookup.touches(names, joint, name) for _, name in clause.names)]
+    yield [f"ratio of |friction force of {joint}| to normal force of {joint}" for joint in joints]
 
 
 def _in_doing(words: list[Word]) -> list[Word]:

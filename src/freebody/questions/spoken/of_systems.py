@@ -69,7 +69,8 @@ def _equilibrium(names: Names, quantity: str, rest: Clause) -> Groups:
     of = [name for _, name in rest.names]
     if not rest.only("name", *SILENT) or len(of) > 1:
         return
-    measures = lookup.places(names, of[0]) + lookup.angles(names, of[0]) if of else lookup.measured(names)
+    own = (lookup.places, lookup.angles, lookup.hung)
+    measures = [name for find in own for name in find(names, of[0])] if of else lookup.measured(names)
     yield [f"equilibrium of {name}" for name in dict.fromkeys(measures)]
 
 

@@ -103,14 +103,23 @@ def _going(names: Names, body: str) -> list[_Going]:
 
 
 def _on_lines(names: Names, body: str) -> list[_Going]:
-    """Angles of lines from the ground to a body."""
+    """Angles of lines to a body from the ground, or from what only moves level."""
     found: list[_Going] = []
     for name, measure in names.measures.items():
         own, sense = _signed(measure)
-        if isinstance(own, Bearing) and own.start.body == own.origin == GROUND and body in ("", name, own.end.body):
+        if not isinstance(own, Bearing) or body not in ("", name, own.end.body):
+            continue
+        if own.origin == GROUND and _is_level(names, own.start.body):
             reference = names.numeric(own.reference)
             found += [_Going(name, sense, math.degrees(reference))] if reference is not None else []
     return found
+
+
+def _is_level(names: Names, body: str) -> bool:
+    """Whether a body stands, or is led along a line that is level."""
+    sliders = [name for name, called in names.called.items() if "slider" in called]
+    led = any(body in names.connections[name].mentions(names) for name in sliders if name in names.connections)
+    return body == GROUND or (led and bool(lookup.level(names, body)))
 
 
 def _about_axles(names: Names, body: str) -> list[_Going]:

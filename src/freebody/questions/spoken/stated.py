@@ -24,7 +24,7 @@ _DESCRIBES = {  # verbs that only say what the instant is like
     "roll",
     "exert",  # at what angle does one throw
 }
-_PLACES = ("at the top", "at the bottom", "at the impact", "in the impact")
+_PLACES = ("at the top", "at the bottom", "at the impact", "in the impact", "at the dead points")
 _SPEEDS = ("speed", "velocity")
 
 
@@ -90,8 +90,8 @@ def _at(names: Names, equation: Equation, rest: Clause) -> Groups:
         return
     if rest.has("verb", "reach"):
         rest = rest.without("part", "vertical", "horizontal")  # it passes the vertical
-    if len(rest.all("quantity")) > 1:  # at the dead centre, theta = 0
-        rest = rest.without("quantity", "dead points", "equilibrium")
+    if len(rest.all("quantity")) > 1:  # in equilibrium, theta = 0
+        rest = rest.without("quantity", "equilibrium")
     kept = [w for w in rest.words if w.kind not in ("verb", "instant", "mark") and w != Word("preposition", ",")]
     if rest.has("ask", "fast"):
         kept = [w for w in rest.words if w.kind not in ("instant", "mark")]

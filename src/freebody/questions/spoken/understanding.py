@@ -13,7 +13,7 @@ from freebody.language.sentences import Message
 from freebody.questions.spoken.compounds import in_english_nouns
 from freebody.questions.spoken.lexicon import Word, languages
 from freebody.questions.spoken.meaning import meanings
-from freebody.questions.spoken.naming import elements_of, linked
+from freebody.questions.spoken.naming import Elements, elements_of, linked
 from freebody.questions.spoken.suggesting import MOST, suggestions
 from freebody.questions.spoken.words import Unknown, respelt, words_of
 
@@ -167,6 +167,7 @@ def _meanings(names: Names, text: str, *, guess: bool = False) -> list[Meaning]:
     """Ways to mean a text, the nearest to its words first. guess: a word that nothing knows is taken for a name."""
     text = _APOSTROPHE.sub("’", " ".join(text.split())).strip('"“”„ ')
     elements = elements_of(names)
+    text = re.sub(r"\w+(?:-\w+)+", lambda said: _joined(said[0], elements), text)
     found: list[Meaning] = []
     for language in languages():
         for way in linked(elements, in_english_nouns(text, language, elements.taken)):
@@ -176,6 +177,12 @@ def _meanings(names: Names, text: str, *, guess: bool = False) -> list[Meaning]:
                 continue
             found.append(Meaning(meanings(names, words), way.distance))
     return sorted(found, key=lambda meaning: meaning.distance)
+
+
+def _joined(word: str, elements: Elements) -> str:
+    """A word with hyphens, or the name that it is without them: the yo-yo."""
+    plain = word.replace("-", "").lower()
+    return next((name for name in elements.exact if name.lower() == plain), word)
 
 
 def _known(names: Names, text: str) -> Iterator[tuple[int, list[Word]]]:

@@ -14,13 +14,13 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from freebody.errors import CannotAnswer, ModelError
-from freebody.language.expression import FLOAT_FUNCTIONS, Expr, Symbol, evaluate
-from freebody.language.notation import compared, reworded
+from freebody.language.expression import FLOAT_FUNCTIONS, ZERO, Expr, Symbol, add, evaluate
+from freebody.language.notation import compared, reworded, to_text
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS
 from freebody.measures.base import Measure
 from freebody.numeric.jets import Array
-from freebody.questions.event import OfQuantity, QuantityEvent
+from freebody.questions.event import ChangeEvent, OfQuantity, QuantityEvent, QuestionEvent
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
 from freebody.study.answering.draws import Draw
@@ -52,6 +52,11 @@ def placed(system: System, questions: Sequence[Question], solve: Solver) -> tupl
     """The questions with events of measures for those of quantities; and why that was not possible, by their ids."""
     found, refused = list[Question](), dict[str, str]()
     for q in questions:
+        if isinstance(q.event, ChangeEvent):
+            try:
+                q = replace(q, event=_since_start(system, q.event, solve))
+            except (CannotAnswer, ModelError) as error:
+                refused[q.id] = str(error)
         if isinstance(q.event, QuantityEvent):
             try:
                 of_event = replace(q, event=None, quantity=q.event.quantity)
@@ -72,6 +77,18 @@ def with_place(question: Question, answer: Answer) -> Answer:
     conditions = tuple(dict.fromkeys((*own, *event.conditions))) or answer.conditions
     is_place = answer.expression == event.value
     return replace(answer, conditions=conditions, notes=answer.notes if is_place else (*answer.notes, event.told))
+
+
+def _since_start(system: System, event: ChangeEvent, solve: Solver) -> QuestionEvent:
+    """A measure at the value that it has when it has changed by so much since the start."""
+    asked = replace(system, questions=(system.question(f"{event.phrase} at start"),))
+    answer = solve(asked).answers[0]
+    if answer.expression is None or isinstance(answer.expression, tuple):
+        raise CannotAnswer(answer.reason or Message("where {x} starts has no formula", x=event.phrase))
+    begin = answer.expression
+    value = event.change if begin == ZERO else add(begin, event.change)
+    text = event.value_text if begin == ZERO else to_text(value)
+    return QuestionEvent(event.measure, 0, value, f"{event.phrase} = {text}")
 
 
 def _place(system: System, part: System, event: QuantityEvent, solve: Solver) -> PlacedEvent:
