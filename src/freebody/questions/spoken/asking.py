@@ -32,6 +32,9 @@ def quantities(names: Names, clause: Clause) -> Groups:
     if clause.has("quantity", "ratio", "difference", "sum"):
         yield from _of_two(names, clause)
         return
+    place = clause.has("quantity", "height", "position", "angle") and clause.has("ask", "with", "where")
+    if place and clause.has("degree") and clause.has("verb", "move"):
+        return  # at which height does it move fastest: the place is not what is greatest
     clause = framed(names, clause)
     if clause.has("verb", "exert", "act"):
         clause = clause.without("verb", "exert", "act")
@@ -54,12 +57,6 @@ def _extreme(names: Names, clause: Clause, degrees: list[str]) -> Groups:
     whole = " over a turn" if clause.has("instant", "over a turn") else whole
     clause = clause.without("instant", "over the motion", "over a turn")
     [degree] = degrees
-    if (
-        clause.has("ask", "with", "where")
-        and clause.has("quantity", "height", "position", "angle")
-        and clause.has("verb")
-    ):
-        return  # at which height does it move fastest: the place is not what is greatest
     clause = clause.without("verb", "reach", "move")
     goes = set(clause.all("verb")) <= {"slide", "roll", "turn", "rise", "fly"}
     if degree == "greatest" and clause.has("ask", "far", "much") and not clause.has("quantity") and goes:
