@@ -5,6 +5,7 @@
 // Prints one JSON object: per question and deployed seed the tests with what was expected and what STACK answered.
 
 [, $checkout, $cache] = $argv;
+$files = array_map('realpath', array_slice($argv, 3));
 foreach (['api/public', 'question/type', 'stack'] as $folder) {
     is_dir("$cache/$folder") || mkdir("$cache/$folder", 0777, true);
 }
@@ -38,7 +39,7 @@ $CFG->maximacommandopt = trim(@file_get_contents("$cache/command")) ?: $CFG->max
 file_put_contents("$cache/command", $CFG->maximacommandopt);
 
 $told = [];
-foreach (array_slice($argv, 3) as $file) {
+foreach ($files as $file) {
     foreach ((new SimpleXMLElement(file_get_contents($file)))->question as $node) {
         if ((string) $node['type'] !== 'stack') { continue; }
         foreach (count($node->deployedseed) ? $node->deployedseed : [-1] as $seed) {

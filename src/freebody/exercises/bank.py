@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from freebody.assess.numbers import Tolerance
+from freebody.exercises.sampling import Sampling
 from freebody.language.expression import Expr
 from freebody.model.elements import Sign
 from freebody.narrative.sheets.answer_key import KeyEntry
@@ -86,7 +87,7 @@ class Item:
 
     id: letters, digits and underscores, unique in the bank; name: unique as well, for people; told: the statement
     without figure and numbers; answer: what is to be found, whether or not there are options; expression, unit: of the
-    right answer; equivalent: other ways to write it; conditions: where it holds, in words; tolerance: for numbers;
+    right answer; sampling: where a formula can be compared with it in numbers; equivalent: other ways to write it; conditions: where it holds, in words; tolerance: for numbers;
     number_prompt: which number is to be given, in which unit, how exactly."""
 
     id: str
@@ -106,6 +107,7 @@ class Item:
     tolerance: Tolerance
     number_prompt: Text
     points: float
+    sampling: Sampling | None
     variants: tuple[ItemVariant, ...]
 
     @property

@@ -15,6 +15,7 @@ from typing import Any, cast
 from freebody.assess.numbers import Tolerance
 from freebody.errors import FreebodyError
 from freebody.exercises.bank import Bank, Given, Item, ItemVariant, Kind, ShownOption, SymbolUsed, Value, WrongAnswer
+from freebody.exercises.sampling import sampling_of
 from freebody.language.expression import FLOAT_FUNCTIONS, Expr, evaluate, free_symbols
 from freebody.language.notation import to_python
 from freebody.language.parser import parse
@@ -101,7 +102,7 @@ class _SystemItems:
             kind,
             answer.expression,
             _unit(answer),
-            tuple(self._equivalent(question, answer, kind)),
+            tuple(self._equivalent(self.variants[0].system.questions[k], answer, kind)),
             wrong,
             tuple(_symbols(system)),
             tuple(self.catalogue.tell(Sentence("exercise.condition", {"text": ready(c)})) for c in answer.conditions),
@@ -109,6 +110,7 @@ class _SystemItems:
             tolerance,
             self._number_prompt(answer, tolerance, is_count),
             1.0 if question.points is None else question.points,
+            sampling_of(answer),
             variants,
         )
 

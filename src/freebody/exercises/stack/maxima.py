@@ -81,7 +81,7 @@ class MaximaNames:
     def latex(self) -> Iterator[tuple[str, str]]:
         """What STACK shows for a name, where that is not the name itself."""
         for ours, theirs in self.maxima.items():
-            if len(theirs) > 1:
+            if theirs not in (ours, ours.replace("_", "")) or ours == "lam":
                 yield theirs, to_latex(parse(ours))
 
     def unlike(self) -> Iterator[tuple[Expr, str]]:

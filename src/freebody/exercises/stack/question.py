@@ -24,8 +24,7 @@ class Input:
 @dataclass(frozen=True)
 class Node:
     """One test of a tree: of `given` against `wanted`. note: of the branch that is taken where they agree; feedback: CASText;
-    is_right: full marks; is_quiet: STACK says nothing itself; ends_if: which outcome ends the tree, the other one goes on to the next
-    node."""
+    is_right: full marks; is_quiet: STACK says nothing itself."""
 
     test: str
     given: str
@@ -52,14 +51,27 @@ class Tree:
 
 
 @dataclass(frozen=True)
+class Expected:
+    """What a tree must give."""
+
+    score: float
+    note: str
+
+
+@dataclass(frozen=True)
 class QuestionTest:
-    """A test that STACK runs itself: what is typed, and score and note that a tree must give."""
+    """A test that STACK runs itself. what: is typed, in words; typed: by input; expected: by tree."""
 
     what: str
     typed: Mapping[str, str]
-    tree: str
-    score: float
-    note: str
+    expected: Mapping[str, Expected]
+
+    def and_also(self, other: QuestionTest | None) -> QuestionTest:
+        """Both in one, of different inputs: STACK needs some seconds for each."""
+        if other is None:
+            return self
+        what = self.what if self.what == other.what else f"{self.what}, {other.what}"
+        return QuestionTest(what, {**self.typed, **other.typed}, {**self.expected, **other.expected})
 
 
 @dataclass(frozen=True)
@@ -76,6 +88,5 @@ class StackQuestion:
     seeds: tuple[int, ...] = ()
     tests: tuple[QuestionTest, ...] = ()
     files: Mapping[str, bytes] | None = None
-    tags: tuple[str, ...] = ()
     grade: float = 1.0
     id: str = ""

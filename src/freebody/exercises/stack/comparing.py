@@ -1,0 +1,144 @@
+"""How formulas are compared in numbers: in Maxima, within the question, and the same in Python for our own reader.
+
+STACK's AlgEquiv knows neither the range for which an exercise asks nor its mechanics: x1 and x2 of one string are two names to
+it. At states of the model both are known, so a formula that agrees with another one at all of them to seven digits is taken for
+the same. Measured in units that are 2, 3 and 5 times smaller (kg, m, s), a quantity of the dimension kg^a m^b s^c is
+2^a 3^b 5^c times larger; what is not has another dimension.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+
+from freebody.errors import FreebodyError
+from freebody.exercises.sampling import Sampling, State
+from freebody.exercises.stack.maxima import MaximaNames
+from freebody.language.expression import Expr, evaluate
+from freebody.language.units import Dimension, parse_unit
+
+SAME = 1e-7  # relative
+NOTHING = 1e-12  # relative to the largest value
+_LARGER = {"mass": 2, "length": 3, "time": 5}
+
+# fbans is what was typed; names of STACK's users do not begin with fb
+FUNCTIONS = """\
+fbnum(fbe,fbp):=block([fbv],fbv:errcatch(float(subst(fbp,fbe))),if fbv=[] then false else first(fbv));
+fbminus(fba,fbb):=if numberp(fba) and numberp(fbb) then fba-fbb else false;
+fbseries(fbe,fbp,fbq):=if listp(fbe) then apply(append,maplist(lambda([fbx],fbseries(fbx,fbp,fbq)),fbe)) elseif fbq=[] then maplist(lambda([fbx],fbnum(fbe,fbx)),fbp) else makelist(fbminus(fbnum(fbe,fbq[fbi]),fbnum(fbe,fbp[fbi])),fbi,1,length(fbp));
+fbknown(fbl):=is(sublist(fbl,lambda([fbx],not numberp(fbx)))=[]);
+fbclose(fba,fbb):=if not (fbknown(fba) and fbknown(fbb) and is(length(fba)=length(fbb))) then false else block([fbs],fbs:lmax(maplist(abs,fbb)),is(sublist(makelist(is(abs(fba[fbi]-fbb[fbi])<=1.0e-7*max(abs(fba[fbi]),abs(fbb[fbi]))+1.0e-12*fbs),fbi,1,length(fba)),lambda([fbx],not fbx))=[]));
+fbsame(fba,fbb):=fbclose(fbseries(fba,fbpoints,fblater),fbseries(fbb,fbpoints,fblater));
+fbfactor(fba,fbb):=block([fbl,fbm],fbl:fbseries(fba,fbpoints,fblater),fbm:fbseries(fbb,fbpoints,fblater),if not (fbknown(fbl) and fbknown(fbm) and is(length(fbl)=length(fbm))) then false elseif is(first(fbm)=0) or is(first(fbl)=0) then false else fbclose(fbl,fbm*first(fbl)/first(fbm)));
+fbunits(fbe):=block([fbl,fbm],fbl:fbseries(fbe,fbscaled,fbscaledlater),fbm:fbseries(fbe,[first(fbpoints)],if fblater=[] then [] else [first(fblater)]),if not (fbknown(fbl) and fbknown(fbm)) then true else fbclose(fbl,fblarger*fbm));
+"""
+
+PLAIN = '''fbplain(fbe):=if safe_op(fbe)="=" then rhs(fbe) elseif safe_op(fbe)="ntuple" then args(fbe) else fbe;'''
+
+
+@dataclass(frozen=True)
+class Points:
+    """States with values by our names; scaled: the first one in smaller units, None where the dimension cannot be told; larger: how
+    much larger an answer of the right dimension is there."""
+
+    states: tuple[State, ...]
+    later: tuple[State, ...] = ()
+    scaled: State | None = None
+    scaled_later: State | None = None
+    larger: Fraction = Fraction(1)
+
+    def series(self, parts: Sequence[Expr]) -> tuple[float | None, ...]:
+        """Of each component its values at the states, or its changes."""
+        return tuple(x for part in parts for x in _changes(part, self.states, self.later))
+
+    def same(self, a: Sequence[Expr], b: Sequence[Expr], sign: float = 1.0) -> bool:
+        return close([None if x is None else sign * x for x in self.series(a)], self.series(b))
+
+    def is_multiple(self, a: Sequence[Expr], b: Sequence[Expr]) -> bool:
+        """Whether one is the other times a constant."""
+        mine, its = self.series(a), self.series(b)
+        if len(mine) != len(its) or not mine or not mine[0] or not its[0]:
+            return False
+        return close(mine, [None if x is None else x * mine[0] / its[0] for x in its])
+
+    def has_dimension(self, parts: Sequence[Expr]) -> bool:
+        """Whether an answer has the right dimension; also where that cannot be told."""
+        if self.scaled is None:
+            return True
+        later = () if self.scaled_later is None else (self.scaled_later,)
+        there = tuple(x for part in parts for x in _changes(part, (self.scaled,), later))
+        here = tuple(x for part in parts for x in _changes(part, self.states[:1], self.later[:1]))
+        if None in there or None in here:
+            return True
+        return close(there, [None if x is None else float(self.larger) * x for x in here])
+
+    def written(self, names: MaximaNames) -> Iterator[str]:
+        """The variables of the functions, a line each."""
+        yield f"fbpoints:[{','.join(_equations(s, names) for s in self.states)}];"
+        yield f"fblater:[{','.join(_equations(s, names) for s in self.later)}];"
+        if self.scaled is not None:
+            yield f"fbscaled:[{_equations(self.scaled, names)}];"
+            later = "" if self.scaled_later is None else _equations(self.scaled_later, names)
+            yield f"fbscaledlater:[{later}];"
+            yield f"fblarger:{self.larger};"
+
+
+def points_of(sampling: Sampling, key: Sequence[Expr], unit: str) -> Points:
+    """unit: of the answer."""
+    plain = Points(sampling.states, sampling.later)
+    if not plain.states:
+        return plain
+    try:
+        factors = {name: _factor(parse_unit(u or "1").dimension) for name, u in sampling.units.items()}
+        larger = _factor(parse_unit(unit or "1").dimension)
+    except (FreebodyError, ValueError):
+        return plain
+    scaled = [
+        {name: float(factors[name]) * x for name, x in states[0].items()} if states else None
+        for states in (sampling.states, sampling.later)
+    ]
+    full = Points(sampling.states, sampling.later, scaled[0], scaled[1], larger)
+    return full if full.has_dimension(key) and None not in full.series(key) else plain
+
+
+def close(a: Sequence[float | None], b: Sequence[float | None]) -> bool:
+    """Whether values are known and the same."""
+    if len(a) != len(b) or None in a or None in b:
+        return False
+    pairs = [(x, y) for x, y in zip(a, b, strict=True) if x is not None and y is not None]
+    room = NOTHING * max((abs(y) for _, y in pairs), default=0.0)
+    return all(abs(x - y) <= SAME * max(abs(x), abs(y)) + room for x, y in pairs)
+
+
+def _changes(part: Expr, states: Sequence[State], later: Sequence[State]) -> Iterator[float | None]:
+    for k, state in enumerate(states):
+        value = _value(part, state)
+        if later:
+            after = _value(part, later[k])
+            value = None if value is None or after is None else after - value
+        yield value
+
+
+def _value(part: Expr, state: Mapping[str, float]) -> float | None:
+    try:
+        found = float(evaluate(part, state))
+    except (FreebodyError, ValueError, ArithmeticError, TypeError):
+        return None
+    return found if math.isfinite(found) else None
+
+
+def _factor(dimension: Dimension) -> Fraction:
+    """Raises ValueError for a dimension with a broken exponent."""
+    found = Fraction(1)
+    for base, factor in _LARGER.items():
+        exponent: Fraction = getattr(dimension, base)
+        if exponent.denominator != 1:
+            raise ValueError(dimension)
+        found *= Fraction(factor) ** int(exponent)
+    return found
+
+
+def _equations(state: State, names: MaximaNames) -> str:
+    return "[" + ",".join(f"{names.maxima[name]}={value!r}" for name, value in state.items()) + "]"
