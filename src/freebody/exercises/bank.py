@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from freebody.assess.numbers import Tolerance
-from freebody.language.expression import Expr
+from freebody.language.expression import Expr, free_symbols
 from freebody.model.elements import Sign
 from freebody.narrative.sheets.answer_key import KeyEntry
 from freebody.present.report.blocks import Block, Figure, Text
@@ -87,7 +87,8 @@ class Item:
     id: letters, digits and underscores, unique in the bank; name: unique as well, for people; told: the statement
     without figure and numbers; answer: what is to be found, whether or not there are options; expression, unit: of the
     right answer; equivalent: other ways to write it; conditions: where it holds, in words; tolerance: for numbers;
-    number_prompt: which number is to be given, in which unit, how exactly."""
+    number_prompt: which number is to be given, in which unit, how exactly; labels: of the parts of an answer that has
+    several, x and y of a vector, 1, 2 ... of values whose order is that of their size."""
 
     id: str
     name: str
@@ -107,6 +108,13 @@ class Item:
     number_prompt: Text
     points: float
     variants: tuple[ItemVariant, ...]
+    labels: tuple[str, ...] = ()
+
+    @property
+    def has_symbols(self) -> bool:
+        """Whether the answer is a formula in symbols, or several."""
+        parts = self.expression if isinstance(self.expression, tuple) else (self.expression,)
+        return any(part is not None and free_symbols(part) for part in parts)
 
     @property
     def has_options(self) -> bool:
