@@ -9,11 +9,10 @@ from base64 import b64decode, b64encode
 from collections.abc import Iterator, Mapping
 from html import escape
 from typing import cast
-from xml.etree import ElementTree
+from xml.etree.ElementTree import Element
 
-from freebody.errors import InputError
 from freebody.exercises.stack.question import Expected, Input, InputKind, Node, QuestionTest, StackQuestion, Tree
-from freebody.language.sentences import Message
+from freebody.exercises.xml import HEAD, parsed
 
 VERSION = "2024012900"  # of STACK, from which on all is there that is used here
 _INSERT_STARS = "4"  # for products side by side, and for spaces
@@ -37,7 +36,7 @@ def quiz(category: str, questions: Mapping[str, StackQuestion] | tuple[StackQues
     listed = questions if isinstance(questions, tuple) else tuple(questions.values())
     head = f'<question type="category"><category>{_text(f"$course$/top/{category}")}</category></question>\n'
     body = head + "".join(map(_question, listed))
-    return f'<?xml version="1.0" encoding="UTF-8"?>\n<quiz>\n{body}</quiz>\n'.encode()
+    return f"{HEAD}<quiz>\n{body}</quiz>\n".encode()
 
 
 def _question(q: StackQuestion) -> str:
@@ -141,18 +140,13 @@ def _test(k: int, test: QuestionTest) -> str:
 # -- reading ----------------------------------------------------------------------------------
 def questions_of(content: bytes, file: str) -> Iterator[StackQuestion]:
     """The questions of a file. Raises InputError for what is none."""
-    if b"<!DOCTYPE" in content or b"<!ENTITY" in content:
-        raise InputError(Message("{file} declares a document type, which a question file has no use for", file=file))
-    try:
-        root = ElementTree.fromstring(content)
-    except ElementTree.ParseError as error:
-        raise InputError(Message("{file} is not well-formed XML: {why}", file=file, why=str(error))) from None
+    root = parsed(content, file)
     for element in root.iter("question"):
         if element.get("type") == "stack":
             yield _read(element)
 
 
-def _read(q: ElementTree.Element) -> StackQuestion:
+def _read(q: Element) -> StackQuestion:
     inputs = tuple(
         Input(
             _of(i, "name"),
@@ -189,7 +183,7 @@ def _read(q: ElementTree.Element) -> StackQuestion:
     )
 
 
-def _read_node(n: ElementTree.Element) -> Node:
+def _read_node(n: Element) -> Node:
     return Node(
         _of(n, "answertest"),
         _of(n, "sans"),
@@ -202,7 +196,7 @@ def _read_node(n: ElementTree.Element) -> Node:
     )
 
 
-def _read_test(t: ElementTree.Element) -> QuestionTest:
+def _read_test(t: Element) -> QuestionTest:
     typed = {_of(i, "name"): _of(i, "value") for i in t.findall("testinput")}
     expected = {
         _of(e, "name"): Expected(float(_of(e, "expectedscore") or 0), _of(e, "expectedanswernote"))
@@ -211,6 +205,6 @@ def _read_test(t: ElementTree.Element) -> QuestionTest:
     return QuestionTest(_of(t, "description"), typed, expected)
 
 
-def _of(element: ElementTree.Element, path: str) -> str:
+def _of(element: Element, path: str) -> str:
     found = element.find(path)
     return "" if found is None or found.text is None else found.text
