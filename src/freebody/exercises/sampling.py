@@ -7,7 +7,7 @@ there. Where only differences count (an energy), each state comes with a later o
 from __future__ import annotations
 
 import math
-from collections.abc import Container, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from contextlib import suppress
 from dataclasses import dataclass
 
@@ -31,14 +31,6 @@ class Sampling:
     units: Mapping[str, str]
     states: tuple[State, ...]
     later: tuple[State, ...] = ()
-
-    def only(self, names: Container[str]) -> Sampling:
-        """The same for these names alone."""
-        units = {name: unit for name, unit in self.units.items() if name in names}
-        states, later = (
-            tuple({name: state[name] for name in units} for state in some) for some in (self.states, self.later)
-        )
-        return Sampling(units, states, later)
 
 
 def sampling_of(answer: Answer) -> Sampling | None:

@@ -45,7 +45,9 @@ def _self_tests(question: StackQuestion) -> Iterator[SelfTest]:
             if part.input.name in test.typed:
                 node = nodes[part.tree.name, test.expected[part.tree.name].note]
                 typed = part.typed(test.typed[part.input.name])
-                what: What = "distractor" if not node.is_right else "key" if test.what.startswith("key") else "equivalent"
+                what: What = (
+                    "distractor" if not node.is_right else "key" if test.what.startswith("key") else "equivalent"
+                )
                 yield SelfTest(name, what, typed, "correct" if node.is_right else "incorrect", node.feedback)
 
 

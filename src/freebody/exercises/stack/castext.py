@@ -48,9 +48,7 @@ def by_variant(written: Sequence[str]) -> str:
     """One text, or one for each variant where they differ."""
     if len(set(written)) <= 1:
         return written[0] if written else ""
-    parts = "".join(
-        f'[[{"if" if n == 1 else "elif"} test="{VARIANT}={n}"]]{text}' for n, text in enumerate(written, 1)
-    )
+    parts = "".join(f'[[{"if" if n == 1 else "elif"} test="{VARIANT}={n}"]]{text}' for n, text in enumerate(written, 1))
     return f"{parts}[[/if]]"
 
 

@@ -62,7 +62,7 @@ class FormulaPart:
         symbols, rates = names_in(self.key)
         if sampling is None or not sampling.units.keys() >= {*symbols, *rates}:
             return Points(())
-        return points_of(sampling.only(self.names.maxima), self.key, self.item.unit)
+        return points_of(sampling, self.names.maxima, self.key, self.item.unit)
 
     @cached_property
     def equivalent(self) -> list[Parts]:

@@ -37,9 +37,12 @@ from freebody.messages import Message
 
 # what these names mean in STACK is not a quantity
 _TAKEN = frozenset(
-    "e i pi inf minf und ind infinity zeroa zerob true false null none nil all and or not nand nor xor implies xnor if then else elseif for "
-    "from thru step while unless do in at is ev var del diff int rate rand min max mod sum product limit solve set list "
-    "matrix number float simp numer root base lambda ans sub lg ln gcd lcm re im arg abs sign block return go".split()
+    (
+        "e i pi inf minf und ind infinity zeroa zerob true false null none nil all and or not nand nor xor implies if then "
+        "else elseif for from thru step while unless do in at is ev var del diff int rate rand min max mod sum product limit "
+        "solve set list matrix number float simp numer root base lambda ans sub lg ln gcd lcm re im arg abs sign block "
+        "return go"
+    ).split()
 )
 _FUNCTIONS = {"sign": "signum", "elliptic_K": "elliptic_kc", "elliptic_F": "elliptic_f"}
 _OURS = {theirs: ours for ours, theirs in _FUNCTIONS.items()}
@@ -58,11 +61,16 @@ class MaximaNames:
     def of(cls, names: Iterable[str], rates: Iterable[str] = ()) -> MaximaNames:
         """Those of some symbols, and those of rates as "rate(x)", "rate(rate(x))"."""
         taken: dict[str, str] = {}
-        for name in names:
-            taken[name] = _free(_digits_last(name), taken)
-        for rate in rates:
-            n, inner = rate.count("rate("), rate.rpartition("(")[2].rstrip(")")
-            taken[rate] = _free("d" * (n - 1) + _DOT + taken.get(inner, _digits_last(inner)), taken)
+        rated = list(rates)
+        for name in (*names, *(rate.rpartition("(")[2].rstrip(")") for rate in rated)):
+            if name not in taken:
+                taken[name] = _free(_digits_last(name), taken)
+        for rate in rated:
+            inner = rate.rpartition("(")[2].rstrip(")")
+            for n in range(1, rate.count("rate(") + 1):  # those of lower order as well
+                key = "rate(" * n + inner + ")" * n
+                if key not in taken:
+                    taken[key] = _free("d" * (n - 1) + _DOT + taken[inner], taken)
         return cls(taken)
 
     @property

@@ -121,7 +121,9 @@ class ReadPart:
             return tuple(map(_NAMES.read, _list(written) if written.startswith("[") else [written]))
         except ExpressionError as error:
             name = self.question.name
-            raise InputError(Message("{name}: '{text}' is no formula: {why}", name=name, text=text, why=str(error))) from None
+            raise InputError(
+                Message("{name}: '{text}' is no formula: {why}", name=name, text=text, why=str(error))
+            ) from None
 
     def _is_near(self, response: str, wanted: str, room: float) -> bool:
         mine, its = _quantity(response), _quantity(wanted)

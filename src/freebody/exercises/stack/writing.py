@@ -72,7 +72,11 @@ class ItemWriter:
             parts.append(number.part())
         if not parts and item.has_options:
             self.told.append(
-                Message("{item}: {platform} has no input for it, so it is asked with options", item=item.name, platform=PLATFORM)
+                Message(
+                    "{item}: {platform} has no input for it, so it is asked with options",
+                    item=item.name,
+                    platform=PLATFORM,
+                )
             )
             parts.append(ChoicePart(item, self.markup).part())
         return parts
