@@ -5,6 +5,7 @@ Texts and blocks are those of reports, so that each platform writes them in its 
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Literal
 
@@ -87,7 +88,8 @@ class Item:
     id: letters, digits and underscores, unique in the bank; name: unique as well, for people; told: the statement
     without figure and numbers; answer: what is to be found, whether or not there are options; expression, unit: of the
     right answer; equivalent: other ways to write it; conditions: where it holds, in words; tolerance: for numbers;
-    number_prompt: which number is to be given, in which unit, how exactly."""
+    number_prompt: which number is to be given, in which unit, how exactly; samples: where formulas are compared, values of
+    symbols and of their rates, as "rate(x)"."""
 
     id: str
     name: str
@@ -107,6 +109,7 @@ class Item:
     number_prompt: Text
     points: float
     variants: tuple[ItemVariant, ...]
+    samples: tuple[Mapping[str, float], ...] = ()
 
     @property
     def has_options(self) -> bool:
