@@ -5,11 +5,11 @@ Texts and blocks are those of reports, so that each platform writes them in its 
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Literal
 
 from freebody.assess.numbers import Tolerance
+from freebody.exercises.sampling import Sampling
 from freebody.language.expression import Expr
 from freebody.model.elements import Sign
 from freebody.narrative.sheets.answer_key import KeyEntry
@@ -88,8 +88,8 @@ class Item:
     id: letters, digits and underscores, unique in the bank; name: unique as well, for people; told: the statement
     without figure and numbers; answer: what is to be found, whether or not there are options; expression, unit: of the
     right answer; equivalent: other ways to write it; conditions: where it holds, in words; tolerance: for numbers;
-    number_prompt: which number is to be given, in which unit, how exactly; samples: where formulas are compared, values of
-    symbols and of their rates, as "rate(x)"."""
+    number_prompt: which number is to be given, in which unit, how exactly; sampling: where a formula can be compared
+    with the answer in numbers."""
 
     id: str
     name: str
@@ -108,8 +108,8 @@ class Item:
     tolerance: Tolerance
     number_prompt: Text
     points: float
+    sampling: Sampling | None
     variants: tuple[ItemVariant, ...]
-    samples: tuple[Mapping[str, float], ...] = ()
 
     @property
     def has_options(self) -> bool:

@@ -1,4 +1,4 @@
-"""An item as it is asked for a formula: right and wrong ones in the language of a platform, and where they are compared."""
+"""An item as it is asked for a formula: what a platform takes for right and wrong, where it compares."""
 
 from __future__ import annotations
 
@@ -35,16 +35,16 @@ class WrongFormula:
 class FormulaAsked:
     """A formula is to be given, or one for each part of a vector.
 
-    points: values by the names that are typed; right: as it is typed, with its values; equivalent: other ways to write
-    it; strict: right options that differ from it by a constant, and are not taken."""
+    points: values by the names that are typed; later: of the same motions, where only differences count; right: as it
+    is typed, with its values; equivalent: other ways to write it."""
 
     typing: Typing
     points: tuple[Mapping[str, float], ...]
+    later: tuple[Mapping[str, float], ...]
     right: tuple[str, ...]
     values: Values
     equivalent: tuple[tuple[str, ...], ...]
     wrong: tuple[WrongFormula, ...]
-    is_strict: bool
 
 
 def formula_of(item: Item, language: Language) -> FormulaAsked:
@@ -52,20 +52,21 @@ def formula_of(item: Item, language: Language) -> FormulaAsked:
     if item.answer not in ("formula", "vector") or item.expression is None:
         raise CannotAnswer(Message("it is no formula"))
     right = item.expression if isinstance(item.expression, tuple) else (item.expression,)
-    keys = named(right)
-    points = tuple(p for p in item.samples if all(key in p for key in keys) and _values(right, (p,)) is not None)
-    values = _values(right, points)
-    if len(points) < _FEWEST_POINTS or values is None:
+    states = _States(item)
+    values = states.values(right)
+    if len(states.points) < _FEWEST_POINTS or values is None:
         raise CannotAnswer(Message("there are too few points at which it could be compared"))
-    offered = [key for symbol in item.symbols for key in _keys(symbol) if all(key in p for p in points)]
-    typing = Typing.of(language, dict.fromkeys([*keys, *offered]))
+    offered = [key for symbol in item.symbols for key in _keys(symbol) if key in states.names]
+    typing = Typing.of(language, dict.fromkeys([*offered, *named(right)]))
     try:
         typed = _typed(typing, right)
     except ExpressionError as error:
         raise CannotAnswer(error.args[0]) from error
-    equal, others = _equivalent(item, typing, points, values)
-    wrong = tuple(_wrong(item, typing, points, values))
-    return FormulaAsked(typing, tuple(map(typing.values, points)), typed, values, equal, wrong, others)
+    found = _readable(item.equivalent, typing, states)
+    equal = tuple(_typed(typing, parts) for parts, own in found if are_same(own, values))
+    wrong = tuple(_wrong(item, typing, states, values))
+    points, later = (tuple(map(typing.values, some)) for some in (states.points, states.later))
+    return FormulaAsked(typing, points, later, typed, values, equal, wrong)
 
 
 def _keys(symbol: SymbolUsed) -> tuple[str, ...]:
@@ -76,47 +77,49 @@ def _typed(typing: Typing, parts: Sequence[Expr]) -> tuple[str, ...]:
     return tuple(map(typing.written, parts))
 
 
-def _equivalent(
-    item: Item, typing: Typing, points: Sequence[Mapping[str, float]], right: Values
-) -> tuple[tuple[tuple[str, ...], ...], bool]:
-    """Those that are equal at all points, and whether some are not."""
-    found: list[tuple[str, ...]] = []
-    differs = False
-    for parts, values in _readable(item.equivalent, typing, points):
-        if are_same(values, right):
-            found.append(_typed(typing, parts))
-        else:
-            differs = True
-    return tuple(found), differs
+class _States:
+    """Where the formulas of an item are compared. names: that have values in all states."""
+
+    def __init__(self, item: Item) -> None:
+        sampling = item.sampling
+        self.points = () if sampling is None else sampling.states
+        self.later = () if sampling is None else sampling.later
+        self.names = frozenset(() if sampling is None else sampling.units)
+
+    def values(self, parts: Sequence[Expr]) -> Values | None:
+        """None where something has no value. Raises ExpressionError for a name without one."""
+        found = tuple(values_at(part, self.points, self.later) for part in parts)
+        return found if all(math.isfinite(x) for part in found for x in part) else None
 
 
-def _wrong(item: Item, typing: Typing, points: Sequence[Mapping[str, float]], right: Values) -> Iterator[WrongFormula]:
+def _wrong(item: Item, typing: Typing, states: _States, right: Values) -> Iterator[WrongFormula]:
     """Wrong answers in the names of the problem that have a value, and are not equal to the right one there."""
     seen: list[Values] = []
     for wrong in item.wrong:
-        for parts, values in _readable((wrong.text,), typing, points):
+        for parts, values in _readable((wrong.text,), typing, states):
             if len(parts) == len(right) and not any(are_same(values, x) for x in (right, *seen)):
                 seen.append(values)
                 yield WrongFormula(_typed(typing, parts), values, wrong.feedback)
 
 
-def _readable(
-    texts: Sequence[str], typing: Typing, points: Sequence[Mapping[str, float]]
-) -> Iterator[tuple[tuple[Expr, ...], Values]]:
+def _readable(texts: Sequence[str], typing: Typing, states: _States) -> Iterator[tuple[tuple[Expr, ...], Values]]:
     for text in texts:
         try:
             parts = parts_of(text)
             _typed(typing, parts)
+            values = states.values(parts)
         except ExpressionError:
             continue
-        if (values := _values(parts, points)) is not None:
+        if values is not None:
             yield parts, values
 
 
-def _values(parts: Sequence[Expr], points: Sequence[Mapping[str, float]]) -> Values | None:
-    """None where something has no value."""
-    found = tuple(tuple(value_at(part, p) for p in points) for part in parts)
-    return found if all(math.isfinite(x) for part in found for x in part) else None
+def values_at(
+    expr: Expr, points: Sequence[Mapping[str, float]], later: Sequence[Mapping[str, float]] = ()
+) -> tuple[float, ...]:
+    """What it is at each point, and less what it is later there, where only differences count."""
+    found = tuple(value_at(expr, point) for point in points)
+    return tuple(x - value_at(expr, p) for x, p in zip(found, later, strict=True)) if later else found
 
 
 def value_at(expr: Expr, point: Mapping[str, float]) -> float:
@@ -157,7 +160,7 @@ def formula_tests(name: str, form: FormulaAsked, feedback: Sequence[str]) -> Ite
     for wrong, said in zip(form.wrong, feedback, strict=True):
         yield SelfTest(name, "distractor", response(wrong.parts), "incorrect", said)
     known = [wrong.values for wrong in form.wrong]
-    for change, make in (("{} + 1", lambda x: x + 1), ("7*({})", lambda x: 7 * x)):
-        made = tuple(tuple(map(make, part)) for part in form.values)
+    for change, factor, more in (("{} + 1", 1.0, 0.0 if form.later else 1.0), ("7*({})", 7.0, 0.0)):
+        made = tuple(tuple(factor * x + more for x in part) for part in form.values)
         if not any(are_same(made, values) for values in (form.values, *known)):
             yield SelfTest(name, "distractor", response([change.format(part) for part in form.right]), "incorrect")

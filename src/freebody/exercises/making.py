@@ -15,7 +15,7 @@ from typing import Any, cast
 from freebody.assess.numbers import Tolerance
 from freebody.errors import FreebodyError
 from freebody.exercises.bank import Bank, Given, Item, ItemVariant, Kind, ShownOption, SymbolUsed, Value, WrongAnswer
-from freebody.exercises.points import points_of
+from freebody.exercises.sampling import sampling_of
 from freebody.language.expression import FLOAT_FUNCTIONS, Expr, evaluate, free_symbols
 from freebody.language.notation import to_python
 from freebody.language.parser import parse
@@ -87,7 +87,7 @@ class _SystemItems:
         system, answer = self.system, self.variants[0].solution.answers[k]
         statement = ExerciseStatement(system, self.catalogue, 1, 1)
         title = title_of(system, self.catalogue)
-        kind, symbols = kind_of(answer), tuple(_symbols(system))
+        kind = kind_of(answer)
         wrong = tuple(self._wrong(k, question, kind))
         variants = tuple(self._variant(n, k, wrong) for n in range(1, len(self.variants) + 1))
         is_count = question.quantity.scope == "structure"
@@ -102,16 +102,16 @@ class _SystemItems:
             kind,
             answer.expression,
             _unit(answer),
-            tuple(self._equivalent(question, answer, kind)),
+            tuple(self._equivalent(self.variants[0].system.questions[k], answer, kind)),
             wrong,
-            symbols,
+            tuple(_symbols(system)),
             tuple(self.catalogue.tell(Sentence("exercise.condition", {"text": ready(c)})) for c in answer.conditions),
             "" if answer.is_answered or answer.conditions else answer.reason,
             tolerance,
             self._number_prompt(answer, tolerance, is_count),
             1.0 if question.points is None else question.points,
+            sampling_of(answer),
             variants,
-            points_of(answer, [symbol.name for symbol in symbols]),
         )
 
     def _id(self, question: Question) -> str:

@@ -37,7 +37,9 @@ PAGES = {
 </pl-multiple-choice>
 {_ANSWER}""",
     "number": f"""{_PANEL}<p><pl-number-input answers-name="answer" suffix="{{{{params.unit}}}}"
- comparison="{{{{params.comparison}}}}" rtol="{{{{params.rtol}}}}" atol="{{{{params.atol}}}}" digits="{{{{params.digits}}}}"></pl-number-input></p>
+ comparison="{{{{params.comparison}}}}"
+ rtol="{{{{params.rtol}}}}" atol="{{{{params.atol}}}}"
+ digits="{{{{params.digits}}}}"></pl-number-input></p>
 {_FEEDBACK}{_ANSWER}""",
 }
 
@@ -71,6 +73,13 @@ def value(formula, point):
     return found.real if abs(found.imag) <= 1e-12 * abs(found.real) else math.nan
 
 
+def values(formula):
+    """At all points; how much it changes until a later instant, where only that counts."""
+    found = [value(formula, point) for point in EXERCISE["points"]]
+    later = [value(formula, point) for point in EXERCISE["later"]]
+    return [a - b for a, b in zip(found, later)] if later else found
+
+
 def same(given, wanted):
     """Whether formulas agree at all points."""
     return all(
@@ -83,8 +92,7 @@ def grade(data):
     """Formulas are right that agree with the answer wherever the mechanics admits; a known mistake is named."""
     if EXERCISE["kind"] == "formula":
         names = [part["name"] for part in data["params"]["parts"]]
-        points = EXERCISE["points"]
-        given = [[value(data["submitted_answers"][name], point) for point in points] for name in names]
+        given = [values(data["submitted_answers"][name]) for name in names]
         for name, own, its in zip(names, given, EXERCISE["values"]):
             data["partial_scores"][name] = {{"score": int(same([own], [its])), "weight": 1}}
         data["score"] = sum(data["partial_scores"][name]["score"] for name in names) / len(names)

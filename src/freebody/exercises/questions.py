@@ -66,8 +66,3 @@ def _told(item: Item, own: Sequence[ItemQuestion], why: CannotAnswer | None, pla
         yield Message("{item} is left out: {why}", item=item.name, why=why) if why else left_out(item, platform)
     elif why:
         yield Message("{item} is not asked for its formula: {why}", item=item.name, why=why)
-    forms = [form for question in own for _variant, form in question.forms]
-    if any(isinstance(form, FormulaAsked) and form.is_strict for form in forms):
-        yield Message(
-            "{item}: of an answer up to a constant {platform} takes only this one", item=item.name, platform=platform
-        )

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 from freebody.assess.names import named_in
 from freebody.errors import ExpressionError
-from freebody.language.expression import ELLIPTIC, Call, Expr, Number, rate_key
+from freebody.language.expression import ELLIPTIC, Call, Expr, Number, Symbol, replace_rates
 from freebody.language.notation.one_line import OneLineWriter
 from freebody.language.parser import parse
 from freebody.messages import Message
@@ -52,7 +52,16 @@ class Typing:
     def written(self, expr: Expr) -> str:
         """Raises ExpressionError for what the language has no word for."""
         decimal = _fraction if self.language.is_exact else None
-        return OneLineWriter("*", self._name, self._call, _power, decimal=decimal).write(expr)[0]
+        return OneLineWriter("*", self._name, self._call, _power, decimal=decimal).write(self._flat(expr))[0]
+
+    def _flat(self, expr: Expr) -> Expr:
+        """With names for rates, from the innermost one outwards."""
+        rated = [key for key in self.theirs if key.startswith("rate(")]
+        for n in range(1, 1 + max((key.count("rate(") for key in rated), default=0)):
+            inner = {key.split("rate(")[-1].rstrip(")") for key in rated}
+            inside = {f"{'rate(' * (n - 1)}{name}{')' * (n - 1)}" for name in inner}
+            expr = replace_rates(expr, {key: Symbol(f"rate({key})") for key in inside})
+        return expr
 
     def read(self, text: str) -> Expr:
         """What was written, with our functions and its own names. Raises ExpressionError."""
@@ -76,7 +85,7 @@ class Typing:
 
     def _call(self, call: Call, argument: str) -> str:
         if call.function == "rate":
-            return self._name(rate_key(call))
+            raise ExpressionError(Message("it has the rate of more than a name"))
         if call.function in ELLIPTIC:
             raise ExpressionError(Message("it has an elliptic integral"))
         return f"{self.language.functions.get(call.function, call.function)}({argument})"

@@ -18,7 +18,7 @@ from typing import Any, cast
 from freebody.errors import ExpressionError, InputError
 from freebody.exercises.asked import ChoiceAsked, NumberAsked, number_tests
 from freebody.exercises.bank import Bank, ItemVariant
-from freebody.exercises.formulas import FormulaAsked, are_same, formula_tests, parts_given, value_at
+from freebody.exercises.formulas import FormulaAsked, are_same, formula_tests, parts_given, values_at
 from freebody.exercises.markup import Markup, described, latex_dialect
 from freebody.exercises.notes import typing_note
 from freebody.exercises.package import Package
@@ -35,9 +35,9 @@ WHAT = "a folder of questions for PrairieLearn"
 
 _TAKEN = (
     "e pi infty i j exp log ln sqrt factorial abs sgn max min sign Abs Max Min sec cot csc arccos arcsin arctan "
-    "arctan2 atan2 atanh acosh asinh sin cos tan asin acos atan sinh cosh tanh Number Symbol Integer Float Function False None "
-    "True and as assert async await break class continue def del elif else except finally for from global if import in "
-    "is lambda nonlocal not or pass raise return try while with yield"
+    "arctan2 atan2 atanh acosh asinh sin cos tan asin acos atan sinh cosh tanh Number Symbol Integer Float "
+    "Function False None True and as assert async await break class continue def del elif else except finally for "
+    "from global if import in is lambda nonlocal not or pass raise return try while with yield"
 )
 LANGUAGE = Language(frozenset(_TAKEN.split()), {}, is_exact=True)
 _UUIDS = uuid.uuid5(uuid.NAMESPACE_URL, "https://github.com/freebody/prairielearn")
@@ -124,8 +124,9 @@ class _Writer:
         labels = [f"({k})" for k in range(1, len(names) + 1)] if len(names) > 1 else [""]
         parts = [{"name": n, "label": s, "variables": variables} for n, s in zip(names, labels, strict=True)]
         wrong = [{"values": w.values, "feedback": self.markup.text(w.feedback).strip()} for w in form.wrong]
+        compared = {"points": form.points, "later": form.later, "values": form.values, "wrong": wrong}
         note = self.markup.blocks(typing_note(form.typing, self.bank.language))
-        return {"parts": parts, "note": note}, {"points": form.points, "values": form.values, "wrong": wrong}
+        return {"parts": parts, "note": note}, compared
 
     def _options(self, form: ChoiceAsked) -> list[dict[str, str]]:
         return [
@@ -191,14 +192,13 @@ class PrairieLearnQuestion:
                 return self._number(response)
 
     def _formula(self, given: tuple[str, ...]) -> Marked:
-        points = self.data["points"]
         names = {name.strip() for part in self.params["parts"] for name in part["variables"].split(",")}
         typing = Typing(LANGUAGE, {name: name for name in names})
         try:
             exprs = [typing.read(text) for text in given]
             for expr in exprs:
                 typing.written(expr)
-            values = [[value_at(expr, point) for point in points] for expr in exprs]
+            values = [values_at(expr, self.data["points"], self.data["later"]) for expr in exprs]
         except ExpressionError as error:
             raise InputError(str(error)) from error
         if are_same(values, self.data["values"]):
