@@ -50,21 +50,36 @@ class NumberAsked:
 
 
 @dataclass(frozen=True)
+class NumbersAsked:
+    """Several numbers are to be given, each with its label. room: by how much each may be off."""
+
+    labels: tuple[str, ...]
+    values: tuple[float, ...]
+    room: float
+    unit: str
+    prompt: Text
+
+
+Form = ChoiceAsked | NumberAsked | NumbersAsked
+
+
+@dataclass(frozen=True)
 class Asked:
     """A variant of an item as it is asked. name: unique in the package."""
 
     name: str
     item: Item
     variant: ItemVariant
-    form: ChoiceAsked | NumberAsked
+    form: Form
 
 
-def asked_of(bank: Bank, platform: str) -> tuple[tuple[Asked, ...], tuple[str, ...]]:
-    """All variants of all items that can be asked, and what is to be said about the others."""
+def asked_of(bank: Bank, platform: str, *, takes_several: bool = False) -> tuple[tuple[Asked, ...], tuple[str, ...]]:
+    """All variants of all items that can be asked, and what is to be said about the others. takes_several: the platform
+    can ask for several numbers in one question."""
     found: list[Asked] = []
     told: list[str] = []
     for item in bank.items:
-        forms = [(variant, _form(item, variant)) for variant in item.variants]
+        forms = [(variant, _form(item, variant, takes_several)) for variant in item.variants]
         told += _told(item, forms[0][1], platform)
         for variant, form in forms:
             if form is not None:
@@ -73,10 +88,10 @@ def asked_of(bank: Bank, platform: str) -> tuple[tuple[Asked, ...], tuple[str, .
     return tuple(found), tuple(told)
 
 
-def _told(item: Item, form: ChoiceAsked | NumberAsked | None, platform: str) -> Iterator[str]:
+def _told(item: Item, form: Form | None, platform: str) -> Iterator[str]:
     if form is None:
         yield left_out(item, platform)
-    elif isinstance(form, NumberAsked) and item.answer == "formula":
+    elif isinstance(form, NumberAsked | NumbersAsked) and item.has_symbols:
         yield Message(
             "{item}: {platform} takes no formulas, so the number is asked for", item=item.name, platform=platform
         )
@@ -98,12 +113,16 @@ def left_out(item: Item, platform: str) -> str:
     }[item.answer]
     if item.reason:
         why = Message("it has no answer here")
+    elif item.answer == "vector" and is_moving(item):
+        why = Message("its answer changes in the motion, and {platform} takes no formulas", platform=platform)
     return Message("{item} is left out: {why}", item=item.name, why=why)
 
 
-def _form(item: Item, variant: ItemVariant) -> ChoiceAsked | NumberAsked | None:
+def _form(item: Item, variant: ItemVariant, takes_several: bool) -> Form | None:
     if item.has_one_right_option and len(variant.options) > 1:
         return ChoiceAsked(variant.options)
+    if takes_several and isinstance(variant.value, tuple) and not is_moving(item) and item.labels:
+        return _numbers(item, variant.value)
     if item.answer in ("formula", "number") and isinstance(variant.value, float) and not is_moving(item):
         return number_of(item, variant, variant.value)
     if item.answer == "formula":
@@ -131,6 +150,13 @@ def number_of(item: Item, variant: ItemVariant, value: float) -> NumberAsked | N
         if all(abs(number - x) > 2 * (own + r) for x, r in others):  # else it says nothing
             wrong.append(WrongNumber(number, own, answer.feedback))
     return NumberAsked(value, room, item.unit, item.number_prompt, tuple(wrong))
+
+
+def _numbers(item: Item, values: tuple[float, ...]) -> NumbersAsked | None:
+    if not all(map(math.isfinite, values)):
+        return None
+    room = item.tolerance.room(max(map(abs, values)))
+    return NumbersAsked(item.labels, values, room, item.unit, item.number_prompt)
 
 
 def _from_mistakes(item: Item, variant: ItemVariant) -> ChoiceAsked | None:
@@ -175,10 +201,27 @@ def number_tests(name: str, form: NumberAsked, feedback: Sequence[str]) -> Itera
     yield from (test("distractor", w.value, False, said) for w, said in zip(form.wrong, feedback, strict=True))
 
 
+def numbers_tests(name: str, form: NumbersAsked) -> Iterator[SelfTest]:
+    """The values, and each of them wrong alone."""
+
+    def written(values: Sequence[float]) -> str:
+        return "; ".join(map(digits, values))
+
+    yield SelfTest(name, "key", written(form.values), "correct")
+    step = form.room or max(1.0, *map(abs, form.values))
+    for k in range(len(form.values)):
+        near = [x + 0.9 * form.room * (j == k) for j, x in enumerate(form.values)]
+        yield SelfTest(name, "equivalent", written(near), "correct")
+        off = [x + 1.1 * step * (j == k) for j, x in enumerate(form.values)]
+        yield SelfTest(name, "distractor", written(off), "incorrect")
+
+
 __all__ = [
     "Asked",
     "ChoiceAsked",
+    "Form",
     "NumberAsked",
+    "NumbersAsked",
     "WrongAnswer",
     "WrongNumber",
     "asked_of",
@@ -186,4 +229,5 @@ __all__ = [
     "is_moving",
     "left_out",
     "number_tests",
+    "numbers_tests",
 ]

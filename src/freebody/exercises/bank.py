@@ -10,7 +10,7 @@ from typing import Literal
 
 from freebody.assess.numbers import Tolerance
 from freebody.exercises.sampling import Sampling
-from freebody.language.expression import Expr
+from freebody.language.expression import Expr, free_symbols
 from freebody.model.elements import Sign
 from freebody.narrative.sheets.answer_key import KeyEntry
 from freebody.present.report.blocks import Block, Figure, Text
@@ -88,8 +88,9 @@ class Item:
     id: letters, digits and underscores, unique in the bank; name: unique as well, for people; told: the statement
     without figure and numbers; answer: what is to be found, whether or not there are options; expression, unit: of the
     right answer; equivalent: other ways to write it; conditions: where it holds, in words; tolerance: for numbers;
-    number_prompt: which number is to be given, in which unit, how exactly; sampling: where a formula can be compared
-    with the answer in numbers."""
+    number_prompt: which number is to be given, in which unit, how exactly; labels: of the parts of an answer that has
+    several, x and y of a vector, 1, 2 ... of values whose order is that of their size; sampling: states at which formulas
+    can be compared with the answer."""
 
     id: str
     name: str
@@ -110,6 +111,13 @@ class Item:
     points: float
     sampling: Sampling | None
     variants: tuple[ItemVariant, ...]
+    labels: tuple[str, ...] = ()
+
+    @property
+    def has_symbols(self) -> bool:
+        """Whether the answer is a formula in symbols, or several."""
+        parts = self.expression if isinstance(self.expression, tuple) else (self.expression,)
+        return any(part is not None and free_symbols(part) for part in parts)
 
     @property
     def has_options(self) -> bool:

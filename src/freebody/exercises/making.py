@@ -6,7 +6,6 @@ import math
 import re
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
-from contextlib import suppress
 from dataclasses import replace
 from functools import cached_property
 from pathlib import Path
@@ -23,7 +22,8 @@ from freebody.language.plain_text import plain, shortened
 from freebody.language.units import DIMENSIONLESS, Dimension
 from freebody.narrative.context import Context
 from freebody.narrative.lines.script import Argument, Sentence, ready
-from freebody.narrative.marking.authoring import authors_check
+from freebody.narrative.marking.authoring import proposed_options
+from freebody.narrative.marking.check import marked_by
 from freebody.narrative.mistakes.mistakes import found_mistakes
 from freebody.narrative.sheets.answer_key import key_of
 from freebody.narrative.sheets.asking import headline
@@ -39,6 +39,7 @@ from freebody.present.report.blocks import Block, Figure, Text
 from freebody.progress import busy_with
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
+from freebody.study.answering.solution import Solution
 from freebody.study.answering.solve import solve
 from freebody.symbolic.field import Ratio
 from freebody.system.system import System
@@ -66,7 +67,8 @@ def made_bank(
     for k in range(len(made.systems)):
         items += _SystemItems(made, k, catalogue, allowed, {item.id for item in items}).items()
     title = items[0].title if len(made.systems) == 1 else catalogue.word("sheet.title")
-    return Bank(title, language, _with_own_names(items), catalogue.report_words, made.variants, made.seed)
+    told = {name: catalogue.word(f"exercise.{name}") for name in ("hint", "solution")}
+    return Bank(title, language, _with_own_names(items), catalogue.report_words | told, made.variants, made.seed)
 
 
 class _SystemItems:
@@ -112,6 +114,7 @@ class _SystemItems:
             1.0 if question.points is None else question.points,
             sampling_of(answer),
             variants,
+            _labels(question, answer),
         )
 
     def _id(self, question: Question) -> str:
@@ -139,7 +142,7 @@ class _SystemItems:
             for letter, text in question.options.items()
             if letter in answer.options
         ]
-        solved, hints = self._worked(system, question)
+        solved, hints = self._worked(self.variants[n - 1], k)
         return ItemVariant(
             n,
             tuple(_given(system)),
@@ -153,11 +156,11 @@ class _SystemItems:
             hints,
         )
 
-    def _worked(self, system: System, question: Question) -> tuple[tuple[Block, ...], tuple[Text, ...]]:
+    def _worked(self, variant: Variant, k: int) -> tuple[tuple[Block, ...], tuple[Text, ...]]:
         """The worked solution, and what one should try oneself at each of its steps."""
-        from freebody.narrative.explain import explain
+        from freebody.narrative.explain import explain_solved
 
-        found = explain(system, question.id, language=self.catalogue.language)
+        found = explain_solved(variant.system, variant.solution, k, language=self.catalogue.language)
         hints = [self.catalogue.tell(s.hint) for d in found.derivations for s in d.stages if s.hint is not None]
         return lowered(without_statement(renumbered(found.report.blocks, 0, 1))), tuple(dict.fromkeys(hints))
 
@@ -182,17 +185,21 @@ class _SystemItems:
                 yield WrongAnswer(text, _key_of(mistake), self._feedback(verdict.reason, mistake), is_option=True)
         if kind != "formula":
             return
-        with suppress(FreebodyError):
-            for option in authors_check(self.system, question).proposed:
-                if option.text not in known:
-                    yield WrongAnswer(option.text, _key_of(option.said), self._feedback("", option.said))
+        for option in proposed_options(marked_by(self.system, question, self.solved.answers[k])):
+            if option.text not in known:
+                yield WrongAnswer(option.text, _key_of(option.said), self._feedback("", option.said))
+
+    @cached_property
+    def solved(self) -> Solution:
+        """As the file has it."""
+        first = self.variants[0]
+        return first.solution if first.system is self.system else solve(self.system)
 
     @cached_property
     def mistakes(self) -> Mapping[str, Mapping[str, Sentence]]:
         """By question and by the text of an option: the mistake that leads to it."""
-        solved = solve(self.system)
         found: dict[str, Mapping[str, Sentence]] = {}
-        for question, answer in zip(self.system.questions, solved.answers, strict=True):
+        for question, answer in zip(self.system.questions, self.solved.answers, strict=True):
             by_letter = found_mistakes(self.context, question, answer)
             found[question.id] = {question.options[letter]: said for letter, said in by_letter.items()}
         return found
@@ -225,6 +232,18 @@ def kind_of(answer: Answer) -> Kind:
     if isinstance(answer.expression, tuple) or isinstance(answer.value, tuple):
         return "vector"
     return "formula" if answer.expression is not None and free_symbols(answer.expression) else "number"
+
+
+def _labels(question: Question, answer: Answer) -> tuple[str, ...]:
+    """Of the components of a vector, or of several values. Nothing where these do not come in the order of their
+    size."""
+    values = answer.value
+    if not isinstance(values, tuple):
+        return ()
+    q = question.quantity
+    if not (q.is_any_of_several or q.scope == "small motion" or q.wanted is not None):
+        return ("x", "y", "z")[: len(values)]
+    return tuple(str(k) for k in range(1, len(values) + 1)) if list(values) == sorted(values) else ()
 
 
 def as_text(expression: Expr | Sequence[Expr]) -> str:
