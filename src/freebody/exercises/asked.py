@@ -124,7 +124,7 @@ def _form(item: Item, variant: ItemVariant, takes_several: bool) -> Form | None:
     if takes_several and isinstance(variant.value, tuple) and not is_moving(item) and item.labels:
         return _numbers(item, variant.value)
     if item.answer in ("formula", "number") and isinstance(variant.value, float) and not is_moving(item):
-        return _number(item, variant, variant.value)
+        return number_of(item, variant, variant.value)
     if item.answer == "formula":
         return _from_mistakes(item, variant)
     return None
@@ -137,7 +137,7 @@ def is_moving(item: Item) -> bool:
     return any(part is not None and free_symbols(part) & moving for part in parts)
 
 
-def _number(item: Item, variant: ItemVariant, value: float) -> NumberAsked | None:
+def number_of(item: Item, variant: ItemVariant, value: float) -> NumberAsked | None:
     if not math.isfinite(value):
         return None
     room = item.tolerance.room(value)

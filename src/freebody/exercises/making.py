@@ -67,7 +67,8 @@ def made_bank(
     for k in range(len(made.systems)):
         items += _SystemItems(made, k, catalogue, allowed, {item.id for item in items}).items()
     title = items[0].title if len(made.systems) == 1 else catalogue.word("sheet.title")
-    return Bank(title, language, _with_own_names(items), catalogue.report_words, made.variants, made.seed)
+    told = {name: catalogue.word(f"exercise.{name}") for name in ("hint", "solution")}
+    return Bank(title, language, _with_own_names(items), catalogue.report_words | told, made.variants, made.seed)
 
 
 class _SystemItems:

@@ -1,7 +1,7 @@
 """States of a model at which formulas are compared in numbers by platforms that know no mechanics.
 
-Names have values that fit each other: measures and rates are those of one motion, parameters have their signs, and the answer is one
-there. Where only differences count (an energy), each state comes with a later one of the same motion.
+Names have values that fit each other: measures and rates are those of one motion, parameters have their signs, and the
+answer is one there. Where only differences count (an energy), each state comes with a later one of the same motion.
 """
 
 from __future__ import annotations
@@ -18,6 +18,7 @@ from freebody.language.units import TIME, Dimension
 from freebody.study.answering.answer import Answer
 
 N_STATES = 4
+_MOST_RATES = 2
 _LATER = 1000  # added to the seed of a state
 
 State = Mapping[str, float]  # by names; rates as "rate(x)"
@@ -25,8 +26,8 @@ State = Mapping[str, float]  # by names; rates as "rate(x)"
 
 @dataclass(frozen=True)
 class Sampling:
-    """units: of all names that have values, in SI, empty for none; states: the first one near the model's own numbers; later: one for
-    each of them where only differences count."""
+    """units: of all names that have values, in SI, empty for none; states: the first one near the model's own numbers;
+    later: one for each of them where only differences count."""
 
     units: Mapping[str, str]
     states: tuple[State, ...]
@@ -71,8 +72,10 @@ def _units(setting: Setting) -> dict[str, str]:
     """Of all names and of the rates of what moves."""
     found = {name: _shown(dimension) for name, dimension in setting.names.dimensions.items()}
     for name, dimension in setting.names.dimensions.items():
-        if f"rate({name})" in setting.names:
-            found[f"rate({name})"] = _shown(dimension / TIME)
+        key, unit = f"rate({name})", dimension / TIME
+        while key in setting.names and key.count("rate(") <= _MOST_RATES:
+            found[key] = _shown(unit)
+            key, unit = f"rate({key})", unit / TIME
     return found
 
 
