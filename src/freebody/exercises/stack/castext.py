@@ -1,7 +1,7 @@
 r"""Texts and blocks as CASText: HTML with LaTeX between \( \), in which STACK looks for {@...@}, {#...#} and [[...]].
 
-None of these may come of a text or a formula: in words the signs stand by their numbers, in LaTeX they are kept apart. What differs
-between the variants stands in [[if]] blocks, by the number of the variant.
+None of these may come of a text or a formula: in words the signs stand by their numbers, in LaTeX they are kept apart.
+What differs between the variants stands in [[if]] blocks, by the number of the variant.
 """
 
 from __future__ import annotations
@@ -48,7 +48,9 @@ def by_variant(written: Sequence[str]) -> str:
     """One text, or one for each variant where they differ."""
     if len(set(written)) <= 1:
         return written[0] if written else ""
-    parts = "".join(f'[[{"if" if n == 1 else "elif"} test="{VARIANT}={n}"]]{text}' for n, text in enumerate(written, 1))
+    parts = "".join(
+        f'[[{"if" if n == 1 else "elif"} test="is({VARIANT}={n})"]]{text}' for n, text in enumerate(written, 1)
+    )
     return f"{parts}[[/if]]"
 
 

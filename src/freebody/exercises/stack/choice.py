@@ -14,7 +14,7 @@ INPUT, TREE = "ans1", "prt1"
 
 
 class ChoicePart:
-    """An option is known by its number among those of the first variant; each variant has them in an order of its own."""
+    """An option is known by its number in the first variant; each variant has them in an order of its own."""
 
     def __init__(self, item: Item, markup: Markup) -> None:
         self.item, self.markup = item, markup

@@ -1,9 +1,9 @@
 """How formulas are compared in numbers: in Maxima, within the question, and the same in Python for our own reader.
 
-STACK's AlgEquiv knows neither the range for which an exercise asks nor its mechanics: x1 and x2 of one string are two names to
-it. At states of the model both are known, so a formula that agrees with another one at all of them to seven digits is taken for
-the same. Measured in units that are 2, 3 and 5 times smaller (kg, m, s), a quantity of the dimension kg^a m^b s^c is
-2^a 3^b 5^c times larger; what is not has another dimension.
+STACK's AlgEquiv knows neither the range for which an exercise asks nor its mechanics: x1 and x2 of one string are two
+names to it. At states of the model both are known, so a formula that agrees with another one at all of them to seven
+digits is taken for the same. Measured in units that are 2, 3 and 5 times smaller (kg, m, s), a quantity of the
+dimension kg^a m^b s^c is 2^a 3^b 5^c times larger; what is not has another dimension.
 """
 
 from __future__ import annotations
@@ -23,25 +23,35 @@ SAME = 1e-7  # relative
 NOTHING = 1e-12  # relative to the largest value
 _LARGER = {"mass": 2, "length": 3, "time": 5}
 
-# fbans is what was typed; names of STACK's users do not begin with fb
-FUNCTIONS = """\
-fbnum(fbe,fbp):=block([fbv],fbv:errcatch(float(subst(fbp,fbe))),if fbv=[] then false else first(fbv));
+# In Maxima. fbnum: a value, or false; fbseries: the values of all components at the states fbp, or their changes up to
+# the states fbq; fbplain: what stands right of an = or is written as a tuple. Names that people type do not begin so.
+_SOURCE = """
+fbplain(fbe):=if safe_op(fbe)="=" then rhs(fbe) elseif safe_op(fbe)="ntuple" then args(fbe) else fbe;
+fbnum(fbe,fbp):=block([fbv], fbv:errcatch(float(subst(fbp,fbe))), if fbv=[] then false else first(fbv));
 fbminus(fba,fbb):=if numberp(fba) and numberp(fbb) then fba-fbb else false;
-fbseries(fbe,fbp,fbq):=if listp(fbe) then apply(append,maplist(lambda([fbx],fbseries(fbx,fbp,fbq)),fbe)) elseif fbq=[] then maplist(lambda([fbx],fbnum(fbe,fbx)),fbp) else makelist(fbminus(fbnum(fbe,fbq[fbi]),fbnum(fbe,fbp[fbi])),fbi,1,length(fbp));
+fbseries(fbe,fbp,fbq):=if listp(fbe) then apply(append,maplist(lambda([fbx],fbseries(fbx,fbp,fbq)),fbe))
+    elseif fbq=[] then maplist(lambda([fbx],fbnum(fbe,fbx)),fbp)
+    else makelist(fbminus(fbnum(fbe,fbq[fbi]),fbnum(fbe,fbp[fbi])),fbi,1,length(fbp));
 fbknown(fbl):=is(sublist(fbl,lambda([fbx],not numberp(fbx)))=[]);
-fbclose(fba,fbb):=if not (fbknown(fba) and fbknown(fbb) and is(length(fba)=length(fbb))) then false else block([fbs],fbs:lmax(maplist(abs,fbb)),is(sublist(makelist(is(abs(fba[fbi]-fbb[fbi])<=1.0e-7*max(abs(fba[fbi]),abs(fbb[fbi]))+1.0e-12*fbs),fbi,1,length(fba)),lambda([fbx],not fbx))=[]));
+fbalike(fba,fbb):=fbknown(fba) and fbknown(fbb) and is(length(fba)=length(fbb));
+fbnear(fba,fbb,fbs):=is(abs(fba-fbb)<=1.0e-7*max(abs(fba),abs(fbb))+1.0e-12*fbs);
+fbclose(fba,fbb):=if not fbalike(fba,fbb) then false else block([fbs], fbs:lmax(maplist(abs,fbb)),
+    is(sublist(makelist(fbnear(fba[fbi],fbb[fbi],fbs),fbi,1,length(fba)),lambda([fbx],not fbx))=[]));
 fbsame(fba,fbb):=fbclose(fbseries(fba,fbpoints,fblater),fbseries(fbb,fbpoints,fblater));
-fbfactor(fba,fbb):=block([fbl,fbm],fbl:fbseries(fba,fbpoints,fblater),fbm:fbseries(fbb,fbpoints,fblater),if not (fbknown(fbl) and fbknown(fbm) and is(length(fbl)=length(fbm))) then false elseif is(first(fbm)=0) or is(first(fbl)=0) then false else fbclose(fbl,fbm*first(fbl)/first(fbm)));
-fbunits(fbe):=block([fbl,fbm],fbl:fbseries(fbe,fbscaled,fbscaledlater),fbm:fbseries(fbe,[first(fbpoints)],if fblater=[] then [] else [first(fblater)]),if not (fbknown(fbl) and fbknown(fbm)) then true else fbclose(fbl,fblarger*fbm));
+fbratio(fbl,fbm):=if not fbalike(fbl,fbm) then false elseif is(first(fbm)=0) or is(first(fbl)=0) then false
+    else fbclose(fbl,fbm*first(fbl)/first(fbm));
+fbfactor(fba,fbb):=fbratio(fbseries(fba,fbpoints,fblater),fbseries(fbb,fbpoints,fblater));
+fbscale(fbl,fbm):=if fbalike(fbl,fbm) then fbclose(fbl,fblarger*fbm) else true;
+fbfirst(fbl):=if fbl=[] then [] else [first(fbl)];
+fbunits(fbe):=fbscale(fbseries(fbe,fbscaled,fbscaledlater),fbseries(fbe,fbfirst(fbpoints),fbfirst(fblater)));
 """
-
-PLAIN = """fbplain(fbe):=if safe_op(fbe)="=" then rhs(fbe) elseif safe_op(fbe)="ntuple" then args(fbe) else fbe;"""
+PLAIN, *COMPARING = (" ".join(statement.split()) + ";" for statement in _SOURCE.split(";") if statement.strip())
 
 
 @dataclass(frozen=True)
 class Points:
-    """States with values by our names; scaled: the first one in smaller units, None where the dimension cannot be told; larger: how
-    much larger an answer of the right dimension is there."""
+    """States with values by our names; scaled: the first one in smaller units, None where the dimension cannot be told;
+    larger: how much larger an answer of the right dimension is there."""
 
     states: tuple[State, ...]
     later: tuple[State, ...] = ()

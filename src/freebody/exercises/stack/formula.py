@@ -6,15 +6,17 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
+from freebody.assess.names import named_in
 from freebody.errors import ExpressionError
-from freebody.exercises.bank import Item
+from freebody.exercises.bank import Item, SymbolUsed
 from freebody.exercises.markup import Markup
 from freebody.exercises.stack.castext import string
-from freebody.exercises.stack.comparing import FUNCTIONS, PLAIN, Points, points_of
+from freebody.exercises.stack.comparing import COMPARING, PLAIN, Points, points_of
 from freebody.exercises.stack.maxima import MaximaNames
 from freebody.exercises.stack.part import Part, expected, place_of
 from freebody.exercises.stack.question import Input, Node, QuestionTest, Tree
-from freebody.language.expression import Call, Expr, Symbol, children, rate_key
+from freebody.exercises.typed import parts_of
+from freebody.language.expression import Call, Expr, Symbol
 from freebody.language.parser import parse
 from freebody.narrative.lines.script import Sentence
 from freebody.narrative.telling.catalogue import Catalogue
@@ -59,15 +61,14 @@ class FormulaPart:
     @cached_property
     def points(self) -> Points:
         sampling = self.item.sampling
-        symbols, rates = names_in(self.key)
-        if sampling is None or not sampling.units.keys() >= {*symbols, *rates}:
+        if sampling is None or not sampling.units.keys() >= _keys(self.key).keys():
             return Points(())
         return points_of(sampling, self.names.maxima, self.key, self.item.unit)
 
     @cached_property
     def equivalent(self) -> list[Parts]:
         """Other ways to write the answer, as they agree with it here."""
-        found = [parts for text in self.item.equivalent if (parts := read_parts(text, len(self.key))) is not None]
+        found = [parts for text in self.item.equivalent if (parts := _read(text, len(self.key))) is not None]
         return [parts for parts in found if self._is_known(parts)]
 
     @cached_property
@@ -75,7 +76,7 @@ class FormulaPart:
         """Wrong answers that differ from the right one and from each other."""
         found: list[Wrong] = []
         for answer in self.item.wrong:
-            parts = read_parts(answer.text, len(self.key))
+            parts = _read(answer.text, len(self.key))
             if parts is None or not self._is_known(parts) or len(found) == MOST_WRONG:
                 continue
             others = [self.key, *(w.parts for w in found)]
@@ -93,16 +94,13 @@ class FormulaPart:
         return bool(self.points.states) and None not in self.points.series(self.key)
 
     def _is_known(self, parts: Parts) -> bool:
-        symbols, rates = names_in(parts)
-        return all(name in self.names.maxima for name in (*symbols, *rates))
+        return all(name in self.names.maxima for name in _keys(parts))
 
     def _names(self) -> MaximaNames:
+        """Of what the exercise offers, and of what a wrong answer names beside it."""
         texts = [*self.item.equivalent, *(w.text for w in self.item.wrong)]
-        others = [parts for text in texts if (parts := read_parts(text, len(self.key))) is not None]
-        symbols, rates = names_in([e for parts in (self.key, *others) for e in parts])
-        symbols += [s.name for s in self.item.symbols]
-        rates += [f"rate({s.name})" for s in self.item.symbols if s.is_moving]
-        return MaximaNames.of(dict.fromkeys(symbols), dict.fromkeys(rates))
+        others = [part for text in texts for part in _read(text, len(self.key)) or ()]
+        return MaximaNames.of(_keys([*self.key, *(e for s in self.item.symbols for e in _offered(s)), *others]))
 
     # -- variables ----------------------------------------------------------------------------
     def _variables(self) -> Iterator[str]:
@@ -121,7 +119,7 @@ class FormulaPart:
             yield f"fbwrong{k}:{self.written(wrong.parts)};"
         if self.has_numbers:
             yield from self.points.written(self.names)
-            yield from FUNCTIONS.splitlines()
+            yield from COMPARING
         for name in self.names.maxima.values():
             if len(name) == 1:
                 yield f"{name}(fbx):={name}*fbx;"
@@ -161,20 +159,16 @@ class FormulaPart:
 
     def _how_to_type(self) -> str:
         """The names of several letters, as they are typed."""
-        used, rates = names_in([*self.key, *(e for w in self.wrong for e in w.parts)])
-        listed = [*(s.name for s in self.item.symbols), *used]
-        shown = [n for n in dict.fromkeys(listed) if len(self.names.maxima.get(n, "")) > 1] + rates
-        if isinstance(self.item.expression, tuple):
-            vector = self._say("stack.vector")
-        else:
-            vector = ""
-        if not shown:
-            return f"<p>{vector}</p>" if vector else ""
-        pieces: list[Text] = [
-            (Formula((parse(name),)), " ", Emphasis(self.names.maxima[name], "code")) for name in dict.fromkeys(shown)
+        offered = _keys([*self.key, *(e for s in self.item.symbols for e in _offered(s))])
+        pairs: list[Text] = [
+            (Formula((parse(name),)), " ", Emphasis(self.names.maxima[name], "code"))
+            for name in offered
+            if len(self.names.maxima[name]) > 1
         ]
-        told = ", ".join(map(self.markup.text, pieces))
-        return f"<p>{vector} {self._say('stack.names')} {told}.</p>".replace("<p> ", "<p>")
+        vector = self._say("stack.vector") if isinstance(self.item.expression, tuple) else ""
+        typed = f"{self._say('exercise.typed')} {', '.join(map(self.markup.text, pairs))}" if pairs else ""
+        told = " ".join(filter(None, (vector, typed)))
+        return f"<p>{told}</p>" if told else ""
 
     # -- tests --------------------------------------------------------------------------------
     def _tests(self, tree: Tree) -> Iterator[QuestionTest]:
@@ -185,28 +179,20 @@ class FormulaPart:
             yield expected("distractor", INPUT, self.written(self.wrong[k - 1].parts), tree, k)
 
 
-def names_in(expressions: Iterable[Expr]) -> tuple[list[str], list[str]]:
-    """The symbols, and the rates as "rate(x)", in the order in which they appear."""
-    symbols: dict[str, None] = {}
-    rates: dict[str, None] = {}
-    waiting = list(expressions)[::-1]
-    while waiting:
-        part = waiting.pop()
-        if isinstance(part, Call) and part.function == "rate":
-            rates[rate_key(part)] = None
-        elif isinstance(part, Symbol) and part.name != "pi":
-            symbols[part.name] = None
-        else:
-            waiting.extend(children(part)[::-1])
-    return list(symbols), list(rates)
-
-
-def read_parts(text: str, n: int) -> Parts | None:
+def _read(text: str, n: int) -> Parts | None:
     """A formula in the notation of models, or the n components of a vector; None where it is none."""
-    inside = text.strip()
-    is_list = inside.startswith("[") and inside.endswith("]")
     try:
-        found = tuple(parse(part.strip()) for part in (inside[1:-1].split(",") if is_list else [inside]))
+        found = parts_of(text)
     except ExpressionError:
         return None
     return found if len(found) == n else None
+
+
+def _keys(parts: Iterable[Expr]) -> dict[str, None]:
+    """The names of symbols, and rates as "rate(x)", in the order in which they appear."""
+    return dict.fromkeys(key for part in parts for key in named_in(part))
+
+
+def _offered(symbol: SymbolUsed) -> tuple[Expr, ...]:
+    name = Symbol(symbol.name)
+    return (name, Call("rate", name)) if symbol.is_moving else (name,)

@@ -1,8 +1,8 @@
 """Formulas in the language of Maxima as STACK reads it, and back.
 
-STACK takes a letter behind a digit for a product (F_1x is F_1*x), and e, i and pi for constants; M_1 and M1 are one name
-with its option `consolidatesubscripts`. So names are written with their digits last, constants get a digit, and rates a
-name of their own: F_1x is F_x1, e is e0, the rate of x1 is dot_x1.
+STACK takes a letter behind a digit for a product (F_1x is F_1*x), and e, i and pi for constants; with its option
+`consolidatesubscripts` M_1 and M1 are one name. So names are written with their digits last, constants get a digit, and
+rates a name of their own: F_1x is F_x1, e is e0, the rate of x1 is dot_x1.
 
     elliptic_K(k) = elliptic_kc(k^2)        elliptic_F(phi, k) = elliptic_f(phi, k^2)
 
@@ -36,14 +36,12 @@ from freebody.language.parser import parse
 from freebody.messages import Message
 
 # what these names mean in STACK is not a quantity
-_TAKEN = frozenset(
-    (
-        "e i pi inf minf und ind infinity zeroa zerob true false null none nil all and or not nand nor xor implies if then "
-        "else elseif for from thru step while unless do in at is ev var del diff int rate rand min max mod sum product limit "
-        "solve set list matrix number float simp numer root base lambda ans sub lg ln gcd lcm re im arg abs sign block "
-        "return go"
-    ).split()
-)
+_WORDS = """
+e i pi inf minf und ind infinity zeroa zerob true false null none nil all and or not nand nor xor implies if then else
+elseif for from thru step while unless do in at is ev var del diff int rate rand min max mod sum product limit solve set
+list matrix number float simp numer root base lambda ans sub lg ln gcd lcm re im arg abs sign block return go
+"""
+_TAKEN = frozenset(_WORDS.split())
 _FUNCTIONS = {"sign": "signum", "elliptic_K": "elliptic_kc", "elliptic_F": "elliptic_f"}
 _OURS = {theirs: ours for ours, theirs in _FUNCTIONS.items()}
 _PARTS = re.compile(r"[A-Za-z]+|[0-9]+")
@@ -58,19 +56,18 @@ class MaximaNames:
     maxima: Mapping[str, str]
 
     @classmethod
-    def of(cls, names: Iterable[str], rates: Iterable[str] = ()) -> MaximaNames:
-        """Those of some symbols, and those of rates as "rate(x)", "rate(rate(x))"."""
+    def of(cls, keys: Iterable[str]) -> MaximaNames:
+        """Those of some symbols, and of rates as "rate(x)", "rate(rate(x))"."""
         taken: dict[str, str] = {}
-        rated = list(rates)
-        for name in (*names, *(rate.rpartition("(")[2].rstrip(")") for rate in rated)):
+        rates = [key for key in keys if key.startswith("rate(")]
+        for name in (*(key for key in keys if not key.startswith("rate(")), *map(_inner, rates)):
             if name not in taken:
                 taken[name] = _free(_digits_last(name), taken)
-        for rate in rated:
-            inner = rate.rpartition("(")[2].rstrip(")")
+        for rate in rates:
             for n in range(1, rate.count("rate(") + 1):  # those of lower order as well
-                key = "rate(" * n + inner + ")" * n
+                key = "rate(" * n + _inner(rate) + ")" * n
                 if key not in taken:
-                    taken[key] = _free("d" * (n - 1) + _DOT + taken[inner], taken)
+                    taken[key] = _free("d" * (n - 1) + _DOT + taken[_inner(rate)], taken)
         return cls(taken)
 
     @property
@@ -92,12 +89,6 @@ class MaximaNames:
             if theirs not in (ours, ours.replace("_", "")) or ours == "lam":
                 yield theirs, to_latex(parse(ours))
 
-    def unlike(self) -> Iterator[tuple[Expr, str]]:
-        """What is typed differently from how it is named: (the quantity, what is typed)."""
-        for ours, theirs in self.maxima.items():
-            if theirs != ours and theirs != ours.replace("_", ""):
-                yield parse(ours), theirs
-
     def _name(self, name: str) -> str:
         if name == "pi":
             return "%pi"
@@ -115,6 +106,10 @@ class MaximaNames:
         return f"{_FUNCTIONS.get(call.function, call.function)}({argument})"
 
 
+def _inner(rate: str) -> str:
+    return rate.rpartition("(")[2].rstrip(")")
+
+
 def _power(base: str, _exponent: Expr, written: str) -> str:
     return f"{base}^{written}"
 
@@ -128,7 +123,7 @@ def _fraction(decimal: str) -> str:
 
 def _digits_last(name: str) -> str:
     """A name that STACK reads as one: the digits in it last, and e0 for e."""
-    letters, digits = [], []
+    letters, digits = list[str](), list[str]()
     for part in _PARTS.findall(name):
         (digits if part[0].isdigit() else letters).append(part)
     made = "_".join(letters) + "_".join(digits)

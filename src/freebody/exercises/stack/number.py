@@ -36,7 +36,7 @@ class NumberPart:
     @property
     def is_count(self) -> bool:
         """A whole number, which is right or not."""
-        return not self.unit and not self.item.tolerance.room(1.0) and all(v == int(v) for v in self.values)
+        return not self.unit and not self.item.tolerance.room(1.0) and all(v.is_integer() for v in self.values)
 
     def part(self) -> Part:
         tree = Tree(self.tree, tuple(self._nodes()))
@@ -47,8 +47,8 @@ class NumberPart:
 
     @cached_property
     def wrong(self) -> list[tuple[int, list[float], str]]:
-        """Those of the wrong answers whose numbers tell them from the right one and from each other in all variants: their
-        place, their numbers, what is said."""
+        """Those of the wrong answers whose numbers tell them from the right one and from each other in all variants:
+        their place, their numbers, what is said."""
         found: list[tuple[int, list[float], str]] = []
         for k, answer in enumerate(self.item.wrong):
             values = [v.wrong_values[k] for v in self.item.variants]

@@ -23,8 +23,8 @@ class Input:
 
 @dataclass(frozen=True)
 class Node:
-    """One test of a tree: of `given` against `wanted`. note: of the branch that is taken where they agree; feedback: CASText;
-    is_right: full marks; is_quiet: STACK says nothing itself."""
+    """One test of a tree: of `given` against `wanted`. note: of the branch that is taken where they agree; feedback:
+    CASText; is_right: full marks; is_quiet: STACK says nothing itself."""
 
     test: str
     given: str
@@ -38,7 +38,8 @@ class Node:
 
 @dataclass(frozen=True)
 class Tree:
-    """A tree of potential responses: node after node until one agrees. weight: its share of the marks; variables: of the feedback."""
+    """A tree of potential responses: node after node until one agrees. weight: its share of the marks; variables: of
+    the feedback."""
 
     name: str
     nodes: tuple[Node, ...]

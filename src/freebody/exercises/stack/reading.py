@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 
+from freebody.assess.names import named_in
 from freebody.errors import ExpressionError, FreebodyError, InputError
 from freebody.exercises.selftests import Marked
 from freebody.exercises.stack.castext import VARIANT
@@ -190,11 +191,9 @@ def _quantity(text: str) -> Quantity:
 
 def _is_formula(a: Parts, b: Parts) -> bool:
     """Whether formulas agree for any values of their names."""
-    from freebody.exercises.stack.formula import names_in
-
-    symbols, _ = names_in((*a, *b))
+    names = dict.fromkeys(key for part in (*a, *b) for key in named_in(part))
     for k in range(3):
-        values = {name: 0.7 + 0.13 * n + 0.31 * k for n, name in enumerate(symbols)}
+        values = {name: 0.7 + 0.13 * n + 0.31 * k for n, name in enumerate(names)}
         try:
             mine, its = ([float(evaluate(part, values)) for part in parts] for parts in (a, b))
         except (FreebodyError, ValueError, ArithmeticError, TypeError):

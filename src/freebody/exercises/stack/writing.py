@@ -1,7 +1,7 @@
 """An item of the bank as a STACK question.
 
-A formula is typed and, where the variants have numbers, the number as well; a statement is chosen among options. What differs between
-the variants, figures and numbers, follows the variable of the variant, which the seed sets.
+A formula is typed and, where the variants have numbers, the number as well; a statement is chosen among options. What
+differs between the variants, figures and numbers, follows the variable of the variant, which the seed sets.
 """
 
 from __future__ import annotations
@@ -71,13 +71,8 @@ class ItemWriter:
         if number.is_asked:
             parts.append(number.part())
         if not parts and item.has_options:
-            self.told.append(
-                Message(
-                    "{item}: {platform} has no input for it, so it is asked with options",
-                    item=item.name,
-                    platform=PLATFORM,
-                )
-            )
+            told = Message("{item}: {platform} can only ask for it with options", item=item.name, platform=PLATFORM)
+            self.told.append(told)
             parts.append(ChoicePart(item, self.markup).part())
         return parts
 

@@ -130,11 +130,13 @@ def _node(tree: Tree, k: int, node: Node, is_last: bool) -> str:
 
 def _test(k: int, test: QuestionTest) -> str:
     typed = "".join(f"<testinput>{_elements(name=name, value=value)}</testinput>" for name, value in test.typed.items())
-    expected = "".join(
-        f"<expected>{_elements(name=tree, expectedscore=f'{e.score:g}', expectedpenalty=0 if e.score == 1 else '', expectedanswernote=e.note)}</expected>"
-        for tree, e in test.expected.items()
-    )
+    expected = "".join(f"<expected>{_expected(tree, e)}</expected>" for tree, e in test.expected.items())
     return f"<qtest>{_elements(testcase=k, description=test.what)}{typed}{expected}</qtest>"
+
+
+def _expected(tree: str, e: Expected) -> str:
+    penalty = 0 if e.score == 1 else ""  # that of the question
+    return _elements(name=tree, expectedscore=f"{e.score:g}", expectedpenalty=penalty, expectedanswernote=e.note)
 
 
 # -- reading ----------------------------------------------------------------------------------
