@@ -19,7 +19,8 @@ if TYPE_CHECKING:
     from freebody.api import System
     from freebody.budgets import effort
     from freebody.building import Model
-    from freebody.errors import CannotAnswer, FreebodyError, InputError, ModelError, RoutesDisagree
+    from freebody.errors import CannotAnswer, FreebodyError, InputError, ModelError, RoutesDisagree, SelfTestFailed
+    from freebody.exercises.export import export
     from freebody.narrative.explain import explain
     from freebody.narrative.marking.check import check
     from freebody.numeric.options import SimulationOptions
@@ -63,11 +64,13 @@ _HOMES = {
     "Gradient": "freebody.study.sensitivity.local",
     "Sensitivity": "freebody.study.sensitivity.sensitivity",
     "effort": "freebody.budgets",
+    "export": "freebody.exercises.export",
     "FreebodyError": "freebody.errors",
     "InputError": "freebody.errors",
     "ModelError": "freebody.errors",
     "CannotAnswer": "freebody.errors",
     "RoutesDisagree": "freebody.errors",
+    "SelfTestFailed": "freebody.errors",
 }
 
 __all__ = [
@@ -83,6 +86,7 @@ __all__ = [
     "Model",
     "ModelError",
     "RoutesDisagree",
+    "SelfTestFailed",
     "Sensitivity",
     "Simulation",
     "SimulationOptions",
@@ -98,6 +102,7 @@ __all__ = [
     "equations_of_motion",
     "equilibria",
     "explain",
+    "export",
     "fit",
     "free_body",
     "gradient",

@@ -45,6 +45,8 @@ from freebody.errors import FreebodyError as FreebodyError
 from freebody.errors import InputError as InputError
 from freebody.errors import ModelError as ModelError
 from freebody.errors import RoutesDisagree as RoutesDisagree
+from freebody.errors import SelfTestFailed as SelfTestFailed
+from freebody.exercises.export import export as export
 from freebody.loads.angular_impulse import AngularImpulse as _AngularImpulse
 from freebody.loads.attraction import Attraction as _Attraction
 from freebody.loads.buoyancy import Buoyancy as _Buoyancy

@@ -10,6 +10,7 @@ FreebodyError
 |   +-- BudgetExhausted   a search did all the work it was allowed: more effort may find it
 |   +-- FormulaTooLong    a formula with more terms than anybody reads, or the memory holds
 |   +-- NeverHappens      an event that is proved never to happen after the start
++-- SelfTestFailed        an exported package does not mark known answers as it must: it is not written
 +-- RoutesDisagree        the two routes give different numbers: a defect, never an answer
 """
 
@@ -95,6 +96,10 @@ class NeverHappens(CannotAnswer):
 
 class NotReached(CannotAnswer):
     """The event that a question is about does not come at any parameter values that were tried."""
+
+
+class SelfTestFailed(FreebodyError):
+    """A package for a learning platform marks answers otherwise than it must; the message names them."""
 
 
 class RoutesDisagree(FreebodyError):

@@ -11,6 +11,7 @@ from typing import Annotated
 import typer
 
 from freebody.cli.doctor import doctor
+from freebody.cli.export import export
 from freebody.cli.files import examples, new, schema
 from freebody.cli.fitting import fit
 from freebody.cli.motion import simulate
@@ -24,7 +25,7 @@ from freebody.studies import STUDIES
 
 # commands with outputs of their own, and those that are no study of a system
 _OWN: dict[str, Callable[..., None]] = {"simulate": simulate, "sweep": sweep, "fit": fit}
-_BESIDE: tuple[Callable[..., None], ...] = (sheet, quiz, studio, examples, new, schema, doctor)
+_BESIDE: tuple[Callable[..., None], ...] = (sheet, export, quiz, studio, examples, new, schema, doctor)
 
 
 def commands() -> typer.Typer:

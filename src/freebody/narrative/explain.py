@@ -24,9 +24,11 @@ from freebody.narrative.telling.catalogue import Catalogue
 from freebody.narrative.telling.composing import plain_derivations, report_of
 from freebody.present.report.results import Result
 from freebody.progress import busy_with
+from freebody.questions.event import OfQuantity
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
 from freebody.study.answering.places_of_quantities import placed
+from freebody.study.answering.solution import Solution
 from freebody.study.answering.solve import solve
 from freebody.study.worded import in_words
 from freebody.system.system import System
@@ -93,7 +95,24 @@ def explain(
     context = Context(system)
     # the setup of a motion in phases is that of its first one, with too few draws to check an answer
     shared = None if has_phases(system) else context.setup
-    solution = solve(system, setup=shared)
+    return _explained(context, solve(system, setup=shared), chosen, second, language)
+
+
+@in_words
+def explain_solved(system: System, solution: Solution, k: int, *, language: str = "en") -> Explanation:
+    """Derives one of the answers that have been found already, that to question k, without finding it again."""
+    question = system.questions[k]
+    if isinstance(question.event, OfQuantity):  # solved as another question, at the place of the event
+        return explain(system, question.id, language=language)
+    alone = replace(system, questions=(question,))
+    found = replace(solution, system=alone, answers=(solution.answers[k],))
+    return _explained(Context(alone), found, "auto", None, language)
+
+
+def _explained(
+    context: Context, solution: Solution, chosen: Method, second: Method | None, language: str
+) -> Explanation:
+    system, asked = context.system, context.system.questions
     first = tuple(opening(context))
     told = ToldSoFar.of(first)
     answers = {a.question: a for a in solution.answers}

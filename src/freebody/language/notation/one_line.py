@@ -43,7 +43,7 @@ _SUPERSCRIPT = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 @dataclass(frozen=True, slots=True)
-class _OneLineWriter:
+class OneLineWriter:
     """A writer on one line; `write` returns the text and how strongly its top operation binds."""
 
     times: str
@@ -159,5 +159,5 @@ def _split_index(rest: str) -> tuple[str, str]:
     return (rest, "") if stem.endswith("_") else (stem, index)
 
 
-PYTHON = _OneLineWriter("*", str, _python_call, _python_power)
-TEXT = _OneLineWriter("·", _text_name, _text_call, _text_power, _text_vector, with_sign)
+PYTHON = OneLineWriter("*", str, _python_call, _python_power)
+TEXT = OneLineWriter("·", _text_name, _text_call, _text_power, _text_vector, with_sign)

@@ -60,9 +60,16 @@ def authors_check(system: System, question: Question) -> AuthorsCheck:
         return AuthorsCheck(system, question, faults, "", ())
     expression = marked.answer.expression
     right = _text(expression if isinstance(expression, tuple) else (expression,))
+    return AuthorsCheck(system, question, faults, right, proposed_options(marked))
+
+
+def proposed_options(marked: MarkedQuestion) -> tuple[ProposedOption, ...]:
+    """Wrong options that single mistakes lead to; none where the answer has no formula."""
+    if marked.judging is None or marked.answer.expression is None:
+        return ()
     with suppress(FreebodyError, *FAILURES), working_precision():
-        return AuthorsCheck(system, question, faults, right, tuple(_proposed(marked)))
-    return AuthorsCheck(system, question, faults, right, ())
+        return tuple(_proposed(marked))
+    return ()
 
 
 # -- what is wrong with options ---------------------------------------------------------------

@@ -181,8 +181,12 @@ def marked_question(system: System, question: str) -> MarkedQuestion:
         )
         raise InputError(told)
     asked = replace(known.get(question) or system.question(question), options={}, key=None)
-    answer = solve(replace(system, questions=(asked,))).answers[0]
-    return MarkedQuestion(system, asked, answer, _judge_of(asked, answer))
+    return marked_by(system, asked, solve(replace(system, questions=(asked,))).answers[0])
+
+
+def marked_by(system: System, question: Question, answer: Answer) -> MarkedQuestion:
+    """A question with an answer that has been found already."""
+    return MarkedQuestion(system, question, answer, _judge_of(question, answer))
 
 
 def _bound(question: Question) -> Literal["<", ">", ""]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import fields, is_dataclass, replace
+from dataclasses import fields, is_dataclass
 from typing import Any, cast
 
 from freebody.narrative.lines.script import Sentence
@@ -11,20 +11,18 @@ from freebody.narrative.sheets.content import SheetContent
 from freebody.narrative.sheets.in_numbers import options_in_numbers
 from freebody.narrative.sheets.statement import ExerciseStatement, title_of
 from freebody.narrative.sheets.variants import Variant
+from freebody.narrative.sheets.worked import lowered, renumbered, without_statement
 from freebody.narrative.telling.catalogue import Catalogue
 from freebody.narrative.telling.house import in_style
 from freebody.present.report.blocks import (
     Block,
-    Equation,
     Figure,
     Formula,
     Paragraph,
-    Reference,
     Remark,
     Report,
     Section,
     Step,
-    Table,
     Text,
     equation_numbers,
 )
@@ -90,48 +88,13 @@ class SheetWriter:
         """The worked solution of every question, its numbers going on from those of the exercise before."""
         from freebody.narrative.explain import explain
 
-        report = explain(exercise.system, language=self.sheet.language).report
-        moved = cast("tuple[Block, ...]", _renumbered(report.blocks, self.n_equations, self.n_figures))
+        explanation = explain(exercise.system, language=self.sheet.language)
+        moved = renumbered(explanation.report.blocks, self.n_equations, self.n_figures)
         self.n_equations = max([self.n_equations, *equation_numbers(moved)])
         self.n_figures = max([self.n_figures, *_figure_numbers(moved)])
-        inside = tuple(
-            replace(b, level=b.level + 1) if isinstance(b, Section) else b for b in _without_statement(moved)
-        )
+        inside = lowered(without_statement(moved))
         title = self.catalogue.tell(Sentence("sheet.solution", {"n": number}))
         return (Step(title, (), inside),) if self.sheet.solutions == "inline" else inside
-
-
-def _without_statement(blocks: tuple[Block, ...]) -> tuple[Block, ...]:
-    """A worked solution without what the exercise has shown already: words, picture and bodies."""
-    kept = [block for block in blocks if not isinstance(block, Paragraph)]
-    if kept and isinstance(kept[0], Section):
-        said = tuple(b for b in kept[0].blocks if not isinstance(b, (Figure, Table)))
-        kept[0] = replace(kept[0], blocks=said)
-    return tuple(kept)
-
-
-def _renumbered(part: Any, equations: int, figures: int) -> Any:
-    """Blocks with all numbers of equations and figures moved on."""
-
-    def moved(x: Any) -> Any:
-        match x:
-            case tuple():
-                return tuple(map(moved, cast("tuple[Any, ...]", x)))
-            case Reference(number, what):
-                return Reference(number + (equations if what == "equation" else figures), what)
-            case Equation():
-                number = None if x.number is None else x.number + equations
-                return replace(x, number=number, note=moved(x.note))
-            case Figure():
-                return replace(x, number=x.number + figures, caption=moved(x.caption))
-            case Formula() | str():
-                return x
-            case _ if is_dataclass(x) and not isinstance(x, type):
-                return replace(x, **{f.name: moved(getattr(x, f.name)) for f in fields(x)})
-            case _:
-                return x
-
-    return moved(part)
 
 
 def _figure_numbers(part: Any) -> list[int]:

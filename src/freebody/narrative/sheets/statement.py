@@ -53,26 +53,40 @@ class ExerciseStatement:
     def _blocks(self) -> Iterator[Block]:
         """What is said of the model stays together with its picture, and each question with its options."""
         system = self.system
-        told: list[Block] = []
-        if system.about:
-            told.append(Paragraph(authored(system.about, system)))
-        told += self._picture()
-        told += self._bodies()
-        if not system.about:
-            told += self._connections()
-        told += [Paragraph(self._say("system.assumed", text=ready(text))) for text in system.assumptions]
-        told += [*self._symbols(), *self._start(), *self._given()]
-        yield Unbroken(tuple(told))
+        yield Unbroken(self.model())
         for k, question in enumerate(system.questions, 1):
             asked: list[Block] = [*self._question(question, k)]
             if self.room:
                 asked.append(Room(self.room / 2 if question.options else self.room))
             yield Unbroken(tuple(asked))
 
+    def model(self, *, is_bare: bool = False) -> tuple[Block, ...]:
+        """What is said of the model. is_bare: without its picture and its numbers, which differ by variant."""
+        system = self.system
+        told: list[Block] = []
+        if system.about:
+            told.append(Paragraph(authored(system.about, system)))
+        told += [] if is_bare else self.picture()
+        told += self._bodies()
+        if not system.about:
+            told += self._connections()
+        told += [Paragraph(self._say("system.assumed", text=ready(text))) for text in system.assumptions]
+        told += [*self._symbols(), *self._start(), *(() if is_bare else self._given())]
+        return tuple(told)
+
+    def prompt(self, question: Question) -> Text:
+        """What is asked, in the words of the author where there are any."""
+        return authored(question.words, self.system) if question.words else self._asking(question)
+
+    def option(self, text: str) -> Text:
+        """An option as it is shown."""
+        return self.numbers.get(text) or shown(self.catalogue.option(text))
+
     def _say(self, key: str, **args: Any) -> Text:
         return self.catalogue.tell(Sentence(key, args))
 
-    def _picture(self) -> Iterator[Block]:
+    def picture(self) -> Iterator[Block]:
+        """The figure, where one can be drawn."""
         from freebody.study.pictures.picture import picture
 
         try:
@@ -184,11 +198,10 @@ class ExerciseStatement:
     # -- questions ----------------------------------------------------------------------------
     def _question(self, question: Question, k: int) -> Iterator[Block]:
         label = Emphasis(label_of(self.number, k, len(self.system.questions)))
-        said = authored(question.words, self.system) if question.words else self._asking(question)
         worth = () if question.points is None else (" ", Emphasis(self._worth(question.points), "soft"))
-        yield Paragraph((label, " ", *said, *worth))
+        yield Paragraph((label, " ", *self.prompt(question), *worth))
         if question.options:
-            yield Choices(tuple((f"({letter})", self._option(text)) for letter, text in question.options.items()))
+            yield Choices(tuple((f"({letter})", self.option(text)) for letter, text in question.options.items()))
 
     def _asking(self, question: Question) -> Text:
         return with_symbols(self.catalogue.tell(asking(self.system, question)), question, self.system)
@@ -196,9 +209,6 @@ class ExerciseStatement:
     def _worth(self, points: float) -> str:
         args: dict[str, Argument] = {"n": 1} if points == 1 else {"points": f"@{points:g}"}
         return self.catalogue.plain(Sentence("sheet.points", args))
-
-    def _option(self, text: str) -> Text:
-        return self.numbers.get(text) or shown(self.catalogue.option(text))
 
 
 def _in_turn(texts: Sequence[Text], between: str = ", ") -> Text:

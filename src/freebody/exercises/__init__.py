@@ -1,0 +1,10 @@
+"""Exercises for learning platforms: one bank of them, and a file for each platform that writes and reads its packages.
+
+bank        what an exercise is, free of any platform
+making      a bank from systems, by what sheets, derivations and marking know
+markup      texts and blocks as the HTML that platforms show
+selftests   what a package must say to answers whose verdict is known
+package     files of a package, written whole or not at all
+export      from systems to a package that has passed its self-tests
+platforms   a file each, found by itself
+"""
