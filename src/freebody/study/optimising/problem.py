@@ -109,17 +109,17 @@ class Problem:
     def places(self, quantity: Quantity, u: Array) -> Array:
         """(m, n_places) numbers of a quantity in cases (m, n); what fails is counted."""
         u = np.atleast_2d(u)
-        key = (id(quantity), u.tobytes() if len(u) == 1 else b"")
-        if key in self._seen:  # goals, limits and slopes look at the same case
-            return self._seen[key]
-        self.n_cases += len(u)
-        found, failed = quantity.places(self.cases(u), len(u))
-        if len(u) == 1:
-            self._seen[key] = found
-        for one in failed:
-            if one is not None:
-                self.failed[one] = self.failed.get(one, 0) + 1
-        return found
+        keys = [(id(quantity), row.tobytes()) for row in u]  # goals, limits and slopes look at the same cases
+        new = [k for k, key in enumerate(keys) if key not in self._seen]
+        if new:
+            self.n_cases += len(new)
+            found, failed = quantity.places(self.cases(u[new]), len(new))
+            for k, numbers, one in zip(new, found, failed, strict=True):
+                self._seen[keys[k]] = numbers
+                if one is not None:
+                    self.failed[one] = self.failed.get(one, 0) + 1
+        every: Array = np.array([self._seen[key] for key in keys], dtype=np.float64)
+        return every
 
     def slopes(self, quantity: Quantity, u: Array) -> Array:
         """(n_places, n) by the parts of ranges in one case: exact where a formula holds, else central differences,

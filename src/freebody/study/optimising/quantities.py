@@ -144,8 +144,7 @@ class Asked(Quantity):
                     "{text} has several components ({names}); a goal or a limit is one number", text=text, names=names
                 )
             )
-        (column,) = evaluator.columns
-        unit = column.unit
+        unit = next(iter(evaluator.columns)).unit
         self.is_exact = isinstance(evaluator, AnswerEvaluator) and bool(evaluator.forms)
         self.is_smooth = not isinstance(evaluator, MotionEvaluator)
         self.dimension = DIMENSIONLESS if unit in ("", "1", "rad") else parse_quantity(f"1 {unit}").dimension

@@ -4,7 +4,8 @@ The least of a greatest value, min max_k F_k(u), is not smooth; with one more un
 
     min z   so that   z - F_k(u) >= 0   for all places k.
 
-Where a case has no number, the search is sent back by a great value.
+Where a case has no number, the search is sent back by a great value; after some such cases it ends at the best case
+that it has seen: the optimum is then at the edge of what has a number.
 Sources: Nocedal & Wright, Numerical Optimization, 2nd ed. 2006, ch. 18 (SQP), eq. 17.36 (the greatest value);
 Kraft, DFVLR-FB 88-28, 1988 (the method used).
 """
@@ -24,6 +25,7 @@ from freebody.study.optimising.problem import Limit, Problem
 FAR = 1e6  # in sizes of the goal: where there is no number
 KEPT = 1e-8  # of the size of a limit, by which it may be missed
 _MOST = 300  # steps of one start
+_MOST_FAILED = 25  # cases without a number that end one start
 
 
 @dataclass(frozen=True)
@@ -40,12 +42,18 @@ class Run:
         return np.isfinite(self.value) and self.missed <= KEPT
 
 
+class _AtAnEdge(Exception):
+    """A search goes on into cases without a number."""
+
+
 class Search:
     """The functions of one goal and all limits, by sizes."""
 
     def __init__(self, problem: Problem, starts: Array) -> None:
         self.problem = problem
         self.goal = problem.goals[0]
+        self._best: Array | None = None
+        self._most_failed = 0
         self.is_minimax = self.goal.quantity.n_places > 1 and self.goal.quantity.side == self.goal.sign
         self.size = _size(problem.places(self.goal.quantity, starts))
         self.sizes = [
@@ -103,9 +111,22 @@ class Search:
         return worst
 
     # -- one start --------------------------------------------------------------------------------
+    def _looked_at(self, u: Array) -> None:
+        """Keeps the best case of a start. Raises _AtAnEdge after too many cases without a number."""
+        if sum(self.problem.failed.values()) > self._most_failed:
+            raise _AtAnEdge
+        value = self.value(u)
+        if (
+            np.isfinite(value)
+            and self.missed(u) <= KEPT
+            and (self._best is None or self.goal.sign * value < self.goal.sign * self.value(self._best))
+        ):
+            self._best = u.copy()
+
     def run(self, start: Array) -> Run:
         optimize: Any = import_module("scipy.optimize")
         n = self.problem.n
+        self._best, self._most_failed = None, sum(self.problem.failed.values()) + _MOST_FAILED
         x0, bounds = start, [(0.0, 1.0)] * n
         function, slope = self.objective, self.objective_slope
         constraints = [
@@ -120,16 +141,24 @@ class Search:
             x0, bounds = np.append(start, self.objective(start)), [*bounds, (None, None)]
             function, slope = _last, _last_slope
             constraints.append(self._constraint("ineq", self._below, self._below_slopes))
-        found = optimize.minimize(
-            function,
-            x0,
-            jac=slope,
-            bounds=bounds,
-            constraints=constraints,
-            method="SLSQP",
-            options={"ftol": 1e-14, "maxiter": _MOST},
-        )
-        u = np.clip(np.asarray(found.x[:n], dtype=np.float64), 0.0, 1.0)
+
+        def watched(x: Array) -> float:
+            self._looked_at(x[:n])
+            return function(x)
+
+        try:
+            found = optimize.minimize(
+                watched,
+                x0,
+                jac=slope,
+                bounds=bounds,
+                constraints=constraints,
+                method="SLSQP",
+                options={"ftol": 1e-14, "maxiter": _MOST},
+            )
+            u = np.clip(np.asarray(found.x[:n], dtype=np.float64), 0.0, 1.0)
+        except _AtAnEdge:
+            u = start if self._best is None else self._best
         return Run(start, u, self.value(u), self.missed(u))
 
     def _constraint(
