@@ -49,6 +49,7 @@ RESULTS: dict[str, tuple[str, Callable[[fb.System], Result]]] = {
     "turn": ("slider_crank", lambda system: system.over_a_turn("theta", rate=5.0, n=24)),
     "sweep": ("atwood_machine", lambda system: system.sweep({"m1": "1..3 kg:3"})),
     "fit": ("atwood_machine", lambda _system: fitted()),
+    "optimise": ("atwood_machine", lambda system: system.optimise("tension", over={"m1": "1..4 kg"}, starts=4)),
     "gradient": ("atwood_machine", lambda system: system.gradient(["tension"])),
     "sensitivity": (
         "atwood_machine",

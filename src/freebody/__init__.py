@@ -35,6 +35,8 @@ if TYPE_CHECKING:
     from freebody.study.friction.report import Statics, statics
     from freebody.study.inverse_dynamics import inverse_dynamics
     from freebody.study.mobility.mobility import Mobility, mobility
+    from freebody.study.optimising.optimise import optimise
+    from freebody.study.optimising.result import Optimum
     from freebody.study.over_a_turn import over_a_turn
     from freebody.study.phases.result import phases
     from freebody.study.pictures.picture import draw, free_body, picture
@@ -61,6 +63,7 @@ _HOMES = {
     "Equations": "freebody.study.eom",
     "Sweep": "freebody.study.sweeps.result",
     "Fit": "freebody.study.fitting.result",
+    "Optimum": "freebody.study.optimising.result",
     "Gradient": "freebody.study.sensitivity.local",
     "Sensitivity": "freebody.study.sensitivity.sensitivity",
     "effort": "freebody.budgets",
@@ -85,6 +88,7 @@ __all__ = [
     "Mobility",
     "Model",
     "ModelError",
+    "Optimum",
     "RoutesDisagree",
     "SelfTestFailed",
     "Sensitivity",
@@ -109,6 +113,7 @@ __all__ = [
     "inverse_dynamics",
     "mobility",
     "modes",
+    "optimise",
     "over_a_turn",
     "phases",
     "picture",

@@ -103,6 +103,8 @@ from freebody.study.friction.report import statics as statics
 from freebody.study.inverse_dynamics import inverse_dynamics as inverse_dynamics
 from freebody.study.mobility.found import Mobility as Mobility
 from freebody.study.mobility.mobility import mobility as mobility
+from freebody.study.optimising.optimise import optimise as optimise
+from freebody.study.optimising.result import Optimum as Optimum
 from freebody.study.over_a_turn import over_a_turn as over_a_turn
 from freebody.study.phases.result import phases as phases
 from freebody.study.pictures.picture import draw as draw

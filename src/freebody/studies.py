@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from freebody.study.friction.report import Statics
     from freebody.study.inverse_dynamics import InverseDynamics
     from freebody.study.mobility.found import Mobility
+    from freebody.study.optimising.result import Optimum
     from freebody.study.over_a_turn import OverTurn
     from freebody.study.phases.result import Phases
     from freebody.study.sensitivity.local import Gradient
@@ -322,6 +323,28 @@ class Studies:
 
         data: a table for each run, `t [s]` and a column for each series; free: parameters, named measures (the start of
         each run), `offset(x)`."""
+        ...
+
+    @study("freebody.study.optimising.optimise", "optimise")
+    def optimise(
+        self,
+        minimise: str | Sequence[str] = (),
+        *,
+        maximise: str | Sequence[str] = (),
+        subject_to: str | Sequence[str] = (),
+        over: Mapping[str, Any] | None = None,
+        until: float | None = None,
+        starts: int = 16,
+        generations: int = 150,
+        seed: int = 0,
+        method: str = "auto",
+        out: str | Path | Sequence[str | Path] = (),
+        **given: Any,
+    ) -> Optimum:
+        """Find the parameters at which a goal is best, under limits; of several goals the Pareto front.
+
+        minimise, maximise: questions, formulas in parameters, "maximum of Q over theta", or, up to `until` [s], what is
+        recorded of the motion; subject_to: limits, as "tension < 30 N"; over: bounds by name, as "0.1..0.5 m"."""
         ...
 
     @study(

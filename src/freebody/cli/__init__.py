@@ -15,6 +15,7 @@ from freebody.cli.export import export
 from freebody.cli.files import examples, new, schema
 from freebody.cli.fitting import fit
 from freebody.cli.motion import simulate
+from freebody.cli.optimising import optimise
 from freebody.cli.quiz import quiz
 from freebody.cli.running import Terminated, command, quiet, say
 from freebody.cli.sheets import sheet
@@ -24,7 +25,7 @@ from freebody.cli.sweeps import sweep
 from freebody.studies import STUDIES
 
 # commands with outputs of their own, and those that are no study of a system
-_OWN: dict[str, Callable[..., None]] = {"simulate": simulate, "sweep": sweep, "fit": fit}
+_OWN: dict[str, Callable[..., None]] = {"simulate": simulate, "sweep": sweep, "fit": fit, "optimise": optimise}
 _BESIDE: tuple[Callable[..., None], ...] = (sheet, export, quiz, studio, examples, new, schema, doctor)
 
 

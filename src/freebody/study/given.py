@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping
 from freebody.errors import InputError
 from freebody.language.expression import Expr
 from freebody.language.sentences import Message, lines
-from freebody.language.units import ACCELERATION, DIMENSIONLESS, TIME, parse_quantity
+from freebody.language.units import ACCELERATION, DIMENSIONLESS, TIME, Dimension, parse_quantity
 from freebody.measures.base import Measure
 from freebody.model.names import Names
 from freebody.model.noting import did_you_mean
@@ -26,9 +26,13 @@ def named_measure(system: System, name: str) -> Measure:
 def formula(system: System, name: str, value: str | float, *, in_time: bool = False) -> Expr:
     """An expression in the parameters (and time `t`), or a number with a unit, of a measure's dimension. Raises
     InputError saying what is wrong with it."""
+    return formula_of(system, named_measure(system, name).dimension, name, value, in_time=in_time)
+
+
+def formula_of(system: System, dimension: Dimension, name: str, value: str | float, *, in_time: bool = False) -> Expr:
+    """The same of a dimension; name: what it is for. Raises InputError."""
     names = Names()
     names.parameters = dict(system.parameters)
-    dimension = named_measure(system, name).dimension
     found = names.formula(value, dimension, name, extra={"t": TIME} if in_time else None)
     if names.problems:
         raise InputError(lines([problem.text(None) for problem in names.problems]))

@@ -44,6 +44,7 @@ from freebody.study.sweeps.statuses import (
 )
 from freebody.study.sweeps.varied import with_values
 from freebody.study.worded import FAILED
+from freebody.symbolic.gradients import derivative
 from freebody.system.system import System
 
 _ROUND_OFF = 1e-12  # of the larger side, by which a condition that includes equality may miss
@@ -75,6 +76,7 @@ class AnswerEvaluator(Evaluator):
         labels = [""] if n == 1 else [f".{axes[k]}" if n <= len(axes) else f".{k + 1}" for k in range(n)]
         self.columns = tuple(Column(f"{self.name}{label}", unit, text) for label in labels)
         self.forms = tuple(self._forms())
+        self._derivatives: dict[tuple[int, str], VectorFunction | None] = {}
 
     def _answered(self) -> Answer:
         try:
@@ -129,6 +131,27 @@ class AnswerEvaluator(Evaluator):
                 holds &= np.isfinite(form.parts.at(known, n)).all(axis=0)
                 which[holds] = k
         return which
+
+    def slopes(self, values: Mapping[str, Array], n: int, by: Sequence[str]) -> Array:
+        """(n, n_columns, n_by) exact derivatives by parameters, of the formula that holds; NaN where there is none."""
+        _numbers, codes = super().together(values, n)
+        which, known = self._which(values, n, codes), {**self.own, **values}
+        found = np.full((n, len(self.columns), len(by)), np.nan)
+        for k in np.unique(which[which >= 0]):
+            holds = which == k
+            for j, name in enumerate(by):
+                if (slope := self._derivative(int(k), name)) is not None:
+                    found[holds, :, j] = np.column_stack(slope.at(known, n))[holds]
+        return found
+
+    def _derivative(self, k: int, by: str) -> VectorFunction | None:
+        if (k, by) not in self._derivatives:
+            try:
+                parts = [derivative(e, by, self.system.parameters) for e in self.forms[k].expressions]
+                self._derivatives[k, by] = VectorFunction(parts)
+            except CannotAnswer:
+                self._derivatives[k, by] = None
+        return self._derivatives[k, by]
 
     def kinds(self, values: Mapping[str, Array], n: int) -> tuple[NDArray[np.int64], list[str]]:
         if len(self.forms) < 2:
