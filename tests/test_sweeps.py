@@ -25,6 +25,7 @@ from freebody.numeric.vectorised import VectorFunction, VectorStatement
 from freebody.present.charts.frame import HEIGHT, WIDTH, Scale
 from freebody.present.charts.lines import line_chart
 from freebody.study.sweeps import running
+from freebody.study.sweeps import sweep as sweep_module
 from freebody.study.sweeps.statistics import statistics
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
@@ -294,7 +295,7 @@ def test_a_sweep_goes_on_where_it_was_interrupted(tmp_path: Path, monkeypatch: p
     system, out = example("simple_pendulum"), tmp_path / "a.csv"
     asked: dict[str, Any] = {"vary": {"L": "0.5..1.5 m:130"}, "record": ["final theta"], "until": 0.1}
     whole = system.sweep(**asked)
-    look, seen = running._Block._look, 0
+    look, seen = running.Block._look, 0
 
     def interrupted(self: Any, job: Any) -> Any:
         nonlocal seen
@@ -303,14 +304,14 @@ def test_a_sweep_goes_on_where_it_was_interrupted(tmp_path: Path, monkeypatch: p
             raise KeyboardInterrupt
         return look(self, job)
 
-    monkeypatch.setattr(running._Block, "_look", interrupted)
+    monkeypatch.setattr(running.Block, "_look", interrupted)
     part = system.sweep(**asked, out=out, block=64)
     assert 64 <= part.n_done < 130
     assert not part.is_complete
     assert not out.exists()
     with pytest.raises(InputError, match="--resume"):
         system.sweep(**asked, out=out)
-    monkeypatch.setattr(running._Block, "_look", look)
+    monkeypatch.setattr(running.Block, "_look", look)
     with pytest.raises(InputError, match="other values, results"):
         system.sweep({"L": "0.5..1.6 m:130"}, record=["end"], until=0.1, out=out, resume=True)
     with pytest.raises(InputError, match="other settings"):
@@ -323,7 +324,7 @@ def test_a_sweep_goes_on_where_it_was_interrupted(tmp_path: Path, monkeypatch: p
         looked.extend(i for i, _which in job)
         return look(self, job)
 
-    monkeypatch.setattr(running._Block, "_look", counted)
+    monkeypatch.setattr(running.Block, "_look", counted)
     rest = system.sweep(**asked, out=out, resume=True)
     assert len(looked) == 130 - part.n_done
     assert rest.digest == whole.digest
@@ -450,6 +451,38 @@ def test_a_full_disk_is_told_with_the_size_of_what_is_missing(tmp_path: Path, mo
     with pytest.raises(InputError, match=r"take 9\.?\d* MB.*disk is full|the disk is full"):
         example("atwood_machine").sweep({"m1": "1..3 kg:9"}, find=["tension"], out=tmp_path / "a.csv")
     assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="files cannot be kept short there")
+@pytest.mark.parametrize("suffix", [".csv", ".parquet"])
+def test_results_that_have_no_room_in_their_file_are_kept(suffix: str, tmp_path: Path) -> None:
+    """Twenty thousand cases in a process whose files end at 200 kB: the folder of 160 kB is there, the file is not."""
+    model, out = str(EXAMPLES / "atwood_machine.yaml"), tmp_path / f"a{suffix}"
+    words = ["sweep", model, "--vary", "m1=1..3 kg:20000", "--find", "tension", "--json", "-o", str(out)]
+    short = "import resource, sys; resource.setrlimit(resource.RLIMIT_FSIZE, (200_000, 200_000)); "
+    program = f"{short}from freebody.cli import main; sys.argv = ['freebody', *{words!r}]; main()"
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True)
+    assert done.returncode == 2
+    said = " ".join(done.stderr.split())
+    assert "cannot be written" in said
+    assert "--resume goes on" in said
+    assert [path.name for path in tmp_path.iterdir()] == [f"a{suffix}.part"]
+    told = json.loads(freebody(*words, "--resume").stdout)
+    assert (told["done"], told["files"]) == (20_000, [str(out)])
+
+
+def test_another_version_of_the_program_does_not_go_on_with_a_sweep(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def interrupted(_done: int, _n: int) -> None:
+        raise KeyboardInterrupt
+
+    system, out = example("simple_pendulum"), tmp_path / "a.csv"
+    asked: dict[str, Any] = {"vary": {"L": "0.5..1.5 m:99"}, "record": ["end"], "until": 0.1, "out": out}
+    assert not system.sweep(**asked, progress=interrupted).is_complete
+    monkeypatch.setattr(sweep_module, "version", lambda _name: "0.0.1")
+    with pytest.raises(InputError, match="begun with other version of the program"):
+        system.sweep(**asked, resume=True)
 
 
 def test_netcdf_is_not_begun_where_it_has_no_room(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

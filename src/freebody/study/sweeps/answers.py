@@ -68,13 +68,14 @@ class AnswerEvaluator(Evaluator):
         is_open = q.is_of_state and question.event is None and question.transition is None and q.wanted is None
         self.question = replace(question, options={}, key=None, at_start=question.at_start or is_open)
         self.name = question.id
-        self.answer = self._answered()
-        n = self._n_parts()
-        unit, text = self.answer.unit, question.text
+        answer = self._answered()
+        n = _n_parts(answer)
+        unit, text = answer.unit, question.text
         axes = "xyz" if n == (3 if system.space else 2) and not q.is_any_of_several else "123456789"
         labels = [""] if n == 1 else [f".{axes[k]}" if n <= len(axes) else f".{k + 1}" for k in range(n)]
         self.columns = tuple(Column(f"{self.name}{label}", unit, text) for label in labels)
-        self.forms = tuple(self._forms())
+        self.forms = tuple(self._forms(answer))
+        self.reason = answer.reason or answer.why_no_value
 
     def _answered(self) -> Answer:
         try:
@@ -82,15 +83,8 @@ class AnswerEvaluator(Evaluator):
         except FreebodyError as error:
             return refused(self.question, str(error))
 
-    def _n_parts(self) -> int:
-        for shown in (self.answer.expression, self.answer.value):
-            if shown is not None:
-                return len(shown) if isinstance(shown, tuple) else 1
-        return 1
-
-    def _forms(self) -> list[AnswerForm]:
+    def _forms(self, a: Answer) -> list[AnswerForm]:
         """The formulas, those with readable conditions in parameters alone."""
-        a = self.answer
         if a.expression is None:
             return []
         cases = [(c.expression, c.conditions) for c in a.cases] or [(a.expression, a.conditions)]
@@ -171,12 +165,11 @@ class AnswerEvaluator(Evaluator):
         parts = found if isinstance(found, tuple) else () if found is None else (found,)
         if len(parts) != len(self.columns) or not all(map(math.isfinite, parts)):
             broken = self._broken(values)
-            return Found(nothing, OUTSIDE if broken else NO_VALUE, further(*(broken or [self._reason])))
+            return Found(nothing, OUTSIDE if broken else NO_VALUE, further(*(broken or [self._reason()])))
         return Found(tuple(map(float, parts)), NUMBERS)
 
-    @property
     def _reason(self) -> str:
-        return self.answer.reason or self.answer.why_no_value or Message("the numeric route has no number for it")
+        return self.reason or Message("the numeric route has no number for it")
 
     def _number(self, system: System) -> Value:
         """The question by the numeric route. Raises CannotAnswer where it has no number."""
@@ -206,6 +199,13 @@ class AnswerEvaluator(Evaluator):
             for form in self.forms
         ]
         return {name: {**about, "forms": forms} for name, about in super().described().items()}
+
+
+def _n_parts(answer: Answer) -> int:
+    for shown in (answer.expression, answer.value):
+        if shown is not None:
+            return len(shown) if isinstance(shown, tuple) else 1
+    return 1
 
 
 def _read(conditions: Sequence[str]) -> tuple[tuple[VectorStatement, str], ...] | None:
