@@ -137,10 +137,24 @@ def test_a_value_that_the_reader_of_a_model_refuses_is_a_status() -> None:
     assert "restitution" in found.failures[0].why
 
 
-def test_a_condition_that_no_parameter_tells_leaves_a_case_without_a_value() -> None:
-    """Of steady motion `cos(theta) > 0` at every pose: that is not broken, and not known."""
-    found = example("conical_pendulum").sweep({"m": "0.3, 0.4 kg"}, find=["rate"])
-    assert found.counts == {"rate": {"no value": 2}}
+def test_a_condition_at_every_pose_is_judged_at_the_start_that_is_asked_for() -> None:
+    """Omega = sqrt(g/(L cos theta)) of a conical pendulum, by hand from m L sin(theta) Omega^2 = S sin(theta) and
+    S cos(theta) = m g, where it hangs below its pivot: `cos(theta) > 0`, with theta = beta at the start."""
+    beta = np.radians([20.0, 50.0, 80.0, 100.0])
+    with np.errstate(invalid="ignore"):
+        expected = np.sqrt(9.81 / (1.2 * np.cos(beta)))
+    for name in ("beta", "theta"):  # the parameter, and the measure whose start it is
+        found = example("conical_pendulum").sweep({name: "20, 50, 80, 100 deg"}, find=["rate"])
+        np.testing.assert_allclose(found.values("rate"), expected, rtol=1e-12)
+        assert [str(x) for x in found.status("rate")] == ["formula", "formula", "formula", "outside"]
+        (failure,) = found.failures
+        assert "cos(θ) > 0 (as at the start) is not true there" in failure.why
+
+
+def test_a_condition_in_a_rate_leaves_a_case_without_a_value() -> None:
+    """Of steady motion at no instant that is said: that is not broken, and not known."""
+    found = example("spinning_top").sweep({"m": "0.4, 0.5 kg"}, find=["steady"])
+    assert found.counts == {"steady": {"no value": 2}}
 
 
 def test_a_start_value_varies_as_a_parameter_does() -> None:

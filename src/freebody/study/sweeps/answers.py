@@ -2,8 +2,9 @@
 
 An answer is a formula under conditions, or a case distinction of them. What the conditions say of a case decides which
 formula is used; where none is known to hold, the numeric route answers (numbers), and where it has none either, the
-case is outside of what the answer knows. A formula whose conditions cannot be read as relations between parameters is
-used nowhere.
+case is outside of what the answer knows. A condition in coordinates, for every pose of the motion, is judged at the
+start where the question is about the start. A formula whose conditions cannot be read as relations between parameters
+is used nowhere.
 """
 
 from __future__ import annotations
@@ -20,7 +21,7 @@ from freebody.errors import CannotAnswer, ExpressionError, FreebodyError
 from freebody.language.expression import Expr
 from freebody.language.notation import Stated, to_python
 from freebody.language.sentences import Message, further
-from freebody.language.truth import read_statement
+from freebody.language.truth import read_statement, with_known
 from freebody.numeric.jets import Array
 from freebody.numeric.vectorised import VectorFunction, VectorStatement
 from freebody.questions.reading import Question
@@ -89,12 +90,14 @@ class AnswerEvaluator(Evaluator):
             return []
         cases = [(c.expression, c.conditions) for c in a.cases] or [(a.expression, a.conditions)]
         found: list[AnswerForm] = []
+        start = self.system.start if self.question.at_start else {}
         for expression, conditions in cases:
             parts = expression if isinstance(expression, tuple) else (expression,)
             if len(parts) != len(self.columns):
                 continue
+            said = tuple(map(str, conditions))
             with suppress(ExpressionError):  # a rate that is left open has no value in parameters
-                found.append(AnswerForm(VectorFunction(parts), _read(conditions), parts, tuple(map(str, conditions))))
+                found.append(AnswerForm(VectorFunction(parts), _read(conditions, start), parts, said))
         return found
 
     # -- many cases ---------------------------------------------------------------------------
@@ -208,14 +211,14 @@ def _n_parts(answer: Answer) -> int:
     return 1
 
 
-def _read(conditions: Sequence[str]) -> tuple[tuple[VectorStatement, str], ...] | None:
+def _read(conditions: Sequence[str], start: Mapping[str, Expr]) -> tuple[tuple[VectorStatement, str], ...] | None:
     """Conditions as statements about arrays, those that say that there is none left out; None where one cannot be
-    read."""
+    read. start: measures in parameters, at the instant of which the answer is."""
     found: list[tuple[VectorStatement, str]] = []
     for text in conditions:
         statement = read_statement(text.expression) if isinstance(text, Stated) else None
         if statement is not None:
-            found.append((VectorStatement(statement), str(text)))
+            found.append((VectorStatement(with_known(statement, start)), str(text)))
         elif isinstance(text, Stated) or not is_scope(text):
             return None
     return tuple(found)
