@@ -25,6 +25,7 @@ from freebody.numeric.vectorised import VectorFunction, VectorStatement
 from freebody.present.charts.frame import HEIGHT, WIDTH, Scale
 from freebody.present.charts.lines import line_chart
 from freebody.study.sweeps import running
+from freebody.study.sweeps import sweep as sweep_module
 from freebody.study.sweeps.statistics import statistics
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
@@ -136,10 +137,24 @@ def test_a_value_that_the_reader_of_a_model_refuses_is_a_status() -> None:
     assert "restitution" in found.failures[0].why
 
 
-def test_a_condition_that_no_parameter_tells_leaves_a_case_without_a_value() -> None:
-    """Of steady motion `cos(theta) > 0` at every pose: that is not broken, and not known."""
-    found = example("conical_pendulum").sweep({"m": "0.3, 0.4 kg"}, find=["rate"])
-    assert found.counts == {"rate": {"no value": 2}}
+def test_a_condition_at_every_pose_is_judged_at_the_start_that_is_asked_for() -> None:
+    """Omega = sqrt(g/(L cos theta)) of a conical pendulum, by hand from m L sin(theta) Omega^2 = S sin(theta) and
+    S cos(theta) = m g, where it hangs below its pivot: `cos(theta) > 0`, with theta = beta at the start."""
+    beta = np.radians([20.0, 50.0, 80.0, 100.0])
+    with np.errstate(invalid="ignore"):
+        expected = np.sqrt(9.81 / (1.2 * np.cos(beta)))
+    for name in ("beta", "theta"):  # the parameter, and the measure whose start it is
+        found = example("conical_pendulum").sweep({name: "20, 50, 80, 100 deg"}, find=["rate"])
+        np.testing.assert_allclose(found.values("rate"), expected, rtol=1e-12)
+        assert [str(x) for x in found.status("rate")] == ["formula", "formula", "formula", "outside"]
+        (failure,) = found.failures
+        assert "cos(θ) > 0 (as at the start) is not true there" in failure.why
+
+
+def test_a_condition_in_a_rate_leaves_a_case_without_a_value() -> None:
+    """Of steady motion at no instant that is said: that is not broken, and not known."""
+    found = example("spinning_top").sweep({"m": "0.4, 0.5 kg"}, find=["steady"])
+    assert found.counts == {"steady": {"no value": 2}}
 
 
 def test_a_start_value_varies_as_a_parameter_does() -> None:
@@ -294,7 +309,7 @@ def test_a_sweep_goes_on_where_it_was_interrupted(tmp_path: Path, monkeypatch: p
     system, out = example("simple_pendulum"), tmp_path / "a.csv"
     asked: dict[str, Any] = {"vary": {"L": "0.5..1.5 m:130"}, "record": ["final theta"], "until": 0.1}
     whole = system.sweep(**asked)
-    look, seen = running._Block._look, 0
+    look, seen = running.Block._look, 0
 
     def interrupted(self: Any, job: Any) -> Any:
         nonlocal seen
@@ -303,14 +318,14 @@ def test_a_sweep_goes_on_where_it_was_interrupted(tmp_path: Path, monkeypatch: p
             raise KeyboardInterrupt
         return look(self, job)
 
-    monkeypatch.setattr(running._Block, "_look", interrupted)
+    monkeypatch.setattr(running.Block, "_look", interrupted)
     part = system.sweep(**asked, out=out, block=64)
     assert 64 <= part.n_done < 130
     assert not part.is_complete
     assert not out.exists()
     with pytest.raises(InputError, match="--resume"):
         system.sweep(**asked, out=out)
-    monkeypatch.setattr(running._Block, "_look", look)
+    monkeypatch.setattr(running.Block, "_look", look)
     with pytest.raises(InputError, match="other values, results"):
         system.sweep({"L": "0.5..1.6 m:130"}, record=["end"], until=0.1, out=out, resume=True)
     with pytest.raises(InputError, match="other settings"):
@@ -323,7 +338,7 @@ def test_a_sweep_goes_on_where_it_was_interrupted(tmp_path: Path, monkeypatch: p
         looked.extend(i for i, _which in job)
         return look(self, job)
 
-    monkeypatch.setattr(running._Block, "_look", counted)
+    monkeypatch.setattr(running.Block, "_look", counted)
     rest = system.sweep(**asked, out=out, resume=True)
     assert len(looked) == 130 - part.n_done
     assert rest.digest == whole.digest
@@ -450,6 +465,38 @@ def test_a_full_disk_is_told_with_the_size_of_what_is_missing(tmp_path: Path, mo
     with pytest.raises(InputError, match=r"take 9\.?\d* MB.*disk is full|the disk is full"):
         example("atwood_machine").sweep({"m1": "1..3 kg:9"}, find=["tension"], out=tmp_path / "a.csv")
     assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="files cannot be kept short there")
+@pytest.mark.parametrize("suffix", [".csv", ".parquet"])
+def test_results_that_have_no_room_in_their_file_are_kept(suffix: str, tmp_path: Path) -> None:
+    """Twenty thousand cases in a process whose files end at 200 kB: the folder of 160 kB is there, the file is not."""
+    model, out = str(EXAMPLES / "atwood_machine.yaml"), tmp_path / f"a{suffix}"
+    words = ["sweep", model, "--vary", "m1=1..3 kg:20000", "--find", "tension", "--json", "-o", str(out)]
+    short = "import resource, sys; resource.setrlimit(resource.RLIMIT_FSIZE, (200_000, 200_000)); "
+    program = f"{short}from freebody.cli import main; sys.argv = ['freebody', *{words!r}]; main()"
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True)
+    assert done.returncode == 2
+    said = " ".join(done.stderr.split())
+    assert "cannot be written" in said
+    assert "--resume goes on" in said
+    assert [path.name for path in tmp_path.iterdir()] == [f"a{suffix}.part"]
+    told = json.loads(freebody(*words, "--resume").stdout)
+    assert (told["done"], told["files"]) == (20_000, [str(out)])
+
+
+def test_another_version_of_the_program_does_not_go_on_with_a_sweep(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def interrupted(_done: int, _n: int) -> None:
+        raise KeyboardInterrupt
+
+    system, out = example("simple_pendulum"), tmp_path / "a.csv"
+    asked: dict[str, Any] = {"vary": {"L": "0.5..1.5 m:99"}, "record": ["end"], "until": 0.1, "out": out}
+    assert not system.sweep(**asked, progress=interrupted).is_complete
+    monkeypatch.setattr(sweep_module, "version", lambda _name: "0.0.1")
+    with pytest.raises(InputError, match="begun with other version of the program"):
+        system.sweep(**asked, resume=True)
 
 
 def test_netcdf_is_not_begun_where_it_has_no_room(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -62,6 +62,12 @@ def sweep(
     threads: Annotated[
         int | None, typer.Option("--threads", help="For motions, and what has no formula; else as many as processors.")
     ] = None,
+    cluster: Annotated[
+        str | None,
+        typer.Option(
+            "--cluster", help="Look at cases by local:8 (processes), tcp://scheduler:8786 (dask) or slurm:job.sh."
+        ),
+    ] = None,
     block: Annotated[int, typer.Option("--block", help="Cases that are in memory at once.")] = 4096,
     out: Annotated[
         list[Path] | None,
@@ -113,6 +119,7 @@ def sweep(
             events=event or (),
             options=options,
             threads=threads,
+            cluster=cluster,
             block=block,
             out=out or (),
             resume=resume,

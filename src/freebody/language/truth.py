@@ -16,7 +16,7 @@ from functools import lru_cache, reduce
 from typing import Any
 
 from freebody.errors import ExpressionError
-from freebody.language.expression import Expr, evaluate
+from freebody.language.expression import Expr, evaluate, substitute
 from freebody.language.parser import parse
 
 _RELATION = re.compile(r" (<=|>=|==|!=|<|>) ")
@@ -75,6 +75,14 @@ def read_statement(text: str) -> Statement | None:
         return Comparison(parse(found[0]), found[1], parse(found[2]))
     except ExpressionError:
         return None
+
+
+def with_known(statement: Statement, known: Mapping[str, Expr]) -> Statement:
+    """The statement with expressions in the place of names."""
+    if isinstance(statement, Comparison):
+        left, right = (substitute(side, known) for side in (statement.left, statement.right))
+        return Comparison(left, statement.relation, right)
+    return Joined(statement.sign, tuple(with_known(part, known) for part in statement.parts))
 
 
 def comparisons(statement: Statement) -> Iterator[Comparison]:

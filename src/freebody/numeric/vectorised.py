@@ -60,6 +60,7 @@ class VectorFunction:
     """Several expressions of the same names. names: those without which they have no value."""
 
     def __init__(self, expressions: Sequence[Expr]) -> None:
+        self.expressions = tuple(expressions)
         self.names = frozenset[str]().union(*map(free_symbols, expressions)) - {"pi"}
         self._n_registers = 0
         self._steps: list[tuple[Operation, tuple[int, ...]]] = []
@@ -69,6 +70,10 @@ class VectorFunction:
         self._inputs: dict[str, int] = {name: self._new() for name in sorted(self.names)}
         values = {name: _Register(self, index) for name, index in self._inputs.items()}
         self._results = [evaluate(e, values, self._functions()).index for e in expressions]
+
+    def __reduce__(self) -> tuple[type[VectorFunction], tuple[tuple[Expr, ...]]]:
+        """Another process makes the list anew."""
+        return type(self), (self.expressions,)
 
     def _functions(self) -> dict[str, Any]:
         """What `evaluate` calls: it writes down what is to be done."""
@@ -142,6 +147,9 @@ class VectorStatement:
         self._compared = list(dict.fromkeys(comparisons(statement)))
         self._sides = VectorFunction([side for c in self._compared for side in (c.left, c.right)])
         self.names = self._sides.names
+
+    def __reduce__(self) -> tuple[type[VectorStatement], tuple[Statement]]:
+        return type(self), (self.statement,)
 
     def at(self, values: Mapping[str, Array | float], n: int, *, round_off: float = 0.0) -> Array:
         """(n,) 1 where it is so, -1 where it is not, 0 where a side has no value. round_off: as of `is_true`."""

@@ -137,7 +137,7 @@ def _of_answer(answer: AnswerEvaluator, names: Sequence[Varied], *, is_open: boo
     form = answer.form_at_own
     for k, column in enumerate(answer.columns):
         if form is None:
-            why = answer.answer.reason or Message("no formula is known to hold at the numbers of the model")
+            why = answer.reason or Message("no formula is known to hold at the numbers of the model")
             yield AnswerGradient(column.name, column.long_name, None, (), None, (), why)
             continue
         formula = form.expressions[k]

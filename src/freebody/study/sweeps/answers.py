@@ -2,8 +2,9 @@
 
 An answer is a formula under conditions, or a case distinction of them. What the conditions say of a case decides which
 formula is used; where none is known to hold, the numeric route answers (numbers), and where it has none either, the
-case is outside of what the answer knows. A formula whose conditions cannot be read as relations between parameters is
-used nowhere.
+case is outside of what the answer knows. A condition in coordinates, for every pose of the motion, is judged at the
+start where the question is about the start. A formula whose conditions cannot be read as relations between parameters
+is used nowhere.
 """
 
 from __future__ import annotations
@@ -20,7 +21,7 @@ from freebody.errors import CannotAnswer, ExpressionError, FreebodyError
 from freebody.language.expression import Expr
 from freebody.language.notation import Stated, to_python
 from freebody.language.sentences import Message, further
-from freebody.language.truth import read_statement
+from freebody.language.truth import read_statement, with_known
 from freebody.numeric.jets import Array
 from freebody.numeric.vectorised import VectorFunction, VectorStatement
 from freebody.questions.reading import Question
@@ -69,13 +70,14 @@ class AnswerEvaluator(Evaluator):
         is_open = q.is_of_state and question.event is None and question.transition is None and q.wanted is None
         self.question = replace(question, options={}, key=None, at_start=question.at_start or is_open)
         self.name = question.id
-        self.answer = self._answered()
-        n = self._n_parts()
-        unit, text = self.answer.unit, question.text
+        answer = self._answered()
+        n = _n_parts(answer)
+        unit, text = answer.unit, question.text
         axes = "xyz" if n == (3 if system.space else 2) and not q.is_any_of_several else "123456789"
         labels = [""] if n == 1 else [f".{axes[k]}" if n <= len(axes) else f".{k + 1}" for k in range(n)]
         self.columns = tuple(Column(f"{self.name}{label}", unit, text) for label in labels)
-        self.forms = tuple(self._forms())
+        self.forms = tuple(self._forms(answer))
+        self.reason = answer.reason or answer.why_no_value
         self._derivatives: dict[tuple[int, str], VectorFunction | None] = {}
 
     def _answered(self) -> Answer:
@@ -84,25 +86,20 @@ class AnswerEvaluator(Evaluator):
         except FreebodyError as error:
             return refused(self.question, str(error))
 
-    def _n_parts(self) -> int:
-        for shown in (self.answer.expression, self.answer.value):
-            if shown is not None:
-                return len(shown) if isinstance(shown, tuple) else 1
-        return 1
-
-    def _forms(self) -> list[AnswerForm]:
+    def _forms(self, a: Answer) -> list[AnswerForm]:
         """The formulas, those with readable conditions in parameters alone."""
-        a = self.answer
         if a.expression is None:
             return []
         cases = [(c.expression, c.conditions) for c in a.cases] or [(a.expression, a.conditions)]
         found: list[AnswerForm] = []
+        start = self.system.start if self.question.at_start else {}
         for expression, conditions in cases:
             parts = expression if isinstance(expression, tuple) else (expression,)
             if len(parts) != len(self.columns):
                 continue
+            said = tuple(map(str, conditions))
             with suppress(ExpressionError):  # a rate that is left open has no value in parameters
-                found.append(AnswerForm(VectorFunction(parts), _read(conditions), parts, tuple(map(str, conditions))))
+                found.append(AnswerForm(VectorFunction(parts), _read(conditions, start), parts, said))
         return found
 
     # -- many cases ---------------------------------------------------------------------------
@@ -194,12 +191,11 @@ class AnswerEvaluator(Evaluator):
         parts = found if isinstance(found, tuple) else () if found is None else (found,)
         if len(parts) != len(self.columns) or not all(map(math.isfinite, parts)):
             broken = self._broken(values)
-            return Found(nothing, OUTSIDE if broken else NO_VALUE, further(*(broken or [self._reason])))
+            return Found(nothing, OUTSIDE if broken else NO_VALUE, further(*(broken or [self._reason()])))
         return Found(tuple(map(float, parts)), NUMBERS)
 
-    @property
     def _reason(self) -> str:
-        return self.answer.reason or self.answer.why_no_value or Message("the numeric route has no number for it")
+        return self.reason or Message("the numeric route has no number for it")
 
     def _number(self, system: System) -> Value:
         """The question by the numeric route. Raises CannotAnswer where it has no number."""
@@ -231,14 +227,21 @@ class AnswerEvaluator(Evaluator):
         return {name: {**about, "forms": forms} for name, about in super().described().items()}
 
 
-def _read(conditions: Sequence[str]) -> tuple[tuple[VectorStatement, str], ...] | None:
+def _n_parts(answer: Answer) -> int:
+    for shown in (answer.expression, answer.value):
+        if shown is not None:
+            return len(shown) if isinstance(shown, tuple) else 1
+    return 1
+
+
+def _read(conditions: Sequence[str], start: Mapping[str, Expr]) -> tuple[tuple[VectorStatement, str], ...] | None:
     """Conditions as statements about arrays, those that say that there is none left out; None where one cannot be
-    read."""
+    read. start: measures in parameters, at the instant of which the answer is."""
     found: list[tuple[VectorStatement, str]] = []
     for text in conditions:
         statement = read_statement(text.expression) if isinstance(text, Stated) else None
         if statement is not None:
-            found.append((VectorStatement(statement), str(text)))
+            found.append((VectorStatement(with_known(statement, start)), str(text)))
         elif isinstance(text, Stated) or not is_scope(text):
             return None
     return tuple(found)

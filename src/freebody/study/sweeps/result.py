@@ -51,7 +51,8 @@ class Failure:
 
 @dataclass(frozen=True, repr=False)
 class Sweep(Result):
-    """Many cases. system: as it was given; plan: which cases; evaluators: what of each; seconds: how long it took."""
+    """Many cases. system: as it was given; plan: which cases; evaluators: what of each; seconds: how long it took;
+    threads: on how many, of this process or of a cluster."""
 
     system: System
     plan: Plan
@@ -59,6 +60,7 @@ class Sweep(Result):
     store: Store
     seconds: float
     threads: int
+    cluster: str | None = None
     files: tuple[Path, ...] = ()
 
     @property
@@ -248,6 +250,7 @@ class Sweep(Result):
             "digest": self.digest,
             "seconds": self.seconds,
             "threads": self.threads,
+            "cluster": self.cluster,
             "found": {
                 name: {**about, **self.statistics[name].to_plain(is_random=self.plan.sampled.is_random)}
                 for e in self.evaluators

@@ -8,7 +8,7 @@ another place of a vector register: results are the same, bit for bit, for any n
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor, as_completed
 from itertools import pairwise
 
@@ -29,6 +29,7 @@ MOST_THREADS = 256
 _GROUP = 4  # cases that a thread takes at a time
 
 Progress = Callable[[int, int], None]  # cases done, cases in all
+Keep = Callable[[NDArray[np.int64], Array, Codes], None]  # results of some cases, by their numbers
 _Job = list[tuple[int, list[int]]]  # cases of a block, each with the evaluators that have to look at it
 
 
@@ -45,6 +46,13 @@ def check(threads: int, block: int) -> None:
         raise InputError(Message("a block has at least one case, not {n}", n=block))
 
 
+def blocks(n: int, block: int) -> Iterator[tuple[int, int]]:
+    """From which case to which, whole tiles in each."""
+    size = -(-block // TILE) * TILE
+    for start in range(0, n, size):
+        yield start, min(start + size, n)
+
+
 def run(
     plan: Plan,
     evaluators: Sequence[Evaluator],
@@ -55,13 +63,12 @@ def run(
     progress: Progress | None = None,
 ) -> bool:
     """Does all cases that are not done; False where Ctrl-C ended it, and what was done until then is kept."""
-    size = -(-block // TILE) * TILE
     pool = ThreadPoolExecutor(threads, thread_name_prefix="freebody-sweep")
     try:
-        for start in range(0, plan.n, size):
-            stop = min(start + size, plan.n)
-            if not store.done[start:stop].all():
-                _Block(plan, evaluators, store, start, stop).run(pool, progress)
+        for start, stop in blocks(plan.n, block):
+            before = np.array(store.done[start:stop], dtype=bool)
+            if not before.all():
+                Block(plan, evaluators, start, stop, before).run(pool, store.put, progress)
             elif progress is not None:
                 progress(stop, plan.n)
     except KeyboardInterrupt:
@@ -72,11 +79,13 @@ def run(
     return True
 
 
-class _Block:
-    """The cases from one to another."""
+class Block:
+    """The cases from one to another. before: (n,) those of them that are done already."""
 
-    def __init__(self, plan: Plan, evaluators: Sequence[Evaluator], store: Store, start: int, stop: int) -> None:
-        self.evaluators, self.store, self.start, self.n = evaluators, store, start, stop - start
+    def __init__(
+        self, plan: Plan, evaluators: Sequence[Evaluator], start: int, stop: int, before: NDArray[np.bool_]
+    ) -> None:
+        self.evaluators, self.start, self.n, self.before = evaluators, start, stop - start, before
         self.n_all = plan.n
         values = plan.cases(start, stop)
         self.values = {v.parameter: np.ascontiguousarray(values[:, k]) for k, v in enumerate(plan.names)}
@@ -85,19 +94,19 @@ class _Block:
         self.numbers: Array = np.full((self.n, int(ends[-1])), np.nan)
         self.codes: Codes = np.zeros((self.n, len(evaluators)), dtype=np.int8)
 
-    def run(self, pool: ThreadPoolExecutor, progress: Progress | None) -> None:
+    def run(self, pool: ThreadPoolExecutor, keep: Keep, progress: Progress | None = None) -> None:
+        """Looks at the cases that are not done, and hands on what they have come to as soon as it is known."""
         for k, evaluator in enumerate(self.evaluators):
             self.numbers[:, self.columns[k]], self.codes[:, k] = evaluator.together(self.values, self.n)
-        before = np.array(self.store.done[self.start : self.start + self.n], dtype=bool)
-        jobs = self._jobs(before)
-        self._keep(np.flatnonzero((self.codes != CODES[NOT_DONE]).all(axis=1) & ~before))
+        jobs = self._jobs()
+        self._keep(keep, np.flatnonzero((self.codes != CODES[NOT_DONE]).all(axis=1) & ~self.before))
         waiting: dict[Future[list[list[Found]]], _Job] = {}
         n_done = self.n - sum(map(len, jobs))
         try:
             for job in jobs:
                 waiting[pool.submit(self._look, job)] = job
             for future in as_completed(waiting):
-                self._take(waiting[future], future.result())
+                self._take(keep, waiting[future], future.result())
                 n_done += len(waiting[future])
                 if progress is not None:
                     progress(self.start + n_done, self.n_all)
@@ -107,9 +116,9 @@ class _Block:
         if progress is not None:
             progress(self.start + self.n, self.n_all)
 
-    def _jobs(self, before: NDArray[np.bool_]) -> list[_Job]:
+    def _jobs(self) -> list[_Job]:
         """The cases that have to be looked at one by one, a few together."""
-        open_ = (self.codes == CODES[NOT_DONE]) & ~before[:, None]
+        open_ = (self.codes == CODES[NOT_DONE]) & ~self.before[:, None]
         cases = [(int(i), [int(k) for k in np.flatnonzero(open_[i])]) for i in np.flatnonzero(open_.any(axis=1))]
         return [cases[i : i + _GROUP] for i in range(0, len(cases), _GROUP)]
 
@@ -120,13 +129,12 @@ class _Block:
             found.append([self.evaluators[k].alone(values) for k in which])
         return found
 
-    def _take(self, job: _Job, found: Sequence[Sequence[Found]]) -> None:
+    def _take(self, keep: Keep, job: _Job, found: Sequence[Sequence[Found]]) -> None:
         for (i, which), of_case in zip(job, found, strict=True):
             for k, one in zip(which, of_case, strict=True):
                 self.numbers[i, self.columns[k]] = one.numbers
                 self.codes[i, k] = CODES[one.status]
-        self._keep(np.array([i for i, _which in job]))
+        self._keep(keep, np.array([i for i, _which in job]))
 
-    def _keep(self, here: NDArray[np.int64]) -> None:
-        """What is done of the block goes to the store."""
-        self.store.put(here + self.start, self.numbers[here], self.codes[here])
+    def _keep(self, keep: Keep, here: NDArray[np.int64]) -> None:
+        keep(here + self.start, self.numbers[here], self.codes[here])

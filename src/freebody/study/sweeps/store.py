@@ -76,6 +76,12 @@ class Store:
             if isinstance(array, np.memmap):
                 array.flush()
 
+    def kept(self, why: str) -> str:
+        """Why it ended before its end, and how to go on."""
+        if self.folder is None:
+            return why
+        return Message("{why}; what is done is kept in {folder}, and --resume goes on", why=why, folder=self.folder)
+
     def remove(self) -> None:
         """Takes away the folder, when all is written elsewhere."""
         if self.folder is not None:

@@ -7,6 +7,7 @@ import math
 import time
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
@@ -14,8 +15,9 @@ from freebody.errors import InputError
 from freebody.language.sentences import Message
 from freebody.numeric.options import SimulationOptions
 from freebody.questions.reading import Question
-from freebody.study.sweeps import running
+from freebody.study.sweeps import remote, running
 from freebody.study.sweeps.answers import AnswerEvaluator
+from freebody.study.sweeps.clusters import check_cluster, connected
 from freebody.study.sweeps.evaluators import Evaluator, not_admissible, refused_by_reader
 from freebody.study.sweeps.formats import check_data_path, formats
 from freebody.study.sweeps.motions import MotionEvaluator
@@ -43,6 +45,7 @@ def sweep(
     events: Sequence[str] = (),
     options: SimulationOptions | None = None,
     threads: int | None = None,
+    cluster: str | None = None,
     block: int = BLOCK,
     out: str | Path | Sequence[str | Path] = (),
     resume: bool = False,
@@ -55,15 +58,19 @@ def sweep(
     numbers in SI; over: the same for what every case is gone over. sample: which cases; a grid if nothing is said.
     seed: of what is drawn. find: questions, by id or in words; without `find` and `record` those of the model. record:
     what is recorded of the motion up to `until` [s]; events: as of `simulate`; options, given: how it is followed.
-    threads: for what is computed case by case, as many as there are processors if nothing is said; block: cases that
-    are in memory at once. out: files to write; the first data file has a folder beside it until all is done, from which
+    threads: for what is computed case by case, as many as there are processors if nothing is said; cluster: where cases
+    are looked at instead, as "local:8", "tcp://scheduler:8786" or "slurm:job.sh" (extra `sweep`); block: cases that are
+    in memory at once. out: files to write; the first data file has a folder beside it until all is done, from which
     `resume` goes on.
 
-    Raises InputError for what cannot be read and for files that cannot be written. A case that fails is a status of the
+    Raises InputError for what cannot be read, for files that cannot be written and for a cluster that is not there,
+    CannotAnswer where it loses all its workers. A case that fails is a status of the
     result. After Ctrl-C the result has what was done."""
     began = time.perf_counter()
     threads = running.n_threads(threads)
     running.check(threads, block)
+    if cluster is not None:
+        check_cluster(cluster)
     cases = plan(system, vary or {}, over or {}, sample, seed)
     followed = replace(options or SimulationOptions(), **given)
     evaluators = _evaluators(system, cases, find, record, until, events, followed)
@@ -75,11 +82,19 @@ def sweep(
     for path in paths:
         _check(path)
     store = _store(system, cases, evaluators, (seed, until, events, followed), paths, resume=resume)
-    is_over = running.run(cases, evaluators, store, threads=threads, block=block, progress=progress)
-    found = Sweep(system, cases, evaluators, store, time.perf_counter() - began, threads)
+    if cluster is None:
+        is_over = running.run(cases, evaluators, store, threads=threads, block=block, progress=progress)
+    else:
+        with connected(cluster) as client:
+            is_over = remote.run(client, cases, evaluators, store, block=block, progress=progress)
+            threads = sum(client.nthreads().values())
+    found = Sweep(system, cases, evaluators, store, time.perf_counter() - began, threads, cluster)
     if not is_over:
         return found
-    written = tuple(file for path in paths for file in found.write(path))
+    try:
+        written = tuple(file for path in paths for file in found.write(path))
+    except InputError as error:
+        raise InputError(store.kept(str(error))) from error
     _ = found.digest, found.counts, found.statistics, found.failures
     store.remove()
     return replace(found, files=written)
@@ -157,6 +172,7 @@ def _store(
         "results": columns,
         "settings": _digest(repr(settings)),
         "cases": cases.n,
+        "version of the program": version("freebody"),
     }
     return on_disk(folder_for(data[0]), about, cases.n, len(columns), len(evaluators), resume=resume)
 
