@@ -88,12 +88,16 @@ def test_a_rack_is_pushed_away_from_its_pinion(above: str, sign: float) -> None:
     # the pinion drives with F = T/r; the guide of the rack carries F tan(alpha)
     text = f"""
 parameters: {{T: 4 N m, k: 800 N/m}}
-bodies: {{pinion: {{body: {{inertia: 0.02 kg m^2, radius: 0.05 m}}}}, rack: {{rectangle: {{mass: 5 kg, width: 1 m, height: 5 cm}}}}}}
+bodies:
+  pinion: {{body: {{inertia: 0.02 kg m^2, radius: 0.05 m}}}}
+  rack: {{rectangle: {{mass: 5 kg, width: 1 m, height: 5 cm}}}}
 connections:
   axle: {{pin: [ground.O, pinion]}}
   guide: {{slider: {{body: rack, along: right}}}}
   teeth: {{rack_and_pinion: {{pinion: pinion, rack: rack, pressure_angle: 20 deg{above}}}}}
-loads: {{drive: {{torque: {{on: pinion, magnitude: {"" if sign > 0 else "-"}T}}}}, hold: {{force: {{at: rack, along: left, magnitude: T/(0.05 m)}}}}}}
+loads:
+  drive: {{torque: {{on: pinion, magnitude: {"" if sign > 0 else "-"}T}}}}
+  hold: {{force: {{at: rack, along: left, magnitude: T/(0.05 m)}}}}
 """
     system = fb.System.from_text(text)
     radial = 80.0 * math.tan(math.radians(20))

@@ -108,6 +108,11 @@ class Connection(Spec):
         """The parts of the force between its teeth: what the tooth force is multiplied by for each."""
         return {}
 
+    def bearing(self, names: Names) -> tuple[Point, Point, Direction, Direction] | None:
+        """Of a joint of space in which one body does nothing but turn against the other: the points that coincide, and
+        the axis on each of both."""
+        return None
+
     def teeth_with(self, names: Names, body: str) -> tuple[float, float, int] | None:
         """Teeth of what a body meshes with, its own, and the sense in which both turn if their centres stand still: +1
         in a ring gear, else -1. None where they are not known in numbers."""

@@ -29,9 +29,9 @@ class GearMesh(Connection, kind="gear_mesh"):
     """`gear_mesh: [sun, planet]`, `gear_mesh: {first: ring, second: planet, internal: true}` with the ring gear
     first. The tooth force acts along the common tangent of the pitch circles and is positive when it resists a
     counter-clockwise turn of the first gear. With a `pressure_angle` the teeth part the gears as well, by its tangent
-    times the tooth force, which is positive then, or negative with `other_flank: true`. The distance of the centres is held too where no
-    carrier or bearing holds it already (1 or 2 rows). `first_radius`, `second_radius` for a wheel with several
-    gears on it, or `module: m, teeth: [z1, z2]`: the pitch circles have the diameters m z."""
+    times the tooth force, which is positive then, or negative with `other_flank: true`. The distance of the centres is
+    held too where no carrier or bearing holds it already (1 or 2 rows). `first_radius`, `second_radius` for a wheel
+    with several gears on it, or `module: m, teeth: [z1, z2]`: the pitch circles have the diameters m z."""
 
     called: ClassVar[tuple[str, ...]] = ("mesh", "gear")
 

@@ -11,11 +11,10 @@ from freebody.language.units import FORCE
 from freebody.model.state import State
 from freebody.questions.base import NAME, Described, Found, Path, Quantity, asked
 from freebody.questions.reactions import has_connection
+from freebody.questions.reactions_by_component import TOOTH_FORCE
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
-
-TOOTH_FORCE = "tooth force"
 
 
 @dataclass(frozen=True)
@@ -40,8 +39,12 @@ questions: {it: radial tooth force of mesh}
 """
 
     @property
-    def sign_is_conventional(self) -> bool:
+    def is_tangential(self) -> bool:
         return self.part == "tangential"
+
+    @property
+    def sign_is_conventional(self) -> bool:
+        return self.is_tangential
 
     @property
     def may_jump(self) -> bool:
@@ -50,7 +53,7 @@ questions: {it: radial tooth force of mesh}
     def value(self, system: Described, state: State[Any]) -> Any:
         row = next(row for row in system.rows if row.name == self.row)
         force = row.sign * state.multiplier(row)
-        if self.part == "tangential":
+        if self.is_tangential:
             return force
         size = row.flank * force if row.flank else state.absolute(force)
         return size if self.factor == ONE else state.scalar(self.factor) * size

@@ -14,7 +14,7 @@ from dataclasses import replace
 from typing import Any, TypeVar, cast
 
 from freebody.connections.base import Connection
-from freebody.language.expression import PI, ZERO, Call, Expr, divide, number
+from freebody.language.expression import PI, Call, Expr, divide, number
 from freebody.language.sentences import Message
 from freebody.loads.base import Load
 from freebody.measures.geometry import GROUND, Point
@@ -64,7 +64,8 @@ def add_copies(
                     if _is_on(spec, body.name)
                 }
             told = Message(
-                "the {n} copies of {body} stand at equal angles and share the load equally; a tooth force is that of one of them",
+                "the {n} copies of {body} stand at equal angles and share the load equally; a tooth force is that of one "
+                "of them",
                 n=len(body.copies) + 1,
                 body=body.name,
             )
@@ -191,8 +192,8 @@ def _look_at_assembly(names: Names, body: RigidBody, connections: Mapping[str, C
             if total % n:
                 able = [m for m in range(2, n + 4) if total % m == 0]
                 told = Message(
-                    "{n} copies of {body} cannot be assembled at equal angles: with these teeth {total} would have to be "
-                    "divisible by {n}; possible numbers: {able}",
+                    "{n} copies of {body} cannot be assembled at equal angles: with these teeth {total} would have to "
+                    "be divisible by {n}; possible numbers: {able}",
                     n=n,
                     body=body.name,
                     total=total,
