@@ -8,7 +8,7 @@ It may offer natural coordinates (`offers`), which are used where the user named
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from typing import TYPE_CHECKING, Any, ClassVar, cast
+from typing import TYPE_CHECKING, Any, ClassVar, Literal, cast
 
 from freebody.connections.pairs import OutlinePair
 from freebody.language.expression import Expr
@@ -38,6 +38,9 @@ class Connection(Spec):
     lets_hang: ClassVar[bool] = False
     # its forces act where its bodies touch: people call the place "the contact point"
     has_contact_point: ClassVar[bool] = False
+
+    # of equal bodies on one carrier (`copies`): each has such a connection of its own, or all share one
+    with_copies: ClassVar[Literal["", "each", "together"]] = ""
 
     def __init_subclass__(cls, kind: str = "", **rest: Any) -> None:
         super().__init_subclass__(**rest)
@@ -100,6 +103,24 @@ class Connection(Spec):
                 owner, dot, point = text.partition(".") if isinstance(text, str) else ("", "", "")
                 if owner in names.bodies and (dot or not is_direction):
                     yield owner, point
+
+    def parts(self, names: Names) -> dict[str, Expr]:
+        """The parts of the force between its teeth: what the tooth force is multiplied by for each."""
+        return {}
+
+    def bearing(self, names: Names) -> tuple[Point, Point, Direction, Direction] | None:
+        """Of a joint of space in which one body does nothing but turn against the other: the points that coincide, and
+        the axis on each of both."""
+        return None
+
+    def teeth_with(self, names: Names, body: str) -> tuple[float, float, int] | None:
+        """Teeth of what a body meshes with, its own, and the sense in which both turn if their centres stand still: +1
+        in a ring gear, else -1. None where they are not known in numbers."""
+        return None
+
+    def joined_points(self, names: Names) -> tuple[Point, Point] | None:
+        """The two points that it keeps together while both bodies turn, in the plane."""
+        return None
 
     def glyphs(self, names: Names) -> Iterable[Glyph]:
         """What is drawn of it (see `model.glyphs`); a thin line through its points if nothing is said."""

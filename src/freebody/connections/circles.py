@@ -33,7 +33,7 @@ def own_radius(names: Names, spec: Spec, which: str) -> Expr:
 
 def touching(
     first: Point, r_first: Expr, second: Point, r_second: Expr, *, internal: bool
-) -> tuple[Measure, Expr, Measure]:
+) -> tuple[Measure, Expr, Combination]:
     """(distance of centres, its value, arc that rolls off) of two touching circles."""
     r2 = negate(r_second) if internal else r_second
     total = add(r_first, r2)

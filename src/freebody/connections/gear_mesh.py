@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from typing import TYPE_CHECKING, ClassVar
+from collections.abc import Iterable, Iterator
+from typing import TYPE_CHECKING, ClassVar, Literal
 
 from freebody.connections.base import Connection
 from freebody.connections.circles import own_radius, touching
 from freebody.connections.standing import distance_between, is_near, number_of
-from freebody.language.expression import ONE, Expr, add, divide, multiply, negate, number
+from freebody.connections.teeth import parting_slope, parts_of_tooth_force, read_pressure_angle
+from freebody.language.expression import ONE, ZERO, Expr, add, divide, multiply, negate, number
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, LENGTH
+from freebody.measures.angle import Angle
+from freebody.measures.base import Measure
+from freebody.measures.combination import Combination
 from freebody.model import glyphs
 from freebody.model.elements import ConstraintRow, RigidBody
 from freebody.model.glyphs import Glyph
@@ -23,10 +27,11 @@ if TYPE_CHECKING:
 
 class GearMesh(Connection, kind="gear_mesh"):
     """`gear_mesh: [sun, planet]`, `gear_mesh: {first: ring, second: planet, internal: true}` with the ring gear
-    first. The tooth force acts along the common tangent of the pitch circles (pressure angle 0) and is positive
-    when it resists a counter-clockwise turn of the first gear. The distance of the centres is held too where no
-    carrier or bearing holds it already (1 or 2 rows). `first_radius`, `second_radius` for a wheel with several
-    gears on it, or `module: m, teeth: [z1, z2]`: the pitch circles have the diameters m z."""
+    first. The tooth force acts along the common tangent of the pitch circles and is positive when it resists a
+    counter-clockwise turn of the first gear. With a `pressure_angle` the teeth part the gears as well, by its tangent
+    times the tooth force, which is positive then, or negative with `other_flank: true`. The distance of the centres is
+    held too where no carrier or bearing holds it already (1 or 2 rows). `first_radius`, `second_radius` for a wheel
+    with several gears on it, or `module: m, teeth: [z1, z2]`: the pitch circles have the diameters m z."""
 
     called: ClassVar[tuple[str, ...]] = ("mesh", "gear")
 
@@ -37,8 +42,11 @@ class GearMesh(Connection, kind="gear_mesh"):
     second_radius: Formula | None = None
     module: Formula | None = None
     teeth: list[Formula] | None = None
+    pressure_angle: Formula | None = None
+    other_flank: bool = False
 
     in_plane = True
+    with_copies: ClassVar[Literal["", "each", "together"]] = "together"
     has_contact_point = True
     example = """
 bodies: {a: {disk: {mass: 1 kg, radius: 1 m}}, b: {disk: {mass: 1 kg, radius: 1 m}, at: [2 m, 0]}}
@@ -51,13 +59,50 @@ connections: {p: {pin: [ground.A, a]}, q: {pin: [ground.B, b]}, it: {gear_mesh: 
         if first.name == second.name:
             names.problem(Message("{first} cannot mesh with itself", first=first.name))
             return []
-        r1, r2 = self._radii(names)
-        distance, total, rolled = touching(first.center, r1, second.center, r2, internal=self.internal)
-        self._look_at_distance(names, (first, second), (r1, r2), total)
-        return [
-            ConstraintRow("teeth", "tooth force", rolled, sign=-1),
-            ConstraintRow("centers", "radial force", distance, total, if_needed=True),
-        ]
+        radii = self._radii(names)
+        slope = parting_slope(read_pressure_angle(names, self))
+        flank = -1 if self.other_flank else 1
+        # teeth of a ring gear pull the two centres together
+        parting = slope if self.internal == (flank > 0) else -slope
+        terms: list[tuple[Expr, Measure]] = []
+        centers: list[ConstraintRow] = []
+        for k, (one, other) in enumerate(self._pairs(names)):
+            distance, total, rolled = touching(one.center, radii[0], other.center, radii[1], internal=self.internal)
+            if k == 0:
+                self._look_at_distance(names, (first, second), radii, total)
+            terms += [*rolled.terms, *([] if slope == ZERO else [(parting, distance)])]
+            name = "centers" if k == 0 else f"centers {k + 1}"
+            centers.append(ConstraintRow(name, "radial force", distance, total, if_needed=True))
+        teeth = ConstraintRow(
+            "teeth", "tooth force", Combination(_gathered(terms), LENGTH), sign=-1, flank=0 if slope == ZERO else flank
+        )
+        return [teeth, *self._alike(first), *self._alike(second), *centers]
+
+    def _pairs(self, names: Names) -> list[tuple[RigidBody, RigidBody]]:
+        """The two gears, and each copy of one with the other."""
+        first, second = names.known(self.first), names.known(self.second)
+        more = [(names.known(copy), second) for copy in first.copies]
+        return [(first, second), *more, *((first, names.known(copy)) for copy in second.copies)]
+
+    def _alike(self, gear: RigidBody) -> Iterator[ConstraintRow]:
+        """Copies of a gear turn alike: the sum of the ways that roll off says no more than that of their mean."""
+        for copy in gear.copies:
+            lead = Combination(((ONE, Angle(copy)), (negate(ONE), Angle(gear.name))), DIMENSIONLESS)
+            yield ConstraintRow(f"{copy} alike", "moment", lead, if_needed=True)
+
+    def mentions(self, names: Names) -> set[str]:
+        named = super().mentions(names)
+        return named | {copy for name in named for copy in names.known(name).copies}
+
+    def teeth_with(self, names: Names, body: str) -> tuple[float, float, int] | None:
+        if self.teeth is None or len(self.teeth) != 2 or body not in (self.first, self.second):
+            return None
+        with names.quietly():
+            first, second = (names.numeric(names.formula(z, DIMENSIONLESS)) for z in self.teeth)
+        if first is None or second is None:
+            return None
+        sense = 1 if self.internal else -1
+        return (first, second, sense) if body == self.second else (second, first, sense)
 
     def _look_at_distance(
         self, names: Names, gears: tuple[RigidBody, RigidBody], radii: tuple[Expr, Expr], total: Expr
@@ -156,7 +201,19 @@ connections: {p: {pin: [ground.A, a]}, q: {pin: [ground.B, b]}, it: {gear_mesh: 
                 key,
             )
 
+    def parts(self, names: Names) -> dict[str, Expr]:
+        return parts_of_tooth_force(read_pressure_angle(names, self))
+
     def glyphs(self, names: Names) -> Iterable[Glyph]:
         r1, r2 = self._radii(names)
         radii = (r1, negate(r2) if self.internal else r2)
-        yield glyphs.Wheels(names.body(self.first).center, names.body(self.second).center, radii, is_toothed=True)
+        for first, second in self._pairs(names):
+            yield glyphs.Wheels(first.center, second.center, radii, is_toothed=True)
+
+
+def _gathered(terms: Iterable[tuple[Expr, Measure]]) -> tuple[tuple[Expr, Measure], ...]:
+    """Each measure once."""
+    found: dict[Measure, Expr] = {}
+    for coefficient, measure in terms:
+        found[measure] = add(found[measure], coefficient) if measure in found else coefficient
+    return tuple((coefficient, measure) for measure, coefficient in found.items())

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar, Literal
 
 from freebody.connections.base import Connection, coincidence
 from freebody.connections.standing import stands_at
@@ -35,6 +35,7 @@ class Pin(Connection, kind="pin"):
 
     in_plane = True
     lets_turn: ClassVar[bool] = True
+    with_copies: ClassVar[Literal["", "each", "together"]] = "each"
     example = """
 bodies: {rod: {rod: {mass: 1 kg, length: 1 m}}}
 connections: {it: {pin: [ground.A, rod.start]}}
@@ -46,6 +47,9 @@ connections: {it: {pin: [ground.A, rod.start]}}
             names.problem(Message("pins {body} to itself; name points of two bodies", body=first.body))
             return []
         return coincidence(first, second)
+
+    def joined_points(self, names: Names) -> tuple[Point, Point]:
+        return names.point(self.first, "first"), names.point(self.second, "second")
 
     def keeps_at(self, names: Names, point: Point, along: Direction, seen: frozenset[str]) -> Expr | None:
         if point.body not in self.mentions(names):

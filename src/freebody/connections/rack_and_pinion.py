@@ -7,10 +7,12 @@ from typing import TYPE_CHECKING
 
 from freebody.connections.base import Connection
 from freebody.connections.standing import ground_guide_of, is_parallel, number_of, stands_at
-from freebody.language.expression import Call, Expr, add, negate
+from freebody.connections.teeth import parting_slope, parts_of_tooth_force, read_pressure_angle
+from freebody.language.expression import ZERO, Call, Expr, add, negate
 from freebody.language.sentences import Message
 from freebody.language.units import LENGTH
 from freebody.measures.angle import Angle
+from freebody.measures.base import Measure
 from freebody.measures.combination import Combination
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, ONE, Direction
@@ -29,13 +31,16 @@ class RackAndPinion(Connection, kind="rack_and_pinion"):
     fixed in the rack; without it, along the guide of the rack or, where that is fixed, of the pinion; else to the
     rack's right). The rack is below the pinion for a direction to the right, to its right for one that goes up, unless
     the places of the two say otherwise; `above: true` puts it on the other side. Bearings hold the distance (1 row).
-    The tooth force is positive when it drives the rack along its direction."""
+    The tooth force is positive when it drives the rack along its direction. With a `pressure_angle` the teeth part the
+    two as well, by its tangent times the tooth force, which is positive then, or negative with `other_flank: true`."""
 
     pinion: str
     rack: str
     along: Heading | None = None
     above: bool | None = None
     radius: Formula | None = None
+    pressure_angle: Formula | None = None
+    other_flank: bool = False
 
     in_plane = True
     has_contact_point = True
@@ -54,8 +59,18 @@ connections: {p: {pin: [ground.A, gear]}, g: {slider: {body: bar, along: right}}
         # rolling of the pinion on a line of the rack: s + R theta, seen from the rack
         travel = Displacement(pinion.center, rack.center, along)
         arm = self._arm(names, pinion, rack, along)
-        rolled = Combination(((ONE, travel), (arm, Angle(pinion.name, along.body))), LENGTH)
-        return [ConstraintRow("teeth", "tooth force", rolled, sign=-1)]
+        terms: list[tuple[Expr, Measure]] = [(ONE, travel), (arm, Angle(pinion.name, along.body))]
+        slope = parting_slope(read_pressure_angle(names, self))
+        flank = -1 if self.other_flank else 1
+        if slope != ZERO:  # the pinion is on the left of the rack's direction, with the rack below it
+            is_above = self._is_above(names, pinion, rack, along)
+            parting = slope if is_above == (flank > 0) else -slope
+            terms.append((parting, Displacement(pinion.center, rack.center, along.normal())))
+        rolled = Combination(tuple(terms), LENGTH)
+        return [ConstraintRow("teeth", "tooth force", rolled, sign=-1, flank=0 if slope == ZERO else flank)]
+
+    def parts(self, names: Names) -> dict[str, Expr]:
+        return parts_of_tooth_force(read_pressure_angle(names, self))
 
     def _arm(self, names: Names, pinion: RigidBody, rack: RigidBody, along: Direction) -> Expr:
         """The radius of the pinion, negative where the rack is on its left."""

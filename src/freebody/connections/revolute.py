@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, ClassVar
 
 from freebody.connections.joints import AxialJoint, Joint, read_joint
 from freebody.measures.base import Measure
+from freebody.measures.geometry import Direction, Point
 from freebody.model import glyphs
 from freebody.model.elements import ConstraintRow
 from freebody.model.glyphs import Glyph
@@ -38,6 +39,10 @@ connections: {it: {revolute: {first: ground.A, second: rod.left, about: z}}}
 
     def joint(self, names: Names) -> Joint | None:
         return read_joint(names, self, self.first, self.second, self.about, self.second_axis)
+
+    def bearing(self, names: Names) -> tuple[Point, Point, Direction, Direction] | None:
+        joint = self.joint(names)
+        return None if joint is None else (joint.first, joint.second, joint.axis, joint.axis2)
 
     def held(self, names: Names, joint: Joint) -> list[ConstraintRow]:
         return [*joint.meeting(), *joint.parallel()]

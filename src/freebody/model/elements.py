@@ -140,6 +140,7 @@ class RigidBody:
     edges: tuple[
         Edge[Components], ...
     ] = ()  # what is drawn of it, from the mass centre, where that is no full circle or polygon
+    copies: tuple[str, ...] = ()  # the further ones of equal bodies on one carrier, of which this one is written
     # in space
     tensor: Components = ()  # of inertia about the mass centre in body axes: xx, yy, zz, xy, xz, yz
     round: str = ""  # what of it can roll: "disk" (its rim), "sphere", "cone"
@@ -230,6 +231,7 @@ class ConstraintRow:
     stretches: tuple[StringStretch, ...] = ()  # of a string, in order; the reaction is the tension of the last one
     instead: str = ""  # what to take where this is held by others as well, and may have been held by mistake
     closes: bool = False  # held from the start on, and not before: two parts meet and stay together
+    flank: int = 0  # teeth: the sign of the reaction with which the row pushes as it does; on the other flank otherwise
 
     @property
     def in_symbols(self) -> Expr | None:

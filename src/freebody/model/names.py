@@ -67,6 +67,10 @@ class Joining(Protocol):
         """How far along a direction of the ground it keeps a point of one of its bodies."""
         ...
 
+    def parts(self, names: Names) -> dict[str, Expr]:
+        """The parts of the force between its teeth: what the tooth force is multiplied by for each."""
+        ...
+
     def mentions(self, names: Names) -> set[str]:
         """Names of the bodies that it joins."""
         ...

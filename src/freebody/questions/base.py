@@ -184,6 +184,11 @@ class Quantity:
         return self.measured_in
 
     @property
+    def is_tangential(self) -> bool:
+        """Whether it is the tangential force of teeth, which is the same on whichever flank they bear."""
+        return False
+
+    @property
     def is_of_pose_in_motion(self) -> bool:
         """Whether only the sense of the motion matters, not how fast it is: a pose with one freedom has it."""
         return False

@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from freebody.model.names import Names
 
 
+TOOTH_FORCE = "tooth force"
 _WITH_SENSE = ("tension", "normal force")  # pull and push, whatever is counted as positive
 
 
@@ -68,6 +69,10 @@ questions: {it: tension of rod}
     is_reaction = True
     # the keys of its words, of a force and of a moment
     said_as: ClassVar[tuple[str, str]] = ("force", "moment")
+
+    @property
+    def is_tangential(self) -> bool:
+        return self.reaction == TOOTH_FORCE
 
     @property
     def sign_is_conventional(self) -> bool:

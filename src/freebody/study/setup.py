@@ -23,7 +23,7 @@ from freebody.questions.base import Quantity
 from freebody.questions.vectors import ORIGIN, axes_of
 from freebody.study.answering.draws import SEED, Draw, draws
 from freebody.symbolic.closure import Closure
-from freebody.symbolic.conditions import Condition, closed, require
+from freebody.symbolic.conditions import Condition, closed, on_this_flank, require
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.motion import SmoothMotion
@@ -209,6 +209,15 @@ class Setup:
                 with suppress(CannotAnswer):
                     found += _open(row.sign * state.multiplier(row), ">=", closed(row.connection, row.reaction))
         return found + self.reserves(state) if with_contacts else found
+
+    def flanks(self, state: SymbolicState) -> list[Condition]:
+        """Conditions under which teeth bear on the flank that the model says."""
+        found: list[Condition] = []
+        for row in self.system.constraint_rows:
+            if row.flank:
+                with suppress(CannotAnswer):
+                    found += _open(row.flank * row.sign * state.multiplier(row), ">=", on_this_flank(row.connection))
+        return found
 
     def reserves(self, state: SymbolicState) -> list[Condition]:
         """Conditions under which dry friction that sticks does so."""

@@ -44,6 +44,11 @@ def closed(connection: str, reaction: str) -> str:
     return Message("{contact} holds", contact=connection)
 
 
+def on_this_flank(connection: str) -> str:
+    """Which teeth bear, as the purpose of a condition on what carries their radial force."""
+    return Message("the teeth of {mesh} bear on this flank; for the other one write other_flank", mesh=connection)
+
+
 def relation_text(e: Expr, relation: str) -> Stated:
     """a - b > 0 as a > b, without a number in front; for people and for machines."""
     if isinstance(e, ProductOf) and isinstance(e.factors[0], Number) and len(e.factors) > 1:

@@ -23,6 +23,7 @@ from freebody.system.reading.connections import (
     read_rows,
     rows_to_ask_for,
 )
+from freebody.system.reading.copies import add_copies
 from freebody.system.reading.drawing import read_drawing
 from freebody.system.reading.ground import place_ground_points
 from freebody.system.reading.head import check_sections, read_space, title
@@ -44,8 +45,8 @@ def read_system(document: Document, file: str | None) -> SystemDescription:
     BodySections(source).read()
     connections = source.specs("connections", Connection.kinds, beside=(CLOSES,))
     # by name: which of several leads, guides or carries something hangs on no order of the file
+    connections, loads = add_copies(names, connections, source.specs("loads", Load.kinds))
     names.connections = {name: connections[name] for name in sorted(connections, key=natural)}
-    loads = source.specs("loads", Load.kinds)
     names.called |= {name: spec.words() for name, spec in {**connections, **loads}.items() if name not in names.bodies}
     measures = read_measures(source)
     applied_loads = names.applied_loads = read_loads(names, loads)

@@ -94,6 +94,7 @@ def json_schema() -> dict[str, Any]:
             "planes": planes,
             "fixed": {"type": "boolean"},
             "outline": {"type": "array", "items": {"type": "string"}, "minItems": 2},
+            "copies": {"type": "integer", "minimum": 2},
         },
     }
     parameter = {

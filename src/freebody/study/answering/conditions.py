@@ -36,6 +36,8 @@ def at_instant(setup: Setup, question: Question, state: SymbolicState, *, with_c
     """What the state needs in which something is asked for. with_contacts: whether it is judged here that contacts and
     strings hold."""
     found = setup.holding(state, with_contacts=with_contacts) + setup.closing(state)
+    if any(q.is_reaction and not q.is_tangential for q in (question.quantity, *question.quantity.inner)):
+        found += setup.flanks(state)
     if question.event is None and not is_kinematic(setup, question.quantity):
         found += _with_inertia(setup, state)
     return found + as_written(setup, question, state)

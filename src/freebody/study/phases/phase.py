@@ -20,7 +20,7 @@ from freebody.measures.lead import Lead
 from freebody.model.elements import ConstraintRow, DryFriction, Parameter, Start, UnilateralConstraint
 from freebody.study.answering.draws import SEED, Draw
 from freebody.study.setup import Setup
-from freebody.symbolic.conditions import relation_text
+from freebody.symbolic.conditions import on_this_flank, relation_text
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.phases.course import ClosedFormMotion
@@ -267,6 +267,9 @@ class Phase:
                 )
             elif (row := self.closing_again.get(name)) is not None:
                 found.append(PhaseWatch("touches", name, self._nearness(row)))
+        for row in self.base.constraint_rows:
+            if row.flank and not (pressed := row.flank * self.normal(row)).is_zero():
+                found.append(PhaseWatch("changes sign", on_this_flank(row.connection), pressed))
         for name, state in states.items():
             rub = self.dry_friction[name]
             if state:

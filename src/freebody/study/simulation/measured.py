@@ -18,6 +18,7 @@ from freebody.study.simulation.contact_series import final_states
 from freebody.study.simulation.energy import EnergyBalance, energy_balance
 from freebody.study.simulation.motion import SimulatedMotion
 from freebody.study.simulation.observed import observed
+from freebody.tolerances import ROUND_OFF
 
 
 class MeasuredMotion(SimulatedMotion):
@@ -75,6 +76,17 @@ class MeasuredMotion(SimulatedMotion):
             **self._contact_summary(),
             **self._blow_summary(),
         }
+
+    @property
+    def other_flanks(self) -> tuple[tuple[str, float], ...]:
+        """The meshes whose teeth come to bear on another flank than the one that the model says, and when first [s]."""
+        found: list[tuple[str, float]] = []
+        for k, row in enumerate(self.rows):
+            pressed = row.flank * row.sign * self.course.multipliers[:, k]
+            away = np.flatnonzero(pressed < -ROUND_OFF * np.abs(pressed).max(initial=0.0))
+            if len(away):
+                found.append((row.connection, float(self.course.times[away[0]])))
+        return tuple(found)
 
     @cached_property
     def struck(self) -> tuple[BlowRecord, ...]:

@@ -48,6 +48,8 @@ def _said(result: MeasuredMotion, summary: dict[str, Any]) -> Iterator[Entry]:
     open_ = [r.name for k, r in enumerate(result.rows) if not course.unique[:, k].all()]
     if open_:
         yield entry("not unique", f"{', '.join(open_)}: connections hold the same thing more than once")
+    for mesh, time in result.other_flanks:
+        yield entry("teeth", f"from {time:.4g} s {mesh} bears on its other flank: there its radial force is reversed")
     if course.contact is not None and (course.contact.bounds or course.contact.dry_friction):
         yield entry("contact", *_contacts(result, summary, open_))
     if result.trusted_until is not None:

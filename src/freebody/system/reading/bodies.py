@@ -17,12 +17,13 @@ from freebody.model.names import placeholder
 from freebody.model.noting import did_you_mean
 from freebody.model.shapes.base import Build, Shape
 from freebody.system.reading.body_start import POSE_KEYS, start_of_body
+from freebody.system.reading.copies import copied_names
 from freebody.system.reading.frames import read_frames
 from freebody.system.reading.lines import read_line, read_plane
 from freebody.system.reading.source import Source, kind_meant, known_keys
 
 _ALWAYS = ("at", "near", "velocity", "angular_velocity", "points", "lines", "fixed")
-PLANAR_OPTIONS = (*_ALWAYS, "angle", "outline")
+PLANAR_OPTIONS = (*_ALWAYS, "angle", "outline", "copies")
 SPATIAL_OPTIONS = (*_ALWAYS, "turned", "frame", "planes")
 
 
@@ -117,6 +118,7 @@ class BodySections:
             fixed=fixed,
             start=start,
             corners=self._outline(entry, offsets) or build.corners,
+            copies=copied_names(names, name, entry.get("copies"), self.source.mapping("bodies")),
             is_ring=build.is_ring,
             edges=tuple(self._edge_from_mass_center(edge, build) for edge in build.edges),
             tensor=build.tensor,

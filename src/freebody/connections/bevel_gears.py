@@ -1,0 +1,149 @@
+"""Bevel gears: pitch cones roll on each other, whose axes meet in their common apex.
+
+With the shaft angle Sigma between the axes, taken away from the apex, and z_1, z_2 teeth, the half angles of the cones
+are tan(delta_1) = sin(Sigma)/(z_2/z_1 + cos(Sigma)) and delta_2 = Sigma - delta_1. At the mean radius r_1 of the first,
+F_t = T_1/r_1 is tangential; the teeth part by F_t tan(alpha), of which the first feels cos(delta_1) towards its axis
+and sin(delta_1) along it, away from the apex. Source: Shigley, Mechanical Engineering Design, sec. 13-15.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
+
+from freebody.connections.base import Connection
+from freebody.connections.pitch_point import BornWheel, between, born_wheel, combined, meshing
+from freebody.connections.standing import number_of
+from freebody.connections.teeth import parting_slope, read_pressure_angle
+from freebody.language.expression import ONE, ZERO, Call, Expr, divide, negate, number
+from freebody.language.sentences import Message
+from freebody.language.units import DIMENSIONLESS, LENGTH
+from freebody.measures.geometry import GROUND, Components
+from freebody.model import glyphs
+from freebody.model.elements import ConstraintRow
+from freebody.model.glyphs import Glyph
+from freebody.model.rotations import dot, vector_product
+from freebody.model.spec import Formula
+from freebody.tolerances import ROUNDED
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+
+class BevelGears(Connection, kind="bevel_gears"):
+    """`bevel_gears: {first: pinion, second: crown, teeth: [z1, z2], radius: r, pressure_angle: 20 deg}`: two wheels in
+    revolute joints on a common carrier (`on`, default the ground), whose axes meet. `radius` is the mean pitch radius
+    of the first. The tooth force acts where the pitch cones touch, at the mean radius, and is positive when it resists
+    a turn of the first that is right-handed about its axis, seen from the apex outwards; with a `pressure_angle` it is
+    positive, or negative with `other_flank: true`. Radial and axial part are those on the first (1 row)."""
+
+    space_only = True
+    in_plane_take = "gear_mesh"
+
+    first: str
+    second: str
+    teeth: list[Formula]
+    radius: Formula
+    on: str = GROUND
+    pressure_angle: Formula | None = None
+    other_flank: bool = False
+
+    has_contact_point = True
+    example = """
+space: true
+ground: {points: {A: [0.3 m, 0, 0], B: [0, 0.2 m, 0]}}
+bodies:
+  a: {disk: {mass: 1 kg, radius: 0.2 m, axis: x}}
+  b: {disk: {mass: 1 kg, radius: 0.3 m, axis: y}}
+connections:
+  p: {revolute: {first: ground.A, second: a, about: x}}
+  q: {revolute: {first: ground.B, second: b, about: y}}
+  it: {bevel_gears: {first: a, second: b, teeth: [20, 30], radius: 0.18 m}}
+"""
+
+    def rows(self, names: Names) -> list[ConstraintRow]:
+        wheels = self._wheels(names)
+        if wheels is None:
+            return []
+        apex, slope, flank = self._apex(names, wheels), self._slope(names), -1 if self.other_flank else 1
+        one, two = (self._away(names, wheel, apex) for wheel in wheels)
+        a1, a2 = one.axis.components, two.axis.components
+        sine, cosine = self._half_angle(names, a1, a2)
+        tangent = combined((divide(ONE, _size(vector_product(a1, a2))), vector_product(a1, a2)))
+        across = vector_product(tangent, a1)  # from the first axis towards the second
+        line = combined((cosine, a1), (sine, across))
+        outwards = combined((negate(sine), a1), (cosine, across))  # from the first cone into the second
+        radius = names.positive(self, "radius", LENGTH)
+        place = combined((ONE, apex), (divide(radius, sine), line))
+        along = combined((ONE, tangent), (number(flank) * slope, outwards))
+        measure, flank = meshing((one, two), place, along), 0 if slope == ZERO else flank
+        return [ConstraintRow("teeth", "tooth force", measure, sign=-1, flank=flank)]
+
+    def _wheels(self, names: Names) -> tuple[BornWheel, BornWheel] | None:
+        carrier = names.body(self.on, "on").name
+        if len({self.first, self.second, carrier}) < 3:
+            names.problem(Message("a gear pair needs two wheels and another body that carries their bearings"))
+            return None
+        first, second = (born_wheel(names, self, field, carrier) for field in ("first", "second"))
+        return None if first is None or second is None else (first, second)
+
+    def _slope(self, names: Names) -> Expr:
+        return parting_slope(read_pressure_angle(names, self))
+
+    def _apex(self, names: Names, wheels: tuple[BornWheel, BornWheel]) -> Components:
+        """Where the axes meet: at Q_1 + s a_1, s = ((Q_2 - Q_1) x a_2) . (a_1 x a_2)/|a_1 x a_2|^2."""
+        one, two = wheels
+        a1, a2, apart = one.axis.components, two.axis.components, between(two.at, one.at)
+        normal = vector_product(a1, a2)
+        size, miss = dot(normal, normal), number_of(names, dot(apart, normal))
+        if abs(number_of(names, size)) < ROUNDED:
+            names.problem(Message("the axes are parallel and meet nowhere; take gear_mesh for spur gears"))
+            return one.at
+        if abs(miss) > ROUNDED:
+            told = Message(
+                "the axes of bevel gears meet in one point; these miss each other by {miss:.4g} m. For crossed axes "
+                "take worm_gear or gear_pair",
+                miss=abs(miss) / number_of(names, size) ** 0.5,
+            )
+            names.problem(told)
+        return combined((ONE, one.at), (divide(dot(vector_product(apart, a2), normal), size), a1))
+
+    def _away(self, names: Names, wheel: BornWheel, apex: Components) -> BornWheel:
+        """With its axis from the apex towards the wheel; as the joint has it where the bearing is in the apex."""
+        return wheel.outwards(reverse=number_of(names, dot(between(wheel.at, apex), wheel.axis.components)) < -ROUNDED)
+
+    def _half_angle(self, names: Names, a1: Components, a2: Components) -> tuple[Expr, Expr]:
+        """Sine and cosine of delta_1."""
+        if len(self.teeth) != 2:
+            names.problem(Message("teeth are two numbers, [z1, z2]"), "teeth")
+            return ONE, ONE
+        z1, z2 = (names.formula(z, DIMENSIONLESS, "teeth", k) for k, z in enumerate(self.teeth))
+        # a right angle leaves sin = z_1/sqrt(z_1^2 + z_2^2)
+        rise, run = z1 * _size(vector_product(a1, a2)), z2 + z1 * dot(a1, a2)
+        slant = Call("sqrt", rise * rise + run * run)
+        return divide(rise, slant), divide(run, slant)
+
+    def parts(self, names: Names) -> dict[str, Expr]:
+        alpha = read_pressure_angle(names, self)
+        wheels = self._wheels(names)
+        if alpha is None or wheels is None:
+            return {"tangential": ONE}
+        apex = self._apex(names, wheels)
+        one, two = (self._away(names, wheel, apex) for wheel in wheels)
+        sine, cosine = self._half_angle(names, one.axis.components, two.axis.components)
+        slope = Call("tan", alpha)
+        return {
+            "tangential": ONE,
+            "radial": slope * cosine,
+            "axial": slope * sine,
+            "normal": divide(ONE, Call("cos", alpha)),
+        }
+
+    def glyphs(self, names: Names) -> Iterable[Glyph]:
+        yield glyphs.Toothed((names.body(self.first).center, names.body(self.second).center))
+
+
+def _size(v: Components) -> Expr:
+    """The length of a vector, which is 1 where numbers say so."""
+    square = dot(v, v)
+    return ONE if square == ONE else Call("sqrt", square)

@@ -1,0 +1,131 @@
+"""Bevel and worm gears: what turns, what the teeth do to the bearings, and what friction holds."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+import freebody as fb
+
+BEVEL = """
+space: true
+parameters: {{z_1: 20, z_2: 40, r: 45 mm, T_1: 30 N m, T_2: 60 N m}}
+ground: {{points: {{A: [0.1 m, 0, 0], B: {at}}}}}
+bodies: {{pinion: {{body: {{mass: 1 kg, inertia: 1 g m^2}}}}, crown: {{body: {{mass: 1 kg, inertia: 1 g m^2}}}}}}
+connections:
+  A: {{revolute: {{first: ground.A, second: pinion, about: x}}}}
+  B: {{revolute: {{first: ground.B, second: crown, about: {about}}}}}
+  mesh: {{bevel_gears: {{first: pinion, second: crown, teeth: [z_1, z_2], radius: r, pressure_angle: 20 deg}}}}
+loads:
+  motor: {{torque: {{on: pinion, about: x, magnitude: T_1}}}}
+  machine: {{torque: {{on: crown, about: {about}, magnitude: {sign}T_2}}}}
+measures: {{phi: angle of pinion about x}}
+start: {{phi: 0}}
+"""
+
+
+def test_bevel_gears_load_their_bearings_as_in_shigley() -> None:
+    """W_t = T/r, W_r = W_t tan(alpha) cos(delta), W_a = W_t tan(alpha) sin(delta) with tan(delta) = z_1/z_2."""
+    system = fb.System.from_text(BEVEL.format(at="[0, 0.06 m, 0]", about="y", sign=""))
+    tangential, delta = 30 / 0.045, math.atan(20 / 40)
+    parting = tangential * math.tan(math.radians(20))
+    assert system.solve("tooth force of mesh").answers[0].value == pytest.approx(tangential)
+    assert system.solve("radial tooth force of mesh").answers[0].value == pytest.approx(parting * math.cos(delta))
+    assert system.solve("axial tooth force of mesh").answers[0].value == pytest.approx(parting * math.sin(delta))
+    on_pinion = (-parting * math.sin(delta), parting * math.cos(delta), tangential)
+    assert system.solve("reaction of A on pinion").answers[0].value == pytest.approx(on_pinion)
+    # the pinion's radial part is the axial one of the crown; actio = reactio
+    assert system.solve("reaction of B on crown").answers[0].value == pytest.approx(tuple(-x for x in on_pinion))
+    # about the bearing of the pinion: r_1/tan(delta) from the apex, 0.1 m from there to A
+    arm = 0.045 / math.tan(delta) - 0.1
+    moment = system.solve("moment of A on pinion").answers[0].value
+    force = (parting * math.sin(delta), -parting * math.cos(delta), -tangential)
+    expected = (0.0, arm * force[2], -(arm * force[1] - 0.045 * force[0]))
+    assert moment == pytest.approx(expected, abs=1e-9)
+
+
+def test_axes_of_bevel_gears_may_meet_at_any_angle() -> None:
+    """Axes at 60 degrees: tan(delta_1) = sin(60)/(z_2/z_1 + cos(60)); the ratio is that of the teeth."""
+    about = "[1/2, sqrt(3)/2, 0]"
+    system = fb.System.from_text(BEVEL.format(at="[r, r*sqrt(3), 0]", about=about, sign="-"))
+    # both torques drive: w_2 = -w_1 z_1/z_2 about the axis away from the apex
+    acceleration = (30 + 60 / 2) / (1e-3 + 1e-3 / 4)
+    assert system.solve("acceleration of phi").answers[0].value == pytest.approx(acceleration)
+    tangential, delta = (30 - 1e-3 * acceleration) / 0.045, math.atan(math.sin(math.pi / 3) / (2 + 0.5))
+    assert system.solve("tangential tooth force of mesh").answers[0].value == pytest.approx(tangential)
+    # it is negative: the other flank bears
+    other = fb.System.from_text(
+        BEVEL.format(at="[r, r*sqrt(3), 0]", about=about, sign="-").replace("20 deg}", "20 deg, other_flank: true}")
+    )
+    axial = -tangential * math.tan(math.radians(20)) * math.sin(delta)
+    assert other.solve("axial tooth force of mesh").answers[0].value == pytest.approx(axial)
+    assert other.solve("reaction of A on pinion along x").answers[0].value == pytest.approx(-axial)
+
+
+def test_axes_that_miss_each_other_are_no_bevel_gears() -> None:
+    with pytest.raises(fb.ModelError, match=r"miss each other by 0\.02 m"):
+        fb.System.from_text(BEVEL.format(at="[0, 0.06 m, 0.02 m]", about="y", sign=""))
+    with pytest.raises(fb.ModelError, match="parallel"):
+        fb.System.from_text(BEVEL.format(at="[0, 0.06 m, 0]", about="x", sign=""))
+
+
+WORM = """
+space: {{up: z}}
+parameters: {{z_1: 2, z_2: 40, r: 20 mm, gamma: {gamma} deg, mu: {mu}, T: 5 N m, M: 80 N m}}
+ground: {{points: {{A: [0, 0, r], B: [0, 0, -r*tan(gamma)*z_2/z_1{off}]}}}}
+bodies: {{worm: {{body: {{mass: 1 kg, inertia: 0.1 g m^2}}}}, wheel: {{body: {{mass: 3 kg, inertia: 20 g m^2}}}}}}
+connections:
+  A: {{revolute: {{first: ground.A, second: worm, about: x}}}}
+  B: {{revolute: {{first: ground.B, second: wheel, about: y}}}}
+  mesh: {{worm_gear: {{worm: worm, wheel: wheel, starts: z_1, teeth: z_2, radius: r, lead_angle: gamma{more}}}}}
+loads:
+  load: {{torque: {{on: wheel, about: y, magnitude: M}}}}
+{motor}
+measures: {{phi: angle of worm about x, psi: angle of wheel about y}}
+start: {{phi: 0, psi: 0, rate(phi): 0}}
+"""
+MOTOR = "  motor: {torque: {on: worm, about: x, magnitude: T}}"
+
+
+@pytest.mark.parametrize(("hand", "sign"), [("", -1.0), (", left_handed: true", 1.0)])
+def test_the_wheel_of_a_worm_turns_by_threads_over_teeth(hand: str, sign: float) -> None:
+    """Right-handed, turning about x above the wheel: the thread pushes the top of the wheel along -x, against a turn
+    about y."""
+    system = fb.System.from_text(WORM.format(gamma=5, mu=0.1, off="", more=hand, motor=MOTOR))
+    found = system.solve("ratio of rate of psi to rate of phi").answers[0].value
+    assert found == pytest.approx(sign * 2 / 40)
+
+
+def test_a_worm_drives_with_the_tangents_of_its_lead_and_friction_angle() -> None:
+    """T = r F tan(lambda + phi'), tan(phi') = mu/cos(alpha), F = M/r_2; without the motor it holds where phi' >= lambda
+    (Niemann & Winter)."""
+    text = WORM.format(gamma=5, mu=0.12, off="", more=", friction: mu, pressure_angle: 20 deg", motor=MOTOR)
+    low, high = fb.System.from_text(text).solve("range of T that keeps it at rest").answers[0].value
+    lam, phi = math.radians(5), math.atan(0.12 / math.cos(math.radians(20)))
+    force = 80 / (0.02 * math.tan(lam) * 20)
+    assert high == pytest.approx(0.02 * force * math.tan(lam + phi))
+    assert low == pytest.approx(0.02 * force * math.tan(lam - phi))
+    assert low < 0  # it locks itself
+
+
+def test_a_worm_locks_itself_from_the_friction_on_whose_angle_is_that_of_the_lead() -> None:
+    text = WORM.format(gamma=5, mu=0.12, off="", more=", friction: mu, pressure_angle: 20 deg", motor="")
+    least = fb.System.from_text(text).solve("least mu so that it stays at rest").answers[0].value
+    assert least == pytest.approx(math.tan(math.radians(5)) * math.cos(math.radians(20)))
+
+
+def test_a_steep_worm_is_driven_by_its_wheel() -> None:
+    """lambda = 20 degrees, phi' = atan(0.05): J_1 a + J_2 (z_1/z_2)^2 a/eta' = M (z_1/z_2) eta', by virtual power."""
+    text = WORM.format(gamma=20, mu=0.05, off="", more=", friction: mu", motor="")
+    system = fb.System.from_text(text)
+    lam, phi = math.radians(20), math.atan(0.05)
+    back = math.tan(lam - phi) / math.tan(lam)  # efficiency when the wheel drives
+    acceleration = -80 * 0.05 * back / (1e-4 + 0.05**2 * back * 0.02)
+    found = system.simulate(0.05)
+    assert float(found.series["phi"][0][-1]) == pytest.approx(acceleration * 0.05**2 / 2, rel=1e-6)
+
+
+def test_a_worm_that_does_not_reach_its_wheel_is_refused_with_the_distance() -> None:
+    with pytest.raises(fb.ModelError, match=r"0\.075 m apart, and the teeth need 0\.055 m"):
+        fb.System.from_text(WORM.format(gamma=5, mu=0.1, off=" - 20 mm", more="", motor=MOTOR))
