@@ -37,6 +37,7 @@ from freebody.model.glyphs import Glyph
 from freebody.model.phrases import measure_of
 from freebody.model.rotations import vector_product
 from freebody.model.spec import Formula
+from freebody.model.states import in_states
 from freebody.tolerances import ROUND_OFF
 
 if TYPE_CHECKING:
@@ -46,10 +47,11 @@ Used = tuple[tuple[str, Measure], ...]
 
 
 def law(names: Names, value: Any, dimension: Dimension, *path: str | int) -> tuple[Expr, Used]:
-    """An expression in parameters, time `t`, named measures and their rates."""
+    """An expression in parameters, time `t`, named measures and their rates, and states."""
     extra = {"t": TIME} | {n: m.dimension for n, m in names.measures.items()}
+    extra |= {n: state.dimension for n, state in names.states.items()}
     expr = names.formula(value, dimension, *path, extra=extra)
-    return expr, tuple((n, names.measures[n]) for n in sorted(free_symbols(expr) & set(names.measures)))
+    return in_states(expr, names.states, names.measures)
 
 
 class Law(Load, kind="law"):

@@ -17,6 +17,7 @@ from freebody.model.noting import did_you_mean
 from freebody.model.phrases import read_measure
 from freebody.model.spins import spin
 from freebody.model.state import State
+from freebody.model.states import shown_rate
 from freebody.questions.base import NAME, POINT, Described, Found, Path, Quantity, angular_unit, asked
 from freebody.questions.vectors import (
     AXES,
@@ -221,8 +222,8 @@ questions: {it: angular velocity of wheel at start}
 
 def rates_of(name: str, order: int) -> Expr:
     """x, x', x''"""
-    shown: Expr = Symbol(name)
-    for _k in range(order):
+    shown: Expr = Symbol(name) if order == 0 else shown_rate(name)
+    for _k in range(1, order):
         shown = Call("rate", shown)
     return shown
 

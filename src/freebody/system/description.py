@@ -28,6 +28,7 @@ from freebody.model.glyphs import ShownGlyph
 from freebody.model.looks import Looks
 from freebody.model.names import Names
 from freebody.model.rotations import Columns
+from freebody.model.states import ControllerState
 from freebody.model.style import HouseStyle
 from freebody.questions.clock import Clock
 from freebody.questions.reading import Question
@@ -69,11 +70,18 @@ class SystemDescription:
     blows: tuple[BlowEvent, ...] = ()  # what closes and strikes in mid-motion
     looks: Looks = field(default_factory=Looks)  # what its author wants otherwise in pictures
     style: HouseStyle = field(default_factory=HouseStyle)  # and in worked solutions
+    states: Mapping[str, ControllerState] = field(default_factory=dict[str, ControllerState])  # of controllers
 
     @property
     def moving(self) -> tuple[RigidBody, ...]:
         """The bodies that are not fixed."""
         return tuple(b for b in self.bodies.values() if not b.fixed)
+
+    @cached_property
+    def material(self) -> tuple[RigidBody, ...]:
+        """The moving bodies that there are: without what carries the states of controllers."""
+        carriers = {state.carrier for state in self.states.values()}
+        return tuple(body for body in self.moving if body.name not in carriers)
 
     @property
     def is_struck(self) -> bool:

@@ -31,6 +31,7 @@ from freebody.system.reading.measures import read_measures
 from freebody.system.reading.parameters import read_parameters
 from freebody.system.reading.source import Source
 from freebody.system.reading.start import read_mode, read_start
+from freebody.system.reading.states import read_states
 from freebody.system.reading.style import read_style
 
 
@@ -48,11 +49,14 @@ def read_system(document: Document, file: str | None) -> SystemDescription:
     loads = source.specs("loads", Load.kinds)
     names.called |= {name: spec.words() for name, spec in {**connections, **loads}.items() if name not in names.bodies}
     measures = read_measures(source)
+    read_states(source)
     applied_loads = names.applied_loads = read_loads(names, loads)
     impulses = read_impulses(names, loads)
     striking, closing = striking_when(names, loads), closing_when(source)
     held, offered = read_rows(names, connections, closing_at_start(source), closing)
     held, later = parted(names, held, closing)
+    states = names.states.values()
+    held = [*held, *(row for state in states for row in state.rows())]
     blows = gathered(closing, striking, later, list(impulses))
     contacts, limits, brakes = read_bounds(names, connections, closing)
     start, rates = read_start(source, measures)
@@ -77,8 +81,9 @@ def read_system(document: Document, file: str | None) -> SystemDescription:
         parameters=names.parameters,
         bodies=names.bodies,
         constraint_rows=tuple(held),
-        applied_loads=tuple(applied_loads),
-        measures=measures,
+        applied_loads=(*applied_loads, *(state.drive() for state in states)),
+        measures={**measures, **{state.carrier: state.integral for state in states}},
+        states=names.states,
         offered=tuple(offered),
         start=start,
         start_rates=rates,
