@@ -52,7 +52,7 @@ def assembled(reference: NumericSystem, extra: Wanted, guess: Array | None, n_st
     near: dict[Branch, float] = {}
     for group in groups:
         part = reference.part(group)
-        own = [k for body in part.system.moving for k in reference.columns(body.name)]
+        own = [k for body in part.system.all_moving for k in reference.columns(body.name)]
         asked = [(measure, x) for measure, x in extra if group.intersection(measure.bodies())]
         fit = _assembled_part(part, asked, None if guess is None else guess[own], n_starts)
         q[own] = fit.q
@@ -69,7 +69,7 @@ def assembled(reference: NumericSystem, extra: Wanted, guess: Array | None, n_st
 def _assembled_part(reference: NumericSystem, extra: Wanted, guess: Array | None, n_starts: int) -> Fit:
     """The pose at t = 0 of one part. What is carried follows where it is carried to: it pulls at nothing."""
     carried = _carried(reference, extra)
-    rest = frozenset(body.name for body in reference.system.moving) - carried
+    rest = frozenset(body.name for body in reference.system.all_moving) - carried
     if not carried or not rest:
         return _assembled_whole(reference, extra, guess, n_starts)
     own = [k for name, columns in reference.frame.columns.items() if name in rest for k in columns]
@@ -93,7 +93,7 @@ def _carried(reference: NumericSystem, extra: Wanted) -> set[str]:
     said |= {name for attitude in system.attitudes for name in (attitude.first, attitude.second)}
     light = {
         body.name
-        for body in system.moving
+        for body in system.all_moving
         if body.start == Start() and not body.chain and reference.masses[reference.columns(body.name)[0]] == 0.0
     } - said
     if not light:
@@ -116,7 +116,7 @@ def _equations(reference: NumericSystem, extra: Wanted) -> list[PoseEquation]:
 
 def _assembled_whole(reference: NumericSystem, extra: Wanted, guess: Array | None, n_starts: int) -> Fit:
     """The pose at t = 0 of one part nearest to the guess."""
-    for body in reference.system.moving:
+    for body in reference.system.all_moving:
         _refuse_singular(reference, body)
     equations = _equations(reference, extra)
     described = turned_to_face(reference, _guess(reference))
@@ -274,7 +274,7 @@ def _refuse_singular(reference: NumericSystem, body: RigidBody) -> None:
 
 def _guess(reference: NumericSystem) -> Array:
     q = np.zeros(len(reference.masses))
-    for body in reference.system.moving:
+    for body in reference.system.all_moving:
         pose = start_pose(reference.system, body, reference.number)
         if reference.system.space:
             axes = matrix(np.array(pose[3:])) @ reference.frame.principal[body.name]
@@ -313,7 +313,7 @@ def _guessed(body: RigidBody) -> Start:
 def _body_equations(reference: NumericSystem, start_of: Callable[[RigidBody], Start]) -> list[PoseEquation]:
     """A place or an angle that bodies have at the start."""
     equations: list[PoseEquation] = []
-    for body in reference.system.moving:
+    for body in reference.system.all_moving:
         start = start_of(body)
         if start.at is not None:
             point, place = start.at

@@ -38,8 +38,8 @@ class SymbolicLoads:
     def wrenches(self) -> dict[str, list[Ratio]]:
         """Force and moment about the mass centre of all loads on every body, along its slots."""
         slots = self._bodies.slots
-        total: dict[str, list[Ratio]] = {b.name: [self.field.zero] * len(slots) for b in self._system.moving}
-        for push in self._system.applied_loads:
+        total: dict[str, list[Ratio]] = {b.name: [self.field.zero] * len(slots) for b in self._system.all_moving}
+        for push in self._system.all_loads:
             law = self.law(push)
             for (body, slot), slope in self._configuration.gradient(push.measure).items():
                 if body not in total:

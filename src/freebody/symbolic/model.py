@@ -72,7 +72,7 @@ class SymbolicModel:
     def __init__(self, system: System, points: Sequence[Sample]) -> None:
         self.system = system = in_one_order(system)
         ambient = SPACE if system.space else PLANE
-        n = len(system.moving)
+        n = len(system.all_moving)
         self.field = SignedField(capacity=len(system.parameters) + 10 * n + 3 * len(system.measures) + 24)
         # the unknowns, and what is known of them
         self._unknowns = unknowns = ModelUnknowns(self.field, system)

@@ -174,7 +174,7 @@ def start_from_bodies(model: SymbolicModel) -> StartState:
     f, scalar = model.field, model.geometry.scalar
     poses: dict[str, AnyPose] = {}
     velocities: dict[tuple[str, str], Ratio] = {}
-    for body in model.system.moving:
+    for body in model.system.all_moving:
         start = body.start
         assert start.at is not None
         assert start.velocity is not None

@@ -92,7 +92,7 @@ class StartPose:
         """Angles and places at which bodies are said to be near."""
         f, scalar = self.field, self._geometry.scalar
         found: dict[int, Ratio] = {}
-        for body in self._system.moving:
+        for body in self._system.all_moving:
             pose, near = self._poses[body.name], body.start.near
             assert isinstance(pose, Pose)
             if near is not None and near.angle is not None and body.turns and body.start.angle is None:
@@ -112,7 +112,7 @@ class StartPose:
         """Places and angles of bodies, and named measures."""
         g, scalar = self._geometry, self._geometry.scalar
         found: list[RowEquation] = []
-        for body in self._system.moving:
+        for body in self._system.all_moving:
             pose, start = self._poses[body.name], body.start
             assert isinstance(pose, Pose)
             if body.turns and start.angle is not None:

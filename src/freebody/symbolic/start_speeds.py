@@ -56,7 +56,7 @@ class PlanarStartSpeeds(StartSpeeds):
 
     def _wanted_of_bodies(self) -> WantedRates:
         wanted: WantedRates = []
-        for body in self.system.moving:
+        for body in self.system.all_moving:
             x, y, turning = self.kinematics.velocities[body.name]
             wanted += [(v, self.scalar(e)) for v, e in zip((x, y), body.start.velocity or (), strict=False)]
             if body.start.angular_velocity is not None and body.turns:
@@ -82,7 +82,7 @@ class PlanarStartSpeeds(StartSpeeds):
     def _given(self) -> dict[int, Ratio]:
         """The speeds of absolute coordinates that bodies are given."""
         found: dict[int, Ratio] = {}
-        for body in self.system.moving:
+        for body in self.system.all_moving:
             pose, start = self.bodies.poses[body.name], body.start
             assert isinstance(pose, Pose)
             given = list(zip((pose.x, pose.y), start.velocity or (), strict=False))

@@ -79,7 +79,7 @@ def _candidates(system: System) -> Iterator[tuple[str, Measure]]:
 def own_measures(system: System) -> Iterator[tuple[str, Measure]]:
     """Angles and places of bodies; in space "angle of crank.x about z" is that of the body's x axis, seen along the
     ground's z."""
-    turning = [body.name for body in system.moving if body.turns]
+    turning = [body.name for body in system.all_moving if body.turns]
     if system.space:
         # first by the own axis that is across in a body parallel to the ground, then by the other one
         for k in (1, 2):
@@ -90,7 +90,7 @@ def own_measures(system: System) -> Iterator[tuple[str, Measure]]:
     else:
         yield from ((f"angle of {body}", Angle(body)) for body in turning)
     origin = Point(GROUND, (ZERO, ZERO), "ground.origin")
-    for body in system.moving:
+    for body in system.all_moving:
         for name, axis in zip("xyz", axes_of(system), strict=False):
             yield f"{name} of {body.name}", Displacement(body.mass_center, origin, axis)
 

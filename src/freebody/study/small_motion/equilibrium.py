@@ -20,14 +20,15 @@ from freebody.language.sentences import Message, in_turn
 from freebody.measures.base import Measure
 from freebody.measures.distance import Bearing
 from freebody.model.elements import NonholonomicForm
+from freebody.model.states import state_name
 from freebody.numeric.equilibrium import RestSearch
 from freebody.numeric.families import goes_on, nearest_of_family
 from freebody.numeric.instant import UNIQUE
 from freebody.numeric.jet_geometry import JetGeometry
 from freebody.numeric.jets import TIME, Array
 from freebody.numeric.reference import Reference
-from freebody.numeric.rest import LoadBalance
-from freebody.numeric.small_motion import SmallMotion, gradient_of
+from freebody.numeric.rest import CountedPose, LoadBalance
+from freebody.numeric.small_motion import LinearisationPoint, SmallMotion, gradient_of
 from freebody.numeric.vibration import Stability, stability
 from freebody.study.given import formula, named_measure
 from freebody.study.settled import without_friction
@@ -64,12 +65,28 @@ def nearest_equilibrium(system: System, guess: Guess | None = None) -> Equilibri
     return replace(found, rests=found.rests[:1])
 
 
+def about_rest(system: System, reference: Reference, pose: CountedPose) -> SmallMotion:
+    """The small motions of a system about a rest, which `reference` has found. The states of controllers, which statics
+    takes for places, are the rates of their integrals."""
+    at = LinearisationPoint(pose.q, np.zeros_like(pose.q), 0.0, pose.branches, frozen=True)
+    if not system.states:
+        return SmallMotion(reference, at)
+    q, v = pose.q.copy(), np.zeros_like(pose.q)
+    for state in system.states.values():
+        own = list(reference.columns(state.carrier))
+        v[own], q[own] = pose.q[own], 0.0
+    in_motion = Reference(system)
+    in_motion.assemble()
+    return SmallMotion(in_motion, replace(at, q=q, v=v))
+
+
 class _EquilibriumSearch:
     """The equilibria of one system."""
 
     def __init__(self, system: System) -> None:
-        self.system = system
-        self.reference = Reference(system)
+        self.system = system.at_rest
+        self.reference = Reference(self.system)
+        self._in_motion = system
         self.statics = RestSearch(self.reference)
         self.dof = len(self.statics.balance(self.statics.start).residual)
 
@@ -106,7 +123,7 @@ class _EquilibriumSearch:
 
     # -- stability ----------------------------------------------------------------------------
     def _stability(self, b: LoadBalance) -> Stability:
-        return stability(SmallMotion(self.reference, self.statics.instant(b.pose)))
+        return stability(about_rest(self._in_motion, self.reference, b.pose))
 
     def _judged(self, b: LoadBalance) -> Stability:
         """The stability, with neutral meant only where rests go on in every direction without stiffness."""
@@ -123,7 +140,7 @@ class _EquilibriumSearch:
         values: dict[str, float] = {}
         for name, measure in system.measures.items():
             if gradient_of(reference, g, name, measure) is not None:  # a line without length has no angle
-                values[name] = _turned(reference.jet(g, measure, name).value, measure)
+                values[state_name(name) or name] = _turned(reference.jet(g, measure, name).value, measure)
         reactions, shared = self._reactions(b)
         notes = [
             Message(
@@ -161,6 +178,8 @@ class _EquilibriumSearch:
         empty = b.split.left_null
         found: dict[str, float | None] = {}
         for k, row in enumerate(self.system.constraint_rows):
+            if state_name(row.connection):
+                continue
             is_unique = float(np.linalg.norm(empty[k])) <= UNIQUE
             found[row.name] = row.sign * float(b.multipliers[k]) + 0.0 if is_unique else None
         return found, tuple(name for name, value in found.items() if value is None)

@@ -68,7 +68,7 @@ class _Grower:
         self._names = {m: name for name, m in (*system.offered, *system.measures.items())}
 
     def tree(self) -> JointTree:
-        waiting = [b.name for b in self.system.moving if b.turns]
+        waiting = [b.name for b in self.system.all_moving if b.turns]
         while waiting:
             name = self._next(waiting)
             self.placed[name] = None

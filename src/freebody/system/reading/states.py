@@ -33,7 +33,6 @@ def read_states(source: Source) -> None:
             rate = ZERO
         law, used = in_states(rate, names.states, names.measures)
         names.states[name] = ControllerState(name, state.dimension, law, names.origin, used)
-        names.bodies[state.carrier] = state.body()
 
 
 def _is_free(names: Names, name: str) -> bool:
