@@ -40,14 +40,16 @@ def shown_rate(name: str) -> Expr:
 
 @dataclass(frozen=True)
 class ControllerState:
-    """A state: its dimension, and its rate as a law in `measures`, the integrals of states among them. origin: the
-    components of zero."""
+    """A state: its dimension, its rate as a law in `measures`, the integrals of states among them, and its value at the
+    start. origin: the components of zero. is_place: for statics the state itself is the coordinate."""
 
     name: str
     dimension: Dimension
     rate: Expr
     origin: Components
     measures: tuple[tuple[str, Measure], ...] = ()  # in its rate
+    start: Expr = ZERO
+    is_place: bool = False
 
     @property
     def carrier(self) -> str:

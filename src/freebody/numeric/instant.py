@@ -172,7 +172,7 @@ def check_laws(reference: NumericSystem, g: JetGeometry) -> None:
             except (ArithmeticError, ValueError):
                 continue  # what it is made of has no value itself
             if abs(sum(values)) <= _CANCELS * sum(map(abs, values)):
-                shown = {name for name, measure in reference.system.measures.items() if measure == push.measure}
+                shown = {name for name, measure in reference.system.all_measures.items() if measure == push.measure}
                 own = Symbol(min(shown)) if shown else Symbol("its measure")
                 text = to_text(substitute(part, {VALUE.name: own}))
                 raise CannotAnswer(

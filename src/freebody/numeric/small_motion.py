@@ -126,7 +126,7 @@ def _candidates(reference: NumericSystem) -> Sequence[tuple[str, Measure]]:
     from freebody.measures.geometry import GROUND, RIGHT, UP, Point
 
     moving, origin = reference.system.all_moving, Point(GROUND)
-    found: list[tuple[str, Measure]] = list(reference.system.measures.items())
+    found: list[tuple[str, Measure]] = list(reference.system.all_measures.items())
     if reference.system.space:
         found += reference.system.offered
     found += [(f"angle of {body.name}", Angle(body.name)) for body in moving if body.turns]

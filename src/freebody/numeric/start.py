@@ -89,7 +89,7 @@ def _carried(reference: NumericSystem, extra: Wanted) -> set[str]:
     themselves left out."""
     system = reference.system
     said = {name for measure, _value in extra for name in measure.bodies()}
-    said |= {name for key in system.start for name in system.measures[key].bodies()}
+    said |= {name for key in system.all_start for name in system.all_measures[key].bodies()}
     said |= {name for attitude in system.attitudes for name in (attitude.first, attitude.second)}
     light = {
         body.name
@@ -242,7 +242,7 @@ def _refuse_singular(reference: NumericSystem, body: RigidBody) -> None:
     """Three named angles are not determined where their axes are in one plane: at a middle angle of 0 if the first and
     the last turn are about the same axis, of 90 deg otherwise. Raises CannotAnswer if the start is such a pose."""
     named = [turn.name for turn in body.chain if turn.name]
-    given = {name: reference.number(reference.system.start[name]) for name in named if name in reference.system.start}
+    given = {name: reference.number(reference.system.all_start[name]) for name in named if name in reference.system.all_start}
     if len(named) < 3 or named[1] not in given:
         return
     before, turned = spatial.UNIT, dict.fromkeys(named, 0.0) | given
@@ -298,8 +298,8 @@ def _starts(
 
 def _start_equations(reference: NumericSystem, extra: Wanted) -> list[PoseEquation]:
     equations: list[PoseEquation] = []
-    for name, expr in reference.system.start.items():
-        measure = reference.system.measures[name]
+    for name, expr in reference.system.all_start.items():
+        measure = reference.system.all_measures[name]
         if all(measure != other for other, _ in extra):
             equations.append(PoseEquation.of(name, measure, Jet(reference.number(expr))))
     return equations + [PoseEquation.of(reference.name_of(m), m, Jet(x)) for m, x in extra]

@@ -101,9 +101,9 @@ def wanted_rates(reference: NumericSystem, g: JetGeometry, extra: Wanted, with_s
         if row.closes and with_start:
             continue
         yield row.name, reference.gap(row, g), 0.0
-    given = {name: reference.number(expr) for name, expr in system.start_rates.items()}
+    given = {name: reference.number(expr) for name, expr in system.all_start_rates.items()}
     for name, rate in given.items() if with_start else ():
-        measure = system.measures[name]
+        measure = system.all_measures[name]
         if all(measure != other for other, _ in extra):
             yield f"rate({name})", reference.jet(g, measure, name), rate
     for measure, rate in extra:

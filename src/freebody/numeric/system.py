@@ -189,7 +189,7 @@ class NumericSystem:
             *((row.name, row.measure) for row in self.system.constraint_rows),
             *((push.name, push.measure) for push in self.system.all_loads),
             *((name, m) for push in self.system.all_loads for name, m in push.measures),
-            *self.system.measures.items(),
+            *self.system.all_measures.items(),
             *self.system.offered,
         ]
         origins: dict[int, float] = {}
@@ -260,7 +260,7 @@ class NumericSystem:
 
     def name_of(self, measure: Measure | NonholonomicForm) -> str:
         """What the user calls a measure."""
-        names = [name for name, known in self.system.measures.items() if known == measure]
+        names = [name for name, known in self.system.all_measures.items() if known == measure]
         names += [row.name for row in (*self.system.rows, *self.system.all_loads) if row.measure == measure]
         return next(iter(names), "the measure")
 

@@ -95,7 +95,7 @@ class Blow:
                 running = self.field.zero if target is None else self._here(model.rate(scalar(target)))
                 found.append((self._row_of(row.measure), running))
         for name, rate in known_rates.items():
-            found.append((self._row_of(model.system.measures[name]), self._here(scalar(rate))))
+            found.append((self._row_of(model.system.all_measures[name]), self._here(scalar(rate))))
         for body in model.system.all_moving:
             found += self._given_to(body)
         return found

@@ -101,8 +101,8 @@ class SymbolicLoads:
         f = self.field
         values: dict[int, Ratio] = {f.index(f.time): f.zero}
         for c in (*self._speeds.coordinates, *self._speeds.dependent):
-            if c.name in self._system.start:
-                values[c.index] = self._configuration.geometry.scalar(self._system.start[c.name])
+            if c.name in self._system.all_start:
+                values[c.index] = self._configuration.geometry.scalar(self._system.all_start[c.name])
                 continue
             value = self._start.of_coordinate(c)
             if value is None:

@@ -121,9 +121,9 @@ class StartPose:
                 point, place = start.at
                 here = pose.place(Vector(*map(scalar, body.points[point])))
                 found += [RowEquation(GIVEN, c - scalar(e)) for c, e in zip((here.x, here.y), place, strict=True)]
-        for name, expr in self._system.start.items():
+        for name, expr in self._system.all_start.items():
             with suppress(CannotAnswer, ZeroDivisionError):
-                found.append(RowEquation(GIVEN, self._system.measures[name].value(g) - scalar(expr)))
+                found.append(RowEquation(GIVEN, self._system.all_measures[name].value(g) - scalar(expr)))
         return found
 
     def _kept(self) -> list[RowEquation]:

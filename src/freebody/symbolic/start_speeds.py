@@ -33,7 +33,7 @@ class StartSpeeds(ABC):
 
     def wanted_rates(self, known: Mapping[str, Expr]) -> WantedRates:
         """The rates that the start gives, of named measures and of bodies, each with what it is."""
-        rate, value_of, measures = self.speeds.rate, self.configuration.value_of, self.system.measures
+        rate, value_of, measures = self.speeds.rate, self.configuration.value_of, self.system.all_measures
         named = [(rate(value_of(measures[n])), self.scalar(e)) for n, e in known.items()]
         return [*named, *self._wanted_of_bodies()]
 

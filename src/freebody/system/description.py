@@ -78,13 +78,33 @@ class SystemDescription:
     @cached_property
     def moving(self) -> tuple[RigidBody, ...]:
         """The bodies that are not fixed."""
+        return tuple(body for body in self.material.values() if not body.fixed)
+
+    @cached_property
+    def material(self) -> dict[str, RigidBody]:
+        """The bodies that there are: without what carries the states of controllers."""
         carriers = {state.carrier for state in self.states.values()}
-        return tuple(b for b in self.all_moving if b.name not in carriers)
+        return {name: body for name, body in self.bodies.items() if name not in carriers}
 
     @cached_property
     def all_moving(self) -> tuple[RigidBody, ...]:
         """Beside them, after them, what carries the states of controllers: what the two routes calculate with."""
         return tuple(b for b in self.bodies.values() if not b.fixed)
+
+    @cached_property
+    def all_measures(self) -> Mapping[str, Measure]:
+        """Beside the named measures the integrals of the states."""
+        return {**self.measures, **{state.carrier: state.integral for state in self.states.values()}}
+
+    @cached_property
+    def all_start(self) -> Mapping[str, Expr]:
+        """Where these start; what was before the start is in the states."""
+        own = {state.carrier: state.start if state.is_place else ZERO for state in self.states.values()}
+        return {**self.start, **own}
+
+    @cached_property
+    def all_start_rates(self) -> Mapping[str, Expr]:
+        return {**self.start_rates, **{s.carrier: s.start for s in self.states.values() if not s.is_place}}
 
     @cached_property
     def all_loads(self) -> tuple[AppliedLoad, ...]:
@@ -98,13 +118,13 @@ class SystemDescription:
         if not self.states:
             return self
         held = {state.carrier: Symbol(state.carrier) for state in self.states.values()}
-        start = {**self.start, **{carrier: self.start_rates[carrier] for carrier in held}}
         return replace(
             self,
             applied_loads=tuple(replace(push, law=replace_rates(push.law, held)) for push in self.applied_loads),
-            states={n: replace(s, rate=replace_rates(s.rate, held)) for n, s in self.states.items()},
-            start=start,
-            start_rates={name: rate for name, rate in self.start_rates.items() if name not in held},
+            states={
+                name: replace(state, rate=replace_rates(state.rate, held), is_place=True)
+                for name, state in self.states.items()
+            },
         )
 
     @cached_property
@@ -121,9 +141,6 @@ class SystemDescription:
         return replace(
             self,
             bodies=kept(self.bodies),
-            measures=kept(self.measures),
-            start=kept(self.start),
-            start_rates=kept(self.start_rates),
             constraint_rows=tuple(row for row in self.constraint_rows if row.connection not in carriers),
             applied_loads=free,
             states={},

@@ -82,7 +82,7 @@ def read_system(document: Document, file: str | None) -> SystemDescription:
         bodies=names.bodies | {state.carrier: state.body() for state in states},
         constraint_rows=tuple(held),
         applied_loads=tuple(applied_loads),
-        measures={**measures, **{state.carrier: state.integral for state in states}},
+        measures=measures,
         states=names.states,
         offered=tuple(offered),
         start=start,

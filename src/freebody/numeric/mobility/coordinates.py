@@ -71,8 +71,8 @@ def _free(reference: NumericSystem, q: Array) -> tuple[int, Callable[[Array], Ar
 
 
 def _candidates(system: System) -> Iterator[tuple[str, Measure]]:
-    yield from system.measures.items()
-    yield from ((name, m) for name, m in system.offered if m not in system.measures.values())
+    yield from system.all_measures.items()
+    yield from ((name, m) for name, m in system.offered if m not in system.all_measures.values())
     yield from own_measures(system)
 
 

@@ -38,7 +38,7 @@ class ContactScene:
         self.parts.enter(packing)
         for load in system.applied_loads:
             packing.load(load)
-        for measure in system.measures.values():
+        for measure in system.all_measures.values():
             packing.watch(measure)
         self.packed = Packed(numbers, packing)
         self.n_bodies = self.packed.n_bodies

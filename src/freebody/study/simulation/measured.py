@@ -32,10 +32,10 @@ class MeasuredMotion(SimulatedMotion):
     def series(self) -> dict[str, tuple[Array, Array, Array]]:
         """Value, rate and second derivative of every named measure at the output times; of a state of a controller its
         value and its rate."""
-        found = observed(self, dict(self.system.measures))
-        for state in self.system.states.values():
-            _integral, value, rate = found.pop(state.carrier)
-            found[state.name] = value, rate, np.full_like(rate, np.nan)
+        states = self.system.states
+        found = observed(self, self.system.measures)
+        for name, (_integral, value, rate) in observed(self, {n: s.integral for n, s in states.items()}).items():
+            found[name] = value, rate, np.full_like(rate, np.nan)
         return found
 
     def reaction_ranges(self, time: float | None = None) -> dict[str, tuple[float, float]]:

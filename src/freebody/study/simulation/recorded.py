@@ -169,7 +169,7 @@ def series_units(system: System) -> dict[str, str]:
     for name, state in system.states.items():
         unit = unit_of(state.dimension)
         units |= {name: unit, f"{name}_rate": f"{unit}/s"}
-    for name, measure in system.without_states.measures.items():
+    for name, measure in system.measures.items():
         unit = unit_of(measure.dimension)
         units |= {name: unit, f"{name}_rate": f"{unit}/s", f"{name}_acceleration": f"{unit}/s^2"}
     names = dict(zip((row.name for row in system.rows), reaction_names(system.rows), strict=True))

@@ -138,7 +138,7 @@ class _EquilibriumSearch:
         system, reference = self.system, self.reference
         g = self.statics.geometry(b.pose)
         values: dict[str, float] = {}
-        for name, measure in system.measures.items():
+        for name, measure in system.all_measures.items():
             if gradient_of(reference, g, name, measure) is not None:  # a line without length has no angle
                 values[state_name(name) or name] = _turned(reference.jet(g, measure, name).value, measure)
         reactions, shared = self._reactions(b)
@@ -249,7 +249,7 @@ class _EquilibriumSearch:
 def moved_most(reference: Reference, g: JetGeometry, motion: Array) -> str:
     """The named measure with the largest part in a motion, by the size of the system; else the body."""
     best, most = "", 1e-6 * float(reference.sizes.relative(motion).max(initial=0.0))
-    for name, measure in reference.system.measures.items():
+    for name, measure in reference.system.all_measures.items():
         row = gradient_of(reference, g, name, measure)
         if row is None:
             continue
@@ -257,7 +257,7 @@ def moved_most(reference: Reference, g: JetGeometry, motion: Array) -> str:
         if unit_of(measure) == "m":
             part /= reference.sizes.length
         if part > most * (1.0 + ROUND_OFF):
-            best, most = name, part
+            best, most = state_name(name) or name, part
     return best or reference.most_moved(motion)
 
 

@@ -115,11 +115,12 @@ class NaturalModes(Result):
         B = np.array(columns, dtype=np.float64).reshape(len(columns), small.order).T
         rows: list[Array] = []
         through: list[Array] = []
-        for text in outputs or (*(n for n in self.system.measures if not state_name(n)), *self.system.states):
+        for text in outputs or (*self.system.measures, *self.system.states):
             name, order = _output(text)
             if name in self.system.states:
                 name, order = self.system.states[name].carrier, order + 1
-            row, gain = small.output(named_measure(self.system, name), order)
+            measure = self.system.all_measures.get(name) or named_measure(self.system, name)
+            row, gain = small.output(measure, order)
             rows.append(row)
             through.append(gain @ B[k:])
         C = np.array(rows, dtype=np.float64).reshape(len(rows), small.order)
@@ -192,7 +193,7 @@ def _about_start(system: System) -> NaturalModes:
     small = SmallMotion(reference, LinearisationPoint(q, s.v, 0.0, s.branches, frozen=False))
     notes: list[str] = []
     measures: dict[str, float] = {}
-    for name, measure in system.measures.items():
+    for name, measure in system.all_measures.items():
         state = state_name(name)
         try:
             measures[state or name] = s.rate(measure) if state else s.value(measure)
@@ -229,7 +230,7 @@ def _mode(small: SmallMotion, found: NaturalMotion) -> NaturalMode:
     reference = small.reference
     g = small.at.geometry(reference, small.at.q, small.at.v)
     shape: dict[str, complex] = {}
-    for name, measure in reference.system.measures.items():
+    for name, measure in reference.system.all_measures.items():
         row = gradient_of(reference, g, name, measure)
         if row is not None:
             state, moved = state_name(name), complex(row @ found.motion)

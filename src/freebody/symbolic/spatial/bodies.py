@@ -56,7 +56,7 @@ class SpatialBodies(Bodies):
             if body.fixed:
                 self._rotations[body.name] = self.known_rotation(body.start.turned or (), self._constant)
         for k, (name, measure) in enumerate(self.tree.angles.items()):
-            rank = NAMED if name in system.measures else BODY_ANGLE
+            rank = NAMED if name in system.all_measures else BODY_ANGLE
             own = unknowns.new(name, (rank, -k), is_angle=True)
             unknowns.measures[f.index(own)] = measure
             unknowns.defined[f.index(own)] = own

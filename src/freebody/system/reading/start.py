@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Container, Mapping
+from dataclasses import replace
 
-from freebody.language.expression import ZERO, Expr
+from freebody.language.expression import Expr
 from freebody.language.sentences import Message
 from freebody.language.units import TIME
 from freebody.measures.base import Measure
@@ -31,14 +32,12 @@ def read_start(source: Source, measures: Mapping[str, Measure]) -> tuple[dict[st
     start: dict[str, Expr] = {}
     rates: dict[str, Expr] = {}
     names = source.names
-    start |= {state.carrier: ZERO for state in names.states.values()}  # what was before is in the state
-    rates |= {state.carrier: ZERO for state in names.states.values()}
     for key, value in source.mapping("start").items():
         if _is_mode(source, key):
             continue
         if key in names.states:
             state = names.states[key]
-            rates[state.carrier] = names.formula(value, state.dimension, "start", key)
+            names.states[key] = replace(state, start=names.formula(value, state.dimension, "start", key))
             continue
         name = key if key in measures else rate_of(key, {*measures, *names.broken})
         if name not in measures:
