@@ -78,6 +78,11 @@ class ControllerState:
         return AppliedLoad("", self.integral, self.rate, self.measures, load=self.carrier)
 
 
+def as_told(law: Expr, states: Iterable[str]) -> Expr:
+    """A law with the states in it by their names."""
+    return replace_rates(law, {integral_name(name): Symbol(name) for name in states})
+
+
 def in_states(
     expr: Expr, states: Mapping[str, ControllerState], measures: Mapping[str, Measure]
 ) -> tuple[Expr, tuple[tuple[str, Measure], ...]]:

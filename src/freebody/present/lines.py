@@ -50,7 +50,6 @@ def system_line(system: System, dof: int | None, coordinates: Sequence[str] = ()
     )
     coordinates = [name for name in coordinates if not state_name(name)]
     if dof is not None:
-        dof -= len(system.states)
         text += f", {plural(dof, 'degree')} of freedom"
     if coordinates:
         text += (

@@ -52,7 +52,7 @@ class Equations(Result):
         """Plain data: the JSON document of `freebody eom`."""
         return {
             "title": self.system.title,
-            "degrees_of_freedom": len(self.coordinates),
+            "degrees_of_freedom": len(self.coordinates) - len(self.system.states),
             "coordinates": list(self.coordinates),
             "dependent_coordinates": list(self.dependent),
             "mass_matrix": [[to_python(e) for e in row] for row in self.mass_matrix],
@@ -81,7 +81,7 @@ class Equations(Result):
         def zero(e: Expr) -> Paragraph:
             return line(Formula((number(0), e), ("=",)))
 
-        yield line(system_line(self.system, len(self.coordinates), self.coordinates, self.dependent))
+        yield line(system_line(self.system, len(self.coordinates) - len(self.system.states), self.coordinates, self.dependent))
         if self.dependent:
             told = "Closed loops (the dependent coordinates follow from them)"
             yield Section((told,), tuple(map(zero, self.loops)))

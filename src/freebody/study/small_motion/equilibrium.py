@@ -102,7 +102,7 @@ class _EquilibriumSearch:
         rests = tuple(self._rest(b, s) for b, s in judged)
         searched = "" if guessed else self._searched()
         notes = tuple(dict.fromkeys(note for note in (searched, *self._notes()) if note))
-        return Equilibria(self.system, self.dof, rests, notes, self.reference, searched)
+        return Equilibria(self.system, self.dof - len(self.system.states), rests, notes, self.reference, searched)
 
     def from_guesses(self, guesses: Sequence[Guess]) -> list[LoadBalance]:
         found: list[LoadBalance] = []
@@ -192,6 +192,8 @@ class _EquilibriumSearch:
     def _searched(self) -> str:
         if self.dof < 2 or self.statics.is_single:
             return ""
+        if self.system.states:
+            return Message("found by {n} searches; there may be more", n=self.statics.n_searches)
         return Message(
             "found by {n} searches; with {dof} degrees of freedom there may be more",
             n=self.statics.n_searches,

@@ -135,7 +135,7 @@ class NaturalModes(Result):
         return {
             "title": self.system.title,
             "about": self.about,
-            "measures": {n: {"value": x, "unit": unit_of(self.system.measures[n])} for n, x in self.measures.items()},
+            "measures": {n: {"value": x, "unit": self._units[n]} for n, x in self.measures.items()},
             "stability": self.stability,
             "coordinates": list(self.coordinates),
             "states": list(self.states),
@@ -151,10 +151,15 @@ class NaturalModes(Result):
     def report(self) -> Report:
         return summary(self.system.title, self._blocks())
 
+    @property
+    def _units(self) -> dict[str, str]:
+        """Of measures and states."""
+        states = {name: str(state.dimension) for name, state in self.system.states.items()}
+        return {name: unit_of(measure) for name, measure in self.system.measures.items()} | states
+
     def _blocks(self) -> Iterator[Block]:
-        yield line(system_line(self.system, len(self.small.speeds)))
-        units = {name: unit_of(measure) for name, measure in self.system.measures.items()}
-        units |= {name: str(state.dimension) for name, state in self.system.states.items()}
+        yield line(system_line(self.system, len(self.small.speeds) - len(self.system.states)))
+        units = self._units
         at = ", ".join(f"{symbol_text(n)} = {amount_text(x, units[n])}" for n, x in self.measures.items())
         stability = f" ({self.stability})" if self.stability else ""
         yield line(f"small motions about the {self.about}{stability}" + (f": {at}" if at else ""))
