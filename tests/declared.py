@@ -34,7 +34,7 @@ def undeclared(solution: fb.Solution) -> set[str]:
     """Symbols in answers, their conditions, cases and phases that the document does not introduce."""
     document = solution.to_plain()
     known = {"t", "pi", *solution.system.parameters, *solution.system.measures}
-    known |= {*document["coordinates"], *document["dependent_coordinates"]}
+    known |= {*document["coordinates"], *document["dependent_coordinates"], *document.get("states", ())}
     known |= {f"{name}_0" for name in solution.system.measures}
     known |= {text.split()[0] for text in document["assumptions"] if " at the start" in text}
     return _everywhere(document["answers"], known) | _everywhere(document.get("phases"), known)

@@ -177,7 +177,7 @@ def test_the_json_document_has_the_documented_shape(name: str) -> None:
 def test_a_condition_says_the_same_in_words_and_to_machines(name: str) -> None:
     """The words of a comparison are read by the parser of model files, which knows no Python."""
     for condition in (c for a in solved(name).to_plain()["answers"] for c in a["conditions"]):
-        words = re.sub("^at every .* with ", "", condition["text"]).partition(" (")[0]
+        words = re.sub(r"^at every .* with | \(.*[a-z] [a-z].*\)$", "", condition["text"])
         words = re.sub(r"\|(.*)\|", r"abs(\1)", words)
         found = re.fullmatch("([^<>≤≥≠=]+) ([<>≤≥≠=]) ([^<>≤≥≠=]+)", words)
         if found is None or "°" in found[3] or found[1].startswith(("conserved", "stable", "steady", "for all")):
@@ -226,6 +226,8 @@ _SPHERE = "(7*mu*cos(theta) - 2*sin(theta))"
 _LANDAU = "sqrt((m1 + m2)*((m1 + m2)*(L1 + L2)**2 - 4*m1*L1*L2))"
 
 _LIFTED = "(W/((1 - mu**2)*cos(alpha) - 2*mu*sin(alpha)))"  # what the inclined face of a wedge carries
+_LEANS, _ROLLS = "(k*theta + c*rate(theta))", "(3*m/2 + M)"
+_DELAY = ("(4*k/(J*tau**2))", "(4*c/(J*tau**2))", "(4/tau**2 + 4*c/(J*tau))", "(4/tau + c/J)")
 TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
     # m v' = -m g - k v |v|, separated: upwards a tangent of the time, back by the energy that the resistance leaves
     "ball_against_the_air": {
@@ -731,6 +733,47 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
         "quarter": "sqrt(2*L/(3*g))*elliptic_K(sin(theta_0/2))",
         "half_way": "sqrt(2*L/(3*g))*(elliptic_K(sin(theta_0/2))"
         " - elliptic_F(asin(sin(theta_0/4)/sin(theta_0/2)), sin(theta_0/2)))",
+    },
+    # J phi'' = T - k_p (phi - phi_d) - k_d phi' - k_i z, z' = phi - phi_d: J s^3 + k_d s^2 + k_p s + k_i
+    "servo_with_pid": {
+        "equation": "(T - k_p*(phi - phi_d) - k_d*rate(phi) - k_i*z)/J",
+        "stable": ["k_d/J", "k_p/J - k_i/k_d", "k_i/J"],
+        "gain": "k_p*k_d/J",
+    },
+    # (M + m) x'' + m L (theta'' cos - theta'^2 sin) = u, x'' cos + L theta'' = g sin; M L s^2 + c s + k - (M + m) g
+    "balanced_pole": {
+        "equation": "((M + m)*g*sin(theta) - m*L*rate(theta)**2*sin(theta)*cos(theta)"
+        " - (k*theta + c*rate(theta))*cos(theta))/(L*(M + m*sin(theta)**2))",
+        "stable": ["c/(M*L)", "(k - (M + m)*g)/(M*L)"],
+        "least": "(M + m)*g",
+    },
+    # at the start only what is fed forward drives: M x'' = (M + m) r'', r'' = X/tau^2, and L theta'' = -x''
+    "crane_with_feedforward": {"trolley": "(M + m)*X/(M*tau**2)", "load": "-(M + m)*X/(M*L*tau**2)"},
+    # with u = k theta + c theta', (3/2 m + M) x'' + M h (theta'' cos - theta'^2 sin) = u/R
+    # and M h x'' cos + (I + M h^2) theta'' = M g h sin - u
+    "segway": {
+        "tilt": f"(M*g*h*sin(theta) - {_LEANS} - M*h*cos(theta)/{_ROLLS}*({_LEANS}/R + M*h*sin(theta)*rate(theta)**2))"
+        f"/(I + M*h**2 - M**2*h**2*cos(theta)**2/{_ROLLS})",
+        "stable": [
+            f"c*(1 + M*h/(R*{_ROLLS}))/(I + M*h**2 - M**2*h**2/{_ROLLS})",
+            f"(k*(1 + M*h/(R*{_ROLLS})) - M*g*h)/(I + M*h**2 - M**2*h**2/{_ROLLS})",
+        ],
+        "least": f"M*g*h/(1 + M*h/(R*{_ROLLS}))",
+    },
+    # (J s^2 + c s) (tau s/2 + 1)^2 + k, over J tau^2/4
+    "heading_with_delay": {
+        "equation": "(-k*v - c*rate(psi))/J",
+        "stable": [
+            _DELAY[3],
+            f"{_DELAY[2]} - {_DELAY[1]}/{_DELAY[3]}",
+            f"{_DELAY[1]} - {_DELAY[3]}*{_DELAY[0]}/({_DELAY[2]} - {_DELAY[1]}/{_DELAY[3]})",
+            _DELAY[0],
+        ],
+        "gain": "4*c*(2*J + c*tau)**2/(tau*(4*J + c*tau)**2)",
+    },
+    "saturated_servo": {
+        "start": "(abs(T_m - k*phi_0) - abs(T_m + k*phi_0))/(2*J)",
+        "equation": "(abs(T_m - k*phi - c*rate(phi)) - abs(T_m + k*phi + c*rate(phi)))/(2*J)",
     },
 }
 # whose formulas are worked out by hand in tests of their own

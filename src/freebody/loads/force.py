@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from freebody.language.units import FORCE, LENGTH
 from freebody.loads.base import Load
-from freebody.loads.law import law
+from freebody.loads.law import law, limited
 from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import AXES, GROUND
@@ -39,6 +39,7 @@ class Force(Load, kind="force"):
     at: str
     along: Heading
     magnitude: Formula
+    at_most: Formula | None = None
 
     example = """
 bodies: {ball: {particle: {mass: 1 kg}}}
@@ -48,7 +49,7 @@ loads: {it: {force: {at: ball, along: right, magnitude: 2 N}}}
     def applied_loads(self, names: Names) -> list[AppliedLoad]:
         pushed = pushed_along(names, self.at, self.along)
         magnitude, used = law(names, self.magnitude, FORCE, "magnitude")
-        return [AppliedLoad("", pushed, magnitude, used)]
+        return [AppliedLoad("", pushed, limited(names, self, magnitude, FORCE), used)]
 
     def glyphs(self, names: Names) -> Iterable[Glyph]:
         yield glyphs.ForceArrow(names.point(self.at), names.direction(self.along, "along"))

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from freebody.errors import ExpressionError, InputError
 from freebody.language.expression import (
     ZERO,
+    Call,
     Expr,
     Number,
     ProductOf,
@@ -16,9 +17,11 @@ from freebody.language.expression import (
     add,
     children,
     differentiate,
+    divide,
     evaluate,
     free_symbols,
     multiply,
+    number,
     replace_rates,
     substitute,
 )
@@ -37,6 +40,7 @@ from freebody.model.glyphs import Glyph
 from freebody.model.phrases import measure_of
 from freebody.model.rotations import vector_product
 from freebody.model.spec import Formula
+from freebody.model.states import in_states
 from freebody.tolerances import ROUND_OFF
 
 if TYPE_CHECKING:
@@ -46,18 +50,28 @@ Used = tuple[tuple[str, Measure], ...]
 
 
 def law(names: Names, value: Any, dimension: Dimension, *path: str | int) -> tuple[Expr, Used]:
-    """An expression in parameters, time `t`, named measures and their rates."""
+    """An expression in parameters, time `t`, named measures and their rates, and states."""
     extra = {"t": TIME} | {n: m.dimension for n, m in names.measures.items()}
+    extra |= {n: state.dimension for n, state in names.states.items()}
     expr = names.formula(value, dimension, *path, extra=extra)
-    return expr, tuple((n, names.measures[n]) for n in sorted(free_symbols(expr) & set(names.measures)))
+    return in_states(expr, names.states, names.measures)
+
+
+def limited(names: Names, spec: Load, expr: Expr, dimension: Dimension) -> Expr:
+    """What an actuator gives of a wanted value u that can give `at_most` a either way: u within, else a with the sign of
+    u, which is (|u + a| - |u - a|)/2."""
+    most = names.optional(spec, "at_most", dimension)
+    return expr if most is None else divide(Call("abs", expr + most) - Call("abs", expr - most), number(2))
 
 
 class Law(Load, kind="law"):
     """`law: {measure: stretch, force: -k*stretch^3}`: the force (or torque, for an angle) in the direction in
-    which the measure grows, as an expression in measures, their rates (`rate(x)`) and time `t`."""
+    which the measure grows, as an expression in measures, their rates (`rate(x)`), states and time `t`. `at_most: F_max`
+    where an actuator can give no more either way."""
 
     measure: str | dict[str, Any]
     force: Formula
+    at_most: Formula | None = None
 
     stores_energy = True
     example = """
@@ -73,6 +87,7 @@ loads: {it: {law: {measure: x, force: -k*x^3}}}
             return []
         dimension = TORQUE if measure.dimension == DIMENSIONLESS else FORCE
         expr, used = law(names, self.force, dimension, "force")
+        expr = limited(names, self, expr, dimension)
         own = [name for name, other in used if other == measure]
         for name in own:  # the law of the measure itself, not of another one
             expr = substitute(replace_rates(expr, {name: RATE}), {name: VALUE})

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, ClassVar
 from freebody.language.sentences import Message
 from freebody.language.units import TORQUE
 from freebody.loads.base import Load
-from freebody.loads.law import law
+from freebody.loads.law import law, limited
 from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
 from freebody.measures.geometry import GROUND
@@ -40,7 +40,7 @@ def turned_about(names: Names, on: str, reacts_on: str, about: Heading | None) -
 class Torque(Load, kind="torque"):
     """`torque: {on: sun, magnitude: T}`, counter-clockwise positive; `reacts_on: arm` where the motor sits on a
     body, which feels the opposite torque. In space `about` says the axis: a direction fixed in the ground, or in a body
-    (`about: rotor.x`)."""
+    (`about: rotor.x`). `at_most: T_max` where a motor can give no more either way."""
 
     called: ClassVar[tuple[str, ...]] = ("motor", "couple", "moment")
 
@@ -48,6 +48,7 @@ class Torque(Load, kind="torque"):
     magnitude: Formula
     reacts_on: str = GROUND
     about: Heading | None = None
+    at_most: Formula | None = None
 
     example = """
 bodies: {wheel: {disk: {mass: 1 kg, radius: 1 m}}}
@@ -57,6 +58,7 @@ loads: {it: {torque: {on: wheel, magnitude: 2 N m}}}
     def applied_loads(self, names: Names) -> list[AppliedLoad]:
         turned = turned_about(names, self.on, self.reacts_on, self.about)
         magnitude, used = law(names, self.magnitude, TORQUE, "magnitude")
+        magnitude = limited(names, self, magnitude, TORQUE)
         return [] if turned is None else [AppliedLoad("", turned, magnitude, used)]
 
     def glyphs(self, names: Names) -> Iterable[Glyph]:

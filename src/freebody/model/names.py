@@ -22,6 +22,7 @@ from freebody.model.elements import AppliedLoad, Attitude, BodyPlane, Constraint
 from freebody.model.formulas import Formulas
 from freebody.model.noting import did_you_mean
 from freebody.model.rotations import UNIT, Columns, applied
+from freebody.model.states import ControllerState
 from freebody.tolerances import LEAST
 
 
@@ -83,6 +84,7 @@ class Names(Formulas):
         super().__init__()
         self.bodies: dict[str, RigidBody] = {}
         self.measures: dict[str, Measure] = {}
+        self.states: dict[str, ControllerState] = {}
         self.connections: Mapping[str, Joining] = {}
         self.called: dict[str, tuple[str, ...]] = {}  # words for the kind of each body, connection and load
         self.placed_at_start: dict[str, Expr] = {}  # where the file lets named measures start

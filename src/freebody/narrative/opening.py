@@ -16,6 +16,7 @@ from freebody.language.units import Dimension
 from freebody.measures.geometry import ZERO
 from freebody.model.elements import NonholonomicForm, RigidBody
 from freebody.model.phrases import phrase_text
+from freebody.model.states import state_name
 from freebody.narrative.contact.settings import has_phases
 from freebody.narrative.context import Context
 from freebody.narrative.lines.script import DerivationStage, Diagram, FormulaTable, Legend, Script, Sentence, ready
@@ -84,6 +85,8 @@ def _symbols(context: Context, script: Script) -> None:
     for name, measure in system.measures.items():
         phrase = phrase_text(given.get(name)) or name
         entries.append((Symbol(name), Sentence("symbol.measure", {"phrase": phrase}), _unit(measure.dimension)))
+    for state in system.states.values():
+        entries.append((Symbol(state.name), Sentence("symbol.state"), _unit(state.dimension)))
     context.introduced |= {e[0].name for e in entries if isinstance(e[0], Symbol)} | {"t"}
     hidden = [c for c in _coordinates(context) if c not in context.introduced]
     for name in hidden:
@@ -98,7 +101,7 @@ def _coordinates(context: Context) -> list[str]:
         model = context.setup.model
     except CannotAnswer:
         return []
-    return [c.name for c in (*model.coordinates, *model.dependent)]
+    return [c.name for c in (*model.coordinates, *model.dependent) if not state_name(c.name)]
 
 
 def _unit(dimension: Dimension) -> str:
@@ -157,24 +160,23 @@ def _by_connection(rows: Sequence[str]) -> tuple[Sentence, ...]:
 
 def _by_rank(context: Context, script: Script, count: int) -> int:
     """What the rank of the constraint Jacobian leaves; raises RoutesDisagree where the coordinates are not as many."""
-    n = rank_freedom(context.setup)
+    n = rank_freedom(context.setup) - len(context.system.states)
     try:
         model = context.setup.model
     except CannotAnswer:
         script.say("freedom.rank_only", n=n)
         return n
-    if n > model.degrees_of_freedom and _binds_more_beside(context):
+    n_free = model.degrees_of_freedom - len(context.system.states)
+    if n > n_free and _binds_more_beside(context):
         singular = Message(
             "the start is a singular pose: the velocity constraints leave {n} freedoms in it and {m} a step away. "
             "Start from another pose",
             n=n,
-            m=model.degrees_of_freedom,
+            m=n_free,
         )
         raise CannotAnswer(singular)
-    if n != model.degrees_of_freedom:
-        differ = Message(
-            "the formulas have {n} independent coordinates, the rank leaves {m}", n=model.degrees_of_freedom, m=n
-        )
+    if n != n_free:
+        differ = Message("the formulas have {n} independent coordinates, the rank leaves {m}", n=n_free, m=n)
         raise disagreement(differ, context.setup.draws[0].reference)
     if n == count:
         script.say("freedom.confirmed")
@@ -182,9 +184,11 @@ def _by_rank(context: Context, script: Script, count: int) -> int:
         script.say("freedom.redundant", sets=_by_connection(model.redundant), n=n)
     else:
         script.say("freedom.rank_only", n=n)
-    names = tuple(Symbol(c.name) for c in model.coordinates)
+    names = tuple(Symbol(c.name) for c in model.coordinates if not state_name(c.name))
     alone = "freedom.coordinates_driven" if gruebler(context.setup.system).drivers else "freedom.coordinates_none"
     script.say("freedom.coordinates" if names else alone, names=names)
     if model.dependent:
         script.say("freedom.driven", names=tuple(Symbol(c.name) for c in model.dependent))
+    if context.system.states:
+        script.say("freedom.states", names=tuple(map(Symbol, context.system.states)))
     return n

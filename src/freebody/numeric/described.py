@@ -64,7 +64,7 @@ def _start_axes(
     guess = dict.fromkeys(named, 0.0)
     if len(named) == 3:
         guess[named[1]] = MIDDLE_ANGLE
-    guess |= {name: number(system.start[name]) for name in named if name in system.start}
+    guess |= {name: number(system.all_start[name]) for name in named if name in system.all_start}
     frame = spatial.UNIT
     if body.frame != GROUND and depth < len(system.bodies):
         base = system.bodies[body.frame]

@@ -125,7 +125,7 @@ def forces(reference: NumericSystem, g: JetGeometry) -> Array:
 
 def each_force(reference: NumericSystem, g: JetGeometry) -> Iterator[Array]:
     """Generalized forces, load by load."""
-    for push in reference.system.applied_loads:
+    for push in reference.system.all_loads:
         measure = reference.jet(g, push.measure, push.name)
         if measure.gradient is not None:
             yield law(reference, g, push, measure) * measure.row(len(reference.masses))
@@ -135,7 +135,7 @@ def roundings(reference: NumericSystem, g: JetGeometry) -> Array:
     """What round-off leaves open of the generalized forces of all loads (n,): each law beside what it is at a measure
     some roundings away. Nothing else tells the force of a spring that is never stretched from a small one."""
     found = np.zeros(len(reference.masses))
-    for push in reference.system.applied_loads:
+    for push in reference.system.all_loads:
         measure = reference.jet(g, push.measure, push.name)
         of_value = VALUE.name in free_symbols(push.law) and not isinstance(push.measure, NonholonomicForm)
         if measure.gradient is None or not of_value:
@@ -160,7 +160,7 @@ def law(reference: NumericSystem, g: JetGeometry, push: AppliedLoad, measure: Je
 
 def check_laws(reference: NumericSystem, g: JetGeometry) -> None:
     """Raises CannotAnswer naming a load whose law divides by zero here: round-off would make a number of that."""
-    for push in reference.system.applied_loads:
+    for push in reference.system.all_loads:
         divisors = [part for part, relation in domain(push.law) if relation != ">="]
         if not divisors:
             continue
@@ -172,7 +172,7 @@ def check_laws(reference: NumericSystem, g: JetGeometry) -> None:
             except (ArithmeticError, ValueError):
                 continue  # what it is made of has no value itself
             if abs(sum(values)) <= _CANCELS * sum(map(abs, values)):
-                shown = {name for name, measure in reference.system.measures.items() if measure == push.measure}
+                shown = {name for name, measure in reference.system.all_measures.items() if measure == push.measure}
                 own = Symbol(min(shown)) if shown else Symbol("its measure")
                 text = to_text(substitute(part, {VALUE.name: own}))
                 raise CannotAnswer(

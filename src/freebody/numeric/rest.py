@@ -259,7 +259,7 @@ class RestFinder:
     def _potential(self, pose: CountedPose) -> float | None:
         g = self.geometry(pose)
         try:
-            applied_loads = self.reference.system.applied_loads
+            applied_loads = self.reference.system.all_loads
             return sum(potential(self.reference, p, lambda m: self.reference.jet(g, m).value) for p in applied_loads)
         except (CannotAnswer, ArithmeticError, ValueError):
             return None
@@ -291,7 +291,7 @@ class RestFinder:
         if self.apart(a.pose, b.pose) > SAME:
             return False
         laws = [
-            np.array([law(self.reference, g, push) for push in self.reference.system.applied_loads])
+            np.array([law(self.reference, g, push) for push in self.reference.system.all_loads])
             for g in (self.geometry(a.pose), self.geometry(b.pose))
         ]
         return bool(np.abs(laws[0] - laws[1]).max(initial=0.0) <= 1e-3 * np.abs(laws).max(initial=0.0) + ROUND_OFF)

@@ -39,7 +39,7 @@ def neighbours(
     system: System, number: Callable[[Expr], float], masses: Sequence[float], moments: Sequence[Sequence[float]]
 ) -> list[Near]:
     """By moving body. masses [kg] and moments of inertia [kg m^2] of these."""
-    bodies = system.moving
+    bodies = system.all_moving
     arms = [_arm(body, number) for body in bodies]
     found: dict[int, Near] = {}
     number_of = {body.name: k for k, body in enumerate(bodies)}
@@ -102,7 +102,7 @@ class Sizes:
 def typical_length(system: System, number: Callable[[Expr], float]) -> float:
     """How far points are from mass centres and from the origin, and how long held lengths are, at most [m]. Of what is
     fixed only those points count at which something is held, pushed or measured."""
-    moving = system.moving
+    moving = system.all_moving
     fixed = {point.body for point in system.touched} & {name for name, body in system.bodies.items() if body.fixed}
     places = [place for body in moving for place in body.points.values()]
     places += [point.offset for point in system.touched if point.body in fixed]

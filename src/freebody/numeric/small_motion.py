@@ -125,8 +125,8 @@ def _candidates(reference: NumericSystem) -> Sequence[tuple[str, Measure]]:
     from freebody.measures.displacement import Displacement
     from freebody.measures.geometry import GROUND, RIGHT, UP, Point
 
-    moving, origin = reference.system.moving, Point(GROUND)
-    found: list[tuple[str, Measure]] = list(reference.system.measures.items())
+    moving, origin = reference.system.all_moving, Point(GROUND)
+    found: list[tuple[str, Measure]] = list(reference.system.all_measures.items())
     if reference.system.space:
         found += reference.system.offered
     found += [(f"angle of {body.name}", Angle(body.name)) for body in moving if body.turns]
@@ -327,6 +327,12 @@ class SmallMotion:
             [self._solved(-self._of_gaps[:, k], turned[:, k] - self._of_marks[:, k]) for k in range(self.order)]
         ).reshape(self.order, n)
         return da @ row + moved[:, 1], row @ self.unit_speeds
+
+    @property
+    def of_states(self) -> list[int]:
+        """Where among the positions the integrals of states of controllers stand: nothing depends on them."""
+        carriers = {state.carrier for state in self.reference.system.states.values()}
+        return [k for k, c in enumerate(self.positions) if c.name in carriers]
 
     @property
     def units(self) -> Array:

@@ -52,7 +52,7 @@ def assembled(reference: NumericSystem, extra: Wanted, guess: Array | None, n_st
     near: dict[Branch, float] = {}
     for group in groups:
         part = reference.part(group)
-        own = [k for body in part.system.moving for k in reference.columns(body.name)]
+        own = [k for body in part.system.all_moving for k in reference.columns(body.name)]
         asked = [(measure, x) for measure, x in extra if group.intersection(measure.bodies())]
         fit = _assembled_part(part, asked, None if guess is None else guess[own], n_starts)
         q[own] = fit.q
@@ -69,7 +69,7 @@ def assembled(reference: NumericSystem, extra: Wanted, guess: Array | None, n_st
 def _assembled_part(reference: NumericSystem, extra: Wanted, guess: Array | None, n_starts: int) -> Fit:
     """The pose at t = 0 of one part. What is carried follows where it is carried to: it pulls at nothing."""
     carried = _carried(reference, extra)
-    rest = frozenset(body.name for body in reference.system.moving) - carried
+    rest = frozenset(body.name for body in reference.system.all_moving) - carried
     if not carried or not rest:
         return _assembled_whole(reference, extra, guess, n_starts)
     own = [k for name, columns in reference.frame.columns.items() if name in rest for k in columns]
@@ -89,11 +89,11 @@ def _carried(reference: NumericSystem, extra: Wanted) -> set[str]:
     themselves left out."""
     system = reference.system
     said = {name for measure, _value in extra for name in measure.bodies()}
-    said |= {name for key in system.start for name in system.measures[key].bodies()}
+    said |= {name for key in system.all_start for name in system.all_measures[key].bodies()}
     said |= {name for attitude in system.attitudes for name in (attitude.first, attitude.second)}
     light = {
         body.name
-        for body in system.moving
+        for body in system.all_moving
         if body.start == Start() and not body.chain and reference.masses[reference.columns(body.name)[0]] == 0.0
     } - said
     if not light:
@@ -116,7 +116,7 @@ def _equations(reference: NumericSystem, extra: Wanted) -> list[PoseEquation]:
 
 def _assembled_whole(reference: NumericSystem, extra: Wanted, guess: Array | None, n_starts: int) -> Fit:
     """The pose at t = 0 of one part nearest to the guess."""
-    for body in reference.system.moving:
+    for body in reference.system.all_moving:
         _refuse_singular(reference, body)
     equations = _equations(reference, extra)
     described = turned_to_face(reference, _guess(reference))
@@ -242,7 +242,7 @@ def _refuse_singular(reference: NumericSystem, body: RigidBody) -> None:
     """Three named angles are not determined where their axes are in one plane: at a middle angle of 0 if the first and
     the last turn are about the same axis, of 90 deg otherwise. Raises CannotAnswer if the start is such a pose."""
     named = [turn.name for turn in body.chain if turn.name]
-    given = {name: reference.number(reference.system.start[name]) for name in named if name in reference.system.start}
+    given = {name: reference.number(reference.system.all_start[name]) for name in named if name in reference.system.all_start}
     if len(named) < 3 or named[1] not in given:
         return
     before, turned = spatial.UNIT, dict.fromkeys(named, 0.0) | given
@@ -274,7 +274,7 @@ def _refuse_singular(reference: NumericSystem, body: RigidBody) -> None:
 
 def _guess(reference: NumericSystem) -> Array:
     q = np.zeros(len(reference.masses))
-    for body in reference.system.moving:
+    for body in reference.system.all_moving:
         pose = start_pose(reference.system, body, reference.number)
         if reference.system.space:
             axes = matrix(np.array(pose[3:])) @ reference.frame.principal[body.name]
@@ -298,8 +298,8 @@ def _starts(
 
 def _start_equations(reference: NumericSystem, extra: Wanted) -> list[PoseEquation]:
     equations: list[PoseEquation] = []
-    for name, expr in reference.system.start.items():
-        measure = reference.system.measures[name]
+    for name, expr in reference.system.all_start.items():
+        measure = reference.system.all_measures[name]
         if all(measure != other for other, _ in extra):
             equations.append(PoseEquation.of(name, measure, Jet(reference.number(expr))))
     return equations + [PoseEquation.of(reference.name_of(m), m, Jet(x)) for m, x in extra]
@@ -313,7 +313,7 @@ def _guessed(body: RigidBody) -> Start:
 def _body_equations(reference: NumericSystem, start_of: Callable[[RigidBody], Start]) -> list[PoseEquation]:
     """A place or an angle that bodies have at the start."""
     equations: list[PoseEquation] = []
-    for body in reference.system.moving:
+    for body in reference.system.all_moving:
         start = start_of(body)
         if start.at is not None:
             point, place = start.at

@@ -81,7 +81,7 @@ def _of_least_energy(masses: Array, free: Array, v: Array) -> Array:
 def _given(reference: NumericSystem, q: Array) -> Array | None:
     """The velocities, if the model gives those of every body."""
     v = np.zeros(len(reference.masses))
-    for body in reference.system.moving:
+    for body in reference.system.all_moving:
         rates, columns = list(_body_rates(reference, body, q)), reference.columns(body.name)
         if len(rates) < len(columns):
             return None
@@ -101,15 +101,15 @@ def wanted_rates(reference: NumericSystem, g: JetGeometry, extra: Wanted, with_s
         if row.closes and with_start:
             continue
         yield row.name, reference.gap(row, g), 0.0
-    given = {name: reference.number(expr) for name, expr in system.start_rates.items()}
+    given = {name: reference.number(expr) for name, expr in system.all_start_rates.items()}
     for name, rate in given.items() if with_start else ():
-        measure = system.measures[name]
+        measure = system.all_measures[name]
         if all(measure != other for other, _ in extra):
             yield f"rate({name})", reference.jet(g, measure, name), rate
     for measure, rate in extra:
         name = reference.name_of(measure)
         yield f"the rate of {name}", reference.jet(g, measure, name), rate
-    for body in system.moving if with_start else ():
+    for body in system.all_moving if with_start else ():
         yield from _body_rates(reference, body, g.q)
 
 

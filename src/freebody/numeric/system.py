@@ -44,21 +44,21 @@ class NumericSystem:
         columns: dict[str, tuple[int, ...]] = {}
         n_places, n_turns = (3, 3) if system.space else (2, 1)
         n = 0
-        for body in system.moving:
+        for body in system.all_moving:
             columns[body.name] = tuple(range(n, n + n_places + (n_turns if body.turns else 0)))
             n += len(columns[body.name])
         self.frame = Frame(columns, {}, numbers)
-        self._moments = {body.name: self._moments_of(body) for body in system.moving}
+        self._moments = {body.name: self._moments_of(body) for body in system.all_moving}
         principal = {name: axes for name, (_moments, axes) in self._moments.items()} if system.space else {}
         self.frame = Frame(columns, {}, numbers, system.space, principal)
         fixed = {b.name: tuple(start_pose(system, b, self.number)) for b in system.bodies.values() if b.fixed}
         self.frame = Frame(columns, fixed, numbers, system.space, principal)
-        inertia = [[self.number(b.mass)] * n_places + list(self._moments[b.name][0]) for b in system.moving]
-        listed = [m for own, b in zip(inertia, system.moving, strict=True) for m in own[: len(columns[b.name])]]
+        inertia = [[self.number(b.mass)] * n_places + list(self._moments[b.name][0]) for b in system.all_moving]
+        listed = [m for own, b in zip(inertia, system.all_moving, strict=True) for m in own[: len(columns[b.name])]]
         self.masses = np.array(listed, dtype=np.float64)
         turning = np.array([i >= n_places for c in columns.values() for i in range(len(c))], dtype=bool)
         near = neighbours(system, self.number, [own[0] for own in inertia], [own[n_places:] for own in inertia])
-        by_coordinate = [n for n, b in zip(near, system.moving, strict=True) for _ in columns[b.name]]
+        by_coordinate = [n for n, b in zip(near, system.all_moving, strict=True) for _ in columns[b.name]]
         self.sizes = Sizes.of(self.masses, turning, typical_length(system, self.number), by_coordinate)
         self.placing = Placing(self.frame, self.sizes)
         self._parts: dict[frozenset[str], Self] = {}
@@ -187,9 +187,9 @@ class NumericSystem:
         g = self.geometry(q, np.zeros_like(q), 0.0, branches)
         everything: list[tuple[str, Measure | NonholonomicForm]] = [
             *((row.name, row.measure) for row in self.system.constraint_rows),
-            *((push.name, push.measure) for push in self.system.applied_loads),
-            *((name, m) for push in self.system.applied_loads for name, m in push.measures),
-            *self.system.measures.items(),
+            *((push.name, push.measure) for push in self.system.all_loads),
+            *((name, m) for push in self.system.all_loads for name, m in push.measures),
+            *self.system.all_measures.items(),
             *self.system.offered,
         ]
         origins: dict[int, float] = {}
@@ -260,8 +260,8 @@ class NumericSystem:
 
     def name_of(self, measure: Measure | NonholonomicForm) -> str:
         """What the user calls a measure."""
-        names = [name for name, known in self.system.measures.items() if known == measure]
-        names += [row.name for row in (*self.system.rows, *self.system.applied_loads) if row.measure == measure]
+        names = [name for name, known in self.system.all_measures.items() if known == measure]
+        names += [row.name for row in (*self.system.rows, *self.system.all_loads) if row.measure == measure]
         return next(iter(names), "the measure")
 
     def most_moved(self, motion: Array) -> str:

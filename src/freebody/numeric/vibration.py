@@ -77,7 +77,15 @@ def natural_motions(small: SmallMotion) -> list[NaturalMotion]:
             found = _damped(small, T, K, C)
     else:
         found = _general(small)
+    if small.of_states:
+        found = [m for m in found if not (m.kind == "rigid" and _is_of_states(small, m))]
     return sorted(found, key=lambda m: (m.kind != "rigid", float(f"{abs(m.rate):.9g}"), m.rate.real))
+
+
+def _is_of_states(small: SmallMotion, found: NaturalMotion) -> bool:
+    """Whether only integrals of states stand elsewhere, which nobody sees."""
+    z = np.abs(np.array([c.row @ found.motion for c in small.positions])) / small.units
+    return float(np.delete(z, small.of_states).max(initial=0.0)) <= _OWN * float(z.max())
 
 
 def stability(small: SmallMotion) -> Stability:
@@ -86,6 +94,8 @@ def stability(small: SmallMotion) -> Stability:
         return Stability("stable", None, "", None)
     if len(small.positions) > len(small.speeds):
         return _by_rates(small, "neutral")
+    if small.of_states:
+        return _by_rates(small, "undecided by the linearisation")
     K, C = small.stiffness, small.damping
     dissipates = float(np.linalg.eigvalsh(C + C.T)[0]) >= -_NONE * float(np.abs(C).max())
     if not _is_symmetric(K, small.noise) or not dissipates:

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 
 from freebody.language.expression import Symbol
 from freebody.language.notation import to_text
+from freebody.model.states import state_name
 from freebody.system.system import System
 
 _ROUND_OFF = 1e-14  # of an amount at rest
@@ -47,12 +48,15 @@ def system_line(system: System, dof: int | None, coordinates: Sequence[str] = ()
     text = (
         f"{plural(len(system.moving), 'moving body', 'moving bodies')}, {plural(len(system.connections), 'connection')}"
     )
+    coordinates = [name for name in coordinates if not state_name(name)]
     if dof is not None:
         text += f", {plural(dof, 'degree')} of freedom"
     if coordinates:
         text += (
             f"; {plural(len(coordinates), 'coordinate').split(' ', 1)[1]}: {', '.join(map(symbol_text, coordinates))}"
         )
+    if system.states:
+        text += f"; {plural(len(system.states), 'state')}: {', '.join(map(symbol_text, system.states))}"
     if dependent:
         text += f"; dependent: {', '.join(map(symbol_text, dependent))}"
     return text

@@ -188,10 +188,10 @@ class _Reader:
         self.signs = [shown.sign for shown in self.shown]
 
     def scene(self) -> Scene:
-        bodies = (body for body in self.system.bodies.values() if body.name != GROUND_NAME)
+        bodies = (body for body in self.system.material.values() if body.name != GROUND_NAME)
         found = tuple(self._figure(k, body) for k, body in enumerate(bodies))
         names = tuple(body.name for body in self.system.moving)
-        planes = [plane for body in self.system.bodies.values() for plane in body.planes.values()]
+        planes = [plane for body in self.system.material.values() for plane in body.planes.values()]
         sheets = tuple((self.places.place(plane.through), self.places.heading(plane.normal)) for plane in planes)
         up = np.array(self.places.vector(self.system.up))
         return Scene(self.system.title, names, found, self.shown, sheets, up, self.places.fixed)

@@ -17,6 +17,7 @@ from freebody.model.noting import did_you_mean
 from freebody.model.phrases import read_measure
 from freebody.model.spins import spin
 from freebody.model.state import State
+from freebody.model.states import shown_rate, state_name
 from freebody.questions.base import NAME, POINT, Described, Found, Path, Quantity, angular_unit, asked
 from freebody.questions.vectors import (
     AXES,
@@ -91,14 +92,15 @@ questions: {it: acceleration of x}
         return (state.value, state.rate, state.acceleration)[self.order](self.measure)
 
     def sentence(self, system: Described) -> Sentence:
-        is_named = self.name in system.measures
+        is_named = self.name in system.measures or bool(state_name(self.name))
         if isinstance(self.measure, Angle) and self.order and not is_named:
             relative = said_relative(self.measure.origin)
             args: dict[str, Argument] = {"body": self.measure.of, "relative": relative, "along": NOTHING}
             return Sentence(f"what.turning_{self.order}", args)
         if is_named:
             what = "angle" if self.measure.dimension == DIMENSIONLESS else "measure"
-            return Sentence(f"what.{what}_{self.order}", {"symbol": rates_of(self.name, self.order)})
+            rates = self.order - bool(state_name(self.name))  # a state is the rate of its integral
+            return Sentence(f"what.{what}_{rates}", {"symbol": rates_of(self.name, self.order)})
         return Sentence(f"what.phrase_{self.order}", {"phrase": self.name})
 
 
@@ -221,8 +223,8 @@ questions: {it: angular velocity of wheel at start}
 
 def rates_of(name: str, order: int) -> Expr:
     """x, x', x''"""
-    shown: Expr = Symbol(name)
-    for _k in range(order):
+    shown: Expr = Symbol(name) if order == 0 else shown_rate(name)
+    for _k in range(1, order):
         shown = Call("rate", shown)
     return shown
 

@@ -55,6 +55,9 @@ class Question:
 def read_quantity(names: Names, text: str, path: Path) -> Quantity | None:
     if text in names.measures:
         return OfMeasure(names.measures[text], 0, text)
+    if text in names.states:
+        state = names.states[text]
+        return OfMeasure(state.integral, 1, state.carrier)
     rate = re.fullmatch(r"rate\((\w+)\)", text)
     if (text if rate is None else rate[1]) in names.broken:
         return None

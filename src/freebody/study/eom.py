@@ -10,6 +10,7 @@ from typing import Any
 from freebody.language.expression import Call, Expr, Symbol, add, multiply, number
 from freebody.language.notation import to_latex, to_python
 from freebody.model.elements import NonholonomicForm
+from freebody.model.states import shown_rate, state_name
 from freebody.present.lines import system_line
 from freebody.present.report.blocks import Block, Formula, Paragraph, Report, Section
 from freebody.present.report.results import Result, line, summary, table
@@ -41,7 +42,7 @@ class Equations(Result):
         """Every equation as (left, right)."""
         for row, force in zip(self.mass_matrix, self.forcing, strict=True):
             terms = [
-                multiply(m, Call("rate", Call("rate", Symbol(c))))
+                multiply(m, Call("rate", shown_rate(c)))
                 for m, c in zip(row, self.coordinates, strict=True)
                 if m != number(0)
             ]
@@ -51,7 +52,7 @@ class Equations(Result):
         """Plain data: the JSON document of `freebody eom`."""
         return {
             "title": self.system.title,
-            "degrees_of_freedom": len(self.coordinates),
+            "degrees_of_freedom": len(self.coordinates) - len(self.system.states),
             "coordinates": list(self.coordinates),
             "dependent_coordinates": list(self.dependent),
             "mass_matrix": [[to_python(e) for e in row] for row in self.mass_matrix],
@@ -80,7 +81,7 @@ class Equations(Result):
         def zero(e: Expr) -> Paragraph:
             return line(Formula((number(0), e), ("=",)))
 
-        yield line(system_line(self.system, len(self.coordinates), self.coordinates, self.dependent))
+        yield line(system_line(self.system, len(self.coordinates) - len(self.system.states), self.coordinates, self.dependent))
         if self.dependent:
             told = "Closed loops (the dependent coordinates follow from them)"
             yield Section((told,), tuple(map(zero, self.loops)))
@@ -89,8 +90,10 @@ class Equations(Result):
         if self.velocity_constraints:
             yield Section(("Velocity constraints",), tuple(map(zero, self.velocity_constraints)))
         yield Section(("Equations of motion",), tuple(line(Formula(sides, ("=",))) for sides in self.lines()))
-        if len(self.coordinates) > 1:
-            yield Section(("Mass matrix",), tuple(table(((Formula((e,)),) for e in row) for row in self.mass_matrix)))
+        own = [k for k, name in enumerate(self.coordinates) if not state_name(name)]  # states have no mass
+        if len(own) > 1:
+            rows = (((Formula((self.mass_matrix[j][k],)),) for k in own) for j in own)
+            yield Section(("Mass matrix",), tuple(table(rows)))
         if self.redundant:
             yield line(f"redundant constraints: {', '.join(self.redundant)}")
         yield from (line(f"not at {pose}") for pose in self.singular)

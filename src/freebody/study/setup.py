@@ -153,7 +153,7 @@ class Setup:
     @cached_property
     def start(self) -> StartState:
         s = self.system
-        return start_state(self.model, dict(s.start), dict(s.start_rates))
+        return start_state(self.model, dict(s.all_start), dict(s.all_start_rates))
 
     @cached_property
     def start_instant(self) -> SymbolicState:

@@ -74,7 +74,7 @@ class RestEquations:
     @cached_property
     def slots(self) -> list[Slot]:
         order = self.state.model.bodies.slots
-        return [(b.name, s) for b in self.system.moving for s in order if b.turns or s in ("x", "y", "z")]
+        return [(b.name, s) for b in self.system.all_moving for s in order if b.turns or s in ("x", "y", "z")]
 
     @cached_property
     def gradients(self) -> dict[str, dict[Slot, Ratio]]:

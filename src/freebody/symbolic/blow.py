@@ -51,7 +51,7 @@ class Blow:
         self._places = dict(places)
         self._columns = {
             (body.name, slot): k
-            for k, (body, slot) in enumerate((b, s) for b in model.system.moving for s in self._slots(b))
+            for k, (body, slot) in enumerate((b, s) for b in model.system.all_moving for s in self._slots(b))
         }
         self._known = before
         self._before = self._least(list(self._rows_before(known_rates))) if before is None else None
@@ -66,7 +66,7 @@ class Blow:
     def energy_before(self) -> Ratio:
         """The kinetic energy just before the blow."""
         total = self.field.zero
-        for body in self.model.system.moving:
+        for body in self.model.system.all_moving:
             for p, slot in zip(self.momentum_before(body.name), self.model.bodies.slots, strict=True):
                 if not p.is_zero():
                     total = total + p * self._velocity_before(body.name, slot) / 2
@@ -95,8 +95,8 @@ class Blow:
                 running = self.field.zero if target is None else self._here(model.rate(scalar(target)))
                 found.append((self._row_of(row.measure), running))
         for name, rate in known_rates.items():
-            found.append((self._row_of(model.system.measures[name]), self._here(scalar(rate))))
-        for body in model.system.moving:
+            found.append((self._row_of(model.system.all_measures[name]), self._here(scalar(rate))))
+        for body in model.system.all_moving:
             found += self._given_to(body)
         return found
 

@@ -163,7 +163,7 @@ class PlanarBodies(Bodies):
 
     def velocities(self, poses: Mapping[str, AnyPose], express: ElementMap, rate: ElementMap) -> dict[str, Parts]:
         found: dict[str, Parts] = {}
-        for b in self.system.moving:
+        for b in self.system.all_moving:
             x, y, angle = coordinates_of(poses[b.name])
             found[b.name] = rate(x), rate(y), rate(angle)
         return found

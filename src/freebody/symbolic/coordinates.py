@@ -144,7 +144,7 @@ class CoordinateChoice:
     # -- measures as coordinates --------------------------------------------------------------
     def _candidates(self) -> list[Candidate]:
         """The measures that the user names, then those that connections offer."""
-        measures = self._system.measures
+        measures = self._system.all_measures
         # wanted in the one order of measures; one that is at an extreme at the start is no coordinate there: last
         wanted = sorted(measures, key=lambda n: any(n in sample.still for sample in self._samples.points))
         turned_by = set(self._bodies.angle_names)
@@ -218,7 +218,7 @@ class CoordinateChoice:
 
     def _started(self, elimination: Elimination) -> set[str]:
         """The coordinates that the start of the model says something of."""
-        known = {n: self._unknowns.defined_as(n) for n in (*self._system.start, *self._system.start_rates)}
+        known = {n: self._unknowns.defined_as(n) for n in (*self._system.all_start, *self._system.all_start_rates)}
         return {n for n, own in known.items() if own is not None and elimination.express(own) == own}
 
     def _without_lines(self, definitions: list[Definition], dropped: set[str], idle: set[int]) -> set[str]:
@@ -248,7 +248,7 @@ class CoordinateChoice:
         """Named measures that are linear in an unnamed coordinate, and so can take its place."""
         found: list[RowEquation] = []
         taken: set[int] = set()
-        for name, measure in self._system.measures.items():
+        for name, measure in self._system.all_measures.items():
             own = self._unknowns.defined_as(name)
             if own is None or name not in self.chosen.dropped:
                 continue
@@ -274,7 +274,7 @@ class CoordinateChoice:
     def _linear_in(self, value: Ratio, taken: set[int]) -> Coordinate | None:
         """The unnamed coordinate in which alone a value is linear, with a constant slope."""
         for c in self.chosen.speeds.coordinates:
-            if c.index in taken or c.name in self._system.measures:
+            if c.index in taken or c.name in self._system.all_measures:
                 continue
             if self._unknowns.inside(value.denominator()):
                 continue

@@ -56,7 +56,7 @@ class SymbolicDynamics:
         """The entries of the mass matrix of every body: in the plane along its slots; in space the mass three times,
         then the tensor (xx, yy, zz, xy, xz, yz)."""
         scalar = self._configuration.geometry.scalar
-        return {b.name: self._bodies.inertia(b, scalar) for b in self._system.moving}
+        return {b.name: self._bodies.inertia(b, scalar) for b in self._system.all_moving}
 
     def momentum(self, body: str, velocity: Parts) -> Parts:
         """The mass matrix of a body times a velocity of its, along its slots."""

@@ -84,7 +84,7 @@ class PlanarGivenStart(GivenStart):
         """The absolute coordinates at the start, where the model tells them."""
         absolute = {
             self.field.index(element)
-            for body in self.system.moving
+            for body in self.system.all_moving
             for element in coordinates_of(self.bodies.poses[body.name])
             if element.generators()
         }
@@ -105,7 +105,7 @@ class PlanarGivenStart(GivenStart):
     def places(self) -> dict[int, Ratio]:
         values: dict[int, Ratio] = {}
         f, scalar = self.field, self.absolute.scalar
-        for body in self.system.moving:
+        for body in self.system.all_moving:
             pose, start = self.bodies.poses[body.name], body.start
             assert isinstance(pose, Pose)
             angle = None

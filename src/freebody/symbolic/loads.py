@@ -38,8 +38,8 @@ class SymbolicLoads:
     def wrenches(self) -> dict[str, list[Ratio]]:
         """Force and moment about the mass centre of all loads on every body, along its slots."""
         slots = self._bodies.slots
-        total: dict[str, list[Ratio]] = {b.name: [self.field.zero] * len(slots) for b in self._system.moving}
-        for push in self._system.applied_loads:
+        total: dict[str, list[Ratio]] = {b.name: [self.field.zero] * len(slots) for b in self._system.all_moving}
+        for push in self._system.all_loads:
             law = self.law(push)
             for (body, slot), slope in self._configuration.gradient(push.measure).items():
                 if body not in total:
@@ -101,8 +101,8 @@ class SymbolicLoads:
         f = self.field
         values: dict[int, Ratio] = {f.index(f.time): f.zero}
         for c in (*self._speeds.coordinates, *self._speeds.dependent):
-            if c.name in self._system.start:
-                values[c.index] = self._configuration.geometry.scalar(self._system.start[c.name])
+            if c.name in self._system.all_start:
+                values[c.index] = self._configuration.geometry.scalar(self._system.all_start[c.name])
                 continue
             value = self._start.of_coordinate(c)
             if value is None:

@@ -72,8 +72,8 @@ class SymbolicModel:
     def __init__(self, system: System, points: Sequence[Sample]) -> None:
         self.system = system = in_one_order(system)
         ambient = SPACE if system.space else PLANE
-        n = len(system.moving)
-        self.field = SignedField(capacity=len(system.parameters) + 10 * n + 3 * len(system.measures) + 24)
+        n = len(system.all_moving)
+        self.field = SignedField(capacity=len(system.parameters) + 10 * n + 3 * len(system.all_measures) + 24)
         # the unknowns, and what is known of them
         self._unknowns = unknowns = ModelUnknowns(self.field, system)
         self.bodies = bodies = ambient.bodies(system, unknowns)

@@ -64,7 +64,7 @@ class Reactions:
         """J^T lambda = rest, body by body."""
         by_slot = self._slopes(here)
         rows: list[Row] = []
-        for body in self._system.moving:
+        for body in self._system.all_moving:
             needed = rest(body.name)
             for k, slot in enumerate(self._bodies.slots if body.turns else self._bodies.slots[: self._bodies.n_places]):
                 row = dict(by_slot.get((body.name, slot), {}))

@@ -174,7 +174,7 @@ def start_from_bodies(model: SymbolicModel) -> StartState:
     f, scalar = model.field, model.geometry.scalar
     poses: dict[str, AnyPose] = {}
     velocities: dict[tuple[str, str], Ratio] = {}
-    for body in model.system.moving:
+    for body in model.system.all_moving:
         start = body.start
         assert start.at is not None
         assert start.velocity is not None
@@ -218,7 +218,7 @@ def _start_of(model: SymbolicModel, c: Coordinate, known: dict[str, Expr]) -> Ra
     the bodies were given; zero if nothing was said."""
     f = model.field
     for name, expr in known.items():
-        value = model.value_of(model.system.measures[name])
+        value = model.value_of(model.system.all_measures[name])
         solved = solve_linear(value - model.geometry.scalar(expr), c.index)
         if solved is not None and not (f.ingredients(solved) & {k.index for k in model.coordinates}):
             return solved
@@ -240,7 +240,7 @@ def _start_by_another(
     f = model.field
     others = {k.index for k in (*model.coordinates, *model.dependent)} - {c.index}
     for name, expr in known.items():
-        gap = model.value_of(model.system.measures[name]) - model.geometry.scalar(expr)
+        gap = model.value_of(model.system.all_measures[name]) - model.geometry.scalar(expr)
         if f.ingredients(gap) & others:
             continue
         for zero in zeros_of(model, gap.numerator(), c, quadratic=True):
@@ -261,7 +261,7 @@ def _pairs(model: SymbolicModel, x: Ratio, numbers: Sequence[float]) -> list[tup
 def _start_speed(model: SymbolicModel, c: Coordinate, known: dict[str, Expr], values: dict[int, Ratio]) -> Ratio:
     f = model.field
     for name, expr in known.items():
-        rate = model.rate(model.value_of(model.system.measures[name]))
+        rate = model.rate(model.value_of(model.system.all_measures[name]))
         rate = f.follow(rate, {k: v for k, v in values.items() if k != c.speed})
         solved = solve_linear(rate - model.geometry.scalar(expr), c.speed)
         if solved is not None and not (f.ingredients(solved) & {k.speed for k in model.coordinates}):

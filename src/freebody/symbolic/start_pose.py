@@ -92,7 +92,7 @@ class StartPose:
         """Angles and places at which bodies are said to be near."""
         f, scalar = self.field, self._geometry.scalar
         found: dict[int, Ratio] = {}
-        for body in self._system.moving:
+        for body in self._system.all_moving:
             pose, near = self._poses[body.name], body.start.near
             assert isinstance(pose, Pose)
             if near is not None and near.angle is not None and body.turns and body.start.angle is None:
@@ -112,7 +112,7 @@ class StartPose:
         """Places and angles of bodies, and named measures."""
         g, scalar = self._geometry, self._geometry.scalar
         found: list[RowEquation] = []
-        for body in self._system.moving:
+        for body in self._system.all_moving:
             pose, start = self._poses[body.name], body.start
             assert isinstance(pose, Pose)
             if body.turns and start.angle is not None:
@@ -121,9 +121,9 @@ class StartPose:
                 point, place = start.at
                 here = pose.place(Vector(*map(scalar, body.points[point])))
                 found += [RowEquation(GIVEN, c - scalar(e)) for c, e in zip((here.x, here.y), place, strict=True)]
-        for name, expr in self._system.start.items():
+        for name, expr in self._system.all_start.items():
             with suppress(CannotAnswer, ZeroDivisionError):
-                found.append(RowEquation(GIVEN, self._system.measures[name].value(g) - scalar(expr)))
+                found.append(RowEquation(GIVEN, self._system.all_measures[name].value(g) - scalar(expr)))
         return found
 
     def _kept(self) -> list[RowEquation]:

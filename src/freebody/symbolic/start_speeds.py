@@ -33,7 +33,7 @@ class StartSpeeds(ABC):
 
     def wanted_rates(self, known: Mapping[str, Expr]) -> WantedRates:
         """The rates that the start gives, of named measures and of bodies, each with what it is."""
-        rate, value_of, measures = self.speeds.rate, self.configuration.value_of, self.system.measures
+        rate, value_of, measures = self.speeds.rate, self.configuration.value_of, self.system.all_measures
         named = [(rate(value_of(measures[n])), self.scalar(e)) for n, e in known.items()]
         return [*named, *self._wanted_of_bodies()]
 
@@ -56,7 +56,7 @@ class PlanarStartSpeeds(StartSpeeds):
 
     def _wanted_of_bodies(self) -> WantedRates:
         wanted: WantedRates = []
-        for body in self.system.moving:
+        for body in self.system.all_moving:
             x, y, turning = self.kinematics.velocities[body.name]
             wanted += [(v, self.scalar(e)) for v, e in zip((x, y), body.start.velocity or (), strict=False)]
             if body.start.angular_velocity is not None and body.turns:
@@ -82,7 +82,7 @@ class PlanarStartSpeeds(StartSpeeds):
     def _given(self) -> dict[int, Ratio]:
         """The speeds of absolute coordinates that bodies are given."""
         found: dict[int, Ratio] = {}
-        for body in self.system.moving:
+        for body in self.system.all_moving:
             pose, start = self.bodies.poses[body.name], body.start
             assert isinstance(pose, Pose)
             given = list(zip((pose.x, pose.y), start.velocity or (), strict=False))

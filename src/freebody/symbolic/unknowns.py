@@ -14,6 +14,7 @@ from typing import Any
 
 from freebody.language.expression import Call, Expr, Symbol, differentiate
 from freebody.measures.base import Measure
+from freebody.model.states import shown_rate
 from freebody.symbolic.elimination import TangentPair, Unknown
 from freebody.symbolic.field import Field, Generator, Ratio
 from freebody.system.system import System
@@ -62,7 +63,7 @@ class ModelUnknowns:
         """One more unknown and its speed."""
         shown = Symbol(name)
         g = self.field.generator(Generator(shown, "coordinate", compute=compute))
-        speed = self.field.generator(Generator(Call("rate", shown), "speed"))
+        speed = self.field.generator(Generator(shown_rate(name), "speed"))
         self.field.set_rate(g, speed)
         index = self.field.index(g)
         self.found[index] = Unknown(index, rank, name)

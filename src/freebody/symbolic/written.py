@@ -55,7 +55,7 @@ def _needs(model: SymbolicModel, measures: Iterable[Measure], with_loads: bool) 
     rows = [row.measure for row in model.system.constraint_rows if not isinstance(row.measure, NonholonomicForm)]
     for measure in (*rows, *measures):
         yield from _of_measure(model, measure)
-    for push in model.system.applied_loads if with_loads else ():
+    for push in model.system.all_loads if with_loads else ():
         for x, relation in model.loads.needs(push):
             yield x, relation, Message("law of {load}", load=push.load)
         if not isinstance(push.measure, NonholonomicForm):

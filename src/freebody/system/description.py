@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
+from typing import Self, TypeVar
 
 from freebody.connections.base import Connection
 from freebody.connections.pairs import OutlinePair
 from freebody.language.document import Document
-from freebody.language.expression import Expr
+from freebody.language.expression import Expr, Symbol, replace_rates
 from freebody.language.units import Dimension
 from freebody.loads.base import Load
 from freebody.measures.base import Measure
@@ -28,10 +29,13 @@ from freebody.model.glyphs import ShownGlyph
 from freebody.model.looks import Looks
 from freebody.model.names import Names
 from freebody.model.rotations import Columns
+from freebody.model.states import ControllerState
 from freebody.model.style import HouseStyle
 from freebody.questions.clock import Clock
 from freebody.questions.reading import Question
 from freebody.system.blows import BlowEvent
+
+_T = TypeVar("_T")
 
 
 @dataclass(frozen=True, repr=False)
@@ -69,11 +73,78 @@ class SystemDescription:
     blows: tuple[BlowEvent, ...] = ()  # what closes and strikes in mid-motion
     looks: Looks = field(default_factory=Looks)  # what its author wants otherwise in pictures
     style: HouseStyle = field(default_factory=HouseStyle)  # and in worked solutions
+    states: Mapping[str, ControllerState] = field(default_factory=dict[str, ControllerState])  # of controllers
 
-    @property
+    @cached_property
     def moving(self) -> tuple[RigidBody, ...]:
         """The bodies that are not fixed."""
+        return tuple(body for body in self.material.values() if not body.fixed)
+
+    @cached_property
+    def material(self) -> dict[str, RigidBody]:
+        """The bodies that there are: without what carries the states of controllers."""
+        carriers = {state.carrier for state in self.states.values()}
+        return {name: body for name, body in self.bodies.items() if name not in carriers}
+
+    @cached_property
+    def all_moving(self) -> tuple[RigidBody, ...]:
+        """Beside them, after them, what carries the states of controllers: what the two routes calculate with."""
         return tuple(b for b in self.bodies.values() if not b.fixed)
+
+    @cached_property
+    def all_measures(self) -> Mapping[str, Measure]:
+        """Beside the named measures the integrals of the states."""
+        return {**self.measures, **{state.carrier: state.integral for state in self.states.values()}}
+
+    @cached_property
+    def all_start(self) -> Mapping[str, Expr]:
+        """Where these start; what was before the start is in the states."""
+        own = {state.carrier: state.start if state.is_place else ZERO for state in self.states.values()}
+        return {**self.start, **own}
+
+    @cached_property
+    def all_start_rates(self) -> Mapping[str, Expr]:
+        return {**self.start_rates, **{s.carrier: s.start for s in self.states.values() if not s.is_place}}
+
+    @cached_property
+    def all_loads(self) -> tuple[AppliedLoad, ...]:
+        """Beside the loads what drives the states."""
+        return (*self.applied_loads, *(state.drive() for state in self.states.values()))
+
+    @cached_property
+    def at_rest(self) -> Self:
+        """The same for statics, where the states of controllers are coordinates themselves: at rest nothing drives
+        them on, and their values are among what is searched for."""
+        if not self.states:
+            return self
+        held = {state.carrier: Symbol(state.carrier) for state in self.states.values()}
+        return replace(
+            self,
+            applied_loads=tuple(replace(push, law=replace_rates(push.law, held)) for push in self.applied_loads),
+            states={
+                name: replace(state, rate=replace_rates(state.rate, held), is_place=True)
+                for name, state in self.states.items()
+            },
+        )
+
+    @cached_property
+    def without_states(self) -> Self:
+        """The same for what hangs on the geometry alone: without states, and without the loads that depend on them."""
+        if not self.states:
+            return self
+        carriers = {state.carrier for state in self.states.values()}
+
+        def kept(of: Mapping[str, _T]) -> dict[str, _T]:
+            return {name: it for name, it in of.items() if name not in carriers}
+
+        free = tuple(p for p in self.applied_loads if not carriers & {name for name, _measure in p.measures})
+        return replace(
+            self,
+            bodies=kept(self.bodies),
+            constraint_rows=tuple(row for row in self.constraint_rows if row.connection not in carriers),
+            applied_loads=free,
+            states={},
+        )
 
     @property
     def is_struck(self) -> bool:
@@ -125,7 +196,7 @@ class SystemDescription:
     def groups(self) -> tuple[frozenset[str], ...]:
         """The moving bodies in groups of those that belong together, because a connection, a load, a contact or a given
         start value joins them; the ground and fixed bodies join nothing, since they do not move."""
-        return merged([frozenset({b.name}) for b in self.moving], self._ties())
+        return merged([frozenset({b.name}) for b in self.all_moving], self._ties())
 
     def _ties(self) -> Iterator[set[str]]:
         """Bodies that a connection, load, contact, attitude, frame or start value joins."""
@@ -140,7 +211,7 @@ class SystemDescription:
             yield set(rub.row.measure.bodies()).union(*(m.bodies() for _n, m in rub.measures))
             loaded = [connection_of[name] for name in (*rub.load, rub.of) if name in connection_of]
             yield set[str]().union(of_connection[rub.row.connection], *(of_connection[c] for c in loaded))
-        for push in (*self.applied_loads, *self.impulses, *(push for blow in self.blows for push in blow.impulses)):
+        for push in (*self.all_loads, *self.impulses, *(push for blow in self.blows for push in blow.impulses)):
             yield set(push.measure.bodies()).union(*(m.bodies() for _n, m in push.measures))
         for blow in self.blows:
             yield self.ends_of_blow(blow)
@@ -174,9 +245,10 @@ class SystemDescription:
         return all(p.value is not None or p.form is not None for p in self.parameters.values())
 
     def dimensions(self) -> dict[str, Dimension]:
-        """Dimension of every parameter and named measure."""
+        """Dimension of every parameter, named measure and state."""
         known = {p.name: p.dimension for p in self.parameters.values()}
-        return known | {n: m.dimension for n, m in self.measures.items()}
+        states = {n: state.dimension for n, state in self.states.items()}
+        return known | {n: m.dimension for n, m in self.measures.items()} | states
 
     def __repr__(self) -> str:
         """Its title and size; `to_yaml` has all of it."""
@@ -191,7 +263,7 @@ class SystemDescription:
         return hash((self.title, tuple(self.parameters), tuple(self.bodies), self.constraint_rows, self.applied_loads))
 
     def _meaning(self) -> tuple[object, ...]:
-        described = (self.title, self.parameters, self.bodies, self.constraint_rows, self.applied_loads, self.measures)
+        described = (self.title, self.parameters, self.bodies, self.constraint_rows, self.applied_loads, self.measures, self.states)
         bounded = (self.contacts, self.limits, self.brakes)
         return (*described, self.impulses, self.blows, self.start, self.start_rates, self.questions, self.mode, bounded)
 

@@ -33,7 +33,7 @@ _T = TypeVar("_T")
 
 def in_one_order(system: System) -> System:
     """The same system, its elements in the order that this module defines."""
-    names = sorted((body.name for body in system.moving), key=natural)
+    names = sorted((body.name for body in system.all_moving), key=natural)
     # what reads a single moving body leads to it from the ground; in what reads several, the ground is only what
     # directions are measured in
     joined = [set(row.measure.bodies()) & set(names) for row in system.constraint_rows]

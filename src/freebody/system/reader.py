@@ -32,6 +32,7 @@ from freebody.system.reading.measures import read_measures
 from freebody.system.reading.parameters import read_parameters
 from freebody.system.reading.source import Source
 from freebody.system.reading.start import read_mode, read_start
+from freebody.system.reading.states import read_states
 from freebody.system.reading.style import read_style
 
 
@@ -49,11 +50,14 @@ def read_system(document: Document, file: str | None) -> SystemDescription:
     names.connections = {name: connections[name] for name in sorted(connections, key=natural)}
     names.called |= {name: spec.words() for name, spec in {**connections, **loads}.items() if name not in names.bodies}
     measures = read_measures(source)
+    read_states(source)
     applied_loads = names.applied_loads = read_loads(names, loads)
     impulses = read_impulses(names, loads)
     striking, closing = striking_when(names, loads), closing_when(source)
     held, offered = read_rows(names, connections, closing_at_start(source), closing)
     held, later = parted(names, held, closing)
+    states = names.states.values()
+    held = [*held, *(row for state in states for row in state.rows())]
     blows = gathered(closing, striking, later, list(impulses))
     contacts, limits, brakes = read_bounds(names, connections, closing)
     start, rates = read_start(source, measures)
@@ -76,10 +80,11 @@ def read_system(document: Document, file: str | None) -> SystemDescription:
         title=title(source),
         about=plain(str(source.data.get("about") or "")).strip(),
         parameters=names.parameters,
-        bodies=names.bodies,
+        bodies=names.bodies | {state.carrier: state.body() for state in states},
         constraint_rows=tuple(held),
         applied_loads=tuple(applied_loads),
         measures=measures,
+        states=names.states,
         offered=tuple(offered),
         start=start,
         start_rates=rates,

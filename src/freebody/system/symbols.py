@@ -62,7 +62,7 @@ def reaction_symbols(system: System) -> Mapping[str, ReactionSymbol]:
 
 def _taken(system: System) -> set[str]:
     """Names that mean something already; the letters that stand for time, pi and mechanical quantities too."""
-    names = {*system.parameters, *system.measures, "t", "pi", "e", "T_kin", "V", "L"}
+    names = {*system.parameters, *system.measures, *system.states, "t", "pi", "e", "T_kin", "V", "L"}
     return names | set(GREEK.values())
 
 

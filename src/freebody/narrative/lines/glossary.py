@@ -253,12 +253,13 @@ class Glossary:
         self.redefine(Meaning(symbol, what, lambda world: max(map(abs, read(world)))))
 
     def is_known(self, name: str) -> bool:
-        return name in self.meanings or name in self.setup.system.parameters or name in self.measures or name == "t"
+        system = self.setup.system
+        return name == "t" or any(name in of for of in (self.meanings, system.parameters, self.measures, system.states))
 
     @cached_property
     def measures(self) -> dict[str, Measure]:
         """What has rates: named measures, and coordinates that are measures."""
-        found = dict(self.setup.system.measures)
+        found = dict(self.setup.system.all_measures)
         try:
             model = self.setup.model
         except CannotAnswer:
@@ -300,6 +301,8 @@ class Glossary:
         if parameter is not None and parameter.form is None:
             return world.snapshot.scalar(Symbol(name))
         bare = name.replace("rate(", "").replace(")", "")
+        if bare in self.setup.system.states:  # the rate of its integral
+            name, bare = f"rate({name})", self.setup.system.states[bare].carrier
         if bare in self.measures:
             read_at = (world.snapshot.value, world.snapshot.rate, world.snapshot.acceleration)
             order = name.count("rate(")

@@ -10,6 +10,7 @@ in which ideal reactions do not appear. Source: Kane & Levinson, Dynamics: Theor
 from __future__ import annotations
 
 from freebody.language.expression import Expr, Symbol, add, number
+from freebody.model.states import state_name
 from freebody.narrative.context import Context
 from freebody.narrative.lines.script import Script
 from freebody.narrative.principles.elimination import EliminationRow
@@ -35,8 +36,8 @@ def motion_equations(context: Context, script: Script, *, why: str = "unclosed.k
         for x in (*entries.values(), rest):
             readable(x)
         terms: list[Expr] = [scaled(x, f.generators[a].display) for a, x in entries.items()]
-        script_line = script.line(
-            add(*terms) if terms else number(0), tidy(rest), why="unclosed.along", args={"name": Symbol(c.name)}
-        )
+        state = state_name(c.name)
+        why, name = ("unclosed.of_state", Symbol(state)) if state else ("unclosed.along", Symbol(c.name))
+        script_line = script.line(add(*terms) if terms else number(0), tidy(rest), why=why, args={"name": name})
         rows.append(EliminationRow(entries, rest, script_line))
     return rows

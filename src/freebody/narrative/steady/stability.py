@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
 
 import numpy as np
@@ -15,6 +15,7 @@ from freebody.narrative.lines.glossary import Glossary, Meaning, TrueWhen, World
 from freebody.narrative.lines.naming import asked_as, asked_entry, fresh, named
 from freebody.narrative.lines.script import Argument, DerivationStage, FormulaTable, Legend, Script, Sentence
 from freebody.narrative.principles.motion_equations import motion_equations, readable
+from freebody.narrative.steady.steady_motion import tell_what_runs
 from freebody.numeric.jets import Array
 from freebody.questions.reading import Question
 from freebody.questions.steady import SpinStability
@@ -24,6 +25,7 @@ from freebody.study.steady.linear import Linear, linear_at_start
 from freebody.study.steady.linearised import About
 from freebody.study.steady.motion import SteadyMotion
 from freebody.study.steady.spin import slopes_beside
+from freebody.study.steady.stability import is_even
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
 
@@ -166,16 +168,23 @@ class Beside(Glossary):
 
         return read
 
+    def routh(self, k: int, n: int) -> Callable[[World], float]:
+        """The k-th of the n numbers of the first column, from the exponents of the full system that are not zero."""
+
+        def read(world: World) -> float:
+            exponents = next(found for own, found in self.found() if own is world)
+            return _first_column(sorted(exponents, key=abs)[-n:])[k]
+
+        return read
+
 
 def tell_stability(context: Context, question: Question, answer: Answer) -> list[DerivationStage]:
     """The equations of motion, the steady motion, and the squares of the exponents of small disturbances."""
     expression = answer.expression
     assert expression is not None
-    if answer.unit == "":
-        raise CannotAnswer(
-            Message("stability is decided here by the signs in Routh's array, which are not told step by step")
-        )
     linear = linear_at_start(context.setup, SteadyMotion(context.setup.model))
+    if answer.unit == "":
+        return _by_routh(context, linear, expression)
     stages, more, glossary, lines = disturbances(context, linear)
     values = expression if isinstance(expression, tuple) else (expression,)
     with more.stage("stage.value"):
@@ -194,6 +203,35 @@ def tell_stability(context: Context, question: Question, answer: Answer) -> list
     return [*stages, *more.stages]
 
 
+def _by_routh(context: Context, linear: Linear, expression: Expr | tuple[Expr, ...]) -> list[DerivationStage]:
+    """The polynomial, and the first column of its array."""
+    if len(linear.factors) > 1 or is_even(linear.factors[0]):
+        raise CannotAnswer(Message("the characteristic polynomial falls apart, and its parts are not told one by one"))
+    stages, more, glossary, lines = disturbances(context, linear)
+    values = expression if isinstance(expression, tuple) else (expression,)
+    with more.stage("stage.value"):
+        names = [Symbol(fresh(context, f"r{k + 1}", f"routh{k + 1}")) for k in range(len(values))]
+        for k, name in enumerate(names):
+            glossary.redefine(Meaning(name, Sentence("steady.routh_symbol"), glossary.routh(k, len(values)), ""))
+        more.add(Legend(tuple((name, Sentence("steady.routh_symbol"), "") for name in names)))
+        left: Expr | tuple[Expr, ...] = tuple(names) if isinstance(expression, tuple) else names[0]
+        more.line(left, expression, why="steady.routh", args={"lines": lines}, uses=lines, when="event")
+        more.say("steady.routh_stable")
+    return [*stages, *more.stages]
+
+
+def _first_column(exponents: Sequence[complex]) -> list[float]:
+    """Of Routh's array, below the one at its head, of the polynomial with these roots."""
+    c = np.poly(np.array(exponents)).real
+    above, row = [float(x) for x in c[0::2]], [float(x) for x in c[1::2]]
+    column: list[float] = []
+    while row:
+        column.append(row[0])
+        after = [*row[1:], 0.0]
+        above, row = row, [x - above[0] * y / row[0] for x, y in zip(above[1:], after, strict=False)]
+    return column
+
+
 def _square(x: complex) -> complex:
     return x * x
 
@@ -207,9 +245,7 @@ def disturbances(context: Context, linear: Linear) -> tuple[list[DerivationStage
     glossary = Beside(context, linear)
     more = Script(glossary, script.next_number)
     with more.stage("steady.linear", "steady.linear_hint"):
-        for key, group in (("cyclic", steady.cyclic), ("others", steady.others)):
-            if group:
-                more.say(f"steady.{key}", names=tuple(Symbol(c.name) for c in group))
+        tell_what_runs(more, steady)
         shown = {**linear.rates, **{index: linear.place[index] for index in sorted(linear.moved)}}
         for index, x in shown.items():
             if not x.is_zero():

@@ -17,6 +17,7 @@ from dataclasses import dataclass
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Call, Expr, Symbol, rate_key
 from freebody.language.sentences import Message
+from freebody.model.states import shown_rate, state_name
 from freebody.narrative.context import Context
 from freebody.narrative.lines.glossary import Glossary, Meaning, TrueWhen, World
 from freebody.narrative.lines.naming import asked_as, asked_entry, asked_symbol, names_of, side_of
@@ -110,14 +111,19 @@ def _equations(telling: _SteadyTelling) -> list[int]:
         return []
 
 
+def tell_what_runs(script: Script, steady: SteadyMotion) -> None:
+    """Which coordinates run evenly, and what stays constant, states of controllers among it."""
+    runs = [Symbol(c.name) for c in steady.cyclic if not state_name(c.name)]
+    stays = [Symbol(c.name) for c in steady.others] + [shown_rate(c.name) for c in steady.cyclic if state_name(c.name)]
+    for key, names in (("cyclic", runs), ("others", stays)):
+        if names:
+            script.say(f"steady.{key}", names=tuple(names))
+
+
 def _conditions(telling: _SteadyTelling, script: Script, lines: list[int]) -> list[int]:
     """What is left where all accelerations vanish and only cyclic coordinates run."""
     steady = telling.steady
-    cyclic, others = (tuple(Symbol(c.name) for c in group) for group in (steady.cyclic, steady.others))
-    if cyclic:
-        script.say("steady.cyclic", names=cyclic)
-    if others:
-        script.say("steady.others", names=others)
+    tell_what_runs(script, steady)
     found: list[int] = []
     for equation in steady.equations:
         args: dict[str, Argument] = {"lines": tuple(lines)}

@@ -192,7 +192,7 @@ class Bounded:
     def turning(self) -> tuple[int, ...]:
         """The bodies whose turning moves a gap: those with a point beside the mass centre or a direction in one."""
         names = {name for barrier in self.barriers for name in carriers(barrier.bound.row.measure)}
-        return tuple(k for k, body in enumerate(self.numbers.system.moving) if body.name in names)
+        return tuple(k for k, body in enumerate(self.numbers.system.all_moving) if body.name in names)
 
     # -- engines ------------------------------------------------------------------------------
     @cached_property

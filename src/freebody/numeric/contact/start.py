@@ -328,7 +328,7 @@ def _said(reference: Reference, bound: UnilateralConstraint, depth: float) -> st
     if row.measure.dimension == DIMENSIONLESS:
         size = f"{math.degrees(depth):.6g}°"
     if _is_stop(bound):
-        names = (name for name, measure in reference.system.measures.items() if measure == row.measure)
+        names = (name for name, measure in reference.system.all_measures.items() if measure == row.measure)
         return Message(
             "{measure} is beyond its {limit} by {size} ({stop})",
             measure=next(names, row.connection),

@@ -219,5 +219,5 @@ class SpaceBorder:
 def border_of(numbers: Numbers) -> Border:
     """The border of a system's states."""
     if numbers.system.space:
-        return SpaceBorder([np.asarray(numbers.principal(b.name)) for b in numbers.system.moving], numbers.length)
-    return PlaneBorder(len(numbers.system.moving), numbers.length)
+        return SpaceBorder([np.asarray(numbers.principal(b.name)) for b in numbers.system.all_moving], numbers.length)
+    return PlaneBorder(len(numbers.system.all_moving), numbers.length)

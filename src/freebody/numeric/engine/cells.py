@@ -175,7 +175,7 @@ class SpaceCells:
 
 def cells_of(numbers: Numbers) -> Cells:
     """How the bodies of a system stand in arrays."""
-    moving = frozenset(body.name for body in numbers.system.moving)
+    moving = frozenset(body.name for body in numbers.system.all_moving)
     return SpaceCells(numbers, moving) if numbers.system.space else PlaneCells(numbers, moving)
 
 

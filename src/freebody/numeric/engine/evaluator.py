@@ -143,7 +143,7 @@ def packed(
     packing = Packing(numbers)
     for row in numbers.system.constraint_rows:
         packing.hold(row)
-    for load in numbers.system.applied_loads:
+    for load in numbers.system.all_loads:
         packing.load(load)
     packing.reads_turns = bool(packing.keys())
     for watch in watches:

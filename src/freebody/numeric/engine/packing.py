@@ -37,7 +37,7 @@ class Packing:
         self.numbers = numbers
         self.cells = cells_of(numbers)
         self.measures = self.cells.measures
-        self._bodies = {body.name: k for k, body in enumerate(numbers.system.moving)}
+        self._bodies = {body.name: k for k, body in enumerate(numbers.system.all_moving)}
         self.n_bodies = len(self._bodies)
         self.constant_force = np.zeros((self.n_bodies + 1, 3 * self.measures.width))
         self._measures: list[dict[MeasureKey, int]] = [{} for _ in self.measures.kinds]

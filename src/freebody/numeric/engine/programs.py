@@ -44,7 +44,7 @@ class Writer(OperationGraph):
         self._bearing_of = bearing_of
         self._functions: dict[str, Any] = {name: self._function(SQRT + k, name) for k, name in enumerate(FUNCTIONS)}
         self._poses: dict[str, Pose[ProgramNode] | SpatialPose[ProgramNode]] = {}
-        moving = numbers.system.moving
+        moving = numbers.system.all_moving
         self._bodies = {body.name: (k, body.turns) for k, body in enumerate(moving)}
         self._width = 6 if numbers.space else 3
         self.n_coordinates = self._width * (len(moving) + 1)

@@ -152,7 +152,7 @@ class ArrayBuilder:
         masses = np.zeros((self.n_bodies + 1, n))
         turns = np.zeros((self.n_bodies + 1, n), dtype=bool)
         gyration: list[tuple[float, ...]] = []
-        for k, b in enumerate(numbers.system.moving):
+        for k, b in enumerate(numbers.system.all_moving):
             masses[k], turns[k] = cells.masses(b)
             gyration += cells.gyration(b)
         is_driven = np.isin(np.arange(masses.size).reshape(masses.shape), sorted(driven)) | (self.width == 1)

@@ -183,7 +183,7 @@ class BallRows:
         found: list[Any] = [None] * len(q)
         length = self.reference.sizes.length
         attitudes: dict[str, Quaternion] = {}
-        for body in self.reference.system.moving:
+        for body in self.reference.system.all_moving:
             columns = self.reference.columns(body.name)
             stated: Sequence[Any] = [None] * len(columns)
             if self.reference.system.space:

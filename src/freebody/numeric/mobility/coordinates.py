@@ -71,15 +71,15 @@ def _free(reference: NumericSystem, q: Array) -> tuple[int, Callable[[Array], Ar
 
 
 def _candidates(system: System) -> Iterator[tuple[str, Measure]]:
-    yield from system.measures.items()
-    yield from ((name, m) for name, m in system.offered if m not in system.measures.values())
+    yield from system.all_measures.items()
+    yield from ((name, m) for name, m in system.offered if m not in system.all_measures.values())
     yield from own_measures(system)
 
 
 def own_measures(system: System) -> Iterator[tuple[str, Measure]]:
     """Angles and places of bodies; in space "angle of crank.x about z" is that of the body's x axis, seen along the
     ground's z."""
-    turning = [body.name for body in system.moving if body.turns]
+    turning = [body.name for body in system.all_moving if body.turns]
     if system.space:
         # first by the own axis that is across in a body parallel to the ground, then by the other one
         for k in (1, 2):
@@ -90,7 +90,7 @@ def own_measures(system: System) -> Iterator[tuple[str, Measure]]:
     else:
         yield from ((f"angle of {body}", Angle(body)) for body in turning)
     origin = Point(GROUND, (ZERO, ZERO), "ground.origin")
-    for body in system.moving:
+    for body in system.all_moving:
         for name, axis in zip("xyz", axes_of(system), strict=False):
             yield f"{name} of {body.name}", Displacement(body.mass_center, origin, axis)
 

@@ -24,7 +24,7 @@ from freebody.numeric.spatial import turned_by
 def described(reference: Reference) -> Array:
     """(n_q,): every body where the model has it, or says it is near; at zero where it says nothing."""
     q = np.zeros(len(reference.masses))
-    for body in reference.system.moving:
+    for body in reference.system.all_moving:
         pose = np.array(start_pose(reference.system, body, reference.number))
         if reference.system.space:
             pose[3:] = rotation_vector(matrix(pose[3:]) @ reference.frame.principal[body.name])

@@ -85,7 +85,7 @@ class Framework:
             size = (7 if body.turns else 3) if system.space else (3 if body.turns else 2)
             places[body.name] = tuple(range(n, n + size))
             n += size
-        moving = {body.name for body in model.system.moving}
+        moving = {body.name for body in model.system.all_moving}
         return cls(
             model,
             {name: at for name, at in places.items() if name in moving},

@@ -342,7 +342,7 @@ def _four_bar(reference: NumericSystem, joints: Sequence[_Joint]) -> list[Point]
     fixed = {name for name, body in reference.system.bodies.items() if body.fixed} | {GROUND}
     ways = [tuple(GROUND if p.body in fixed else p.body for p in joint.points) for joint in joints]
     bodies = {body for way in ways for body in way}
-    if others or len(joints) != 4 or len(bodies) != 4 or len(reference.system.moving) != 3:
+    if others or len(joints) != 4 or len(bodies) != 4 or len(reference.system.all_moving) != 3:
         return None
     left, corners, here = list(range(4)), list[Point](), GROUND
     for _ in range(4):

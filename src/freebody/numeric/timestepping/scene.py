@@ -38,7 +38,7 @@ class ContactScene:
         self.parts.enter(packing)
         for load in system.applied_loads:
             packing.load(load)
-        for measure in system.measures.values():
+        for measure in system.all_measures.values():
             packing.watch(measure)
         self.packed = Packed(numbers, packing)
         self.n_bodies = self.packed.n_bodies
@@ -52,7 +52,7 @@ class ContactScene:
     def lent(self) -> tuple[str, ...]:
         """The bodies without mass that have a little of it here."""
         gap = self.packed.layout.mass_gap.reshape(self.n_bodies + 1, -1)
-        return tuple(body.name for body, own in zip(self.numbers.system.moving, gap, strict=False) if own.any())
+        return tuple(body.name for body, own in zip(self.numbers.system.all_moving, gap, strict=False) if own.any())
 
     @property
     def is_jointed(self) -> NDArray[np.int32]:
@@ -64,7 +64,7 @@ class ContactScene:
     # -- what may touch -----------------------------------------------------------------------
     def _read_contacts(self) -> None:
         pairs = self.numbers.system.contacts
-        bodies = {body.name: k for k, body in enumerate(self.numbers.system.moving)}
+        bodies = {body.name: k for k, body in enumerate(self.numbers.system.all_moving)}
         self.outlines = Outlines.of(pairs, self.numbers, bodies, self.n_bodies)
         o, n = self.outlines, len(self.outlines.outlines)
         self.ends = (

@@ -104,7 +104,7 @@ class Whole(ABC):
         used |= {place for figure in scene.figures for place in figure.path}
         used |= {node.place for rope in scene.ropes for node in rope.nodes if not node.arm}
         named: dict[Place, str] = {}
-        for body in self.system.bodies.values():
+        for body in self.system.material.values():
             for called in body.points:
                 place = self.places.place(body.point(called))
                 if place in used and len(called) <= 2:
@@ -222,7 +222,7 @@ def _joined(measure: Measure | NonholonomicForm) -> Iterator[str]:
 def described(system: System, moved: Sequence[str]) -> str:
     """What a picture shows, in words. moved: bodies that are drawn aside of their places."""
     parts = [f"{system.title}."]
-    bodies = [body.name for body in system.bodies.values() if body.name != "ground"]
+    bodies = [body.name for body in system.material.values() if body.name != "ground"]
     parts.append(f"Bodies: {', '.join(bodies)}.")
     for called, connection in system.connections.items():
         own = [row.measure for row in system.rows if row.connection == called]

@@ -90,10 +90,10 @@ class Draw:
         if system.space:
             return self._in_space(snapshot, is_start=is_start)
         q = self.q if snapshot is None else snapshot.q
-        poses = {b.name: self.reference.pose(q, b.name) for b in system.moving}
+        poses = {b.name: self.reference.pose(q, b.name) for b in system.all_moving}
         velocities: dict[str, tuple[float, float, float]] = {}
         if snapshot is not None:
-            for body in system.moving:
+            for body in system.all_moving:
                 v = [float(snapshot.v[k]) for k in self.reference.columns(body.name)] + [0.0]
                 velocities[body.name] = (v[0], v[1], v[2])
         time = 0.0 if snapshot is None else snapshot.t
@@ -115,8 +115,8 @@ class Draw:
         for name, measure in tree_of(system).angles.items():
             with suppress(CannotAnswer):
                 angles[name] = here.value(measure), here.rate(measure)
-        places = {b.name: tuple(map(float, here.q[list(reference.columns(b.name)[:3])])) for b in system.moving}
-        rates = {b.name: tuple(map(float, here.v[list(reference.columns(b.name)[:3])])) for b in system.moving}
+        places = {b.name: tuple(map(float, here.q[list(reference.columns(b.name)[:3])])) for b in system.all_moving}
+        rates = {b.name: tuple(map(float, here.v[list(reference.columns(b.name)[:3])])) for b in system.all_moving}
         velocities = rates if snapshot is not None else {}
         return Sample(self.values, places, self._constants(), here.t, is_start, velocities, angles)
 

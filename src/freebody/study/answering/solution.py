@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from freebody.model.states import state_name
 from freebody.present.lines import system_line
 from freebody.present.report.blocks import Block, Remark, Report
 from freebody.present.report.results import Result, line, summary
@@ -41,8 +42,10 @@ class Solution(Result):
         assumed: tuple[str, ...] = (),
     ) -> Solution:
         """With the freedoms and coordinates of a model in formulas."""
-        coordinates, dependent = (tuple(c.name for c in found) for found in (model.coordinates, model.dependent))
-        dof, redundant = model.degrees_of_freedom, tuple(model.redundant)
+        coordinates, dependent = (
+            tuple(c.name for c in found if not state_name(c.name)) for found in (model.coordinates, model.dependent)
+        )
+        dof, redundant = model.degrees_of_freedom - len(system.states), tuple(model.redundant)
         return cls(system, dof, coordinates, dependent, redundant, answers, phases, assumed)
 
     def __getitem__(self, id: str) -> Answer:
@@ -71,6 +74,7 @@ class Solution(Result):
             "redundant": list(self.redundant),
             "assumptions": list(self.assumptions),
             "answers": [a.to_plain() for a in self.answers],
+            **({"states": list(self.system.states)} if self.system.states else {}),
             **({} if self.phases is None else {"phases": self.phases.to_plain()}),
         }
 

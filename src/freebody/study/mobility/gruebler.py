@@ -102,7 +102,8 @@ def gruebler(system: System) -> Gruebler:
     """Counts bodies and constraints, connection by connection."""
     by_name: dict[str, list[ConstraintRow]] = {name: [] for name in system.connections}
     for row in system.constraint_rows:
-        by_name[row.connection].append(row)
+        if row.connection in by_name:
+            by_name[row.connection].append(row)
     return Gruebler(
         tuple(b.name for b in system.moving if b.turns),
         tuple(b.name for b in system.moving if not b.turns),

@@ -54,6 +54,7 @@ def mobility(system: System, along: str | None = None, *, assembly_modes: bool =
         from freebody.study.settled import settled
 
         system = settled(system, forces=False)
+    system = system.without_states
     count = gruebler(system)
     if system.unspecified:
         if along is not None:

@@ -91,7 +91,7 @@ class ClosedFormCollision:
         self.setup = Given(with_forces, [{**v, **none} for v in values])
         self.model = self.setup.model
         self.start: StartState = (
-            start_state(self.model, dict(system.start), dict(system.start_rates))
+            start_state(self.model, dict(system.all_start), dict(system.all_start_rates))
             if placed.bodies is None
             else start_from_bodies(self.model)
         )

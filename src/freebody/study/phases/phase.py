@@ -175,7 +175,7 @@ class Phase:
     @cached_property
     def start(self) -> StartState:
         if self.placed.bodies is None:
-            return start_state(self.model, dict(self.system.start), dict(self.system.start_rates))
+            return start_state(self.model, dict(self.system.all_start), dict(self.system.all_start_rates))
         return start_from_bodies(self.model)
 
     @cached_property

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from freebody.language.expression import Call, Expr, Number, ProductOf, Symbol, free_symbols, negate, substitute
 from freebody.measures.combination import Composed
 from freebody.model.elements import RATE, VALUE, AppliedLoad, ConstraintRow
+from freebody.model.states import as_told
 from freebody.present.picture.label import Label, formula, name
 from freebody.system.symbols import ReactionSymbol
 from freebody.system.system import System
@@ -41,7 +42,7 @@ class LoadSymbols:
 
     def law(self, push: AppliedLoad) -> tuple[Expr | None, int]:
         """The law and its sign as for `of`; None where the model has no name for what it depends on."""
-        law = push.in_symbols
+        law = as_told(push.in_symbols, self.system.states)
         for symbol in sorted(s for s in free_symbols(law) if s.startswith(_LOAD)):
             row = self._pressed(symbol.removeprefix(_LOAD))
             if row is None:

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from freebody.model.elements import NonholonomicForm
+from freebody.model.states import state_name
 from freebody.numeric.engine.laws import stored_law
 from freebody.numeric.jets import Array
 from freebody.numeric.kernels.stepped_run import EPSILON
@@ -52,9 +53,13 @@ def energy_balance(result: SimulatedMotion) -> EnergyBalance:
     """Energies along a motion."""
     course, simulator = result.course, result.simulator
     kinetic, mass = np.zeros(len(course.times)), 0.0
-    for k, body in enumerate(result.system.moving):
+    work = course.work.copy()
+    for k, body in enumerate(result.system.all_moving):
         v = course.velocities[:, k]
         m = simulator.reference.number(body.mass)
+        if state_name(body.name):  # what drives a state is no power: z f, whose integral is z^2/2
+            work -= 0.5 * m * v[:, 0] ** 2
+            continue
         mass += m
         kinetic += 0.5 * m * (v[:, 0] ** 2 + v[:, 1] ** 2)
         if course.rotation is not None:
@@ -78,4 +83,4 @@ def energy_balance(result: SimulatedMotion) -> EnergyBalance:
     typical = float(np.abs(forces).sum()) * simulator.numbers.length
     duration = float(course.times[-1] - course.times[0])
     unseen = EPSILON * simulator.numbers.length / duration if duration > 0.0 else 0.0
-    return EnergyBalance(kinetic, potential, course.work, typical, 0.5 * mass * unseen**2)
+    return EnergyBalance(kinetic, potential, work, typical, 0.5 * mass * unseen**2)

@@ -31,8 +31,13 @@ class MeasuredMotion(SimulatedMotion):
 
     @cached_property
     def series(self) -> dict[str, tuple[Array, Array, Array]]:
-        """Value, rate and second derivative of every named measure at the output times."""
-        return observed(self, dict(self.system.measures))
+        """Value, rate and second derivative of every named measure at the output times; of a state of a controller its
+        value and its rate."""
+        states = self.system.states
+        found = observed(self, self.system.measures)
+        for name, (_integral, value, rate) in observed(self, {n: s.integral for n, s in states.items()}).items():
+            found[name] = value, rate, np.full_like(rate, np.nan)
+        return found
 
     def reaction_ranges(self, time: float | None = None) -> dict[str, tuple[float, float]]:
         """Of a system with contacts or dry friction: the least and the largest value [N or N m] that every reaction may

@@ -40,6 +40,7 @@ import numpy as np
 from freebody.language.expression import evaluate
 from freebody.language.units import DIMENSIONLESS, ENERGY, LENGTH, TIME, unit_of
 from freebody.model.elements import RATE, VALUE, AppliedLoad, ConstraintRow, NonholonomicForm
+from freebody.model.states import state_name
 from freebody.numeric.engine.course import RotationHistory, Trajectory
 from freebody.numeric.jets import Array
 from freebody.numeric.potential import ARRAY_FUNCTIONS
@@ -62,8 +63,13 @@ def recorded(result: MeasuredMotion) -> Recording:
 
     course, system = result.course, result.system
     bodies = [b.name for b in system.moving]
-    data = _bodies(course) if course.rotation is None else _bodies_in_space(course, course.rotation)
+    data = _bodies(course, len(bodies)) if course.rotation is None else _bodies_in_space(course, course.rotation, len(bodies))
     for name, (value, rate, acceleration) in result.series.items():
+        if name in system.states:
+            unit = unit_of(system.states[name].dimension)
+            data[name] = ("time", value, _named(unit, name))
+            data[f"{name}_rate"] = ("time", rate, _named(f"{unit}/s", f"rate of {name}"))
+            continue
         unit = unit_of(system.measures[name].dimension)
         data[name] = ("time", value, _named(unit, name))
         data[f"{name}_rate"] = ("time", rate, _named(f"{unit}/s", f"rate of {name}"))
@@ -104,28 +110,28 @@ def recorded(result: MeasuredMotion) -> Recording:
     return Recording(course.times, series, labels, attributes)
 
 
-def _bodies(course: Trajectory) -> dict[str, Any]:
-    """Poses of the bodies and their rates."""
+def _bodies(course: Trajectory, n: int) -> dict[str, Any]:
+    """Poses of the n bodies and their rates."""
     data: dict[str, Any] = {}
     for order, array in enumerate((course.poses, course.velocities, course.accelerations)):
         per = ("", "/s", "/s^2")[order]
         place, turn = _FIXED_NAMES[2 * order], _FIXED_NAMES[2 * order + 1]
         data[f"body_{place}"] = (
             ("time", "body", "axis"),
-            array[:, :-1, :2],
+            array[:, :n, :2],
             _named("m" + per, f"{place} of the mass centre"),
         )
-        data[f"body_{turn}"] = (("time", "body"), array[:, :-1, 2], _named("rad" + per, turn.replace("_", " ")))
+        data[f"body_{turn}"] = (("time", "body"), array[:, :n, 2], _named("rad" + per, turn.replace("_", " ")))
     return data
 
 
-def _bodies_in_space(course: Trajectory, rotation: RotationHistory) -> dict[str, Any]:
+def _bodies_in_space(course: Trajectory, rotation: RotationHistory, n: int) -> dict[str, Any]:
     data: dict[str, Any] = {}
     axes = ("time", "body", "axis")
     for order, array in enumerate((course.poses, course.velocities, course.accelerations)):
         place, per = _FIXED_NAMES[2 * order], ("", "/s", "/s^2")[order]
-        data[f"body_{place}"] = (axes, array[:, :-1], _named("m" + per, f"{place} of the mass centre"))
-    turned = rotation.quaternions[:, :-1]
+        data[f"body_{place}"] = (axes, array[:, :n], _named("m" + per, f"{place} of the mass centre"))
+    turned = rotation.quaternions[:, :n]
     data["body_quaternion"] = (("time", "body", "quaternion"), turned, _named("1", "quaternion of the body's axes"))
     data["body_rotation_matrix"] = ((*axes, "body_axis"), matrices(turned), _named("1", "axes of the body"))
     data["body_rotation_vector"] = (axes, rotation_vectors(turned), _named("rad", "rotation vector of the body's axes"))
@@ -134,7 +140,7 @@ def _bodies_in_space(course: Trajectory, rotation: RotationHistory) -> dict[str,
         ("angular_velocity_in_body", rotation.velocities_in_body, "/s", "angular velocity along the body's axes"),
         ("angular_acceleration", rotation.accelerations, "/s^2", "angular acceleration"),
     ):
-        data[f"body_{name}"] = (axes, array[:, :-1], _named("rad" + per, what))
+        data[f"body_{name}"] = (axes, array[:, :n], _named("rad" + per, what))
     return data
 
 
@@ -160,11 +166,14 @@ def series_names(system: System) -> list[str]:
 def series_units(system: System) -> dict[str, str]:
     """The same with their units, and the used parts of friction."""
     units: dict[str, str] = {}
+    for name, state in system.states.items():
+        unit = unit_of(state.dimension)
+        units |= {name: unit, f"{name}_rate": f"{unit}/s"}
     for name, measure in system.measures.items():
         unit = unit_of(measure.dimension)
         units |= {name: unit, f"{name}_rate": f"{unit}/s", f"{name}_acceleration": f"{unit}/s^2"}
     names = dict(zip((row.name for row in system.rows), reaction_names(system.rows), strict=True))
-    units |= {names[row.name]: _unit_of_reaction(row) for row in system.rows}
+    units |= {names[row.name]: _unit_of_reaction(row) for row in system.rows if not state_name(row.connection)}
     units |= {f"{load}.force": _unit_of_force(own) for load, own in _with_force(system).items()}
     used = friction_names(system, names) if system.dry_friction else ()
     return units | dict.fromkeys(("kinetic_energy", "potential_energy", "work"), "J") | dict.fromkeys(used, "1")
@@ -190,6 +199,8 @@ def _reactions(result: MeasuredMotion) -> dict[str, Any]:
     data: dict[str, Any] = {}
     names = reaction_names(result.rows)
     for k, row in enumerate(result.rows):
+        if state_name(row.connection):
+            continue
         unique = result.course.unique[:, k]
         values = np.where(unique, row.sign * result.course.multipliers[:, k], np.nan)
         attributes = _named(_unit_of_reaction(row), f"{row.reaction} of {row.connection}")
@@ -216,7 +227,7 @@ def _blows(result: MeasuredMotion) -> dict[str, Any]:
     }
     acting = set[str]().union(*(b.impulses.keys() | set(b.not_unique) for b in blows))
     for name, row in zip(reaction_names(result.rows), result.rows, strict=True):
-        if row.name not in acting:
+        if row.name not in acting or state_name(row.connection):
             continue
         values = np.array([np.nan if row.name in b.not_unique else b.impulses.get(row.name, 0.0) for b in blows])
         unit = unit_of(ENERGY * TIME / row.measure.dimension)

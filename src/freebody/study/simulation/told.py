@@ -26,7 +26,7 @@ def motion_blocks(result: MeasuredMotion) -> Iterator[Block]:
 
 
 def _unit(result: MeasuredMotion, name: str) -> str:
-    return unit_of(result.system.measures[name].dimension)
+    return unit_of(result.system.dimensions()[name])
 
 
 def _said(result: MeasuredMotion, summary: dict[str, Any]) -> Iterator[Entry]:

@@ -20,14 +20,15 @@ from freebody.language.sentences import Message, in_turn
 from freebody.measures.base import Measure
 from freebody.measures.distance import Bearing
 from freebody.model.elements import NonholonomicForm
+from freebody.model.states import state_name
 from freebody.numeric.equilibrium import RestSearch
 from freebody.numeric.families import goes_on, nearest_of_family
 from freebody.numeric.instant import UNIQUE
 from freebody.numeric.jet_geometry import JetGeometry
 from freebody.numeric.jets import TIME, Array
 from freebody.numeric.reference import Reference
-from freebody.numeric.rest import LoadBalance
-from freebody.numeric.small_motion import SmallMotion, gradient_of
+from freebody.numeric.rest import CountedPose, LoadBalance
+from freebody.numeric.small_motion import LinearisationPoint, SmallMotion, gradient_of
 from freebody.numeric.vibration import Stability, stability
 from freebody.study.given import formula, named_measure
 from freebody.study.settled import without_friction
@@ -64,12 +65,28 @@ def nearest_equilibrium(system: System, guess: Guess | None = None) -> Equilibri
     return replace(found, rests=found.rests[:1])
 
 
+def about_rest(system: System, reference: Reference, pose: CountedPose) -> SmallMotion:
+    """The small motions of a system about a rest, which `reference` has found. The states of controllers, which statics
+    takes for places, are the rates of their integrals."""
+    at = LinearisationPoint(pose.q, np.zeros_like(pose.q), 0.0, pose.branches, frozen=True)
+    if not system.states:
+        return SmallMotion(reference, at)
+    q, v = pose.q.copy(), np.zeros_like(pose.q)
+    for state in system.states.values():
+        own = list(reference.columns(state.carrier))
+        v[own], q[own] = pose.q[own], 0.0
+    in_motion = Reference(system)
+    in_motion.assemble()
+    return SmallMotion(in_motion, replace(at, q=q, v=v))
+
+
 class _EquilibriumSearch:
     """The equilibria of one system."""
 
     def __init__(self, system: System) -> None:
-        self.system = system
-        self.reference = Reference(system)
+        self.system = system.at_rest
+        self.reference = Reference(self.system)
+        self._in_motion = system
         self.statics = RestSearch(self.reference)
         self.dof = len(self.statics.balance(self.statics.start).residual)
 
@@ -85,7 +102,7 @@ class _EquilibriumSearch:
         rests = tuple(self._rest(b, s) for b, s in judged)
         searched = "" if guessed else self._searched()
         notes = tuple(dict.fromkeys(note for note in (searched, *self._notes()) if note))
-        return Equilibria(self.system, self.dof, rests, notes, self.reference, searched)
+        return Equilibria(self.system, self.dof - len(self.system.states), rests, notes, self.reference, searched)
 
     def from_guesses(self, guesses: Sequence[Guess]) -> list[LoadBalance]:
         found: list[LoadBalance] = []
@@ -106,7 +123,7 @@ class _EquilibriumSearch:
 
     # -- stability ----------------------------------------------------------------------------
     def _stability(self, b: LoadBalance) -> Stability:
-        return stability(SmallMotion(self.reference, self.statics.instant(b.pose)))
+        return stability(about_rest(self._in_motion, self.reference, b.pose))
 
     def _judged(self, b: LoadBalance) -> Stability:
         """The stability, with neutral meant only where rests go on in every direction without stiffness."""
@@ -121,9 +138,9 @@ class _EquilibriumSearch:
         system, reference = self.system, self.reference
         g = self.statics.geometry(b.pose)
         values: dict[str, float] = {}
-        for name, measure in system.measures.items():
+        for name, measure in system.all_measures.items():
             if gradient_of(reference, g, name, measure) is not None:  # a line without length has no angle
-                values[name] = _turned(reference.jet(g, measure, name).value, measure)
+                values[state_name(name) or name] = _turned(reference.jet(g, measure, name).value, measure)
         reactions, shared = self._reactions(b)
         notes = [
             Message(
@@ -161,6 +178,8 @@ class _EquilibriumSearch:
         empty = b.split.left_null
         found: dict[str, float | None] = {}
         for k, row in enumerate(self.system.constraint_rows):
+            if state_name(row.connection):
+                continue
             is_unique = float(np.linalg.norm(empty[k])) <= UNIQUE
             found[row.name] = row.sign * float(b.multipliers[k]) + 0.0 if is_unique else None
         return found, tuple(name for name, value in found.items() if value is None)
@@ -173,6 +192,8 @@ class _EquilibriumSearch:
     def _searched(self) -> str:
         if self.dof < 2 or self.statics.is_single:
             return ""
+        if self.system.states:
+            return Message("found by {n} searches; there may be more", n=self.statics.n_searches)
         return Message(
             "found by {n} searches; with {dof} degrees of freedom there may be more",
             n=self.statics.n_searches,
@@ -230,7 +251,7 @@ class _EquilibriumSearch:
 def moved_most(reference: Reference, g: JetGeometry, motion: Array) -> str:
     """The named measure with the largest part in a motion, by the size of the system; else the body."""
     best, most = "", 1e-6 * float(reference.sizes.relative(motion).max(initial=0.0))
-    for name, measure in reference.system.measures.items():
+    for name, measure in reference.system.all_measures.items():
         row = gradient_of(reference, g, name, measure)
         if row is None:
             continue
@@ -238,7 +259,7 @@ def moved_most(reference: Reference, g: JetGeometry, motion: Array) -> str:
         if unit_of(measure) == "m":
             part /= reference.sizes.length
         if part > most * (1.0 + ROUND_OFF):
-            best, most = name, part
+            best, most = state_name(name) or name, part
     return best or reference.most_moved(motion)
 
 

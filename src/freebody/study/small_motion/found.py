@@ -72,7 +72,8 @@ class Equilibria(Result):
 
     def unit(self, measure: str) -> str:
         """The SI unit of a named measure; rad for angles and other pure numbers."""
-        return unit_of(self.system.measures[measure])
+        state = self.system.states.get(measure)
+        return unit_of(self.system.measures[measure]) if state is None else str(state.dimension)
 
     def to_plain(self) -> dict[str, Any]:
         """The JSON document of `freebody equilibrium`: title, degrees_of_freedom, notes, and `equilibria`, each with
@@ -120,6 +121,8 @@ class Equilibria(Result):
     def _reactions(self, rest: FoundEquilibrium) -> Iterator[str]:
         largest = max((abs(x) for x in rest.reactions.values() if x is not None), default=0.0)
         for row in self.system.constraint_rows:
+            if row.name not in rest.reactions:
+                continue
             value, what = rest.reactions[row.name], f"{row.name}: {row.reaction}"
             if value is None:
                 yield f"{what} is not unique"

@@ -21,11 +21,13 @@ from freebody.errors import CannotAnswer, InputError
 from freebody.language.expression import free_symbols
 from freebody.language.sentences import Message, in_turn
 from freebody.model.noting import did_you_mean
+from freebody.model.states import state_name
 from freebody.numeric.directional import derivative
 from freebody.numeric.instant import forces
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference
-from freebody.numeric.small_motion import LinearisationPoint, SmallMotion, gradient_of
+from freebody.numeric.small_motion import LinearisationPoint, SmallCoordinate, SmallMotion, gradient_of
+from freebody.numeric.snapshot import Snapshot
 from freebody.numeric.system import NumericSystem
 from freebody.numeric.vibration import NaturalMotion, natural_motions
 from freebody.present.lines import amount_text, symbol_text, system_line
@@ -33,7 +35,7 @@ from freebody.present.report.blocks import Block, Remark, Report, Section
 from freebody.present.report.results import Result, entries, entry, line, summary
 from freebody.study.given import named_measure
 from freebody.study.settled import without_friction
-from freebody.study.small_motion.equilibrium import Guess, nearest_equilibrium
+from freebody.study.small_motion.equilibrium import Guess, about_rest, nearest_equilibrium
 from freebody.study.small_motion.found import unit_of
 from freebody.study.small_motion.mode import NaturalMode
 from freebody.study.worded import in_words
@@ -73,8 +75,20 @@ class NaturalModes(Result):
 
     @property
     def states(self) -> tuple[str, ...]:
-        """Names of the states x of the state-space model."""
-        return (*self.coordinates, *(f"rate({c.name})" for c in self.small.speeds))
+        """Names of the states x of the state-space model. Of controllers these are their own states, not the integrals
+        of them, which are among the coordinates."""
+        names = (*self.coordinates, *(state_name(c.name) or f"rate({c.name})" for c in self.small.speeds))
+        return tuple(names[k] for k in self._kept)
+
+    @property
+    def _kept(self) -> list[int]:
+        """Where the states stand among the coordinates and their rates."""
+        return [k for k in range(self.small.order) if k not in self.small.of_states]
+
+    @property
+    def state_matrix(self) -> Array:
+        """A of x' = A x."""
+        return self.small.A[np.ix_(self._kept, self._kept)]
 
     @property
     def mass(self) -> Array:
@@ -97,18 +111,21 @@ class NaturalModes(Result):
         all named measures. Raises InputError for an unknown name, CannotAnswer for a parameter that does more than
         change loads."""
         small, k = self.small, len(self.small.positions)
-        A = small.A
         columns = [small.input(_push_of(small, name)) for name in inputs]
         B = np.array(columns, dtype=np.float64).reshape(len(columns), small.order).T
         rows: list[Array] = []
         through: list[Array] = []
-        for text in outputs or tuple(self.system.measures):
+        for text in outputs or (*self.system.measures, *self.system.states):
             name, order = _output(text)
-            row, gain = small.output(named_measure(self.system, name), order)
+            if name in self.system.states:
+                name, order = self.system.states[name].carrier, order + 1
+            measure = self.system.all_measures.get(name) or named_measure(self.system, name)
+            row, gain = small.output(measure, order)
             rows.append(row)
             through.append(gain @ B[k:])
         C = np.array(rows, dtype=np.float64).reshape(len(rows), small.order)
-        return A, B, C, np.array(through, dtype=np.float64).reshape(len(rows), len(columns))
+        kept, D = self._kept, np.array(through, dtype=np.float64).reshape(len(rows), len(columns))
+        return self.state_matrix, B[kept], C[:, kept], D
 
     def to_plain(self) -> dict[str, Any]:
         """The JSON document of `freebody modes`: title, about, measures {name: {value, unit}}, stability,
@@ -118,14 +135,14 @@ class NaturalModes(Result):
         return {
             "title": self.system.title,
             "about": self.about,
-            "measures": {n: {"value": x, "unit": unit_of(self.system.measures[n])} for n, x in self.measures.items()},
+            "measures": {n: {"value": x, "unit": self._units[n]} for n, x in self.measures.items()},
             "stability": self.stability,
             "coordinates": list(self.coordinates),
             "states": list(self.states),
             "mass_matrix": self.mass.tolist(),
             "damping_matrix": self.damping.tolist(),
             "stiffness_matrix": self.stiffness.tolist(),
-            "state_matrix": self.small.A.tolist(),
+            "state_matrix": self.state_matrix.tolist(),
             "notes": list(self.notes),
             "modes": [mode.to_plain() for mode in self.modes],
         }
@@ -134,9 +151,15 @@ class NaturalModes(Result):
     def report(self) -> Report:
         return summary(self.system.title, self._blocks())
 
+    @property
+    def _units(self) -> dict[str, str]:
+        """Of measures and states."""
+        states = {name: str(state.dimension) for name, state in self.system.states.items()}
+        return {name: unit_of(measure) for name, measure in self.system.measures.items()} | states
+
     def _blocks(self) -> Iterator[Block]:
-        yield line(system_line(self.system, len(self.small.speeds)))
-        units = {name: unit_of(measure) for name, measure in self.system.measures.items()}
+        yield line(system_line(self.system, len(self.small.speeds) - len(self.system.states)))
+        units = self._units
         at = ", ".join(f"{symbol_text(n)} = {amount_text(x, units[n])}" for n, x in self.measures.items())
         stability = f" ({self.stability})" if self.stability else ""
         yield line(f"small motions about the {self.about}{stability}" + (f": {at}" if at else ""))
@@ -163,9 +186,7 @@ def modes(system: System, at: At = "equilibrium", guess: Guess | None = None) ->
         return _about_start(system)
     found = nearest_equilibrium(system, guess)
     rest = found[0]
-    small = SmallMotion(
-        found.reference, LinearisationPoint(rest.q, np.zeros_like(rest.q), 0.0, rest.pose.branches, frozen=True)
-    )
+    small = about_rest(system, found.reference, rest.pose)
     notes = [*(note for note in found.notes if note != found.searched), *rest.notes]
     return NaturalModes(system, at, rest.measures, rest.stability, _modes(small), tuple(notes), small)
 
@@ -177,30 +198,32 @@ def _about_start(system: System) -> NaturalModes:
     small = SmallMotion(reference, LinearisationPoint(q, s.v, 0.0, s.branches, frozen=False))
     notes: list[str] = []
     measures: dict[str, float] = {}
-    for name, measure in system.measures.items():
+    for name, measure in system.all_measures.items():
+        state = state_name(name)
         try:
-            measures[name] = s.value(measure)
+            measures[state or name] = s.rate(measure) if state else s.value(measure)
         except CannotAnswer:
             continue
-    unsteady = [c for c in small.positions if c.measure is not None and not _is_steady(small, s, c.measure)]
+    unsteady = [c for c in small.positions if c.measure is not None and not _is_steady(small, s, c)]
     if unsteady:
         notes.append(
             Message(
                 "the start is no steady state of {names}: the equations hold for its first instant only, and its modes "
                 "are those of coefficients that stay as they are then",
-                names=in_turn([c.name for c in unsteady]),
+                names=in_turn([state_name(c.name) or c.name for c in unsteady]),
             )
         )
     return NaturalModes(system, "start", measures, "", _modes(small), tuple(notes), small)
 
 
-def _is_steady(small: SmallMotion, s: Any, measure: Any) -> bool:
-    """Whether a measure neither moves nor accelerates."""
+def _is_steady(small: SmallMotion, s: Snapshot, c: SmallCoordinate) -> bool:
+    """Whether a measure neither moves nor accelerates; of a state its rate counts, not that of its integral."""
+    measure = c.measure
+    assert measure is not None
     size = small.reference.sizes.length if str(measure.dimension) == "m" else 1.0
     pace = 1.0 + float(small.reference.sizes.relative(s.v).max(initial=0.0))
-    return (
-        abs(s.rate(measure)) <= ROUND_OFF * size * pace and abs(s.acceleration(measure)) <= ROUND_OFF * size * pace**2
-    )
+    is_slow = bool(state_name(c.name)) or abs(s.rate(measure)) <= ROUND_OFF * size * pace
+    return is_slow and abs(s.acceleration(measure)) <= ROUND_OFF * size * pace**2
 
 
 # -- shapes ----------------------------------------------------------------------------------------
@@ -212,10 +235,11 @@ def _mode(small: SmallMotion, found: NaturalMotion) -> NaturalMode:
     reference = small.reference
     g = small.at.geometry(reference, small.at.q, small.at.v)
     shape: dict[str, complex] = {}
-    for name, measure in reference.system.measures.items():
+    for name, measure in reference.system.all_measures.items():
         row = gradient_of(reference, g, name, measure)
         if row is not None:
-            shape[name] = complex(row @ found.motion)
+            state, moved = state_name(name), complex(row @ found.motion)
+            shape[state or name] = found.rate * moved if state else moved
     measured = _normalised(np.array(list(shape.values()), dtype=np.complex128))
     moved = _normalised(found.motion)
     n_parts = 6 if reference.system.space else 3

@@ -56,7 +56,7 @@ class SpatialBodies(Bodies):
             if body.fixed:
                 self._rotations[body.name] = self.known_rotation(body.start.turned or (), self._constant)
         for k, (name, measure) in enumerate(self.tree.angles.items()):
-            rank = NAMED if name in system.measures else BODY_ANGLE
+            rank = NAMED if name in system.all_measures else BODY_ANGLE
             own = unknowns.new(name, (rank, -k), is_angle=True)
             unknowns.measures[f.index(own)] = measure
             unknowns.defined[f.index(own)] = own
@@ -91,7 +91,7 @@ class SpatialBodies(Bodies):
         """A chain with fewer than three named angles holds what joints hold that leave the body these angles alone."""
         kept = list(rows)
         by_name = {row.name: row for row in self.system.constraint_rows}
-        for body in self.system.moving:
+        for body in self.system.all_moving:
             n_free = sum(bool(turn.name) for turn in body.chain)
             if not body.chain or n_free == 3:
                 continue
@@ -232,7 +232,7 @@ class SpatialBodies(Bodies):
         for link in self.tree.links:
             turning[link.body] = self._carried(turning.get(link.parent, (zero, zero, zero)), link, express, rate)
         found: dict[str, Parts] = {}
-        for b in self.system.moving:
+        for b in self.system.all_moving:
             p = poses[b.name]
             assert isinstance(p, SpatialPose)
             assert p.center.z is not None

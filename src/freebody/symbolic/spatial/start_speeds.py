@@ -21,7 +21,7 @@ class SpatialStartSpeeds(StartSpeeds):
     def _wanted_of_bodies(self) -> WantedRates:
         f, scalar = self.field, self.scalar
         wanted: WantedRates = []
-        for body in self.system.moving:
+        for body in self.system.all_moving:
             velocity, pose = self.kinematics.velocities[body.name], self.configuration.poses[body.name]
             wanted += [(v, scalar(e)) for v, e in zip(velocity, body.start.velocity or (), strict=False)]
             if body.start.rates is not None:

@@ -65,10 +65,10 @@ class _Grower:
         self.angles: dict[str, Measure] = {}
         self.rows: set[str] = set()
         self.placed = {b.name: None for b in system.bodies.values() if b.fixed or not b.turns}  # in this order
-        self._names = {m: name for name, m in (*system.offered, *system.measures.items())}
+        self._names = {m: name for name, m in (*system.offered, *system.all_measures.items())}
 
     def tree(self) -> JointTree:
-        waiting = [b.name for b in self.system.moving if b.turns]
+        waiting = [b.name for b in self.system.all_moving if b.turns]
         while waiting:
             name = self._next(waiting)
             self.placed[name] = None
@@ -117,7 +117,7 @@ class _Grower:
         body = self.system.bodies[name]
         for turn in body.chain:
             if turn.name:
-                self.angles[turn.name] = self.system.measures[turn.name]
+                self.angles[turn.name] = self.system.all_measures[turn.name]
         self.links.append(TreeLink(name, body.frame, tuple(map(_step, body.chain)), body.chain))
 
     def _free(self, name: str) -> None:

@@ -24,6 +24,7 @@ SECTIONS = (
     "connections",
     "loads",
     "measures",
+    "states",
     "start",
     "questions",
     "drawing",

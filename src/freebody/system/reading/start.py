@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Container, Mapping
+from dataclasses import replace
 
 from freebody.language.expression import Expr
 from freebody.language.sentences import Message
@@ -34,9 +35,13 @@ def read_start(source: Source, measures: Mapping[str, Measure]) -> tuple[dict[st
     for key, value in source.mapping("start").items():
         if _is_mode(source, key):
             continue
+        if key in names.states:
+            state = names.states[key]
+            names.states[key] = replace(state, start=names.formula(value, state.dimension, "start", key))
+            continue
         name = key if key in measures else rate_of(key, {*measures, *names.broken})
         if name not in measures:
-            known = [*measures, *(f"rate({m})" for m in measures)]
+            known = [*measures, *names.states, *(f"rate({m})" for m in measures)]
             told = Message("{key} is no named measure or rate of one.{hint}", key=key, hint=did_you_mean(key, known))
             names.unknown(name, told, "start", key)
             continue

@@ -1,0 +1,133 @@
+"""States of controllers: integrators, lags and saturation, against hand-derived polynomials and motions."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import freebody as fb
+from freebody.errors import ModelError
+from freebody.language.notation import to_python
+from freebody.numeric.reference import Reference
+
+EXAMPLES = Path(__file__).parents[1] / "examples"
+
+
+def example(name: str, **values: str | float) -> fb.System:
+    return fb.System.load(EXAMPLES / f"{name}.yaml").with_parameters(**values)
+
+
+def poles(system: fb.System) -> list[complex]:
+    """Of the whole system, by its state-space model."""
+    A, _B, _C, _D = system.modes().state_space()
+    return sorted(np.linalg.eigvals(A), key=lambda s: (round(s.real, 6), s.imag))
+
+
+def roots(*coefficients: float) -> list[complex]:
+    return sorted(np.roots(coefficients), key=lambda s: (round(s.real, 6), s.imag))
+
+
+LAG = """
+parameters: {T: 0.5 s, u: 2 N, m: 3 kg}
+bodies: {ball: {particle: {mass: m}}}
+connections: {rail: {slider: {body: ball, along: right}}}
+measures: {x: x of ball}
+states: {F: (u - F)/T}
+loads: {push: {force: {at: ball, along: right, magnitude: F}}}
+start: {x: 0, rate(x): 0}
+questions: {a: acceleration of x, F: F}
+"""
+
+
+def test_a_first_order_lag_comes_near_exponentially_on_both_routes() -> None:
+    # F = u (1 - e^(-t/T)), m x' = u (t - T (1 - e^(-t/T)))
+    system = fb.System.from_text(LAG)
+    until, T, u, m = 1.3, 0.5, 2.0, 3.0
+    force = u * (1 - math.exp(-until / T))
+    speed = u / m * (until - T * (1 - math.exp(-until / T)))
+    series = system.simulate(until).series
+    assert series["F"][0][-1] == pytest.approx(force, rel=1e-8)
+    assert series["x"][1][-1] == pytest.approx(speed, rel=1e-8)
+    reference = Reference(system)
+    q = reference.assemble()
+    end = reference.integrate((q, reference.velocities(q)), until).snapshots[-1]
+    assert end.rate(system.states["F"].integral) == pytest.approx(force, rel=1e-7)
+    assert end.rate(system.measures["x"]) == pytest.approx(speed, rel=1e-7)
+    assert str(to_python(system.solve()["a"].expression)) == "F/m"
+
+
+def test_states_have_no_mass_no_place_no_energy_and_no_degree_of_freedom() -> None:
+    system = fb.System.from_text(LAG)
+    result = system.simulate(1.0)
+    speed = result.series["x"][1]
+    assert result.energy.kinetic == pytest.approx(1.5 * speed**2, rel=1e-9)
+    assert result.energy.relative_error < 1e-8
+    assert system.mobility().rank.n_freedoms == 1
+    assert [body.name for body in system.moving] == ["ball"]
+    assert "1 degree of freedom" in system.solve().to_text()
+    assert set(result.dataset.body.values) == {"ball"}
+
+
+def test_a_state_is_in_the_unit_that_its_rate_says() -> None:
+    assert str(fb.System.from_text(LAG).states["F"].dimension) == "N"
+    assert str(example("servo_with_pid").states["z"].dimension) == "s"
+
+
+def test_pid_leaves_no_error_and_has_the_poles_of_its_polynomial() -> None:
+    # J s^3 + k_d s^2 + k_p s + k_i
+    system = example("servo_with_pid")
+    assert poles(system) == pytest.approx(roots(0.2, 1.0, 6.0, 5.0), rel=1e-6)
+    loaded = fb.System.from_text((EXAMPLES / "servo_with_pid.yaml").read_text().replace("z: T/k_i", "z: 0"))
+    series = loaded.simulate(25.0).series
+    assert series["phi"][0][-1] == pytest.approx(math.radians(30), abs=1e-7)
+    assert series["z"][0][-1] == pytest.approx(1.0 / 5.0, rel=1e-6)
+    (rest,) = loaded.equilibria()
+    assert rest.measures["z"] == pytest.approx(0.2, rel=1e-8)
+    assert rest.stability == "stable"
+
+
+@pytest.mark.parametrize(("gain", "is_stable"), [("29 N m/s", True), ("31 N m/s", False)])
+def test_pid_is_stable_up_to_the_gain_of_routh(gain: str, is_stable: bool) -> None:
+    # k_i < k_p k_d/J = 30 N m/s
+    (rest,) = example("servo_with_pid", k_i=gain).equilibria()
+    assert (rest.stability == "stable") == is_stable
+
+
+def test_a_chain_of_two_lags_has_the_poles_of_its_polynomial_and_an_undamped_pair_at_the_limit() -> None:
+    # (J s^2 + c s) (tau s/2 + 1)^2 + k, tau = 1 s
+    def polynomial(k: float) -> list[float]:
+        return [*np.polymul([400.0, 300.0, 0.0], np.polymul([0.5, 1.0], [0.5, 1.0]))[:-1], k]
+
+    assert poles(example("heading_with_delay")) == pytest.approx(roots(*polynomial(100.0)), rel=1e-6)
+    J, c, tau = 400.0, 300.0, 1.0
+    limit = 4 * c * (2 * J + c * tau) ** 2 / (tau * (4 * J + c * tau) ** 2)
+    assert max(s.real for s in roots(*polynomial(limit))) == pytest.approx(0.0, abs=1e-9)
+    assert example("heading_with_delay").solve()["gain"].value == pytest.approx(limit, rel=1e-9)
+
+
+def test_a_saturated_motor_gives_its_full_torque_first() -> None:
+    # phi = phi_0 - T_m t^2/(2 J) while k phi + c phi' > T_m
+    phi = example("saturated_servo").simulate(0.4, every=0.1).series["phi"][0]
+    times = np.arange(5) * 0.1
+    assert phi == pytest.approx(math.pi / 2 - 3.0 / (2 * 0.5) * times**2, rel=1e-8)
+    assert 20 * phi[-1] - 4 * 6.0 * 0.4 > 3.0  # which is so all the time
+
+
+def test_inputs_and_outputs_reach_the_state_space_model() -> None:
+    # from the wanted place X to the trolley: at rest x = r = p = X, so the gain at s = 0 is one; and p is 1/(tau s + 1)
+    system = example("crane_with_feedforward")
+    A, B, C, D = system.modes().state_space(inputs=["weight"], outputs=["x", "theta", "p", "rate(r)"])
+    assert A.shape == (6, 6) and C.shape == (4, 6) and B.shape == (6, 1) and D.shape == (4, 1)
+    assert system.modes().states == ("x", "theta", "rate(x)", "rate(theta)", "p", "r")
+    assert A[4] == pytest.approx([0, 0, 0, 0, -1 / 3, 0], abs=1e-8)
+    assert C[3] == pytest.approx(A[5], abs=1e-8)
+
+
+def test_a_state_may_not_be_called_as_something_else_and_its_law_may_not_contain_rates_of_states() -> None:
+    with pytest.raises(ModelError, match="is a parameter or a measure already"):
+        fb.System.from_text(LAG.replace("states: {F", "states: {x"))
+    with pytest.raises(ModelError, match="not in their rates"):
+        fb.System.from_text(LAG.replace("states: {F: (u - F)/T}", "states: {F: (u - F)/T, G: rate(F)}"))
