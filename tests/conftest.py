@@ -31,6 +31,26 @@ def pytest_configure(config: pytest.Config) -> None:
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # of the workers, which have a core each
 
 
+_LONG = Path(__file__).with_name("long_tests.txt")  # written by tools/list_long_tests.py
+
+
+@cache
+def long_tests() -> tuple[frozenset[str], frozenset[str]]:
+    """Examples all of whose cases are slow, and tests that are."""
+    lines = [line for line in _LONG.read_text(encoding="utf-8").splitlines() if not line.startswith("#")]
+    examples = frozenset(line.partition(" ")[2] for line in lines if line.startswith("example "))
+    return examples, frozenset(lines) - {f"example {name}" for name in examples}
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    examples, tests = long_tests()
+    for item in items:
+        case = item.nodeid.partition("[")[2].removesuffix("]")
+        if item.nodeid in tests or case in examples:
+            item.add_marker(pytest.mark.slow)
+
+
 # files that share explained examples (`examples_told`), and so one worker
 _TOGETHER = {"test_examples", "test_narrative", "test_narrative_phrases", "test_shared_derivations"}
 _SHARES = re.compile(r'@(functools\.)?(lru_)?cache\b|scope="module"')  # what a file keeps for all of its tests

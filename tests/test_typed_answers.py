@@ -159,7 +159,7 @@ def test_hostile_text_costs_little_and_is_never_right(hostile: str) -> None:
     atwood.check("acceleration", "g")
     start = time.process_time()
     found = atwood.check("acceleration", hostile)
-    assert time.process_time() - start < 0.5  # 50 ms on a quiet machine
+    assert time.process_time() - start < 0.1  # 45 ms were the most on a quiet machine
     assert found.verdict in ("unreadable", "incorrect", "undecided")
 
 

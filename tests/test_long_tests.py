@@ -1,0 +1,25 @@
+"""What is left to the slow part of the tests is there, and is no more than a part."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from conftest import long_tests
+
+TESTS = Path(__file__).parent
+
+
+def test_what_is_left_to_the_slow_part_exists() -> None:
+    examples, tests = long_tests()
+    known = {path.stem for path in (TESTS.parent / "examples").glob("*.yaml")}
+    assert examples <= known
+    for test in tests:
+        path, _, function = test.partition("[")[0].partition("::")
+        assert f"def {function}(" in (TESTS.parent / path).read_text(encoding="utf-8"), test
+
+
+def test_the_exercise_sheet_is_in_every_run() -> None:
+    examples, _ = long_tests()
+    assert len(examples) < 25
+    sheet = ("atwood_machine", "disk_rolling_down_incline", "slider_crank", "cardan_joint", "disk_on_angled_shaft")
+    assert not examples & set(sheet)
