@@ -48,6 +48,7 @@ if TYPE_CHECKING:
     from freebody.study.small_motion.modes import modes
     from freebody.study.sweeps.result import Sweep
     from freebody.study.sweeps.sweep import sweep
+    from freebody.study.synthesis.synthesise import synthesise
 
 _HOMES = {
     "System": "freebody.api",
@@ -64,6 +65,7 @@ _HOMES = {
     "Sweep": "freebody.study.sweeps.result",
     "Fit": "freebody.study.fitting.result",
     "Optimum": "freebody.study.optimising.result",
+    "synthesise": "freebody.study.synthesis.synthesise",
     "Gradient": "freebody.study.sensitivity.local",
     "Sensitivity": "freebody.study.sensitivity.sensitivity",
     "effort": "freebody.budgets",
@@ -122,6 +124,7 @@ __all__ = [
     "solve",
     "statics",
     "sweep",
+    "synthesise",
 ]
 
 

@@ -121,6 +121,7 @@ from freebody.study.small_motion.equilibrium import equilibria as equilibria
 from freebody.study.small_motion.modes import modes as modes
 from freebody.study.sweeps.result import Sweep as Sweep
 from freebody.study.sweeps.sweep import sweep as sweep
+from freebody.study.synthesis.synthesise import synthesise as synthesise
 
 _Text = str | Written
 _Formula = Formula | Expr

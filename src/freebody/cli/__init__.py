@@ -22,11 +22,12 @@ from freebody.cli.sheets import sheet
 from freebody.cli.studies import command_of
 from freebody.cli.studio import studio
 from freebody.cli.sweeps import sweep
+from freebody.cli.synthesis import synthesise
 from freebody.studies import STUDIES
 
 # commands with outputs of their own, and those that are no study of a system
 _OWN: dict[str, Callable[..., None]] = {"simulate": simulate, "sweep": sweep, "fit": fit, "optimise": optimise}
-_BESIDE: tuple[Callable[..., None], ...] = (sheet, export, quiz, studio, examples, new, schema, doctor)
+_BESIDE: tuple[Callable[..., None], ...] = (synthesise, sheet, export, quiz, studio, examples, new, schema, doctor)
 
 
 def commands() -> typer.Typer:

@@ -29,7 +29,7 @@ def check_out(out: Path | None) -> None:
 
 def print_result(
     found: Result,
-    system: System,
+    system: System | None,
     *,
     as_json: bool,
     as_latex: bool = False,
@@ -51,8 +51,10 @@ def print_result(
         print_written(written)
 
 
-def _with_warnings(document: dict[str, Any], system: System) -> dict[str, Any]:
+def _with_warnings(document: dict[str, Any], system: System | None) -> dict[str, Any]:
     """A document with the warnings about its model, if there are any."""
+    if system is None:
+        return document
     from freebody.study.model_warnings import warnings_of
 
     told = [warning.to_plain() for warning in warnings_of(system)]

@@ -1,0 +1,165 @@
+"""What a synthesis has found: dyads, candidates with their dimensions, defects by name, pictures and model files."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from freebody.errors import InputError
+from freebody.language.sentences import Message
+from freebody.numeric.jets import Array
+from freebody.present.files import replaced
+from freebody.present.lines import number_text
+from freebody.present.picture.picture import Picture
+from freebody.present.report.blocks import Block, Figure, Report, Section
+from freebody.present.report.results import Result, entries, entry, summary, table
+from freebody.study.synthesis.certificate import Certificate, model_text
+from freebody.study.synthesis.linkage import Defect, Linkage
+from freebody.study.synthesis.picture import linkage_picture
+from freebody.study.synthesis.positions import Dyad
+from freebody.study.synthesis.tasks import TASKS, Task
+
+_MOST_SHOWN = 12
+
+
+@dataclass(frozen=True)
+class Candidate:
+    """A linkage with what is wrong with it; certificate: of the followed motion, where it was followed."""
+
+    linkage: Linkage
+    defects: tuple[Defect, ...]
+    certificate: Certificate | None = None
+
+    @property
+    def is_good(self) -> bool:
+        """Whether it is certified to do the task."""
+        return not self.defects and self.certificate is not None
+
+    @property
+    def transmission(self) -> float:
+        """The least angle [deg] at which the coupler drives the output: over the motion, else in the positions."""
+        extremes = None if self.certificate is None else self.certificate.transmission
+        return self.linkage.transmission if extremes is None else extremes[0]
+
+    @property
+    def verdict(self) -> str:
+        if self.defects:
+            return ", ".join(d.name for d in self.defects)
+        return "certified" if self.certificate is not None else "not followed"
+
+
+@dataclass(frozen=True, repr=False)
+class Synthesis(Result):
+    """dyads: of which candidates are made; candidates: the best first; about: how complete they are."""
+
+    task: Task
+    dyads: tuple[Dyad, ...]
+    candidates: tuple[Candidate, ...]
+    about: str
+    files: tuple[Path, ...] = ()
+
+    @property
+    def certified(self) -> tuple[Candidate, ...]:
+        return tuple(c for c in self.candidates if c.is_good)
+
+    @property
+    def is_complete(self) -> bool:
+        """Whether a candidate does the task."""
+        return bool(self.certified)
+
+    def write_models(self, folder: Path) -> list[Path]:
+        """Each certified candidate as a model file, candidate_1.yaml first. Raises InputError where that cannot be."""
+        try:
+            folder.mkdir(parents=True, exist_ok=True)
+        except OSError as error:
+            raise InputError(Message("{folder} cannot be written: {why}", folder=folder, why=error)) from error
+        written: list[Path] = []
+        for k, c in enumerate(self.certified, 1):
+            path = folder / f"candidate_{k}.yaml"
+            with replaced(path) as file:
+                file.write_text(model_text(c.linkage, f"{self.task.title}, candidate {k}"), encoding="utf-8")
+            written.append(path)
+        return written
+
+    # -- plain data ---------------------------------------------------------------------------
+    def to_plain(self) -> dict[str, Any]:
+        """Plain data: dyads, and candidates with their dimensions [m], pivots and defects."""
+        return {
+            "title": self.task.title,
+            "task": self.task.kind,
+            "linkage": self.task.linkage,
+            "complete": str(self.about),
+            "dyads": [
+                {
+                    "moving": _list(d.moving),
+                    "direction" if d.is_slide else "fixed": _list(d.fixed),
+                    "residual": d.residual,
+                }
+                for d in self.dyads
+            ],
+            "candidates": [self._plain(c) for c in self.candidates],
+            "certified": len(self.certified),
+        }
+
+    def _plain(self, c: Candidate) -> dict[str, Any]:
+        linkage = c.linkage
+        points = {
+            "A": linkage.A,
+            "B": linkage.B[0],
+            "C": linkage.C[0],
+            "D": linkage.D,
+            "P": None if linkage.P is None else linkage.P[0],
+        }
+        return {
+            "lengths": linkage.lengths,
+            "points": {name: _list(at) for name, at in points.items() if at is not None},
+            "verdict": c.verdict,
+            "case": c.certificate.case if c.certificate else None,
+            "transmission_angle": c.transmission,
+            "residual": linkage.residual,
+            "defects": [{"name": d.name, "reason": str(d.why)} for d in c.defects],
+        }
+
+    # -- report -------------------------------------------------------------------------------
+    @property
+    def report(self) -> Report:
+        return summary(self.task.title, self._blocks())
+
+    def _blocks(self) -> Iterator[Block]:
+        task = self.task
+        yield from entries(
+            entry("task", f"{task.kind} generation, {task.linkage}, {task.n} {TASKS[task.kind]}"),
+            entry("dyads", str(self.about)),
+            entry("candidates", Message("{n}, of which {k} certified", n=len(self.candidates), k=len(self.certified))),
+        )
+        shown = self.candidates[:_MOST_SHOWN]
+        if not shown:
+            return
+        names = list(shown[0].linkage.lengths)
+        rows = [
+            [str(k), *(number_text(x) for x in c.linkage.lengths.values()), f"{c.transmission:.1f}", c.verdict]
+            for k, c in enumerate(shown, 1)
+        ]
+        yield Section(("Candidates",), tuple(table(rows, ["", *(f"{n} [m]" for n in names), "transmission [deg]", ""])))
+        said = [entry(str(k), *(f"{d.name}: {d.why}" for d in c.defects)) for k, c in enumerate(shown, 1) if c.defects]
+        if said:
+            yield Section(("Defects",), tuple(entries(*said)))
+        for k, c in enumerate(self.certified[:3], 1):
+            picture = self.picture(k)
+            yield Figure(
+                picture, (Message("candidate {k}: {case}", k=k, case=c.certificate.case if c.certificate else ""),), k
+            )
+
+    def picture(self, k: int = 1) -> Picture:
+        """Candidate k, from 1, in all positions with its coupler curve. Raises InputError if there is none."""
+        if not 1 <= k <= len(self.candidates):
+            raise InputError(Message("there is no candidate {k}; there are {n}", k=k, n=len(self.candidates)))
+        return linkage_picture(self.task.title, self.candidates[k - 1].linkage)
+
+
+def _list(x: Array) -> list[float]:
+    return [float(v) for v in np.asarray(x)]

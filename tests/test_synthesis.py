@@ -1,0 +1,343 @@
+"""Linkages to given positions, functions and paths: what was built comes back, and what is wrong is said."""
+
+from __future__ import annotations
+
+import json
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+from scipy.optimize import root
+
+import freebody as fb
+from command import freebody
+from freebody.errors import CannotAnswer, InputError, ModelError
+from freebody.numeric.reference import Reference
+from freebody.numeric.snapshot import snapshot_of
+from freebody.study.synthesis.certificate import certified, seen_alike
+from freebody.study.synthesis.fewer import by_pivot, curve, on_lines, pole, slides
+from freebody.study.synthesis.five import five_positions
+from freebody.study.synthesis.linkage import Linkage, cognates
+from freebody.study.synthesis.positions import Position, places, rows_of
+
+Array = NDArray[np.float64]
+ANGLES = (0.2, 0.7, 1.3, 1.9, 2.8)
+
+
+class FourBar:
+    """A drawn by hand: lengths a, b, c, pivots A, D, a point P of the coupler in its own axes."""
+
+    def __init__(self, a: float = 1.0, b: float = 3.0, c: float = 2.5, D: tuple[float, float] = (3.0, 0.5)) -> None:
+        self.a, self.b, self.c = a, b, c
+        self.A, self.D, self.P = np.zeros(2), np.array(D), np.array((0.4, 0.7))
+
+    def at(self, theta: float, side: int = 1) -> tuple[Array, Array, float, Array]:
+        """B, C, the coupler's angle, and where P is; by the law of cosines."""
+        B = self.A + self.a * np.array((math.cos(theta), math.sin(theta)))
+        d = self.D - B
+        L = float(np.hypot(*d))
+        inner = math.acos((self.b**2 + L**2 - self.c**2) / (2 * self.b * L))
+        phi = math.atan2(d[1], d[0]) + side * inner
+        turn = np.array(((math.cos(phi), -math.sin(phi)), (math.sin(phi), math.cos(phi))))
+        return B, B + self.b * turn[:, 0], phi, B + turn @ self.P
+
+    def positions(self, angles: tuple[float, ...] = ANGLES) -> list[Position]:
+        found: list[Position] = []
+        for theta in angles:
+            _B, _C, phi, P = self.at(theta)
+            found.append(Position(float(P[0]), float(P[1]), phi))
+        return found
+
+    def linkage(self, angles: tuple[float, ...] = ANGLES, sides: tuple[int, ...] = (1,) * 5) -> Linkage:
+        every = [self.at(theta, side) for theta, side in zip(angles, sides, strict=True)]
+        B, C, P = (np.array([x[k] for x in every]) for k in (0, 1, 3))
+        return Linkage(self.A, B, C, self.D, P=P)
+
+
+# -- five positions ---------------------------------------------------------------------------
+@pytest.mark.parametrize("seed", range(6))
+def test_both_dyads_of_a_four_bar_come_back_from_five_of_its_positions(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    bar = FourBar(*(float(x) for x in (1.0, *rng.uniform(2.5, 3.5, 2))), D=(float(rng.uniform(2.0, 3.0)), 0.5))
+    found = five_positions(bar.positions())
+    assert found.is_proved
+    assert len(found.dyads) + found.n_complex + found.n_infinite == 4
+    B, C, _phi, _P = bar.at(ANGLES[0])
+    for moving, fixed in ((B, bar.A), (C, bar.D)):
+        near = min(found.dyads, key=lambda d: float(np.abs(d.moving - moving).max()))
+        assert near.moving == pytest.approx(moving, abs=1e-9)
+        assert near.fixed == pytest.approx(fixed, abs=1e-9)
+    for d in found.dyads:
+        at = np.linalg.norm(places(bar.positions(), d.moving) - d.fixed, axis=1)
+        assert float(np.ptp(at)) <= 1e-11 * (1 + d.length)
+
+
+def test_newton_from_many_places_finds_no_dyad_that_is_not_among_them() -> None:
+    """The four bilinear equations in (W, G), solved from 400 random starts (seed 5)."""
+    positions = FourBar().positions()
+    found = five_positions(positions)
+    rng = np.random.default_rng(5)
+    known = np.array([np.append(d.moving, d.fixed) for d in found.dyads])
+    seen: set[int] = set()
+
+    def equations(x: Array) -> Array:
+        return rows_of(positions, x[:2]) @ np.append(x[2:], 1.0)
+
+    for _ in range(400):
+        solution = root(equations, rng.normal(0.0, 10.0, 4), tol=1e-13)
+        if not solution.success or np.abs(equations(solution.x)).max() > 1e-9:
+            continue
+        distances = np.abs(known - solution.x).max(axis=1)
+        assert distances.min() < 1e-5 * (1 + np.abs(solution.x).max())
+        seen.add(int(distances.argmin()))
+    assert seen == set(range(len(known)))
+
+
+def test_positions_as_written_are_taken_exactly() -> None:
+    """cos 60 deg is 1/2, not its float; a plane that turns about a point is led by a whole curve of dyads."""
+    task = {"task": "motion", "positions": [{"at": [0, 0], "angle": f"{k} deg"} for k in (0, 30, 60, 100, 200)]}
+    with pytest.raises(CannotAnswer, match="whole curve"):
+        fb.synthesise(task)
+
+
+# -- fewer ------------------------------------------------------------------------------------
+def test_the_curves_of_four_positions_pass_through_the_pivots_of_the_four_bar() -> None:
+    bar = FourBar()
+    positions = bar.positions(ANGLES[:4])
+    for d in curve(positions, 24):
+        at = np.linalg.norm(places(positions, d.moving) - d.fixed, axis=1)
+        assert float(np.ptp(at)) <= 1e-9 * (1 + d.length)
+    B, C, _phi, _P = bar.at(ANGLES[0])
+    P12 = pole(positions)
+    for moving, fixed in ((B, bar.A), (C, bar.D)):
+        r = moving - P12
+        (found,) = on_lines(positions, P12, [math.atan2(r[1], r[0])])
+        near = min(found, key=lambda d: float(np.abs(d.moving - moving).max()))
+        assert near.fixed == pytest.approx(fixed, abs=1e-8)
+
+
+def test_a_fixed_pivot_tells_the_moving_one_of_three_positions() -> None:
+    bar = FourBar()
+    found = by_pivot(bar.positions(ANGLES[:3]), bar.D)
+    assert found is not None
+    assert found.moving == pytest.approx(bar.at(ANGLES[0])[1], abs=1e-10)
+
+
+def test_the_slider_of_four_positions_is_the_wrist_pin_of_a_slider_crank() -> None:
+    """Crank 1, rod 3, the pin on the line y = 0.4; positions of the rod."""
+    found: list[Position] = []
+    for theta in ANGLES[:4]:
+        B = np.array((math.cos(theta), math.sin(theta)))
+        phi = math.asin((0.4 - B[1]) / 3.0)
+        found.append(Position(float(B[0]), float(B[1]), phi))
+    (d,) = slides(found, [])
+    B = np.array((found[0].x, found[0].y))
+    assert d.moving == pytest.approx(B + 3.0 * np.array((math.cos(found[0].angle), math.sin(found[0].angle))), abs=1e-9)
+    assert d.fixed == pytest.approx((1.0, 0.0), abs=1e-9)
+    for one in slides(found[:3], [0.3, 1.0, 2.0]):
+        assert one.residual < 1e-9
+
+
+# -- functions --------------------------------------------------------------------------------
+def function_pairs(angles: tuple[float, ...]) -> list[list[str]]:
+    """Crank 0.4, coupler 0.9, rocker 0.7 on a frame of 1 m."""
+    bar = FourBar(0.4, 0.9, 0.7, (1.0, 0.0))
+    out: list[list[str]] = []
+    for theta in angles:
+        _B, C, _phi, _P = bar.at(theta)
+        psi = math.atan2(C[1], C[0] - 1.0)
+        out.append([f"{theta!r} rad", f"{psi!r} rad"])
+    return out
+
+
+@pytest.mark.parametrize("n", [3, 4, 5])
+def test_a_function_generator_comes_back_from_its_pairs(n: int) -> None:
+    found = fb.synthesise({"task": "function", "frame": "1 m", "pairs": function_pairs(ANGLES[:n])})
+    lengths = [list(c.linkage.lengths.values()) for c in found.candidates]
+    assert min(np.abs(np.array(x) - (0.4, 0.9, 0.7, 1.0)).max() for x in lengths) < 1e-8
+    assert found.candidates[0].is_good
+
+
+def test_three_pairs_are_led_by_the_linkage_of_freudensteins_equation() -> None:
+    """K1 cos psi - K2 cos phi + K3 = cos(phi - psi), K1 = d/a, K2 = d/c, K3 = (a^2 - b^2 + c^2 + d^2)/(2 a c), for
+    y = x^2 on 1..2 with Chebyshev's spacing, phi = 90..150 deg and psi = 90..180 deg (Freudenstein, Trans.
+    ASME 77, 1955)."""
+    x = np.array([1.5 - 0.5 * math.cos(math.pi * k / 6) for k in (1, 3, 5)])
+    phi, psi = np.radians(90 + 60 * (x - 1)), np.radians(90 + 30 * (x**2 - 1))
+    K = np.linalg.solve(np.column_stack((np.cos(psi), -np.cos(phi), np.ones(3))), np.cos(phi - psi))
+    a, c = 1 / K[0], 1 / K[1]
+    b = math.sqrt(a * a + c * c + 1 - 2 * a * c * K[2])
+    pairs = [[f"{p!r} rad", f"{q!r} rad"] for p, q in zip(phi.tolist(), psi.tolist(), strict=True)]
+    found = fb.synthesise({"task": "function", "full_turn": False, "pairs": pairs})
+    (one,) = found.candidates
+    assert one.linkage.lengths == pytest.approx(
+        {"crank": abs(a), "coupler": b, "rocker": abs(c), "frame": 1.0}, rel=1e-9
+    )
+
+
+@pytest.mark.parametrize("n", [3, 4, 5])
+def test_a_slider_crank_comes_back_from_its_pairs(n: int) -> None:
+    """Crank 0.1, rod 0.3, offset 0.02: s = r cos phi + sqrt(l^2 - (e - r sin phi)^2)."""
+    pairs = [
+        [f"{t!r} rad", f"{0.1 * math.cos(t) + math.sqrt(0.09 - (0.02 - 0.1 * math.sin(t)) ** 2)!r} m"]
+        for t in ANGLES[:n]
+    ]
+    found = fb.synthesise({"task": "function", "linkage": "slider-crank", "pairs": pairs})
+    lengths = [list(c.linkage.lengths.values()) for c in found.candidates]
+    assert min(np.abs(np.array(x) - (0.1, 0.3, 0.02)).max() for x in lengths) < 1e-8
+    assert found.certified
+
+
+# -- paths ------------------------------------------------------------------------------------
+def test_cognates_trace_the_same_points_and_the_crank_turns_as_the_coupler_did() -> None:
+    bar = FourBar()
+    for other in cognates(bar.linkage()):
+        assert other.residual < 1e-12
+        assert other.P is not None
+        a1 = np.linalg.norm(other.P - other.B, axis=1)
+        assert float(np.ptp(a1)) < 1e-12
+        turned = [math.atan2(*(x - other.A)[::-1]) for x in other.B]
+        coupler = [bar.at(theta)[2] for theta in ANGLES]
+        gone = np.mod(np.diff(turned) - np.diff(coupler) + math.pi, math.tau) - math.pi
+        assert np.abs(gone).max() < 1e-12
+
+
+def test_a_four_bar_comes_back_from_five_points_of_its_path_and_crank_angles() -> None:
+    bar = FourBar()
+    points = [{"at": [float(x) for x in bar.at(theta)[3]], "crank": f"{theta!r} rad"} for theta in ANGLES]
+    found = fb.synthesise({"task": "path", "points": points})
+    lengths = [list(c.linkage.lengths.values()) for c in found.candidates]
+    assert min(np.abs(np.array(x) - (1.0, 3.0, 2.5, math.hypot(3, 0.5))).max() for x in lengths) < 1e-7
+    assert found.candidates[0].is_good
+
+
+# -- defects ----------------------------------------------------------------------------------
+def names_of(linkage: Linkage, *, full_turn: bool = True) -> set[str]:
+    return {d.name for d in linkage.defects(full_turn=full_turn)}
+
+
+def test_positions_on_the_other_circuit_are_a_circuit_defect_by_formula_and_by_motion() -> None:
+    linkage = FourBar().linkage(sides=(1, 1, -1, 1, 1))
+    assert names_of(linkage) == {"circuit"}
+    certificate = certified(linkage, "both sides", full_turn=True)
+    assert {d.name for d in certificate.defects} == {"circuit"}
+    assert seen_alike(linkage, certificate) is None
+    (told,) = linkage.defects(full_turn=True)
+    assert "1, 2, 4, 5 and 3 are on different circuits" in told.why
+
+
+def test_a_dead_point_between_positions_is_a_branch_defect() -> None:
+    """Lengths 2, 1, 2, 2.5: no link turns fully, so that both sides are one circuit."""
+    bar = FourBar(2.0, 1.0, 2.0, (2.5, 0.0))
+    linkage = bar.linkage((0.9, 1.0, 0.95), (1, 1, -1))
+    assert names_of(linkage, full_turn=False) == {"branch"}
+    certificate = certified(linkage, "through a dead point", full_turn=False)
+    assert not certificate.defects
+    assert not certificate.turns_fully
+    assert seen_alike(linkage, certificate) is None
+
+
+def test_positions_out_of_order_are_told() -> None:
+    linkage = FourBar().linkage((0.2, 1.3, 0.7, 1.9, 2.8))
+    (told,) = linkage.defects(full_turn=True)
+    assert (told.name, "1, 3, 2, 4, 5" in told.why) == ("order", True)
+
+
+def test_a_crank_that_swings_does_not_turn_fully() -> None:
+    linkage = FourBar(2.0, 1.0, 2.0, (2.5, 0.0)).linkage((0.9, 0.95, 1.0), (1, 1, 1))
+    assert names_of(linkage) == {"no full turn"}
+    assert not names_of(linkage, full_turn=False)
+
+
+@pytest.mark.slow
+def test_formulas_and_followed_motion_agree_about_every_candidate() -> None:
+    for seed in range(3):
+        rng = np.random.default_rng(seed)
+        rows = [{"at": [float(x) for x in rng.uniform(0, 1, 2)], "angle": f"{a} deg"} for a in (0, 15, 40, 70, 95)]
+        found = fb.synthesise({"task": "motion", "full_turn": False, "positions": rows}, most=40)
+        for c in found.candidates:
+            assert "not certified" not in {d.name for d in c.defects}, (seed, c.defects)
+
+
+# -- the whole --------------------------------------------------------------------------------
+LOADER = """
+title: Loader arm
+task: motion
+positions:
+  - {at: [0.9 m, 0.9 m], angle: 20 deg}
+  - {at: [1.3 m, 1.0 m], angle: 5 deg}
+  - {at: [1.6 m, 0.9 m], angle: -10 deg}
+  - {at: [1.9 m, 0.6 m], angle: -28 deg}
+"""
+
+
+def test_certified_candidates_are_models_that_are_at_the_positions(tmp_path: Path) -> None:
+    """Each written model, assembled at the crank angle of every position, has the traced point there."""
+    (tmp_path / "task.yaml").write_text(LOADER, encoding="utf-8")
+    found = fb.synthesise(tmp_path / "task.yaml", most=2, out=tmp_path / "out")
+    assert len(found.certified) == len(found.files) == 2
+    for candidate, file in zip(found.certified, found.files, strict=True):
+        linkage = candidate.linkage
+        assert candidate.certificate is not None
+        assert candidate.certificate.case in ("crank-rocker", "double-crank (drag link)")
+        assert linkage.P is not None
+        system = fb.System.load(file)
+        assert system.mobility().degrees_of_freedom == 1
+        text = file.read_text(encoding="utf-8")
+        text = text.replace("measures:", "measures:\n  px: x of coupler.P\n  py: y of coupler.P")
+        for k in range(4):
+            r = linkage.B[k] - linkage.A
+            start = f"start: {{theta: {math.atan2(r[1], r[0])!r} rad}}\n"
+            coupler = linkage.C[k] - linkage.B[k]
+            near = f"near: {{angle: {math.atan2(coupler[1], coupler[0])!r} rad}}"
+            model = text[: text.index("start:")] + start
+            at = model.index("near:")
+            moved = model[:at] + near + model[model.index("}", at) + 1 :]
+            reference = Reference(fb.System.from_text(moved))
+            q = reference.assemble()
+            place = [
+                snapshot_of(reference, q, np.zeros_like(q)).value(reference.system.measures[n]) for n in ("px", "py")
+            ]
+            assert place == pytest.approx(linkage.P[k], abs=1e-8)
+
+
+def test_the_command_prints_writes_and_ends_with_whether_something_was_found(tmp_path: Path) -> None:
+    (tmp_path / "task.yaml").write_text(LOADER, encoding="utf-8")
+    args = ("synthesise", str(tmp_path / "task.yaml"), "--most", "1", "--json")
+    ran = freebody(*args, "-o", str(tmp_path / "out"), "--plot", str(tmp_path / "it.svg"))
+    assert ran.returncode == 0, ran.stderr
+    told = json.loads(ran.stdout)
+    assert told["certified"] == 1
+    assert told["candidates"][0]["verdict"] == "certified"
+    assert (tmp_path / "out" / "candidate_1.yaml").exists()
+    assert "<svg" in (tmp_path / "it.svg").read_text(encoding="utf-8")
+    assert freebody("synthesise", str(tmp_path / "none.yaml")).returncode == 2
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("task: motoin\npositions: []", "task is one of motion, function, path"),
+        ("task: motion\npositions: [{at: [0, 0], angle: 0}]", "at least 2"),
+        ("task: motion\npositions: [{at: [0, 0]}, {at: [1 kg, 0], angle: 0}]", "kg"),
+        ("task: motion\nposition: []\npositions: []", "a task has no position. Did you mean positions"),
+        ("task: path\npoints: [[0, 0], [1, 0]]", "need crank angles"),
+        ("task: function\nframe: 0 m\npairs: [[1, 1], [1.1, 1], [1.2, 1]]", "length greater than 0"),
+        ("task: function\npairs: [[40, 1], [1.1, 1], [1.2, 1]]", "has no unit"),
+        ("task: motion\npositions: [" + ", ".join("{at: [0, 0], angle: 0}" for _ in range(6)) + "]", "at most 5"),
+    ],
+)
+def test_tasks_that_cannot_be_read_are_told_with_their_place(text: str, words: str, tmp_path: Path) -> None:
+    path = tmp_path / "task.yaml"
+    path.write_text(text, encoding="utf-8")
+    with pytest.raises(ModelError) as told:
+        fb.synthesise(path)
+    assert words in str(told.value)
+    assert "task.yaml" in str(told.value)
+
+
+def test_no_candidate_is_looked_at_is_refused() -> None:
+    with pytest.raises(InputError, match="at least one candidate"):
+        fb.synthesise({"task": "motion", "positions": [{"at": [0, 0], "angle": 0}, {"at": [1, 0], "angle": 1}]}, most=0)
