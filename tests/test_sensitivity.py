@@ -123,7 +123,7 @@ def test_a_variance_of_cases_without_a_number_is_not_told() -> None:
     [
         ({"vary": {"F1": "1..2 N"}, "sample": "sobol:64"}, "need cases by saltelli:1024"),
         ({"vary": {"F1": "1..2 N"}, "sample": "saltelli:100"}, "power of two"),
-        ({"record": ["final x"], "until": 1.0}, "say how names vary"),
+        ({"record": ["final x"]}, "how long is the motion"),
         ({"by": ["colour"]}, "colour is no parameter"),
     ],
 )

@@ -262,10 +262,20 @@ class Studies:
         ...
 
     @study("freebody.study.sensitivity.local")
-    def gradient(self, find: Sequence[str] = (), by: Sequence[str] = ()) -> Gradient:
-        """The exact derivatives of answers by parameters and start values.
+    def gradient(
+        self,
+        find: Sequence[str] = (),
+        by: Sequence[str] = (),
+        *,
+        record: Sequence[str] = (),
+        until: float | None = None,
+        options: SimulationOptions | None = None,
+        **given: Any,
+    ) -> Gradient:
+        """The exact derivatives of answers and motions by parameters and start values.
 
-        find: questions, by id or in words; by: names, else all parameters in a formula."""
+        find: questions, by id or in words; by: names, else all parameters in a formula; record: of the motion up to
+        `until` [s], as of `sweep`; options: how it is followed."""
         ...
 
     @study(

@@ -134,16 +134,25 @@ class OperationGraph(ABC):
             return self.constant(number**exponent)
         return self.node(POWER, x.at, self.constant(exponent).at, exponent)
 
+    def operation(self, k: int) -> tuple[int, int, int, float]:
+        """What is done in operation k, with which others or which entry of the state, and with which number."""
+        return self._ops[k]
+
+    @property
+    def n_operations(self) -> int:
+        return len(self._ops)
+
     # -- rates --------------------------------------------------------------------------------
     def derivative(self, x: ProgramNode) -> ProgramNode:
         """The derivative of a node along the motion."""
-        for k in self._below(x.at):  # no recursion: chains may be long
+        for k in self.below(x):  # no recursion: chains may be long
             if k not in self._rates:
                 self._rates[k] = self._rate_by_parts(k)
         return self._rates[x.at]
 
-    def _below(self, k: int) -> list[int]:
-        needed, waiting = set[int](), [k]
+    def below(self, x: ProgramNode) -> list[int]:
+        """The operations that a node needs, itself included, each after what it takes."""
+        needed, waiting = set[int](), [x.at]
         while waiting:
             i = waiting.pop()
             if i not in needed:
@@ -173,9 +182,9 @@ class OperationGraph(ABC):
             if op == POWER:
                 return c * self.power(x, c - 1.0) * dx
             return (x * dy - y * dx) / (x * x + y * y)
-        return self._slope(op, x, here) * dx
+        return self.slope(op, x, here) * dx
 
-    def _slope(self, op: int, x: ProgramNode, here: ProgramNode) -> ProgramNode:
+    def slope(self, op: int, x: ProgramNode, here: ProgramNode) -> ProgramNode:
         """The derivative of a function of one number."""
         one = self.constant(1.0)
         if op == SQRT:

@@ -46,8 +46,8 @@ class Writer(OperationGraph):
         self._poses: dict[str, Pose[ProgramNode] | SpatialPose[ProgramNode]] = {}
         moving = numbers.system.all_moving
         self._bodies = {body.name: (k, body.turns) for k, body in enumerate(moving)}
-        self._width = 6 if numbers.space else 3
-        self.n_coordinates = self._width * (len(moving) + 1)
+        self.width = 6 if numbers.space else 3
+        self.n_coordinates = self.width * (len(moving) + 1)
         self.time = self.node(TIME)
         self._names: dict[str, Any] = {**numbers.values, "t": self.time}
         self._place = -1

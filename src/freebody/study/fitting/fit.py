@@ -1,8 +1,9 @@
 """Parameters, start values and offsets from measured motions, by least squares.
 
 The motion is followed at each trial of the unknowns, and what it gives at the times of the measurements is compared
-with them, each difference by its standard deviation. The Jacobian is by central differences of motions, which are
-followed far more exactly than the steps of the differences are wide.
+with them, each difference by its standard deviation. The Jacobian is exact, from the tangents of the motions; where a
+motion has none (or one that does not exist everywhere, at an impact that comes to rest, say), it is by central
+differences of motions, which are followed far more exactly than the steps of the differences are wide.
 Source: Branch, Coleman & Li, SIAM J. Sci. Comput. 21, 1999, 1-23 (the trust-region method of SciPy, with bounds).
 """
 
@@ -26,6 +27,7 @@ from freebody.study.fitting.result import Fit, Residuals
 from freebody.study.fitting.unknowns import Unknown, unknowns
 from freebody.study.simulation.recorded import series_units
 from freebody.study.simulation.simulate import simulate
+from freebody.study.simulation.tangents import MotionTangents
 from freebody.study.sweeps.records.base import Followed
 from freebody.study.worded import FAILED, in_words
 from freebody.system.system import System
@@ -73,9 +75,12 @@ class _Problem:
     wanted: Sequence[Unknown]
     options: SimulationOptions
     n_motions: int = 0
+    n_tangents: int = 0
+    why_differences: str = ""  # why the Jacobian is not exact
 
     def __post_init__(self) -> None:
         self.sizes = np.array([u.size for u in self.wanted])
+        self._last: dict[int, tuple[Any, Followed]] = {}  # of each run the motion that was followed last
         self.bounds = tuple(np.array([getattr(u, end) for u in self.wanted]) / self.sizes for end in ("low", "high"))
 
     def solved(self, system: System) -> Fit:
@@ -119,6 +124,8 @@ class _Problem:
             at_bound,
             len(residuals),
             self.n_motions,
+            self.n_tangents,
+            self.why_differences,
         )
 
     # -- residuals ----------------------------------------------------------------------------
@@ -132,6 +139,15 @@ class _Problem:
         return np.concatenate([(x - s.values) / s.spreads for s, x in zip(every, modelled, strict=True)])
 
     def _jacobian(self, z: Array) -> Array:
+        """(n, p), exact where all motions have derivatives; by differences from the first one on that has none."""
+        if not self.why_differences:
+            try:
+                return self._tangents(z * self.sizes) * self.sizes
+            except (FreebodyError, ValueError, *FAILED) as error:
+                self.why_differences = str(error) or type(error).__name__
+        return self._differences(z)
+
+    def _differences(self, z: Array) -> Array:
         """(n, p) by central differences, one-sided where a bound is nearer than a step."""
         columns: list[Array] = []
         for k in range(len(z)):
@@ -141,14 +157,37 @@ class _Problem:
             columns.append((self._residuals(ahead) - self._residuals(behind)) / (ahead[k] - behind[k]))
         return np.column_stack(columns)
 
+    def _tangents(self, values: Array) -> Array:
+        """(n, p) derivatives of the residuals by the unknowns. Raises CannotAnswer where there are none."""
+        rows: list[Array] = []
+        for k, run in enumerate(self.runs):
+            own = {u.parameter: i for i, u in enumerate(self.wanted) if u.parameter and u.run in (-1, k)}
+            tangents = None
+            if own:
+                self.n_tangents += 1
+                tangents = MotionTangents(
+                    self._motion(k, run, values).result, list(own), run.end, self.options, run.times
+                )
+            for s in run.series:
+                part = np.zeros((len(s.values), len(self.wanted)))
+                if tangents is not None:
+                    part[:, list(own.values())] = tangents.along(s.name, s.times)
+                part[:, [i for i, u in enumerate(self.wanted) if u.series == s.name]] = 1.0
+                rows.append(part / s.spreads[:, None])
+        return np.concatenate(rows)
+
     def _modelled(self, values: Array) -> list[list[Array]]:
         """What the model gives of each series of each run. Raises CannotAnswer where a motion cannot be followed."""
         return [self._of_run(k, run, values) for k, run in enumerate(self.runs)]
 
-    def _of_run(self, k: int, run: Run, values: Array) -> list[Array]:
+    def _motion(self, k: int, run: Run, values: Array) -> Followed:
+        """A run with values of the unknowns. Raises CannotAnswer where it cannot be followed."""
         own = {
             u.parameter: float(x) for u, x in zip(self.wanted, values, strict=True) if u.parameter and u.run in (-1, k)
         }
+        key = k, tuple(own.values())
+        if self._last.get(k, (None,))[0] == key:
+            return self._last[k][1]
         until = max(run.end, 1e-9)
         self.n_motions += 1
         result = simulate(self.system, until, options=replace(self.options, every=until), values=own, at=run.times)
@@ -156,7 +195,11 @@ class _Problem:
             raise CannotAnswer(
                 Message("the motion of {file} cannot be followed: {why}", file=run.file, why=result.message)
             )
-        motion = Followed(result)
+        self._last[k] = key, Followed(result)
+        return self._last[k][1]
+
+    def _of_run(self, k: int, run: Run, values: Array) -> list[Array]:
+        motion = self._motion(k, run, values)
         found: list[Array] = []
         for s in run.series:
             series = motion.series(s.name)[np.searchsorted(motion.times, s.times)]

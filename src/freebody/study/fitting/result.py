@@ -51,6 +51,8 @@ class Fit(Result):
     at_bound: tuple[str, ...]
     n_data: int
     n_motions: int
+    n_tangents: int = 0  # motions that were followed with their derivatives
+    why_differences: str = ""  # why derivatives are those of differences, where they are not exact
 
     @property
     def values(self) -> dict[str, float]:
@@ -112,6 +114,8 @@ class Fit(Result):
             "converged": self.has_converged,
             "data": self.n_data,
             "motions": self.n_motions,
+            "motions_with_derivatives": self.n_tangents,
+            "differences": self.why_differences or None,
             "series": [
                 {"file": r.file, "series": r.series, "unit": r.unit, "n": len(r.times), "rms": r.rms}
                 for r in self.residuals
@@ -134,6 +138,7 @@ class Fit(Result):
                 if self.has_converged
                 else [entry("note", "the search ended before it came to rest: the values are the best so far")]
             ),
+            *([entry("differences", self.why_differences)] if self.why_differences else []),
             *([entry("at a bound", ", ".join(self.at_bound))] if self.at_bound else []),
             *notes(self.estimate.combinations, "not identifiable"),
         )

@@ -8,48 +8,26 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from freebody.errors import CannotAnswer, InputError
 from freebody.language.expression import Expr, free_symbols
 from freebody.language.notation import to_python
 from freebody.language.sentences import Message
+from freebody.numeric.options import SimulationOptions
 from freebody.numeric.vectorised import VectorFunction
 from freebody.present.lines import number_text
 from freebody.present.report.blocks import Block, Equation, Equations, Formula, Report, Section
 from freebody.present.report.results import Result, line, question_title, summary, table
+from freebody.study.sensitivity.derivatives import AnswerGradient, Derivative
+from freebody.study.sensitivity.motions import of_motion
 from freebody.study.sweeps.answers import AnswerEvaluator
 from freebody.study.sweeps.sweep import questions_asked
 from freebody.study.sweeps.varied import Varied, varied
 from freebody.study.worded import in_words
 from freebody.symbolic.gradients import derivative
 from freebody.system.system import System
-
-
-@dataclass(frozen=True)
-class Derivative:
-    """How one answer changes with one name. expression, value: nothing where there is none."""
-
-    by: str
-    expression: Expr | None
-    value: float | None
-    relative: float | None
-    unit: str
-    why: str = ""
-
-
-@dataclass(frozen=True)
-class AnswerGradient:
-    """Of one number that is asked for. formula: it, under `conditions`; value: at the model's numbers."""
-
-    name: str
-    question: str
-    formula: Expr | None
-    conditions: tuple[str, ...]
-    value: float | None
-    derivatives: tuple[Derivative, ...]
-    why: str = ""
 
 
 @dataclass(frozen=True)
@@ -68,7 +46,7 @@ class Gradient(Result):
 
     @property
     def is_complete(self) -> bool:
-        return all(a.formula is not None and all(d.expression is not None for d in a.derivatives) for a in self.answers)
+        return all(not a.why and all(not d.why for d in a.derivatives) for a in self.answers)
 
     def to_plain(self) -> dict[str, Any]:
         """Plain data: answers with value, formula and derivatives."""
@@ -81,7 +59,7 @@ class Gradient(Result):
     def blocks(self) -> Iterator[Block]:
         """A section for each answer: the derivatives, and a table of them in numbers."""
         for a in self.answers:
-            if a.formula is None:
+            if a.why:
                 yield Section(question_title(a.name, a.question), (line(a.why),))
                 continue
             lines = [Equation(Formula((d.expression,)), label=f"d/d {d.by}") for d in a.derivatives if d.expression]
@@ -120,16 +98,34 @@ def _plain(a: AnswerGradient) -> dict[str, Any]:
 
 
 @in_words
-def gradient(system: System, find: Sequence[str] = (), by: Sequence[str] = ()) -> Gradient:
-    """The derivatives of answers by parameters and start values.
+def gradient(
+    system: System,
+    find: Sequence[str] = (),
+    by: Sequence[str] = (),
+    *,
+    record: Sequence[str] = (),
+    until: float | None = None,
+    options: SimulationOptions | None = None,
+    **given: Any,
+) -> Gradient:
+    """The derivatives of answers, and of what is recorded of a motion, by parameters and start values.
 
-    find: questions, by id or in words, else all of the model; by: names, else all parameters in a formula. Raises
-    InputError for what cannot be read. Where no formula is known to hold at the model's numbers, it says so."""
-    questions = questions_asked(system, find)
-    if not questions:
+    find: questions, by id or in words, else, where nothing is recorded, all of the model; by: names, else all
+    parameters in a formula; record: of the motion up to `until` [s], as of `sweep`; options, given: how it is followed.
+    Raises InputError for what cannot be read, CannotAnswer where there is no motion. Where no formula is known to hold
+    at the model's numbers, or something has no derivative, it says so."""
+    questions = [] if record and not find else questions_asked(system, find)
+    if record and until is None:
+        raise InputError(Message("how long is the motion? Say until when it is followed, as --until '5 s'"))
+    if not questions and not record:
         raise InputError(Message("nothing is asked: the model has no questions; say what to find or to record"))
-    seen, names = varied(system, list(by))
-    found = [a for q in questions for a in _of_answer(AnswerEvaluator(seen, q), names, is_open=not by)]
+    found: list[AnswerGradient] = []
+    if questions:
+        seen, names = varied(system, list(by))
+        found += [a for q in questions for a in _of_answer(AnswerEvaluator(seen, q), names, is_open=not by)]
+    if record and until is not None:
+        followed = replace(options or SimulationOptions(), **given)
+        found += of_motion(system, record, by, until, followed)
     return Gradient(system, tuple(found))
 
 

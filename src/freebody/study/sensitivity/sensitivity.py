@@ -108,11 +108,8 @@ def sensitivity(
     `sweep`; by: names by which answers are differentiated; sample: `saltelli:n`, which takes n times two more cases
     than there are names. Raises InputError for what cannot be read, CannotAnswer where cases without a number leave the
     variance unknown."""
-    questions = find or [] if record else find
-    local = Gradient(system, ()) if record and not find else gradient(system, questions, by)
+    local = gradient(system, find, by, record=record, until=until, **given)
     if not vary:
-        if record:
-            raise InputError(Message("what is recorded of motions has no formula: say how names vary, for indices"))
         return Sensitivity(system, local, {})
     if not sample.startswith("saltelli:"):
         raise InputError(Message("indices need cases by {form}, not {text}", form=saltelli.FORM, text=sample))

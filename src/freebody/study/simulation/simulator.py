@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from itertools import islice
 from typing import TYPE_CHECKING, Any
 
@@ -27,12 +27,13 @@ from freebody.numeric.kernels import factoring
 from freebody.numeric.options import SimulationOptions
 from freebody.numeric.reference import Reference
 from freebody.questions.clock import Clock
+from freebody.questions.event import QuestionEvent
 from freebody.study.answering.assumed import rates_not_given
 from freebody.study.worded import without_value
 from freebody.system.system import System
 
 if TYPE_CHECKING:
-    pass
+    from freebody.numeric.tangent.motion import TangentMotion
 
 Progress = Callable[[float, int], None]
 
@@ -100,6 +101,13 @@ class Simulator:
         n_free = int(np.count_nonzero(self.engine.layout.inverse_mass))
         return n_free - len(self.engine.held) + int(self.engine.room.info[factoring.N_LEFT_OUT])
 
+    def tangents(self, names: Sequence[str]) -> TangentMotion:
+        """The motion with its derivatives by parameters. Raises CannotAnswer where the start has none."""
+        from freebody.numeric.tangent.motion import TangentMotion  # nobody else needs it
+
+        engine = self.engine if self.bounded is None else self.bounded
+        return TangentMotion(self.reference, engine, self.start, self._near, names)
+
     def run(
         self,
         until: float,
@@ -141,37 +149,63 @@ def _watches(simulator: Simulator, events: Sequence[str]) -> list[EngineWatch]:
     """Events in words. Raises InputError if one cannot be read."""
     found: list[EngineWatch] = []
     for text in events:
-        stops = text.strip().lower().startswith("stop when")
-        words = text.strip()[len("stop when") :].strip() if stops else text.strip()
-        asked, direction = words, 0
-        for word, sign in (("rising", 1), ("falling", -1)):
-            if asked.endswith(f" {word}"):
-                asked, direction = asked.removesuffix(word).strip(), sign
-        try:
-            question = simulator.system.question(f"time when {asked}")
-        except ModelError as error:
-            measures = simulator.system.measures
-            listed = Message(" Named measures: {names}.", names=", ".join(measures)) if measures else ""
-            guess = did_you_mean(words.split("=")[0].strip(), measures)
-            raise InputError(
-                Message(
-                    "event '{text}': {message}.{guess}{listed}",
-                    text=text,
-                    message=error.problems[0].message,
-                    guess=guess,
-                    listed=listed,
-                )
-            ) from error
-        event = question.event
-        if event is None:
-            raise InputError(Message("'{text}' is no event; write, for example, theta = 90 deg", text=text))
-        if isinstance(event, Clock):
-            told = Message("'{text}' is an instant, and no event; say until when the motion is followed", text=text)
-            raise InputError(told)
-        value = simulator.reference.number(event.value)
-        size = max(abs(value), 1.0 if event.order else _size(simulator, event.measure))
-        found.append(EngineWatch(words, event.measure, event.order, value, direction, is_terminal=stops, size=size))
+        read = read_event(simulator.system, text)
+        value = simulator.reference.number(read.event.value)
+        size = max(abs(value), 1.0 if read.event.order else _size(simulator, read.event.measure))
+        found.append(
+            EngineWatch(
+                read.words,
+                read.event.measure,
+                read.event.order,
+                value,
+                read.direction,
+                is_terminal=read.stops,
+                size=size,
+            )
+        )
     return found
+
+
+@dataclass(frozen=True)
+class ReadEvent:
+    """An event as it was asked for. words: without what is to be done; direction: +1 rising, -1 falling, 0 both."""
+
+    words: str
+    event: QuestionEvent
+    direction: int
+    stops: bool
+
+
+def read_event(system: System, text: str) -> ReadEvent:
+    """An event in words. Raises InputError if it cannot be read."""
+    stops = text.strip().lower().startswith("stop when")
+    words = text.strip()[len("stop when") :].strip() if stops else text.strip()
+    asked, direction = words, 0
+    for word, sign in (("rising", 1), ("falling", -1)):
+        if asked.endswith(f" {word}"):
+            asked, direction = asked.removesuffix(word).strip(), sign
+    try:
+        question = system.question(f"time when {asked}")
+    except ModelError as error:
+        measures = system.measures
+        listed = Message(" Named measures: {names}.", names=", ".join(measures)) if measures else ""
+        guess = did_you_mean(words.split("=")[0].strip(), measures)
+        raise InputError(
+            Message(
+                "event '{text}': {message}.{guess}{listed}",
+                text=text,
+                message=error.problems[0].message,
+                guess=guess,
+                listed=listed,
+            )
+        ) from error
+    event = question.event
+    if event is None:
+        raise InputError(Message("'{text}' is no event; write, for example, theta = 90 deg", text=text))
+    if isinstance(event, Clock):
+        told = Message("'{text}' is an instant, and no event; say until when the motion is followed", text=text)
+        raise InputError(told)
+    return ReadEvent(words, event, direction, stops)
 
 
 def _size(simulator: Simulator, measure: Measure) -> float:

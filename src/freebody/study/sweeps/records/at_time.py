@@ -4,12 +4,17 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from freebody.errors import InputError
+from freebody.numeric.jets import Array
 from freebody.study.given import seconds
 from freebody.study.sweeps.records.base import Followed, Record, Units
+
+if TYPE_CHECKING:
+    from freebody.study.simulation.tangents import MotionTangents
 
 FORM = "X at 2 s"
 
@@ -29,6 +34,12 @@ class AtTime(Record):
         k = int(np.searchsorted(motion.times, self.time))
         is_there = k < len(motion.times) and motion.times[k] == self.time
         return float(motion.series(self.series)[k]) if is_there else math.nan
+
+    def instants(self, motion: Followed) -> tuple[float, ...]:
+        return self.times
+
+    def change(self, motion: Followed, tangents: MotionTangents) -> Array:
+        return tangents.at(self.series, self.time).by
 
 
 def read(text: str, units: Units) -> AtTime | None:

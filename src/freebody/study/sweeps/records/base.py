@@ -6,6 +6,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -13,6 +14,9 @@ from freebody.numeric.jets import Array
 from freebody.study.simulation.observed import observed
 from freebody.study.simulation.recorded import reaction_names
 from freebody.study.simulation.simulate import Simulation
+
+if TYPE_CHECKING:
+    from freebody.study.simulation.tangents import MotionTangents
 
 Units = Mapping[str, str]  # of the series of a motion
 
@@ -32,6 +36,14 @@ class Record(ABC):
     @abstractmethod
     def value(self, motion: Followed) -> float:
         """The number; NaN where the motion has none."""
+
+    @abstractmethod
+    def instants(self, motion: Followed) -> tuple[float, ...]:
+        """When the motion is looked at for the derivatives of the number [s]."""
+
+    @abstractmethod
+    def change(self, motion: Followed, tangents: MotionTangents) -> Array:
+        """(k,) the derivatives of the number by the names of the tangents. Raises CannotAnswer where it has none."""
 
 
 @dataclass(frozen=True)

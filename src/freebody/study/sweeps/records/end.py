@@ -2,7 +2,13 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
+from freebody.numeric.jets import Array
 from freebody.study.sweeps.records.base import Followed, Record, Units
+
+if TYPE_CHECKING:
+    from freebody.study.simulation.tangents import MotionTangents
 
 FORM = "end"
 
@@ -12,6 +18,12 @@ class End(Record):
 
     def value(self, motion: Followed) -> float:
         return motion.result.t_end
+
+    def instants(self, motion: Followed) -> tuple[float, ...]:
+        return (motion.result.t_end,)
+
+    def change(self, motion: Followed, tangents: MotionTangents) -> Array:
+        return tangents.end
 
 
 def read(text: str, _units: Units) -> End | None:

@@ -7,8 +7,13 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
+from freebody.numeric.jets import Array
 from freebody.study.sweeps.records.base import Followed, Record, Units
+
+if TYPE_CHECKING:
+    from freebody.study.simulation.tangents import MotionTangents
 
 FORM = "time when theta = 90 deg, time when EVENT"
 _AT_START = ("start", "zero")
@@ -32,6 +37,12 @@ class EventTime(Record):
     def value(self, motion: Followed) -> float:
         found = (e.time for e in motion.result.events if e.name == self.event and e.kind not in _AT_START)
         return next(found, math.nan)
+
+    def instants(self, motion: Followed) -> tuple[float, ...]:
+        return (self.value(motion),)
+
+    def change(self, motion: Followed, tangents: MotionTangents) -> Array:
+        return tangents.event(self.event, self.value(motion))
 
 
 def read(text: str, _units: Units) -> EventTime | None:

@@ -4,8 +4,13 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
+from freebody.numeric.jets import Array
 from freebody.study.sweeps.records.base import Followed, Record, Units
+
+if TYPE_CHECKING:
+    from freebody.study.simulation.tangents import MotionTangents
 
 FORM = "final X"
 
@@ -18,6 +23,13 @@ class Final(Record):
 
     def value(self, motion: Followed) -> float:
         return float(motion.series(self.series)[-1]) if motion.is_complete else math.nan
+
+    def instants(self, motion: Followed) -> tuple[float, ...]:
+        return (motion.result.t_end,)
+
+    def change(self, motion: Followed, tangents: MotionTangents) -> Array:
+        last = tangents.at(self.series, motion.result.t_end)
+        return last.by + last.rate * tangents.end
 
 
 def read(text: str, units: Units) -> Final | None:

@@ -1,0 +1,1 @@
+"""Exact derivatives of motions by parameters and start values: tangents of the equations of motion."""

@@ -1,0 +1,273 @@
+"""The equations of motion of one mode and their derivatives, as operations that are played at many instants at once.
+
+With u = (a, lambda) the accelerations and multipliers, p the names that vary and q, v, t as everywhere,
+
+    R(u; q, v, p, t) = ( M a - Q - J^T lambda + gyroscopic,   d2/dt2 (held measures - targets) ) = 0,
+
+linear in u; so along a motion that changes with p
+
+    R_u du = -(R_q dq + R_v dv + R_p dp),       J dq = -g_p dp,   J dv = -(r_q dq + r_p dp),
+
+g the held measures less their targets and r their rates. R_u is the matrix (M, -J^T; J, 0), with more in its first rows
+where friction slides: its force is a multiple of other multipliers.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
+from freebody.model.elements import ConstraintRow, DryFriction, NonholonomicForm
+from freebody.numeric.engine.operations import ProgramNode
+from freebody.numeric.jets import Array
+from freebody.numeric.tangent.gradients import BY_TIME, NO_ANGLES, Angles, Gradient, Inputs, Played, gradient
+from freebody.numeric.tangent.writing import TangentWriter
+from freebody.system.system import System
+
+UNDETERMINED = Message("the motion meets a pose in which its accelerations are not determined")
+Cell = tuple[int, int, ProgramNode]
+
+
+class Matrix:
+    """A matrix of operations at many instants, most of its entries zero."""
+
+    def __init__(self, shape: tuple[int, int], cells: Iterable[Cell]) -> None:
+        self.shape, self.cells = shape, list(cells)
+
+    def filled(self, values: Array) -> Array:
+        """(n, *shape) from the values (n_cells, n) of its cells."""
+        found = np.zeros((*self.shape, values.shape[1]))
+        for (i, j, _node), x in zip(self.cells, values, strict=True):
+            found[i, j] = x
+        return np.ascontiguousarray(np.moveaxis(found, 2, 0))
+
+
+def column(nodes: Sequence[ProgramNode]) -> Matrix:
+    return Matrix((len(nodes), 1), [(i, 0, node) for i, node in enumerate(nodes)])
+
+
+class Matrices:
+    """Several matrices that are played together."""
+
+    def __init__(self, writer: TangentWriter, matrices: Mapping[str, Matrix]) -> None:
+        self._matrices = dict(matrices)
+        self._played = Played(writer, [node for m in matrices.values() for _i, _j, node in m.cells])
+
+    def at(
+        self, inputs: Inputs, times: Array, angles: Angles = NO_ANGLES, after: dict[int, float] | None = None
+    ) -> dict[str, Array]:
+        """Each by its name, (n, rows, columns); the arguments are those of `Played.at`."""
+        values, first, found = self._played.at(inputs, times, angles, after), 0, dict[str, Array]()
+        for name, m in self._matrices.items():
+            found[name] = m.filled(values[first : first + len(m.cells)])
+            first += len(m.cells)
+        return found
+
+
+@dataclass(frozen=True)
+class Columns:
+    """By what results are differentiated: inputs in their order."""
+
+    writer: TangentWriter
+    multipliers: tuple[int, ...]
+
+    def parts(self, prefix: str, results: Sequence[ProgramNode]) -> dict[str, Matrix]:
+        """The derivatives of some results by q, v, u, p and t, as matrices `{prefix}q` ... `{prefix}t`."""
+        w = self.writer
+        gradients = [gradient(w, node) for node in results]
+        unknowns = [*(w.acceleration(e) for e in w.entries), *self.multipliers]
+        parameters = [*w.parameters, *(entry for entry, _measure in w.origins.values())]
+        keys = {
+            "v": [w.velocity(e) for e in w.entries],
+            "u": unknowns,
+            "p": parameters,
+            "t": [BY_TIME],
+        }
+        found = {f"{prefix}{name}": _matrix(gradients, own, lambda g, key: g.get(key)) for name, own in keys.items()}
+        return found | {f"{prefix}q": _matrix(gradients, w.entries, w.by_place)}
+
+
+def _matrix(
+    gradients: Sequence[Gradient], keys: Sequence[int], of: Callable[[Gradient, int], ProgramNode | None]
+) -> Matrix:
+    cells = [
+        (i, j, node)
+        for i, found in enumerate(gradients)
+        for j, key in enumerate(keys)
+        if (node := of(found, key)) is not None
+    ]
+    return Matrix((len(gradients), len(keys)), cells)
+
+
+class Equations:
+    """The equations of motion in one mode."""
+
+    def __init__(
+        self, writer: TangentWriter, system: System, loads: Mapping[str, DryFriction], dropped: Iterable[str] = ()
+    ) -> None:
+        """system: in its mode; loads: the frictions whose load a symbol of its laws names; dropped: rows that others
+        hold as well, left out. Raises CannotAnswer where something in it has no derivative."""
+        self.writer, self.system, self.dropped = writer, system, frozenset(dropped)
+        self.rows = system.constraint_rows
+        self.multipliers = tuple(writer.new_input() for _ in self.rows)
+        self.signs: dict[int, tuple[int, int]] = {}  # of loads of friction: input, its row, first sign
+        writer.named({name: self._load(rub) for name, rub in loads.items()})
+
+        # held measures: values, rates and second derivatives, each less its target
+        targets = [writer.constant(0.0) if row.target is None else writer.scalar(row.target) for row in self.rows]
+        first = [writer.derivative(node) for node in targets]
+        self.rates = [
+            writer.rate(row.measure) - goal
+            for row, goal in zip(self.rows, self._rate_targets(targets, first), strict=True)
+        ]
+        self.gradients = [writer.by_velocities(node) for node in self.rates]
+        self.places = [k for k, row in enumerate(self.rows) if not isinstance(row.measure, NonholonomicForm)]
+        self.values = [self._gap(self.rows[k], targets[k]) for k in self.places]
+        self.forces = self._forces()
+        residuals = [*self._balances(), *(writer.derivative(rate) for rate in self.rates)]
+        self.columns = Columns(writer, self.multipliers)
+        parts = self.columns.parts("R", residuals)
+        self._linear = Matrices(writer, {"R": column(residuals), "Ru": parts["Ru"]})
+        self._all = Matrices(
+            writer,
+            {key: m for key, m in parts.items() if key != "Ru"}
+            | {"J": self._jacobian()}
+            | {f"g{of}": m for of, m in self.columns.parts("", self.values).items() if of in ("q", "p")}
+            | {f"r{of}": m for of, m in self.columns.parts("", self.rates).items() if of in ("q", "p")},
+        )
+
+    # -- statements ---------------------------------------------------------------------------
+    def _rate_targets(self, targets: Sequence[ProgramNode], rates: Sequence[ProgramNode]) -> list[ProgramNode]:
+        """A target of a measure that is a rate itself is one of its rate."""
+        return [
+            target if isinstance(row.measure, NonholonomicForm) else rate
+            for row, target, rate in zip(self.rows, targets, rates, strict=True)
+        ]
+
+    def _gap(self, row: ConstraintRow, target: ProgramNode) -> ProgramNode:
+        assert not isinstance(row.measure, NonholonomicForm)
+        return self.writer.raw(row.measure) - target
+
+    def _load(self, rub: DryFriction) -> ProgramNode:
+        """What presses a friction together: the size of a multiplier."""
+        names = [row.name for row in self.rows]
+        if len(rub.load) != 1 or rub.load[0] not in names:
+            raise CannotAnswer(
+                Message(
+                    "{name}: the friction depends on more than one unique reaction, and exact derivatives do not "
+                    "go through it",
+                    name=rub.name,
+                )
+            )
+        place = names.index(rub.load[0])
+        row = self.rows[place]
+        entry = self.writer.new_input()
+        self.signs[entry] = place, row.sign
+        return self.writer.input(entry) * self.writer.input(self.multipliers[place])
+
+    def _forces(self) -> list[ProgramNode]:
+        """Generalized forces of the loads, by coordinate."""
+        w = self.writer
+        total = [w.constant(0.0) for _ in w.entries]
+        for push in self.system.applied_loads:
+            along = w.by_velocities(w.rate(push.measure))
+            law = w.law(push)
+            total = [f if x is None else f + law * x for f, x in zip(total, along, strict=True)]
+        return total
+
+    def _balances(self) -> list[ProgramNode]:
+        """M a - Q - J^T lambda of every coordinate, and what a turning body in space adds."""
+        w = self.writer
+        found = [w.constant(0.0) - f for f in self.forces]
+        found = [f + x for f, x in zip(found, momenta(w, self.system, w.acceleration), strict=True)]
+        if self.system.space:
+            for k, node in _gyroscopic(w, momenta(w, self.system, w.velocity)):
+                found[k] = found[k] + node
+        for entry, row in zip(self.multipliers, self.gradients, strict=True):
+            found = [f if x is None else f - w.input(entry) * x for f, x in zip(found, row, strict=True)]
+        return found
+
+    def _jacobian(self) -> Matrix:
+        cells = [(i, j, x) for i, row in enumerate(self.gradients) for j, x in enumerate(row) if x is not None]
+        return Matrix((len(self.rows), len(self.writer.entries)), cells)
+
+    # -- numbers ------------------------------------------------------------------------------
+    def solved(self, inputs: Inputs, times: Array, angles: Angles = NO_ANGLES) -> tuple[Array, Array]:
+        """(n, n_unknowns) accelerations and multipliers, and R_u^-1. Raises CannotAnswer where there are none."""
+        n = len(times)
+        known = {**inputs, **dict.fromkeys(self.multipliers, 0.0)}
+        known |= {self.writer.acceleration(e): 0.0 for e in self.writer.entries}
+        signs = {entry: np.full(n, float(sign)) for entry, (_place, sign) in self.signs.items()}
+        for _ in range(4):
+            found = self._linear.at({**known, **signs}, times, angles)
+            inverse = inverted(found["Ru"])
+            u = -(inverse @ found["R"])[:, :, 0]
+            off = False
+            for entry, (place, _sign) in self.signs.items():
+                new = np.where(u[:, len(self.writer.entries) + place] < 0.0, -1.0, 1.0)
+                off = off or bool((new != signs[entry]).any())
+                signs[entry] = new
+            if not off:
+                return u, inverse
+        raise CannotAnswer(
+            Message("the force that presses a friction surface changes its sign: there is no derivative there")
+        )
+
+    def with_unknowns(self, inputs: Inputs, u: Array) -> dict[int, Array | float]:
+        """The inputs with accelerations and multipliers."""
+        w, n = self.writer, len(self.writer.entries)
+        found = {**inputs, **{w.acceleration(e): u[:, i] for i, e in enumerate(w.entries)}}
+        found |= {entry: u[:, n + k] for k, entry in enumerate(self.multipliers)}
+        return found | {
+            entry: np.where(u[:, n + place] < 0.0, -1.0, 1.0) for entry, (place, _sign) in self.signs.items()
+        }
+
+    def derivatives(self, inputs: Inputs, times: Array, angles: Angles, after: dict[int, float]) -> dict[str, Array]:
+        """R_q, R_v, R_p, R_t, J, g_q, g_p, r_q, r_p by these names, (n, rows, columns)."""
+        return self._all.at(inputs, times, angles, after)
+
+
+def momenta(w: TangentWriter, system: System, of: Callable[[int], int]) -> list[ProgramNode]:
+    """M x by coordinate, x the inputs `of` the coordinates: velocities, say."""
+    found: list[ProgramNode] = []
+    n_places, at = (3 if system.space else 2), 0
+    for body in system.moving:
+        n = len(w.reference.frame.columns[body.name])
+        x = [w.input(of(entry)) for entry in w.entries[at : at + n]]
+        mass, at = w.scalar(body.mass), at + n
+        found += [mass * c for c in x[:n_places]]
+        if n > n_places:
+            moments = w.inertia(body) if system.space else [[w.scalar(body.inertia)]]
+            found += [_sum(w, row, x[n_places:]) for row in moments]
+    return found
+
+
+def _gyroscopic(w: TangentWriter, momentum: Sequence[ProgramNode]) -> Iterable[tuple[int, ProgramNode]]:
+    """omega x I omega of every body in space that turns, by coordinate."""
+    for i, entry in enumerate(w.entries):
+        if entry % w.width == 3:
+            x, y, z = (w.input(w.velocity(w.entries[i + j])) for j in range(3))
+            a, b, c = momentum[i : i + 3]
+            yield from ((i, y * c - z * b), (i + 1, z * a - x * c), (i + 2, x * b - y * a))
+
+
+def _sum(w: TangentWriter, row: Sequence[ProgramNode], x: Sequence[ProgramNode]) -> ProgramNode:
+    total = w.constant(0.0)
+    for a, b in zip(row, x, strict=True):
+        total = total + a * b
+    return total
+
+
+def inverted(A: Array) -> Array:
+    """A^-1 at many instants. Raises CannotAnswer where it has no value."""
+    try:
+        found = np.linalg.inv(A)
+    except np.linalg.LinAlgError as error:
+        raise CannotAnswer(UNDETERMINED) from error
+    if not np.isfinite(found).all():
+        raise CannotAnswer(UNDETERMINED)
+    return found
