@@ -6,6 +6,7 @@ import os
 import re
 import signal
 import stat
+import subprocess
 import sys
 import threading
 from collections.abc import Iterator
@@ -214,6 +215,18 @@ def test_a_scheduler_without_workers_is_told(monkeypatch: pytest.MonkeyPatch) ->
         pytest.raises(InputError, match="has no workers"),
     ):
         pendulum().sweep(**ASKED, cluster=made.scheduler_address)
+
+
+def test_a_script_that_its_processes_would_run_again_is_told(tmp_path: Path) -> None:
+    script = tmp_path / "script.py"
+    script.write_text(
+        f"import freebody as fb\nsystem = fb.System.load({str(EXAMPLES / 'simple_pendulum.yaml')!r})\n"
+        "try:\n    system.sweep({'L': '1, 2 m'}, find=['tension'], cluster='local:1')\n"
+        "except fb.errors.InputError as error:\n    print(error)\n",
+        encoding="utf-8",
+    )
+    done = subprocess.run([sys.executable, str(script)], capture_output=True, text=True)
+    assert 'put what it does under if __name__ == "__main__":' in done.stdout
 
 
 # -- Slurm ------------------------------------------------------------------------------------

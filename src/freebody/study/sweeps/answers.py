@@ -92,7 +92,7 @@ class AnswerEvaluator(Evaluator):
             return []
         cases = [(c.expression, c.conditions) for c in a.cases] or [(a.expression, a.conditions)]
         found: list[AnswerForm] = []
-        start = self.system.start if self.question.at_start else {}
+        start: Mapping[str, Expr] = self.system.start if self.question.at_start else {}
         for expression, conditions in cases:
             parts = expression if isinstance(expression, tuple) else (expression,)
             if len(parts) != len(self.columns):

@@ -35,14 +35,23 @@ def scheduler(rest: str) -> Generator[str]:
 def began(n: int, host: str) -> Generator[str]:
     """A scheduler in this process, with so many processes as workers; its page is for this machine alone."""
     dask: Any = import_module("distributed")
-    with dask.LocalCluster(
-        n_workers=n,
-        threads_per_worker=1,
-        host=host,
-        dashboard_address="127.0.0.1:0",
-        silence_logs=logging.CRITICAL,
-        preload=[__name__],
-    ) as cluster:
+    try:
+        cluster = dask.LocalCluster(
+            n_workers=n,
+            threads_per_worker=1,
+            host=host,
+            dashboard_address="127.0.0.1:0",
+            silence_logs=logging.CRITICAL,
+            preload=[__name__],
+        )
+    except RuntimeError as error:
+        told = Message(
+            "the processes do not start: {why}. Each reads the script again that asks for them: put what it does "
+            'under if __name__ == "__main__":',
+            why=str(error).rstrip("."),
+        )
+        raise InputError(told) from error
+    with cluster:
         yield cluster.scheduler_address
 
 
