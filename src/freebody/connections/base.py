@@ -7,7 +7,7 @@ It may offer natural coordinates (`offers`), which are used where the user named
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING, Any, ClassVar, Literal, cast
 
 from freebody.connections.pairs import OutlinePair
@@ -19,6 +19,7 @@ from freebody.model.elements import Attitude, ConstraintRow, DryFriction, Unilat
 from freebody.model.glyphs import Glyph, Relation
 from freebody.model.kinds import Kinds
 from freebody.model.spec import Spec
+from freebody.model.transmitted import Transmitted
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -106,6 +107,14 @@ class Connection(Spec):
 
     def parts(self, names: Names) -> dict[str, Expr]:
         """The parts of the force between its teeth: what the tooth force is multiplied by for each."""
+        return {}
+
+    def transmitted(self, names: Names) -> Mapping[str, Transmitted]:
+        """What it can be asked for beside its reactions, by the words that ask for it."""
+        return {}
+
+    def brings(self, names: Names) -> dict[str, tuple[str, dict[str, Any]]]:
+        """Loads that belong to it, by their names: the kind and the fields, as a model would have them."""
         return {}
 
     def bearing(self, names: Names) -> tuple[Point, Point, Direction, Direction] | None:

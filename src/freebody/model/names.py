@@ -23,6 +23,7 @@ from freebody.model.formulas import Formulas
 from freebody.model.noting import did_you_mean
 from freebody.model.rotations import UNIT, Columns, applied
 from freebody.model.states import ControllerState
+from freebody.model.transmitted import Transmitted
 from freebody.tolerances import LEAST
 
 
@@ -70,6 +71,10 @@ class Joining(Protocol):
 
     def parts(self, names: Names) -> dict[str, Expr]:
         """The parts of the force between its teeth: what the tooth force is multiplied by for each."""
+        ...
+
+    def transmitted(self, names: Names) -> Mapping[str, Transmitted]:
+        """What it can be asked for beside its reactions, by the words that ask for it."""
         ...
 
     def mentions(self, names: Names) -> set[str]:

@@ -27,7 +27,7 @@ from freebody.system.reading.copies import add_copies
 from freebody.system.reading.drawing import read_drawing
 from freebody.system.reading.ground import place_ground_points
 from freebody.system.reading.head import check_sections, read_space, title
-from freebody.system.reading.loads import read_impulses, read_loads, striking_when
+from freebody.system.reading.loads import brought_loads, read_impulses, read_loads, striking_when
 from freebody.system.reading.measures import read_measures
 from freebody.system.reading.parameters import read_parameters
 from freebody.system.reading.source import Source
@@ -48,6 +48,7 @@ def read_system(document: Document, file: str | None) -> SystemDescription:
     # by name: which of several leads, guides or carries something hangs on no order of the file
     connections, loads = add_copies(names, connections, source.specs("loads", Load.kinds))
     names.connections = {name: connections[name] for name in sorted(connections, key=natural)}
+    loads |= brought_loads(names, connections)
     names.called |= {name: spec.words() for name, spec in {**connections, **loads}.items() if name not in names.bodies}
     measures = read_measures(source)
     read_states(source)

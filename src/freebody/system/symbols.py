@@ -22,6 +22,7 @@ LETTERS = {
     "tooth force": "F_t",
     "radial force": "F_r",
     "belt force": "F_b",
+    "chain force": "F_c",
     "sideways force": "H",
     "driving torque": "M",
     "moment": "M",

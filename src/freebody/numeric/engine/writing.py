@@ -73,7 +73,7 @@ class ArrayBuilder:
         applied_loads = self._pushes(rated)
         self._held = [self._hold(k) for k in range(len(p.held))]
         self._held_slots: list[list[tuple[int, int]]] = [rows.slots[held["row"]] for held in self._held]
-        self._limits = [self._limit(slide.friction) for slide in p.dry_friction]
+        self._limits = [self._limit(slide.friction, rated) for slide in p.dry_friction]
         self._masses = self._masses_of(self._driven())
         base_terms = [[(places.new[k], c) for k, c in base.terms] for base in p.bases]
         self.rows = {measure: self._number[where] for measure, where in p.by_measure.items()}
@@ -214,11 +214,12 @@ class ArrayBuilder:
                 rated.add(row)
         return self._tapes.write(law, inputs, rates)
 
-    def _limit(self, friction: DryFriction) -> tuple[int, int]:
+    def _limit(self, friction: DryFriction, rated: set[int]) -> tuple[int, int]:
         """The tapes of the limits, at rest and in motion, of dry friction that nothing presses; else -1."""
         if friction.load:
             return -1, -1
-        return self._law(friction.static, friction, {}, {}), self._law(friction.kinetic, friction, {}, {})
+        static, kinetic = (self._law(law, friction, {}, {}, rated) for law in (friction.static, friction.kinetic))
+        return static, kinetic
 
     # -- what is held -------------------------------------------------------------------------
     def layout(

@@ -64,8 +64,8 @@ def add_copies(
                     if _is_on(spec, body.name)
                 }
             told = Message(
-                "the {n} copies of {body} stand at equal angles and share the load equally; a tooth force is that of one "
-                "of them",
+                "the {n} copies of {body} stand at equal angles and share the load equally; a tooth force is that of "
+                "one of them",
                 n=len(body.copies) + 1,
                 body=body.name,
             )

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 
+from freebody.connections.base import Connection
 from freebody.language.expression import free_symbols, replace_rates, substitute
 from freebody.loads.base import Load
 from freebody.model.elements import RATE, VALUE, AppliedLoad
@@ -22,6 +23,16 @@ def read_loads(names: Names, loads: Mapping[str, Load]) -> list[AppliedLoad]:
                 if free_symbols(push.law) & by_form.keys():
                     push = replace(push, law=substitute(push.law, by_form), general=push.law)
                 found.append(replace(push, load=name))
+    return found
+
+
+def brought_loads(names: Names, connections: Mapping[str, Connection]) -> dict[str, Load]:
+    """The loads that belong to connections."""
+    found: dict[str, Load] = {}
+    for name, connection in connections.items():
+        with names.reading("connections", name, connection.kind):
+            for load, (kind, fields) in connection.brings(names).items():
+                found[load] = Load.kinds[kind](**fields)
     return found
 
 

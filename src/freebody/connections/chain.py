@@ -1,0 +1,85 @@
+"""Chain on two sprockets: by its pitch and their teeth.
+
+The teeth take the links one by one, so that in the mean the sprockets turn as z_2 : z_1, as a belt would turn pulleys
+of the radii p z/(2 pi). (The hinges of the links run on circles of the radius p/(2 sin(pi/z)); the unevenness within a
+tooth, some (pi/z)^2/2 of the speed, is left out.) Source: Shigley, Mechanical Engineering Design, sec. 17-5.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING
+
+from freebody.connections.base import Connection
+from freebody.connections.belt_loop import BeltLoop, distance_of_centers
+from freebody.connections.circles import touching
+from freebody.language.expression import ONE, PI, Expr, divide
+from freebody.language.sentences import Message
+from freebody.language.units import DIMENSIONLESS, LENGTH
+from freebody.model import glyphs
+from freebody.model.elements import ConstraintRow
+from freebody.model.glyphs import Glyph
+from freebody.model.spec import Formula
+from freebody.model.transmitted import Transmitted
+from freebody.tolerances import ROUNDED
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+
+class Chain(Connection, kind="chain"):
+    """`chain: {first: crank, second: hub, pitch: 12.7 mm, teeth: [44, 16]}`: both sprockets turn the same way, with the
+    ratio of their teeth; bearings keep the centres apart. The chain force is the tension of the tight run, as the other
+    one is slack; it is positive when it resists a counter-clockwise turn of the first sprocket (1 row)."""
+
+    first: str
+    second: str
+    pitch: Formula
+    teeth: list[Formula]
+    length: Formula | None = None
+
+    in_plane = True
+    example = """
+bodies: {a: {body: {inertia: 1 kg m^2}}, b: {body: {inertia: 1 kg m^2}, at: [0.4 m, 0]}}
+ground: {points: {A: [0, 0], B: [0.4 m, 0]}}
+connections: {p: {pin: [ground.A, a]}, q: {pin: [ground.B, b]}, it: {chain: {first: a, second: b, pitch: 12.7 mm,
+  teeth: [44, 16]}}}
+"""
+
+    def rows(self, names: Names) -> list[ConstraintRow]:
+        first, second = names.body(self.first, "first"), names.body(self.second, "second")
+        if first.name == second.name:
+            names.problem(Message("a chain needs two sprockets, not {first} twice", first=first.name))
+            return []
+        r1, r2 = self._radii(names, look=True)
+        self._loop(names).look(names, names.optional(self, "length", LENGTH))
+        _distance, _total, rolled = touching(first.center, r1, second.center, r2, internal=True)
+        return [ConstraintRow("chain", "chain force", rolled, sign=-1)]
+
+    def _radii(self, names: Names, *, look: bool = False) -> tuple[Expr, Expr]:
+        pitch = names.positive(self, "pitch", LENGTH)
+        if len(self.teeth) != 2:
+            names.problem(Message("teeth are two numbers, [z1, z2]"), "teeth")
+            return ONE, ONE
+        teeth = [names.formula(z, DIMENSIONLESS, "teeth", k) for k, z in enumerate(self.teeth)]
+        for k, z in enumerate(map(names.numeric, teeth)):
+            if look and z is not None and (z < 3 or abs(z - round(z)) > ROUNDED):
+                told = Message("{z:g} teeth: a number of teeth is whole, e.g. {near}", z=z, near=max(3, round(z)))
+                names.problem(told, "teeth", k)
+        r1, r2 = (divide(pitch * z, 2 * PI) for z in teeth)
+        return r1, r2
+
+    def _loop(self, names: Names) -> BeltLoop:
+        first, second = names.known(self.first), names.known(self.second)
+        return BeltLoop(self._radii(names), distance_of_centers(names, first, second))
+
+    def transmitted(self, names: Names) -> Mapping[str, Transmitted]:
+        length = self._loop(names).length
+        if length is None:
+            return {}
+        links = divide(length, names.positive(self, "pitch", LENGTH))
+        return {"length": Transmitted(length, LENGTH), "links": Transmitted(links, DIMENSIONLESS)}
+
+    def glyphs(self, names: Names) -> Iterable[Glyph]:
+        centers = names.body(self.first).center, names.body(self.second).center
+        yield glyphs.Belt(*centers, self._radii(names))

@@ -1,0 +1,95 @@
+"""Questions about belts and chains: the tensions of both runs, what can be carried before it slips, how long it is."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from freebody.language.expression import ZERO
+from freebody.language.sentences import Message, Sentence, listed
+from freebody.language.units import DIMENSIONLESS, LENGTH, MASS, Dimension
+from freebody.model.transmitted import Transmitted
+from freebody.questions.arithmetic import Functions, Joined, OfParameters
+from freebody.questions.base import NAME, Described, Found, Path, Quantity, asked
+from freebody.questions.motion import OfMeasure
+from freebody.questions.reactions import has_connection
+from freebody.questions.reactions_by_component import ReactionComponent
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+_WORDS = "tight tension|slack tension|greatest belt force|greatest power|speed of greatest power|length|links"
+_KEYS = {word: word.replace(" ", "_") for word in _WORDS.split("|")}
+
+
+@dataclass(frozen=True)
+class OfBelt(Joined, kind="of a belt"):
+    """A tension of a belt, the greatest force or power that it carries without slip, or its length."""
+
+    connection: str
+    what: str
+    means: Transmitted
+
+    example = """
+bodies: {a: {disk: {mass: 1 kg, radius: 0.1 m}}, b: {disk: {mass: 1 kg, radius: 0.2 m}}}
+ground: {points: {A: [0, 0], B: [0.5 m, 0]}}
+connections:
+  p: {pin: [ground.A, a]}
+  q: {pin: [ground.B, b]}
+  drive: {belt: {first: a, second: b, pretension: 300 N}}
+loads: {motor: {torque: {on: a, magnitude: 5 N m}}}
+questions: {it: tight tension of drive}
+"""
+
+    @property
+    def dimension(self) -> Dimension:
+        return self.means.dimension
+
+    @property
+    def inner(self) -> tuple[Quantity, ...]:
+        """The constant, and what is multiplied by the size of the force and by the square of the speed."""
+        means, found = self.means, [OfParameters(self.means.constant, self.dimension)]
+        if means.of_force != ZERO:
+            name = f"{self.connection}.{means.row}"
+            force = ReactionComponent(self.connection, f"{means.row} force", name)
+            found += [OfParameters(means.of_force, DIMENSIONLESS), force]
+        if means.way is not None and means.of_square != ZERO:
+            found += [
+                OfParameters(means.of_square, MASS / LENGTH),
+                OfMeasure(means.way, 1, f"way of {self.connection}"),
+            ]
+        return tuple(found)
+
+    def made_of(self, values: tuple[Any, ...], of: Functions) -> Any:
+        total, *rest = values
+        if self.means.of_force != ZERO:
+            total = total + rest[0] * of.absolute(rest[1])
+            rest = rest[2:]
+        return total + rest[0] * rest[1] * rest[1] if rest else total
+
+    def sentence(self, system: Described) -> Sentence:
+        return Sentence(f"what.belt.{_KEYS[self.what]}", {"connection": self.connection})
+
+
+@asked(
+    "tight tension | slack tension | greatest belt force | greatest power | speed of greatest power | length of "
+    "CONNECTION",
+    rf"(?P<what>{_WORDS}) (?:of|in) (?:the )?(?P<of>{NAME})",
+    rank=60,
+)
+def _of_belt(names: Names, found: Found, path: Path) -> Quantity | None:
+    of, what = str(found["of"]), str(found["what"])
+    if of in names.broken or not has_connection(names, of, path):
+        return None
+    with names.quietly():
+        known = names.connections[of].transmitted(names)
+    if what not in known:
+        able = [f"{word} of {of}" for word in known]
+        told = (
+            Message("{of} has no {what}; ask for: {known}", of=of, what=what, known=listed(able))
+            if known
+            else Message("{of} is no belt and no chain", of=of)
+        )
+        names.problem(told, *path)
+        return None
+    return OfBelt(of, what, known[what])
