@@ -465,6 +465,7 @@ class Force(_Force):
         at: _Text,
         along: _Along,
         magnitude: _Formula,
+        at_most: _Formula | None = ...,
     ) -> None: ...
 
 class FrictionAlongMeasure(_FrictionAlongMeasure):
@@ -619,12 +620,14 @@ class Impulse(_Impulse):
 
 class Law(_Law):
     """`law: {measure: stretch, force: -k*stretch^3}`: the force (or torque, for an angle) in the direction in
-    which the measure grows, as an expression in measures, their rates (`rate(x)`) and time `t`."""
+    which the measure grows, as an expression in measures, their rates (`rate(x)`), states and time `t`. `at_most: F_max`
+    where an actuator can give no more either way."""
 
     def __init__(
         self,
         measure: _Mapping,
         force: _Formula,
+        at_most: _Formula | None = ...,
     ) -> None: ...
 
 class Link(_Link):
@@ -962,7 +965,7 @@ class TensionedString(_TensionedString):
 class Torque(_Torque):
     """`torque: {on: sun, magnitude: T}`, counter-clockwise positive; `reacts_on: arm` where the motor sits on a
     body, which feels the opposite torque. In space `about` says the axis: a direction fixed in the ground, or in a body
-    (`about: rotor.x`)."""
+    (`about: rotor.x`). `at_most: T_max` where a motor can give no more either way."""
 
     def __init__(
         self,
@@ -970,6 +973,7 @@ class Torque(_Torque):
         magnitude: _Formula,
         reacts_on: _Text = ...,
         about: _Along | None = ...,
+        at_most: _Formula | None = ...,
     ) -> None: ...
 
 class TorsionalDamper(_TorsionalDamper):

@@ -58,16 +58,16 @@ def law(names: Names, value: Any, dimension: Dimension, *path: str | int) -> tup
 
 
 def limited(names: Names, spec: Load, expr: Expr, dimension: Dimension) -> Expr:
-    """What an actuator gives of a wanted value u that can give `at_most` a either way: u within, else a with the sign of
-    u, which is (|u + a| - |u - a|)/2."""
+    """What an actuator gives of a wanted value u that can give `at_most` a either way: u within, else a with the sign
+    of u, which is (|u + a| - |u - a|)/2."""
     most = names.optional(spec, "at_most", dimension)
     return expr if most is None else divide(Call("abs", expr + most) - Call("abs", expr - most), number(2))
 
 
 class Law(Load, kind="law"):
     """`law: {measure: stretch, force: -k*stretch^3}`: the force (or torque, for an angle) in the direction in
-    which the measure grows, as an expression in measures, their rates (`rate(x)`), states and time `t`. `at_most: F_max`
-    where an actuator can give no more either way."""
+    which the measure grows, as an expression in measures, their rates (`rate(x)`), states and time `t`. `at_most:
+    F_max` where an actuator can give no more either way."""
 
     measure: str | dict[str, Any]
     force: Formula

@@ -1,9 +1,9 @@
 """States of controllers: what is integrated beside the motion, z' = f(measures, their rates, states, t).
 
-A state is the rate of a coordinate of its own, its integral Z: with a unit inertia and f as what drives it, Newton's law
-of that coordinate is Z'' = z' = f. Nothing depends on Z, which is cyclic; so a system with states is a system like any
-other to both routes, and what makes it steady and stable follows as for cyclic coordinates (Routh). What people see of it
-is the state: it has no mass, no place, no energy and no degree of freedom. Source: Franklin, Powell & Emami-Naeini,
+A state is the rate of a coordinate of its own, its integral Z: with a unit inertia and f as what drives it,
+Newton's law of that coordinate is Z'' = z' = f. Nothing depends on Z, which is cyclic; so a system with states is a
+system like any other to both routes, and what makes it steady and stable follows as for cyclic coordinates (Routh).
+What people see of it is the state: it has no mass, no place, no energy and no degree of freedom. Source: Franklin, Powell & Emami-Naeini,
 Feedback Control of Dynamic Systems, ch. 4 and 7 (integral control, state-space form).
 """
 
@@ -71,7 +71,10 @@ class ControllerState:
     def rows(self) -> list[ConstraintRow]:
         """It moves along one line."""
         across = AXES[1 : len(self.origin)]
-        return [ConstraintRow(n, "guide", self._along(a), connection=self.carrier) for n, a in zip("yz", across, strict=False)]
+        return [
+            ConstraintRow(n, "guide", self._along(a), connection=self.carrier)
+            for n, a in zip("yz", across, strict=False)
+        ]
 
     def drive(self) -> AppliedLoad:
         """What drives it: Z'' = f."""

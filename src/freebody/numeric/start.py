@@ -242,7 +242,9 @@ def _refuse_singular(reference: NumericSystem, body: RigidBody) -> None:
     """Three named angles are not determined where their axes are in one plane: at a middle angle of 0 if the first and
     the last turn are about the same axis, of 90 deg otherwise. Raises CannotAnswer if the start is such a pose."""
     named = [turn.name for turn in body.chain if turn.name]
-    given = {name: reference.number(reference.system.all_start[name]) for name in named if name in reference.system.all_start}
+    given = {
+        name: reference.number(reference.system.all_start[name]) for name in named if name in reference.system.all_start
+    }
     if len(named) < 3 or named[1] not in given:
         return
     before, turned = spatial.UNIT, dict.fromkeys(named, 0.0) | given

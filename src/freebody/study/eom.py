@@ -81,7 +81,9 @@ class Equations(Result):
         def zero(e: Expr) -> Paragraph:
             return line(Formula((number(0), e), ("=",)))
 
-        yield line(system_line(self.system, len(self.coordinates) - len(self.system.states), self.coordinates, self.dependent))
+        yield line(
+            system_line(self.system, len(self.coordinates) - len(self.system.states), self.coordinates, self.dependent)
+        )
         if self.dependent:
             told = "Closed loops (the dependent coordinates follow from them)"
             yield Section((told,), tuple(map(zero, self.loops)))

@@ -75,9 +75,13 @@ class SystemDescription:
     style: HouseStyle = field(default_factory=HouseStyle)  # and in worked solutions
     states: Mapping[str, ControllerState] = field(default_factory=dict[str, ControllerState])  # of controllers
 
-    @cached_property
+    @property
     def moving(self) -> tuple[RigidBody, ...]:
         """The bodies that are not fixed."""
+        return self._moving
+
+    @cached_property
+    def _moving(self) -> tuple[RigidBody, ...]:
         return tuple(body for body in self.material.values() if not body.fixed)
 
     @cached_property
@@ -263,7 +267,15 @@ class SystemDescription:
         return hash((self.title, tuple(self.parameters), tuple(self.bodies), self.constraint_rows, self.applied_loads))
 
     def _meaning(self) -> tuple[object, ...]:
-        described = (self.title, self.parameters, self.bodies, self.constraint_rows, self.applied_loads, self.measures, self.states)
+        described = (
+            self.title,
+            self.parameters,
+            self.bodies,
+            self.constraint_rows,
+            self.applied_loads,
+            self.measures,
+            self.states,
+        )
         bounded = (self.contacts, self.limits, self.brakes)
         return (*described, self.impulses, self.blows, self.start, self.start_rates, self.questions, self.mode, bounded)
 

@@ -157,7 +157,9 @@ def _between(question: Question, system: System, first: Answer, second: Answer, 
     found: list[str] = []
     values_1, values_2 = _values(first), _values(second)
     if first.unit == "":  # parts of several dimensions: their formulas are compared, and their signs
-        values_1, values_2 = (None if x is None else tuple(math.copysign(1.0, v) for v in x) for x in (values_1, values_2))
+        values_1, values_2 = (
+            None if x is None else tuple(math.copysign(1.0, v) for v in x) for x in (values_1, values_2)
+        )
     if values_1 is not None and values_2 is not None:
         if is_turned and len(values_2) == 2:
             values_2 = (values_2[1], -values_2[0])

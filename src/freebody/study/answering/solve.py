@@ -303,4 +303,6 @@ def _too_many_places(system: System, questions: Sequence[Question]) -> Solution:
     model = Setup(system, 2).model
     answers = tuple(refused(q, reason) for q in questions)
     coordinates = tuple(c.name for c in model.coordinates)
-    return Solution(system, model.degrees_of_freedom - len(system.states), coordinates, (), tuple(model.redundant), answers)
+    return Solution(
+        system, model.degrees_of_freedom - len(system.states), coordinates, (), tuple(model.redundant), answers
+    )

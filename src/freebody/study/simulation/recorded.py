@@ -63,7 +63,11 @@ def recorded(result: MeasuredMotion) -> Recording:
 
     course, system = result.course, result.system
     bodies = [b.name for b in system.moving]
-    data = _bodies(course, len(bodies)) if course.rotation is None else _bodies_in_space(course, course.rotation, len(bodies))
+    data = (
+        _bodies(course, len(bodies))
+        if course.rotation is None
+        else _bodies_in_space(course, course.rotation, len(bodies))
+    )
     for name, (value, rate, acceleration) in result.series.items():
         if name in system.states:
             unit = unit_of(system.states[name].dimension)

@@ -38,9 +38,7 @@ def read_states(source: Source) -> None:
 def _is_free(names: Names, name: str) -> bool:
     if name not in names.parameters and name not in names.measures:
         return True
-    names.problem(
-        Message("{name} is a parameter or a measure already; choose another name", name=name), "states", name
-    )
+    names.problem(Message("{name} is a parameter or a measure already; choose another name", name=name), "states", name)
     return False
 
 
