@@ -4,7 +4,7 @@
 
 Times are those of the processor, so that a busy machine lists the same. A case is long from a second on, but for the
 shortest of each test, as long as that takes less than five; an example is long, with all its cases, from five seconds
-on. `--times` takes the times of an earlier run instead of running the tests.
+on, but for those of the exercise sheet, which are in every run. `--times` takes the times of an earlier run instead of running the tests.
 """
 
 from __future__ import annotations
@@ -18,6 +18,10 @@ import pytest
 
 ROOT = Path(__file__).parents[1]
 LIST = ROOT / "tests" / "long_tests.txt"
+SHEET = {
+    *("multi_bar_platform", "body_on_driven_roller", "disk_rolling_down_incline", "sphere_launched_down_incline"),
+    *("planetary_gear", "atwood_machine", "disk_on_angled_shaft", "cardan_joint"),
+}
 LONG, LONG_ALONE, LONG_EXAMPLE = 1.0, 5.0, 5.0  # [s]
 HEAD = "# Left to the slow part of the tests; written by tools/list_long_tests.py from times of the processor.\n"
 
@@ -53,7 +57,11 @@ def long_ones(times: dict[str, float], examples: set[str]) -> list[str]:
             by_example[name] += seconds
         else:
             cases[function].append((seconds, test))
-    found = [f"example {name}" for name, seconds in sorted(by_example.items()) if seconds > LONG_EXAMPLE]
+    found = [
+        f"example {name}"
+        for name, seconds in sorted(by_example.items())
+        if seconds > LONG_EXAMPLE and name not in SHEET
+    ]
     for own in cases.values():
         (shortest, alone), *more = sorted(own)
         found += [alone] if shortest > LONG_ALONE else []

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from freebody.language.expression import Call, Expr, Number, ProductOf, Symbol, free_symbols, negate, substitute
+from freebody.language.notation import to_text
 from freebody.measures.combination import Composed
 from freebody.model.elements import RATE, VALUE, AppliedLoad, ConstraintRow
 from freebody.model.states import as_told
@@ -14,6 +15,7 @@ from freebody.present.picture.label import Label, formula, name
 from freebody.system.symbols import ReactionSymbol
 from freebody.system.system import System
 
+_LONGEST = 28  # letters of a law beside an arrow: a longer one would hide the picture
 _LOAD = "@load of "  # the symbol of what sliding friction is pressed with, before the name of its row
 
 
@@ -33,7 +35,8 @@ class LoadSymbols:
             sign = getattr(self.system.loads.get(push.load), "pulling_sign", 1)
         if given is not None:
             return name(given), sign
-        return (self._named_after(push.load) if law is None else formula(law)), sign
+        is_short = law is not None and len(to_text(law)) <= _LONGEST
+        return (formula(law) if law is not None and is_short else self._named_after(push.load)), sign
 
     def _named_after(self, load: str) -> Label:
         """F with the load as index, or with the connection that rubs."""
