@@ -6,7 +6,29 @@ Times are those of the processor, so that a busy machine lists the same. A case 
 shortest of each test, as long as that takes less than LONG_ALONE; an example is long, with all its cases, from
 LONG_EXAMPLE on, but for those of the exercise sheet, which are in every run. `--times` takes the times of an earlier
 run instead of running the tests.
-"""What each test costs, with what is made for it: a line for each in a file."""
+"""
+
+from __future__ import annotations
+
+import argparse
+import time
+from collections import defaultdict
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[1]
+LIST = ROOT / "tests" / "long_tests.txt"
+SHEET = {
+    *("multi_bar_platform", "body_on_driven_roller", "disk_rolling_down_incline", "sphere_launched_down_incline"),
+    *("planetary_gear", "atwood_machine", "disk_on_angled_shaft", "cardan_joint"),
+}
+LONG, LONG_ALONE, LONG_EXAMPLE = 0.6, 5.0, 4.0  # [s]
+HEAD = "# Left to the slow part of the tests; written by tools/list_long_tests.py from times of the processor.\n"
+
+
+class Times:
+    """What each test costs, with what is made for it: a line for each in a file."""
 
     def __init__(self, path: Path) -> None:
         self._file = path.open("w", encoding="utf-8")
