@@ -50,7 +50,9 @@ foreach ($files as $file) {
             $question->seed = (int) $seed;
             $question->initialise_question_from_seed();
             $run = (new api\controller\TestController())->qtype_stack_test_question($question, $tests, (int) $seed);
-            $run += ['question' => $question->name, 'seed' => (int) $seed, 'errors' => array_keys($question->runtimeerrors)];
+            $text = $question->questiontextinstantiated->get_rendered($question->castextprocessor);
+            $run['messages'] .= $question->questiontextinstantiated->get_errors();
+            $run += ['text' => $text, 'question' => $question->name, 'seed' => (int) $seed, 'errors' => array_keys($question->runtimeerrors)];
             $told[] = $run + ['seconds' => round(microtime(true) - $began, 2)];
         }
     }

@@ -124,7 +124,7 @@ class FormulaPart:
             if len(name) == 1:
                 yield f"{name}(fbx):={name}*fbx;"
         yield PLAIN
-        yield f"fbans:fbplain({INPUT});"
+        yield f"fbans:ev(fbplain({INPUT}));"
 
     # -- the tree -----------------------------------------------------------------------------
     def _nodes(self) -> Iterator[Node]:
