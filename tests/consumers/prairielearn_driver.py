@@ -4,9 +4,9 @@
 
 Each answer of `selftests.json` is submitted as a student would; printed is a list, for each package, of what became of
 them: `question`, `what`, `response`, `wanted`, `score`, `said` (whether the wanted feedback was given), `seconds`,
-`error`. The order of phases is that of PrairieLearn's server (`question-servers/freeform.ts`): `generate` is server.py
-alone; `prepare`, `parse` and `grade` are the elements of question.html, the score, then server.py. All three panels are
-rendered.
+`error`. The phases follow each other as in its server (`question-servers/freeform.ts`): `generate` is server.py
+alone; `prepare`, `parse` and `grade` are the elements of question.html, the score, then server.py. With the right
+answer all three panels are rendered, with others that of the submission.
 """
 
 from __future__ import annotations
@@ -87,10 +87,10 @@ class Variant:
         self._elements(phase, data)
         self._server(phase, data)
 
-    def render(self, data: dict[str, Any]) -> dict[str, str]:
-        """The three panels."""
+    def render(self, data: dict[str, Any], panels_wanted: tuple[str, ...]) -> dict[str, str]:
+        """Panels of the page."""
         panels = {}
-        for panel in ("question", "submission", "answer"):
+        for panel in panels_wanted:
             seen = copy.deepcopy(data)
             for key, default in (("submitted_answers", {}), ("raw_submitted_answers", {}), ("partial_scores", {}),
                                  ("format_errors", {}), ("feedback", {}), ("score", 0)):  # fmt: skip
@@ -101,7 +101,7 @@ class Variant:
             panels[panel] = self._elements("render", seen) or ""
         return panels
 
-    def submit(self, answers: dict[str, str]) -> dict[str, Any]:
+    def submit(self, answers: dict[str, str], panels: tuple[str, ...]) -> dict[str, Any]:
         """What becomes of a student's answers."""
         data = copy.deepcopy(self.data)
         data.update(
@@ -117,7 +117,7 @@ class Variant:
             data["score"] = sum(s * w for s, w in parts) / (weight or 1)
             self._server("grade", data)
         json.dumps(data, allow_nan=False)
-        data["panels"] = self.render(data)
+        data["panels"] = self.render(data, panels)
         return data
 
     def answers(self, response: str) -> dict[str, str]:
@@ -150,7 +150,8 @@ def tried(package: Path, variants: dict[tuple[Path, str], Variant], test: dict[s
         name, _, n = test["question"].partition("#")
         key = (package, test["question"])
         variant = variants.get(key) or variants.setdefault(key, Variant(package, name, int(n or 1) - 1))
-        data = variant.submit(variant.answers(test["response"]))
+        panels = ("question", "submission", "answer") if test["what"] == "key" else ("submission",)
+        data = variant.submit(variant.answers(test["response"]), panels)
         scores = [p.get("feedback") for p in data.get("partial_scores", {}).values()]
         feedback = [*filter(None, [*data["feedback"].values(), *scores])]
         found |= {
@@ -171,11 +172,10 @@ def tried(package: Path, variants: dict[tuple[Path, str], Variant], test: dict[s
 
 def main() -> None:
     results = []
-    for place in map(Path, sys.argv[1:]):
-        package = place.resolve()
+    for package in [Path(place).resolve() for place in sys.argv[1:]]:  # elements change the folder
         tests = json.loads((package / "selftests.json").read_text("utf-8"))["tests"]
         variants: dict[tuple[Path, str], Variant] = {}
-        results.append({"package": place.name, "tests": [tried(package, variants, test) for test in tests]})
+        results.append({"package": package.name, "tests": [tried(package, variants, test) for test in tests]})
     json.dump(results, sys.stdout)
 
 

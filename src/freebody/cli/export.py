@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from pkgutil import iter_modules
 from typing import Annotated
 
 import typer
@@ -10,9 +11,15 @@ import typer
 from freebody.cli.options import Effort, Language, Set, tell_warnings
 
 
+def _platforms() -> list[str]:
+    """Their names alone: those of their files."""
+    folder = Path(__file__).parents[1] / "exercises" / "platforms"
+    return sorted(module.name.replace("_", "-") for module in iter_modules([str(folder)]))
+
+
 def export(
     files: Annotated[list[Path], typer.Argument(metavar="FILE...", help="Model files with questions.")],
-    to: Annotated[str, typer.Option("--to", help="The platform: gift, moodle-xml, qti, ...")],
+    to: Annotated[str, typer.Option("--to", help=f"The platform: {', '.join(_platforms())}.")],
     out: Annotated[Path, typer.Option("-o", "--out", help="A new folder for the package.")],
     variants: Annotated[
         int, typer.Option("--variants", help="How many of each question, each with numbers and a figure of its own.")

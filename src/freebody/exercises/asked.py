@@ -11,7 +11,8 @@ import random
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from freebody.exercises.bank import Bank, Item, ItemVariant, ShownOption, WrongAnswer
+from freebody.exercises.bank import Bank, Item, ItemVariant, ShownOption
+from freebody.exercises.making import as_text
 from freebody.exercises.selftests import SelfTest, What
 from freebody.language.expression import free_symbols
 from freebody.language.parser import parse
@@ -93,12 +94,12 @@ def _told(item: Item, form: Form | None, platform: str) -> Iterator[str]:
         yield left_out(item, platform)
     elif isinstance(form, NumberAsked | NumbersAsked) and item.has_symbols:
         yield Message(
-            "{item}: {platform} takes no formulas, so the number is asked for", item=item.name, platform=platform
+            "{item}: {platform} takes no formulas, so the number is asked for", item=item.id, platform=platform
         )
     elif isinstance(form, ChoiceAsked) and not item.has_options:
         yield Message(
             "{item}: {platform} takes no formulas, so it is asked with options that mistakes lead to",
-            item=item.name,
+            item=item.id,
             platform=platform,
         )
 
@@ -106,7 +107,7 @@ def _told(item: Item, form: Form | None, platform: str) -> Iterator[str]:
 def left_out(item: Item, platform: str) -> str:
     """Why an item cannot be asked."""
     why = {
-        "vector": Message("{platform} cannot mark several values at once; give options", platform=platform),
+        "vector": Message("several values at once cannot be marked there; give options"),
         "words": Message("its answer is a condition or a statement, which {platform} cannot mark", platform=platform),
         "formula": Message("{platform} takes no formulas, and too few wrong ones are known", platform=platform),
         "number": Message("it has no value", platform=platform),
@@ -115,14 +116,15 @@ def left_out(item: Item, platform: str) -> str:
         why = Message("it has no answer here")
     elif item.answer == "vector" and is_moving(item):
         why = Message("its answer changes in the motion, and {platform} takes no formulas", platform=platform)
-    return Message("{item} is left out: {why}", item=item.name, why=why)
+    return Message("{item} is left out: {why}", item=item.id, why=why)
 
 
 def _form(item: Item, variant: ItemVariant, takes_several: bool) -> Form | None:
     if item.has_one_right_option and len(variant.options) > 1:
         return ChoiceAsked(variant.options)
-    if takes_several and isinstance(variant.value, tuple) and not is_moving(item) and item.labels:
-        return _numbers(item, variant.value)
+    values = variant.value
+    if takes_several and item.answer == "vector" and isinstance(values, tuple) and item.labels and not is_moving(item):
+        return _numbers(item, tuple(sorted(values)) if "1" in item.labels else values)
     if item.answer in ("formula", "number") and isinstance(variant.value, float) and not is_moving(item):
         return number_of(item, variant, variant.value)
     if item.answer == "formula":
@@ -131,10 +133,10 @@ def _form(item: Item, variant: ItemVariant, takes_several: bool) -> Form | None:
 
 
 def is_moving(item: Item) -> bool:
-    """Whether the answer changes in the motion, so that one number is none."""
-    moving = {symbol.name for symbol in item.symbols if symbol.is_moving} | {"t"}
+    """Whether the answer changes in the motion, so that one number is none: it has symbols that are no parameters."""
+    given = {symbol.name for symbol in item.symbols if not symbol.is_moving}
     parts = item.expression if isinstance(item.expression, tuple) else (item.expression,)
-    return any(part is not None and free_symbols(part) & moving for part in parts)
+    return any(part is not None and not free_symbols(part) <= given for part in parts)
 
 
 def number_of(item: Item, variant: ItemVariant, value: float) -> NumberAsked | None:
@@ -165,7 +167,7 @@ def _from_mistakes(item: Item, variant: ItemVariant) -> ChoiceAsked | None:
     if len(wrong) < FEWEST_WRONG or item.expression is None:
         return None
     side = item.expression
-    shown: list[tuple[Text, str, bool, Text]] = [((Formula((side,)),), item.name, True, ())]
+    shown: list[tuple[Text, str, bool, Text]] = [((Formula((side,)),), as_text(side), True, ())]
     shown += [((Formula((parse(w.text),)),), w.text, False, w.feedback) for w in wrong]
     random.Random(f"{item.id}/{variant.n}").shuffle(shown)
     return ChoiceAsked(
@@ -222,7 +224,6 @@ __all__ = [
     "Form",
     "NumberAsked",
     "NumbersAsked",
-    "WrongAnswer",
     "WrongNumber",
     "asked_of",
     "digits",

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+import unicodedata
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
@@ -44,6 +45,7 @@ from freebody.study.answering.solve import solve
 from freebody.symbolic.field import Ratio
 from freebody.system.system import System
 
+_LONGEST_ID = 60
 _LONGEST_NAME = 200  # characters; platforms keep some 255
 _NO_ID = re.compile(r"[^a-z0-9]+")
 
@@ -89,11 +91,12 @@ class _SystemItems:
         system, answer = self.system, self.variants[0].solution.answers[k]
         statement = ExerciseStatement(system, self.catalogue, 1, 1)
         title = title_of(system, self.catalogue)
-        kind = kind_of(answer)
+        kind = kind_of(question, answer)
         wrong = tuple(self._wrong(k, question, kind))
         variants = tuple(self._variant(n, k, wrong) for n in range(1, len(self.variants) + 1))
         is_count = question.quantity.scope == "structure"
         tolerance = Tolerance() if is_count else self.tolerance
+        labels = _labels(system, question, answer)
         return Item(
             self._id(question),
             shortened(plain(f"{title}: {self.catalogue.plain(headline(system, question))}"), _LONGEST_NAME),
@@ -110,16 +113,18 @@ class _SystemItems:
             tuple(self.catalogue.tell(Sentence("exercise.condition", {"text": ready(c)})) for c in answer.conditions),
             "" if answer.is_answered or answer.conditions else answer.reason,
             tolerance,
-            self._number_prompt(answer, tolerance, is_count),
+            self._number_prompt(answer, tolerance, labels, is_count),
             1.0 if question.points is None else question.points,
             sampling_of(answer),
             variants,
-            _labels(question, answer),
+            labels,
         )
 
     def _id(self, question: Question) -> str:
         stem = Path(self.system.file).stem if self.system.file else self.system.title
-        own = _NO_ID.sub("_", f"{stem}_{question.id}".lower()).strip("_") or "exercise"
+        letters = unicodedata.normalize("NFKD", f"{stem}_{question.id}".lower())
+        own = _NO_ID.sub("_", "".join(c for c in letters if not unicodedata.combining(c))).strip("_")[:_LONGEST_ID]
+        own = own if own[:1].isalpha() else f"exercise_{own}".strip("_")
         found = next(name for n in range(1, 10**6) if (name := own if n == 1 else f"{own}_{n}") not in self.taken)
         self.taken.add(found)
         return found
@@ -131,17 +136,16 @@ class _SystemItems:
         numbers = options_in_numbers(system, question, answer) if self.sheet.in_numbers else {}
         statement = ExerciseStatement(system, self.catalogue, 1, 1, numbers=numbers)
         model = in_style(statement.model(), system.style)
-        options = [
-            ShownOption(
-                letter,
-                text,
-                in_style(statement.option(text), system.style),
-                answer.options[letter].verdict == "right",
-                self._feedback(answer.options[letter].reason, self.mistakes[question.id].get(text)),
-            )
-            for letter, text in question.options.items()
-            if letter in answer.options
-        ]
+        options: list[ShownOption] = []
+        for letter, text in question.options.items():
+            verdict = answer.options.get(letter)
+            if verdict is not None and verdict.verdict != "unreadable":
+                is_right = verdict.verdict == "right"
+                said = (self.catalogue.word("marking.correct"),)
+                if not is_right:
+                    said = self._feedback(verdict.reason, self.mistakes[question.id].get(text))
+                shown = in_style(statement.option(text), system.style)
+                options.append(ShownOption(letter, text, shown, is_right, said))
         solved, hints = self._worked(self.variants[n - 1], k)
         return ItemVariant(
             n,
@@ -216,34 +220,42 @@ class _SystemItems:
             found.append(as_text(element.field.expression(element)))
         yield from (text for text in dict.fromkeys(found) if text != own)
 
-    def _number_prompt(self, answer: Answer, tolerance: Tolerance, is_count: bool) -> Text:
+    def _number_prompt(self, answer: Answer, tolerance: Tolerance, labels: Sequence[str], is_count: bool) -> Text:
         if is_count:
             return (self.catalogue.word("exercise.whole_number"),)
+        in_turn = f" {self.catalogue.word('exercise.smallest_first')}" if "1" in labels else ""
         unit = raised(_unit(answer))
         args: dict[str, Argument] = {"unit": f"@{unit}", "off": f"@{_told(tolerance, unit)}", "n": tolerance.digits}
         key = "exercise.number_to" if tolerance.digits else "exercise.number"
-        return in_style(self.catalogue.tell(Sentence(key if unit else f"{key}_plain", args)), self.system.style)
+        told = self.catalogue.tell(Sentence(key if unit else f"{key}_plain", args))
+        return in_style((*told, *([in_turn] if in_turn else [])), self.system.style)
 
 
-def kind_of(answer: Answer) -> Kind:
-    """What is to be found, whether or not there are options."""
-    if answer.verdict or (answer.expression is None and answer.value is None):
+def kind_of(question: Question, answer: Answer) -> Kind:
+    """What is to be found, whether or not there are options. A range is told by its ends where both are asked for, and
+    else by an inequality."""
+    if answer.verdict or question.quantity.is_verdict or (answer.expression is None and answer.value is None):
+        return "words"
+    is_range = (question.understood or question.text).startswith("range ")
+    if is_range and not (question.quantity.scope == "rest" and isinstance(answer.value, tuple)):
         return "words"
     if isinstance(answer.expression, tuple) or isinstance(answer.value, tuple):
         return "vector"
     return "formula" if answer.expression is not None and free_symbols(answer.expression) else "number"
 
 
-def _labels(question: Question, answer: Answer) -> tuple[str, ...]:
-    """Of the components of a vector, or of several values. Nothing where these do not come in the order of their
-    size."""
-    values = answer.value
+def _labels(system: System, question: Question, answer: Answer) -> tuple[str, ...]:
+    """Of the components of a vector, or of several values by their size. Nothing where they are neither, as the
+    amplitudes of a mode shape are."""
+    values, q = answer.value, question.quantity
     if not isinstance(values, tuple):
         return ()
-    q = question.quantity
-    if not (q.is_any_of_several or q.scope == "small motion" or q.wanted is not None):
-        return ("x", "y", "z")[: len(values)]
-    return tuple(str(k) for k in range(1, len(values) + 1)) if list(values) == sorted(values) else ()
+    if q.scope in ("instant", "course") and q.wanted is None and not q.is_any_of_several:
+        axes = tuple(axis for axis, _component in q.components(system))
+        return axes if len(axes) == len(values) else ("x", "y", "z")[: len(values)]
+    if len(set(values)) < len(values) or (q.scope == "small motion" and q.dimension == DIMENSIONLESS):
+        return ()
+    return tuple(str(k) for k in range(1, len(values) + 1))
 
 
 def as_text(expression: Expr | Sequence[Expr]) -> str:

@@ -105,7 +105,8 @@ def _name(name: str) -> str:
 
 
 def _category(title: str) -> str:
-    return _escaped(_name(title).replace("/", "//"))
+    """A category is read as it stands, but for backslashes."""
+    return _name(title).replace("/", "//").replace("\\", "")
 
 
 # -- reading ----------------------------------------------------------------------------------

@@ -101,7 +101,7 @@ class _Writer:
         n, changes = len(form.right), bool(form.later)
         parts: list[dict[str, Any]] = []
         for k, right in enumerate(form.right):
-            own = (prompt if k == 0 else "") + (f"<p>({k + 1})</p>" if n > 1 else "")
+            own = (prompt if k == 0 else "") + (f"<p>{escape(self.asked.item.labels[k])}:</p>" if n > 1 else "")
             part = shape.formula_part(right, self.marks / n, own, only_changes=changes)
             for wrong, words in zip(form.wrong, said, strict=True):
                 if not all(map(is_same, wrong.values[k], form.values[k])):

@@ -121,7 +121,7 @@ class _Writer:
         """What the page needs, and what formulas are compared by."""
         names = [f"answer_{k}" for k in range(1, len(form.right) + 1)] if len(form.right) > 1 else ["answer"]
         variables = ", ".join(form.typing.theirs.values())
-        labels = [f"({k})" for k in range(1, len(names) + 1)] if len(names) > 1 else [""]
+        labels = self.question.item.labels if len(names) > 1 else ("",)
         parts = [{"name": n, "label": s, "variables": variables} for n, s in zip(names, labels, strict=True)]
         wrong = [{"values": w.values, "feedback": self.markup.text(w.feedback).strip()} for w in form.wrong]
         compared = {"points": form.points, "later": form.later, "values": form.values, "wrong": wrong}
