@@ -5,8 +5,8 @@
 Each answer of `selftests.json` is submitted as a student would; printed is a list, for each package, of what became of
 them: `question`, `what`, `response`, `wanted`, `score`, `said` (whether the wanted feedback was given), `seconds`,
 `error`. The phases follow each other as in its server (`question-servers/freeform.ts`): `generate` is server.py
-alone; `prepare`, `parse` and `grade` are the elements of question.html, the score, then server.py. With the right answer
-all three panels are rendered, with others that of the submission.
+alone; `prepare`, `parse` and `grade` are the elements of question.html, the score, then server.py. With the right
+answer all three panels are rendered, with others that of the submission.
 """
 
 from __future__ import annotations

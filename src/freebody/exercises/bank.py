@@ -89,8 +89,8 @@ class Item:
     without figure and numbers; answer: what is to be found, whether or not there are options; expression, unit: of the
     right answer; equivalent: other ways to write it; conditions: where it holds, in words; tolerance: for numbers;
     number_prompt: which number is to be given, in which unit, how exactly; labels: of the parts of an answer that has
-    several, x and y of a vector, 1, 2 ... of values whose order is that of their size; sampling: states at which
-    formulas can be compared with the answer."""
+    several, x and y of a vector, 1, 2 ... of values whose order is that of their size; sampling: where formulas can be
+    compared with the answer."""
 
     id: str
     name: str

@@ -9,9 +9,13 @@ from freebody.present.report.blocks import Block, Emphasis, Formula, Paragraph, 
 
 
 def typing_note(typing: Typing, language: str) -> tuple[Block, ...]:
-    """How each symbol is typed."""
+    """How formulas are typed, and each symbol."""
     pairs: list[Text] = [
         (Formula((parse(ours),)), " ", Emphasis(theirs, "code")) for ours, theirs in typing.theirs.items()
     ]
     between = [piece for k, pair in enumerate(pairs) for piece in ((", ", *pair) if k else pair)]
-    return (Paragraph((Catalogue(language).word("exercise.typed"), " ", *between)),)
+    catalogue = Catalogue(language)
+    exact = (catalogue.word("exercise.exact"), " ") if typing.language.is_exact else ()
+    return (
+        Paragraph((catalogue.word("exercise.typed"), " ", *exact, catalogue.word("exercise.symbols"), " ", *between)),
+    )

@@ -46,7 +46,7 @@ agree:
 
 def exam(name: str, questions: Sequence[Mapping[str, Any]]) -> bytes:
     """A file of all questions, in one group."""
-    group = {
+    group: dict[str, Any] = {
         "name": "Group",
         "pickingStrategy": "all-ordered",
         "pickQuestions": 1,
@@ -54,7 +54,7 @@ def exam(name: str, questions: Sequence[Mapping[str, Any]]) -> bytes:
         "variable_overrides": [[] for _ in questions],
         "questions": list(questions),
     }
-    content = {
+    content: dict[str, Any] = {
         "name": name,
         "metadata": {"description": "", "licence": "None specified"},
         "duration": 0,

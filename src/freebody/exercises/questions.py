@@ -45,9 +45,15 @@ def questions_of(bank: Bank, platform: str, language: Language) -> tuple[tuple[I
     n = sum(question.kind == "formula" and bool(question.item.conditions) for question in found)
     if n:
         limit = Message(
-            "{platform} does not ask under which conditions an answer holds: {n} have some", platform=platform, n=n
+            "{platform} does not ask for the conditions under which an answer holds; {n} answers have some",
+            platform=platform,
+            n=n,
         )
         told.append(limit)
+    if language.is_exact and any(question.kind == "formula" for question in found):
+        told.append(
+            Message("{platform} takes fractions in formulas, no decimals; students are told", platform=platform)
+        )
     return tuple(found), tuple(told)
 
 

@@ -38,7 +38,7 @@ fbnear(fba,fbb,fbs):=is(abs(fba-fbb)<=1.0e-7*max(abs(fba),abs(fbb))+1.0e-12*fbs)
 fbclose(fba,fbb):=if not fbalike(fba,fbb) then false else block([fbs], fbs:lmax(maplist(abs,fbb)),
     is(sublist(makelist(fbnear(fba[fbi],fbb[fbi],fbs),fbi,1,length(fba)),lambda([fbx],not fbx))=[]));
 fbsame(fba,fbb):=fbclose(fbseries(fba,fbpoints,fblater),fbseries(fbb,fbpoints,fblater));
-fbratio(fbl,fbm):=if not fbalike(fbl,fbm) then false elseif is(first(fbm)=0) or is(first(fbl)=0) then false
+fbratio(fbl,fbm):=if not fbalike(fbl,fbm) then false elseif is(abs(first(fbl)*first(fbm))<=0) then false
     else fbclose(fbl,fbm*first(fbl)/first(fbm));
 fbfactor(fba,fbb):=fbratio(fbseries(fba,fbpoints,fblater),fbseries(fbb,fbpoints,fblater));
 fbscale(fbl,fbm):=if fbalike(fbl,fbm) then fbclose(fbl,fblarger*fbm) else true;

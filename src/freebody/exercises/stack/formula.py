@@ -124,7 +124,7 @@ class FormulaPart:
             if len(name) == 1:
                 yield f"{name}(fbx):={name}*fbx;"
         yield PLAIN
-        yield f"fbans:fbplain({INPUT});"
+        yield f"fbans:ev(fbplain({INPUT}));"
 
     # -- the tree -----------------------------------------------------------------------------
     def _nodes(self) -> Iterator[Node]:
@@ -177,6 +177,12 @@ class FormulaPart:
             yield expected("equivalent", INPUT, self.written(parts), tree, 0)
         for k in range(1, len(self.wrong) + 1):
             yield expected("distractor", INPUT, self.written(self.wrong[k - 1].parts), tree, k)
+        if self.has_numbers:
+            notes = [node.note for node in tree.nodes]
+            for factor, note in ((-1, "sign"), (7, "factor")):
+                made = tuple(factor * part for part in self.key)
+                if not any(self.points.same(made, known) for known in (self.key, *(w.parts for w in self.wrong))):
+                    yield expected("distractor", INPUT, self.written(made), tree, notes.index(note))
 
 
 def _read(text: str, n: int) -> Parts | None:

@@ -77,7 +77,8 @@ class QuestionTest:
 
 @dataclass(frozen=True)
 class StackQuestion:
-    """name: unique; text, general, note: CASText; variables: in Maxima, a statement on each line; files: by name."""
+    """name: unique; text, general, note: CASText; variables: in Maxima, a statement on each line; files,
+    solution_files: of the text and of the general feedback, by name."""
 
     name: str
     text: str
@@ -89,5 +90,6 @@ class StackQuestion:
     seeds: tuple[int, ...] = ()
     tests: tuple[QuestionTest, ...] = ()
     files: Mapping[str, bytes] | None = None
+    solution_files: Mapping[str, bytes] | None = None
     grade: float = 1.0
     id: str = ""

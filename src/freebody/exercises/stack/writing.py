@@ -11,8 +11,8 @@ from itertools import zip_longest
 
 from freebody.exercises.asked import left_out
 from freebody.exercises.bank import Bank, Item
-from freebody.exercises.markup import Markup, described
-from freebody.exercises.stack.castext import DIALECT, VARIANT, by_variant
+from freebody.exercises.markup import Markup
+from freebody.exercises.stack.castext import DIALECT, VARIANT, by_variant, words
 from freebody.exercises.stack.choice import ChoicePart
 from freebody.exercises.stack.formula import FormulaPart
 from freebody.exercises.stack.number import NumberPart
@@ -32,7 +32,8 @@ class ItemWriter:
     def __init__(self, bank: Bank, item: Item, catalogue: Catalogue) -> None:
         self.bank, self.item, self.catalogue = bank, item, catalogue
         self.files: dict[str, bytes] = {}
-        self.markup = Markup(bank.language, bank.words, DIALECT, self._image)
+        self.solution_files: dict[str, bytes] = {}
+        self.markup = Markup(bank.language, bank.words, DIALECT, lambda figure: _image(figure, self.files))
         self.told: list[str] = []
 
     def question(self) -> StackQuestion | None:
@@ -41,7 +42,10 @@ class ItemWriter:
         if not parts:
             self.told.append(left_out(item, PLATFORM))
             return None
-        solution = by_variant([self.markup.blocks(v.solution) for v in item.variants])
+        solved = Markup(
+            self.bank.language, self.bank.words, DIALECT, lambda figure: _image(figure, self.solution_files)
+        )
+        solution = by_variant([solved.blocks(v.solution) for v in item.variants])
         return StackQuestion(
             item.name,
             self._text(parts),
@@ -52,7 +56,8 @@ class ItemWriter:
             tuple(part.tree for part in parts),
             seeds(len(item.variants)),
             tuple(_together([part.tests for part in parts])),
-            dict(self.files),
+            self.files,
+            self.solution_files,
             item.points,
             item.id,
         )
@@ -86,13 +91,15 @@ class ItemWriter:
         told = markup.blocks(item.told) + by_variant([markup.blocks(blocks) for blocks in own])
         return f"{told}<p><strong>{markup.text(item.prompt)}</strong></p>{''.join(part.asked for part in parts)}"
 
-    def _image(self, figure: Figure) -> str:
-        """The drawing is a file of the question; the same one is kept once."""
-        drawing = figure.picture.svg(dark=False).encode()
-        known = next((name for name, content in self.files.items() if content == drawing), None)
-        name = known or f"figure_{len(self.files) + 1}.svg"
-        self.files[name] = drawing
-        return f'<img src="@@PLUGINFILE@@/{name}" alt="{described(figure)}" />'
+
+def _image(figure: Figure, files: dict[str, bytes]) -> str:
+    """The drawing is a file of the text in which it stands; the same one is kept once."""
+    drawing = figure.picture.svg(dark=False).encode()
+    known = next((name for name, content in files.items() if content == drawing), None)
+    name = known or f"figure_{len(files) + 1}.svg"
+    files[name] = drawing
+    said = words(f"{figure.picture.title}. {figure.picture.description}")
+    return f'<img src="@@PLUGINFILE@@/{name}" alt="{said}" />'
 
 
 def _together(tests: Sequence[tuple[QuestionTest, ...]]) -> Iterator[QuestionTest]:

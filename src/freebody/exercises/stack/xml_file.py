@@ -16,6 +16,7 @@ from freebody.exercises.xml import HEAD, parsed
 
 VERSION = "2024012900"  # of STACK, from which on all is there that is used here
 _INSERT_STARS = "4"  # for products side by side, and for spaces
+_WITH_FILES = ("questiontext", "generalfeedback")
 _OPTIONS = """\
 <questionsimplify>1</questionsimplify>
 <assumepositive>0</assumepositive>
@@ -41,14 +42,10 @@ def quiz(category: str, questions: Mapping[str, StackQuestion] | tuple[StackQues
 
 def _question(q: StackQuestion) -> str:
     feedback = "".join(f"[[feedback:{tree.name}]]" for tree in q.trees)
-    files = "".join(
-        f'<file name="{escape(name)}" path="/" encoding="base64">{b64encode(content).decode()}</file>\n'
-        for name, content in (q.files or {}).items()
-    )
     parts = [
         f"<name>{_text(q.name)}</name>",
-        f'<questiontext format="html">{_html(q.text)}\n{files}</questiontext>',
-        f'<generalfeedback format="html">{_html(q.general)}</generalfeedback>',
+        f'<questiontext format="html">{_html(q.text)}\n{_files(q.files)}</questiontext>',
+        f'<generalfeedback format="html">{_html(q.general)}\n{_files(q.solution_files)}</generalfeedback>',
         f"<defaultgrade>{q.grade:g}</defaultgrade>\n<penalty>0.1</penalty>\n<hidden>0</hidden>",
         f"<idnumber>{escape(q.id)}</idnumber>",
         f"<stackversion>{_text(VERSION)}</stackversion>",
@@ -62,6 +59,13 @@ def _question(q: StackQuestion) -> str:
         *(_test(k, test) for k, test in enumerate(q.tests, 1)),
     ]
     return '<question type="stack">\n' + "\n".join(parts) + "\n</question>\n"
+
+
+def _files(files: Mapping[str, bytes] | None) -> str:
+    return "".join(
+        f'<file name="{escape(name)}" path="/" encoding="base64">{b64encode(content).decode()}</file>\n'
+        for name, content in (files or {}).items()
+    )
 
 
 def _text(text: str) -> str:
@@ -179,7 +183,7 @@ def _read(q: Element) -> StackQuestion:
         trees,
         tuple(int(seed.text or 0) for seed in q.findall("deployedseed")),
         tuple(map(_read_test, q.findall("qtest"))),
-        {f.get("name", ""): b64decode(f.text or "") for f in q.findall("questiontext/file")},
+        *({f.get("name", ""): b64decode(f.text or "") for f in q.findall(f"{e}/file")} for e in _WITH_FILES),
         grade=float(_of(q, "defaultgrade") or 1),
         id=_of(q, "idnumber"),
     )
