@@ -4,18 +4,20 @@ from __future__ import annotations
 
 import json
 import math
+from importlib import import_module
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 from numpy.typing import NDArray
-from scipy.optimize import root
 
 import freebody as fb
 from command import freebody
 from freebody.errors import CannotAnswer, InputError, ModelError
 from freebody.numeric.reference import Reference
 from freebody.numeric.snapshot import snapshot_of
+from freebody.study.synthesis import fitting
 from freebody.study.synthesis.certificate import certified, seen_alike
 from freebody.study.synthesis.fewer import by_pivot, curve, on_lines, pole, slides
 from freebody.study.synthesis.five import five_positions
@@ -78,6 +80,7 @@ def test_newton_from_many_places_finds_no_dyad_that_is_not_among_them() -> None:
     """The four bilinear equations in (W, G), solved from 400 random starts (seed 5)."""
     positions = FourBar().positions()
     found = five_positions(positions)
+    optimize: Any = import_module("scipy.optimize")
     rng = np.random.default_rng(5)
     known = np.array([np.append(d.moving, d.fixed) for d in found.dyads])
     seen: set[int] = set()
@@ -86,7 +89,7 @@ def test_newton_from_many_places_finds_no_dyad_that_is_not_among_them() -> None:
         return rows_of(positions, x[:2]) @ np.append(x[2:], 1.0)
 
     for _ in range(400):
-        solution = root(equations, rng.normal(0.0, 10.0, 4), tol=1e-13)
+        solution = optimize.root(equations, rng.normal(0.0, 10.0, 4), tol=1e-13)
         if not solution.success or np.abs(equations(solution.x)).max() > 1e-9:
             continue
         distances = np.abs(known - solution.x).max(axis=1)
@@ -133,8 +136,10 @@ def test_the_slider_of_four_positions_is_the_wrist_pin_of_a_slider_crank() -> No
         phi = math.asin((0.4 - B[1]) / 3.0)
         found.append(Position(float(B[0]), float(B[1]), phi))
     (d,) = slides(found, [])
-    B = np.array((found[0].x, found[0].y))
-    assert d.moving == pytest.approx(B + 3.0 * np.array((math.cos(found[0].angle), math.sin(found[0].angle))), abs=1e-9)
+    pin = np.array((found[0].x, found[0].y))
+    assert d.moving == pytest.approx(
+        pin + 3.0 * np.array((math.cos(found[0].angle), math.sin(found[0].angle))), abs=1e-9
+    )
     assert d.fixed == pytest.approx((1.0, 0.0), abs=1e-9)
     for one in slides(found[:3], [0.3, 1.0, 2.0]):
         assert one.residual < 1e-9
@@ -211,6 +216,32 @@ def test_a_four_bar_comes_back_from_five_points_of_its_path_and_crank_angles() -
     lengths = [list(c.linkage.lengths.values()) for c in found.candidates]
     assert min(np.abs(np.array(x) - (1.0, 3.0, 2.5, math.hypot(3, 0.5))).max() for x in lengths) < 1e-7
     assert found.candidates[0].is_good
+
+
+def test_a_closed_path_of_many_points_leads_back_to_its_four_bar() -> None:
+    bar = FourBar(0.7, 2.2, 2.0, (2.5, 0.4))
+    angles = np.linspace(0.0, math.tau, 24, endpoint=False)
+    points = np.array([bar.at(float(theta))[3] for theta in angles])
+    found = fb.synthesise({"task": "path", "points": points.tolist()}, most=1)
+    best = found.candidates[0]
+    assert best.is_good
+    assert best.linkage.missed < 1e-9
+    assert list(best.linkage.lengths.values()) == pytest.approx((0.7, 2.2, 2.0, math.hypot(2.5, 0.4)), rel=1e-6)
+    assert "not proved" in found.about
+
+
+def test_slopes_of_the_fitted_curve_are_those_of_differences() -> None:
+    rng = np.random.default_rng(3)
+    x = np.concatenate(([0.1, -0.2, 0.3, 0.5, 1.3, 1.1, 1.2, 0.4, 0.6], rng.uniform(0, math.tau, 7)))
+    target = rng.normal(size=7) + 1j * rng.normal(size=7)
+    for side in (-1, 1):
+        slopes = fitting._slopes(x, side, target)
+        h = 1e-6
+        steps = [
+            (fitting._residuals(x + h * e, side, target) - fitting._residuals(x - h * e, side, target)) / (2 * h)
+            for e in np.eye(len(x))
+        ]
+        assert slopes == pytest.approx(np.column_stack(steps), abs=1e-7)
 
 
 # -- defects ----------------------------------------------------------------------------------

@@ -26,6 +26,7 @@ from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.numeric.jets import Array
 from freebody.study.synthesis.fewer import by_pivot, by_points, curve, on_lines, slides
+from freebody.study.synthesis.fitting import fitted
 from freebody.study.synthesis.five import five_positions
 from freebody.study.synthesis.linkage import Linkage, cognates
 from freebody.study.synthesis.positions import Dyad, Position, bar, places, rotation, rows_of, size_of
@@ -46,6 +47,12 @@ class Found:
 
 def candidates(task: Task) -> Found:
     """Raises CannotAnswer where the task determines none."""
+    if task.points is not None:
+        return Found(
+            (),
+            tuple(fitted(task.points)),
+            Message("fitted to {n} points: the best of local searches, not proved", n=task.n),
+        )
     return _of_function(task) if task.kind == "function" else _of_positions(task)
 
 

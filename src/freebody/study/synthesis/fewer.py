@@ -75,7 +75,7 @@ def pole(positions: Sequence[Position], i: int = 0, j: int = 1) -> Array:
     (Ri, di), (Rj, dj) = (displacements(positions)[k] for k in (i, j))
     if abs(np.linalg.det(Ri - Rj)) < 1e-12:
         raise CannotAnswer(Message("positions {i} and {j} are turned alike and have no pole", i=i + 1, j=j + 1))
-    return np.linalg.solve(Ri - Rj, dj - di)
+    return np.asarray(np.linalg.solve(Ri - Rj, dj - di), dtype=np.float64)
 
 
 def turned_pair(positions: Sequence[Position]) -> tuple[int, int]:
@@ -104,7 +104,7 @@ def by_pivot(positions: Sequence[Position], G: Array) -> Dyad | None:
     M = np.column_stack((at[1] - at[0], at[2] - at[0]))
     if abs(np.linalg.det(M)) <= 1e-12 * max(float(np.abs(M).max()) ** 2, 1e-300):
         return None
-    found = bar(positions, np.linalg.solve(M, -at[0]), G)
+    found = bar(positions, np.asarray(np.linalg.solve(M, -at[0]), dtype=np.float64), G)
     return found if found.residual <= 1e-6 * size_of(positions) else None
 
 

@@ -18,6 +18,7 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 
@@ -38,7 +39,8 @@ class Defect:
 @dataclass(frozen=True)
 class Linkage:
     """A (2,); B, C: (n, 2) in every position; D: (n, 2), the ground pivot, or of a slider-crank nothing but C; along:
-    (2,) in which a slider moves, none of a four-bar; P: (n, 2) the point that is traced."""
+    (2,) in which a slider moves, none of a four-bar; P: (n, 2) the point that is traced; missed: [m]
+    how far it is at worst from where it was wanted."""
 
     A: Array
     B: Array
@@ -46,6 +48,7 @@ class Linkage:
     D: Array | None
     along: Array | None = None
     P: Array | None = None
+    missed: float = 0.0
 
     @property
     def is_slider(self) -> bool:
@@ -97,7 +100,7 @@ class Linkage:
         b = np.linalg.norm(self.C - self.B, axis=1)
         c = (
             [cross(self.along, x - self.A) for x in self.C]
-            if self.D is None
+            if self.along is not None
             else np.linalg.norm(self.C - self.D, axis=1)
         )
         return float(max(np.ptp(x) for x in (a, b, np.array(c)))) / self.size
@@ -238,9 +241,9 @@ def cognates(linkage: Linkage) -> list[Linkage]:
     return found
 
 
-def _complex(x: Array) -> Array:
+def _complex(x: Array) -> Any:
     return x[..., 0] + 1j * x[..., 1]
 
 
-def _plane(z: Array) -> Array:
+def _plane(z: Any) -> Array:
     return np.stack((np.real(z), np.imag(z)), axis=-1)

@@ -33,13 +33,13 @@ def linkage_picture(title: str, linkage: Linkage) -> Picture:
         Shape(at(run), Ink("body", 3), 1.0, dashes=(4.0, 2.0)) for run in _runs(curve) if len(run) > 1
     ]
     for k in reversed(range(linkage.n)):
-        ink = lambda body, k=k: Ink("body", body, alpha=1.0 if k == 0 else 0.45)  # noqa: E731
+        crank, coupler, rocker = (Ink("body", body, alpha=1.0 if k == 0 else 0.45) for body in range(3))
         width = 2.0 if k == 0 else 0.9
-        shapes.append(Shape(at(np.array((linkage.A, linkage.B[k]))), ink(0), width))
+        shapes.append(Shape(at(np.array((linkage.A, linkage.B[k]))), crank, width))
         corners = [linkage.B[k], linkage.C[k], *([] if linkage.P is None else [linkage.P[k]])]
-        shapes.append(Shape(at(np.array(corners)), ink(1), width, is_closed=len(corners) > 2))
+        shapes.append(Shape(at(np.array(corners)), coupler, width, is_closed=len(corners) > 2))
         if linkage.D is not None:
-            shapes.append(Shape(at(np.array((linkage.C[k], linkage.D))), ink(2), width))
+            shapes.append(Shape(at(np.array((linkage.C[k], linkage.D))), rocker, width))
     pins = [linkage.A, linkage.B[0], linkage.C[0], *([] if linkage.D is None else [linkage.D])]
     shapes += [_dot(at(x)[0]) for x in pins]
     words: list[Word] = []

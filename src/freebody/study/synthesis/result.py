@@ -121,6 +121,7 @@ class Synthesis(Result):
             "case": c.certificate.case if c.certificate else None,
             "transmission_angle": c.transmission,
             "residual": linkage.residual,
+            "missed": linkage.missed,
             "defects": [{"name": d.name, "reason": str(d.why)} for d in c.defects],
         }
 
@@ -140,11 +141,35 @@ class Synthesis(Result):
         if not shown:
             return
         names = list(shown[0].linkage.lengths)
+
+        def missed(c: Candidate) -> list[str]:
+            return [f"{c.linkage.missed:.2g}"] if task.is_fitted else []
+
         rows = [
-            [str(k), *(number_text(x) for x in c.linkage.lengths.values()), f"{c.transmission:.1f}", c.verdict]
+            [
+                str(k),
+                *(number_text(x) for x in c.linkage.lengths.values()),
+                f"{c.transmission:.1f}",
+                *missed(c),
+                c.verdict,
+            ]
             for k, c in enumerate(shown, 1)
         ]
-        yield Section(("Candidates",), tuple(table(rows, ["", *(f"{n} [m]" for n in names), "transmission [deg]", ""])))
+        yield Section(
+            ("Candidates",),
+            tuple(
+                table(
+                    rows,
+                    [
+                        "",
+                        *(f"{n} [m]" for n in names),
+                        "transmission [deg]",
+                        *(["missed [m]"] if task.is_fitted else []),
+                        "",
+                    ],
+                )
+            ),
+        )
         said = [entry(str(k), *(f"{d.name}: {d.why}" for d in c.defects)) for k, c in enumerate(shown, 1) if c.defects]
         if said:
             yield Section(("Defects",), tuple(entries(*said)))

@@ -42,10 +42,10 @@ def synthesise(
     return result if out is None else replace(result, files=tuple(result.write_models(Path(out))))
 
 
-def _rank(c: Candidate) -> tuple[int, int, float]:
-    """Good ones first, then by how well the coupler drives the output."""
+def _rank(c: Candidate) -> tuple[int, int, float, float]:
+    """Good ones first, then by how near they come, then by how well the coupler drives the output."""
     least = c.certificate.transmission[0] if c.certificate and c.certificate.transmission else c.linkage.transmission
-    return len(c.defects), 0 if c.certificate else 1, -least
+    return len(c.defects), 0 if c.certificate else 1, c.linkage.missed, -least
 
 
 def _looked_at(task: Task, k: int, candidate: Candidate) -> Candidate:
