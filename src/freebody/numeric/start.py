@@ -48,7 +48,7 @@ def assembled(reference: NumericSystem, extra: Wanted, guess: Array | None, n_st
     groups = reference.groups_joined_by(measure for measure, _value in extra)
     if len(groups) < 2:
         return _assembled_part(reference, extra, guess, n_starts)
-    q = _guess(reference) if guess is None else guess.copy()
+    q = guessed(reference) if guess is None else guess.copy()
     near: dict[Branch, float] = {}
     for group in groups:
         part = reference.part(group)
@@ -73,7 +73,7 @@ def _assembled_part(reference: NumericSystem, extra: Wanted, guess: Array | None
     if not carried or not rest:
         return _assembled_whole(reference, extra, guess, n_starts)
     own = [k for name, columns in reference.frame.columns.items() if name in rest for k in columns]
-    q = turned_to_face(reference, _guess(reference)) if guess is None else guess.copy()
+    q = turned_to_face(reference, guessed(reference)) if guess is None else guess.copy()
     q[own] = _assembled_whole(reference.part(rest), extra, None if guess is None else guess[own], n_starts).q
     loose = reference.sizes.small_moves.copy()
     loose[own] = 0.0
@@ -119,7 +119,7 @@ def _assembled_whole(reference: NumericSystem, extra: Wanted, guess: Array | Non
     for body in reference.system.all_moving:
         _refuse_singular(reference, body)
     equations = _equations(reference, extra)
-    described = turned_to_face(reference, _guess(reference))
+    described = turned_to_face(reference, guessed(reference))
     guess = described if guess is None else guess
 
     # a guess is kept where the rest fits to it, so that bodies of which nothing is said do not pull at it; what a guide
@@ -274,7 +274,8 @@ def _refuse_singular(reference: NumericSystem, body: RigidBody) -> None:
     )
 
 
-def _guess(reference: NumericSystem) -> Array:
+def guessed(reference: NumericSystem) -> Array:
+    """The pose (n,) in which every body is where the model says of it alone, or is said to be near."""
     q = np.zeros(len(reference.masses))
     for body in reference.system.all_moving:
         pose = start_pose(reference.system, body, reference.number)

@@ -53,7 +53,7 @@ def propagated(ends: Array, A: Array, B: Array, x0: Array, least: Array) -> tupl
     Ai, Bi = A[inner].reshape(n, s, f, f), B[inner].reshape(n, s, f, k)
     system = np.eye(s * f) - h * np.einsum("ij,nifg->nifjg", a, Ai).reshape(n, s * f, s * f)
     given = np.concatenate((Ai, Bi), axis=3).reshape(n, s * f, f + k)
-    slopes = np.linalg.solve(system, given).reshape(n, s, f, f + k)
+    slopes = np.asarray(np.linalg.solve(system, given), dtype=np.float64).reshape(n, s, f, f + k)
     step = h * np.einsum("i,nifc->nfc", b, slopes)
     for p in range(n):
         x[p + 1] = x[p] + step[p, :, :f] @ x[p] + step[p, :, f:]

@@ -144,7 +144,7 @@ def _pressing(e: Equations, b: Bounded, rub: DryFriction) -> ProgramNode:
                 name=rub.name,
             )
         )
-    return w.function(ABS, multiplier(e, rub.load[0]))
+    return w.function(ABS, multiplier(e, next(iter(rub.load))))
 
 
 # -- impacts -----------------------------------------------------------------------------------
@@ -274,4 +274,4 @@ class Impact:
         """dv+ (n, k), at the instant of the impact, from the changes before it."""
         n = len(self.w.entries)
         right = self._D["q"][0] @ dq + self._D["v"][0] @ dv + self.passed.phase.by_names(self._D["p"])[0]
-        return -np.linalg.solve(self._D["u"][0][:, n:], right)[:n]
+        return -(inverted(self._D["u"][:, :, n:])[0] @ right)[:n]

@@ -220,11 +220,11 @@ class Equations:
     def with_unknowns(self, inputs: Inputs, u: Array) -> dict[int, Array | float]:
         """The inputs with accelerations and multipliers."""
         w, n = self.writer, len(self.writer.entries)
-        found = {**inputs, **{w.acceleration(e): u[:, i] for i, e in enumerate(w.entries)}}
+        found: dict[int, Array | float] = {**inputs, **{w.acceleration(e): u[:, i] for i, e in enumerate(w.entries)}}
         found |= {entry: u[:, n + k] for k, entry in enumerate(self.multipliers)}
-        return found | {
-            entry: np.where(u[:, n + place] < 0.0, -1.0, 1.0) for entry, (place, _sign) in self.signs.items()
-        }
+        for entry, (place, _sign) in self.signs.items():
+            found[entry] = np.where(u[:, n + place] < 0.0, -1.0, 1.0)
+        return found
 
     def derivatives(self, inputs: Inputs, times: Array, angles: Angles, after: dict[int, float]) -> dict[str, Array]:
         """R_q, R_v, R_p, R_t, J, g_q, g_p, r_q, r_p by these names, (n, rows, columns)."""
@@ -265,7 +265,7 @@ def _sum(w: TangentWriter, row: Sequence[ProgramNode], x: Sequence[ProgramNode])
 def inverted(A: Array) -> Array:
     """A^-1 at many instants. Raises CannotAnswer where it has no value."""
     try:
-        found = np.linalg.inv(A)
+        found = np.asarray(np.linalg.inv(A), dtype=np.float64)
     except np.linalg.LinAlgError as error:
         raise CannotAnswer(UNDETERMINED) from error
     if not np.isfinite(found).all():

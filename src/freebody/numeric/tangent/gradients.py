@@ -139,7 +139,8 @@ class Played:
 
 def _counted_on(angle: Any, key: int, angles: dict[int, float]) -> Any:
     """An angle along a motion without jumps of a turn, near where it was before."""
-    going = np.unwrap(np.atleast_1d(angle))
-    going = going + TURN * np.round((angles.get(key, float(going[0])) - going[0]) / TURN)
+    here: Array = np.atleast_1d(np.asarray(angle, dtype=np.float64))
+    before = np.concatenate(([angles.get(key, float(here[0]))], here[:-1]))
+    going: Array = here - TURN * np.cumsum(np.round((here - before) / TURN))
     angles[key] = float(going[-1])
-    return going if np.ndim(angle) else going[0]
+    return going if np.ndim(angle) else float(going[0])

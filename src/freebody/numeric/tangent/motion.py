@@ -16,6 +16,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr
@@ -25,6 +26,7 @@ from freebody.model.elements import ConstraintRow, NonholonomicForm
 from freebody.numeric.contact.bounded import Bounded
 from freebody.numeric.contact.hybrid import Hybrid
 from freebody.numeric.contact.record import PhaseRecord
+from freebody.numeric.contact.rows import ModeOf
 from freebody.numeric.engine.course import Status, Trajectory
 from freebody.numeric.engine.engine import Engine
 from freebody.numeric.engine.operations import ProgramNode
@@ -200,7 +202,7 @@ class TangentMotion:
         q, v, off = self.dq, self.dv, list[Array]()
         for k, (record, own) in enumerate(zip(records, ends, strict=True)):
             course = record.course
-            states = record.engine.states(course)[_places(course.times, instants(own))]
+            states: Array = record.engine.states(course)[_places(course.times, instants(own))]
             equations = self._equations_of(record.mode, states[0], own[0])
             if not k:
                 self.angles = self._angles_at_start()
@@ -236,7 +238,7 @@ class TangentMotion:
             self._equations[mode] = Equations(self.writer, kept, loads, dropped)
         return self._equations[mode]
 
-    def _named(self, mode: Any) -> ContactMode:
+    def _named(self, mode: ModeOf) -> ContactMode:
         b = self.bounded
         assert b is not None
         drags = {
@@ -270,11 +272,10 @@ class TangentMotion:
         ideal = {b.name for b in self.bounded.barriers} if self.bounded is not None else set[str]()
         length = self.reference.sizes.length
         for row, changes in zip((e.rows[k] for k in e.places), of.kept, strict=True):
-            if (
-                row.name in ideal
-                and not row.measure.incremental
-                and np.abs(changes).max(initial=0.0) > TOGETHER * (1.0 + size) * length
-            ):  # type: ignore[union-attr]
+            is_bound = (
+                row.name in ideal and not isinstance(row.measure, NonholonomicForm) and not row.measure.incremental
+            )
+            if is_bound and np.abs(changes).max(initial=0.0) > TOGETHER * (1.0 + size) * length:
                 raise _at_once(row, of.times[0])
         for row, changes in zip(e.rows, of.parted, strict=True):
             if np.abs(changes).max(initial=0.0) > TOGETHER * (1.0 + size) * max(1.0, length):
@@ -300,7 +301,7 @@ def _at_once(row: ConstraintRow, t: float) -> CannotAnswer:
     )
 
 
-def _places(times: Array, wanted: Array) -> Array:
+def _places(times: Array, wanted: Array) -> NDArray[np.intp]:
     """Where times stand among those of a course."""
     at = np.minimum(np.searchsorted(times, wanted), len(times) - 1)
     nearer = np.maximum(at - 1, 0)
@@ -313,5 +314,5 @@ def _divided(ends: Array, off: Array, limit: float) -> Array:
     parts[off <= limit] = 1
     steps = np.repeat(np.diff(ends) / parts, parts.astype(int))
     first = np.repeat(ends[:-1], parts.astype(int))
-    number = np.concatenate([np.arange(n) for n in parts.astype(int)])
+    number: Array = np.concatenate([np.arange(float(n)) for n in parts])
     return np.append(first + number * steps, ends[-1])

@@ -9,6 +9,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from importlib import import_module
+from typing import Any
 
 import numpy as np
 
@@ -70,7 +72,7 @@ class PhaseTangent:
         D = self._by_names(e.derivatives(full, times, angles, after)) | {"1/Ru": inverse}
         kept = D["gq"][0] @ dq + D["gp"][0]
         linear = _Linear(D, kept, self._turning(full, len(times)))
-        q, v, du, off = [dq[None]], [dv[None]], [], []
+        q, v, du, off = [dq[None]], [dv[None]], list[Array](), list[Array]()
         for first, last, maps in self._parts(linear, len(ends) - 1):
             part, own = slice(first, last + 1), slice(first * (N_PLACES + 1), last * (N_PLACES + 1) + 1)
             Tq, Tv, U, free_q, free_v = maps
@@ -89,7 +91,9 @@ class PhaseTangent:
             du.append(of(U)[begin:])
             off.append(was_off)
         at_ends = slice(None, None, N_PLACES + 1)
-        here = {key: x[at_ends] if isinstance(x, np.ndarray) else x for key, x in full.items()}
+        here: dict[int, Array | float] = {
+            key: x[at_ends] if isinstance(x, np.ndarray) else x for key, x in full.items()
+        }
         return Tangent(
             ends,
             np.concatenate(q),
@@ -160,20 +164,19 @@ class PhaseTangent:
 
     def _free(self, J: Array) -> list[int]:
         """The coordinates that are left free: those by which the others are determined best."""
-        from scipy.linalg import qr
-
+        linalg: Any = import_module("scipy.linalg")
         n = len(self.unit)
         if not len(J):
             return list(range(n))
-        order = qr(J * self.unit, mode="r", pivoting=True)[1]
-        return sorted(int(i) for i in order[len(J) :])
+        order = linalg.qr(J * self.unit, mode="r", pivoting=True)[1].tolist()
+        return sorted(order[len(J) :])
 
     def _inverse(self, J: Array, free: list[int]) -> Array:
         """(n, n, n) dq from the changes of what is held and of the free coordinates, both in units of size."""
         picked = np.broadcast_to(np.eye(len(self.unit))[free], (len(J), len(free), len(self.unit)))
         scaled = np.concatenate((J * self.unit, picked), axis=1)
         try:
-            return np.linalg.inv(scaled)
+            return np.asarray(np.linalg.inv(scaled), dtype=np.float64)
         except np.linalg.LinAlgError:  # in one of them others have to be free
             return np.array([_inverse_or_endless(one) for one in scaled])
 
@@ -200,6 +203,6 @@ class PhaseTangent:
 
 def _inverse_or_endless(A: Array) -> Array:
     try:
-        return np.linalg.inv(A)
+        return np.asarray(np.linalg.inv(A), dtype=np.float64)
     except np.linalg.LinAlgError:
         return np.full_like(A, np.inf)

@@ -26,6 +26,7 @@ from freebody.numeric.engine.operations import ProgramNode
 from freebody.numeric.jets import Array
 from freebody.numeric.kernels.operations import COS, SIN
 from freebody.numeric.rotation import from_quaternion, matrix
+from freebody.numeric.start import guessed
 from freebody.numeric.tangent.equations import Columns, Matrices, column, momenta
 from freebody.numeric.tangent.writing import TangentWriter
 
@@ -63,15 +64,11 @@ class StartTangent:
     # -- the pose -----------------------------------------------------------------------------
     def _pose(self) -> Array:
         rows = [row for row in self._rows() if not row.is_wish or abs(row.gap) <= FULFILLED]
-        kept: list[_Row] = []
-        J = np.zeros((0, self.n))
-        for row in rows:
-            more = np.vstack((J, row.J * self.unit))
-            if np.linalg.matrix_rank(more, tol=DEPENDENT * max(1.0, float(np.abs(more).max()))) > len(J):
-                kept.append(row)
-                J = more
+        scaled = np.array([row.J * self.unit for row in rows]).reshape(len(rows), self.n)
+        kept = [rows[i] for i in independent(scaled)]
+        J = np.array([row.J * self.unit for row in kept]).reshape(len(kept), self.n)
         b = np.array([row.b for row in kept]).reshape(len(kept), self.k)
-        dq = self._least(J, b) if len(kept) < self.n else self.unit[:, None] * np.linalg.solve(J, b)
+        dq = self._least(J, b) if len(kept) < self.n else self.unit[:, None] * _solved(J, b)
         for row in rows:
             off = np.abs(row.J @ dq - row.b)
             if (off > 1e-7 * max(1.0, float(np.abs(row.b).max(initial=0.0)))).any() and not row.is_wish:
@@ -123,9 +120,7 @@ class StartTangent:
 
     def _guessed(self) -> tuple[Array, Array]:
         """Where the model puts bodies by what it says of each alone, and how that changes (n, k)."""
-        from freebody.numeric.start import _guess  # the one place that knows
-
-        guess = _guess(self.reference)
+        guess = guessed(self.reference)
         found = np.zeros((self.n, self.k))
         for body in self.system.moving:
             own = list(self.reference.frame.columns[body.name])
@@ -242,18 +237,15 @@ class StartTangent:
         """dv (n, k)."""
         w, n = self.writer, self.n
         nodes = list(self._wanted())
-        J = np.zeros((0, n))
-        if nodes:
-            parts = Columns(w, ()).parts("", nodes)
-            found = Matrices(w, {"v": parts["v"]}).at(self.inputs, np.zeros(1))
-            J = found["v"][0] * self.unit
-        kept = independent(J)
+        parts = Columns(w, ()).parts("", nodes)
+        rates = Matrices(w, {"v": parts["v"]}).at(self.inputs, np.zeros(1))["v"][0]
+        kept = independent(rates * self.unit)
         nodes = [nodes[i] for i in kept]
         if len(kept) == n:
             parts = Columns(w, ()).parts("", nodes)
             D = Matrices(w, {key: parts[key] for key in ("q", "v", "p")}).at(self.inputs, np.zeros(1))
             right = D["q"][0] @ self.q + self._with_origins(D["p"][0])
-            return -np.linalg.solve(D["v"][0], right)
+            return -_solved(D["v"][0], right)
         return self._of_least_energy(nodes)
 
     def _of_least_energy(self, nodes: Sequence[ProgramNode]) -> Array:
@@ -271,7 +263,7 @@ class StartTangent:
         zero: Mapping[int, float] = dict.fromkeys(multipliers, 0.0)
         first = matrices.at({**self.inputs, **zero}, np.zeros(1))
         Ju = first["u"][0][:n, n:]
-        mu = np.linalg.lstsq(Ju, -first["value"][0][:n, 0], rcond=None)[0]
+        mu: Array = np.asarray(np.linalg.lstsq(Ju, -first["value"][0][:n, 0], rcond=None)[0], dtype=np.float64)
         known = {**self.inputs, **dict(zip(multipliers, mu.tolist(), strict=True))}
         D = matrices.at(known, np.zeros(1))
         size = float(np.abs(first["value"][0][:n, 0]).max(initial=0.0))
@@ -285,7 +277,7 @@ class StartTangent:
         A = np.hstack((D["v"][0], D["u"][0][:, n:]))
         right = D["q"][0] @ self.q + self._with_origins(D["p"][0])
         try:
-            return -np.linalg.solve(A, right)[:n]
+            return -_solved(A, right)[:n]
         except np.linalg.LinAlgError as error:
             raise CannotAnswer(
                 Message(
@@ -353,3 +345,7 @@ def independent(J: Array) -> list[int]:
             kept.append(i)
             rank += 1
     return kept
+
+
+def _solved(A: Array, b: Array) -> Array:
+    return np.asarray(np.linalg.solve(A, b), dtype=np.float64)
