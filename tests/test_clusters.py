@@ -155,6 +155,17 @@ def test_a_cluster_without_workers_is_told_and_what_is_done_is_kept(
     assert (tmp_path / "a.csv.part" / "done.bin").read_bytes().count(1)
 
 
+def test_a_scheduler_that_is_gone_is_told(cluster: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The client gives up after half a minute: here at once."""
+
+    def lost(*_of: Any) -> Any:
+        raise OSError("Timed out trying to connect to tcp://127.0.0.1:1 after 30 s")
+
+    monkeypatch.setattr(remote, "_finished", lost)
+    with pytest.raises(CannotAnswer, match=r"the scheduler .* does not answer any more; what is done is kept in"):
+        pendulum().sweep(**ASKED, cluster=cluster.scheduler_address, out=tmp_path / "a.csv")
+
+
 def test_only_some_blocks_are_under_way(cluster: Any, whole: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     """Two for each thread and two more, however many cases there are: the memory is that of these blocks."""
     most, finished = 0, remote._finished

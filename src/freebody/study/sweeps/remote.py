@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import pickle
 from collections.abc import Iterator, Sequence
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import CancelledError, ThreadPoolExecutor
 from dataclasses import dataclass
 from importlib import import_module
 from importlib.metadata import version
@@ -55,7 +55,7 @@ def run(
     progress: Progress | None = None,
 ) -> bool:
     """Does all cases that are not done; False where Ctrl-C ended it, and what was done until then is kept. Raises
-    CannotAnswer where the workers are lost, or cannot look at a block."""
+    CannotAnswer where the scheduler or all workers are lost, or a block cannot be looked at."""
     packed = pickle.dumps(Asked(version("freebody"), plan, tuple(evaluators)))
     todo = _open(plan.n, min(block, -(-plan.n // MOST_BLOCKS)), store)
     waiting: dict[Any, _Piece] = {}
@@ -76,6 +76,8 @@ def run(
                     progress(n_done, plan.n)
     except KeyboardInterrupt:
         return False
+    except (OSError, CancelledError) as error:  # what connections raise, and futures of a scheduler that is gone
+        raise CannotAnswer(store.kept(Message("the scheduler of the cluster does not answer any more"))) from error
     finally:
         for future in waiting:
             future.release()
@@ -107,7 +109,7 @@ def _result(future: Any, piece: _Piece, store: Store) -> _Part:
     """What a block has come to. Raises CannotAnswer."""
     try:
         return future.result()
-    except FreebodyError:
+    except (FreebodyError, OSError, CancelledError):
         raise
     except Exception as error:
         first, last = piece[0] + 1, piece[1]

@@ -5,6 +5,7 @@ of a dask scheduler."""
 
 from __future__ import annotations
 
+import logging
 from collections.abc import Generator
 from contextlib import contextmanager
 from importlib import import_module
@@ -41,7 +42,8 @@ def check_cluster(text: str) -> None:
 def connected(text: str) -> Generator[Any]:
     """A dask client of the cluster that a text names, with at least one worker. Raises InputError."""
     kind, dask = _kind(text), import_module("distributed")
-    with kind.scheduler(text.partition(":")[2]) as address:
+    silent = import_module("distributed.utils").silence_logging_cmgr(logging.CRITICAL)  # what is lost is told in words
+    with silent, kind.scheduler(text.partition(":")[2]) as address:
         try:
             client = dask.Client(address, timeout="30 s", set_as_default=False)
         except (OSError, ValueError) as error:  # a time that is over is an OSError
