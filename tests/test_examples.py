@@ -712,6 +712,70 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
         "speed": "I_1*omega_0/(I_1 + I_2)",
         "lost": "I_1*I_2*omega_0**2/(2*(I_1 + I_2))",
     },
+    # T_1 - F_t r_1 = J_1 a_1, T_2 - F_t r_2 = J_2 a_2, a_1 z_1 = -a_2 z_2; F_r = F_t tan(alpha), F_n = F_t/cos(alpha)
+    "gear_pair_with_pressure_angle": {
+        "acceleration": "z_1*(z_1*T_2 - z_2*T_1)/(z_1**2*J_2 + z_2**2*J_1)",
+        "tangential": "2*(z_2*J_1*T_2 + z_1*J_2*T_1)/(module*(z_1**2*J_2 + z_2**2*J_1))",
+        "radial": "2*(z_2*J_1*T_2 + z_1*J_2*T_1)/(module*(z_1**2*J_2 + z_2**2*J_1))*tan(alpha)",
+        "bearing": "2*(z_2*J_1*T_2 + z_1*J_2*T_1)/(module*(z_1**2*J_2 + z_2**2*J_1))/cos(alpha)",
+    },
+    # w_S = (1 + z_R/z_S) w, w_P = (1 - z_R/z_P) w, z_R = z_S + 2 z_P: T w_S = (J w_S^2 + J + 3 (m_P a^2 + J_P w_P^2)) w'
+    "planetary_gear_with_three_planets": {
+        "ratio": "2*(z_S + z_P)/z_S",
+        "acceleration": "T*2*(z_S + z_P)/z_S/(J*(2*(z_S + z_P)/z_S)**2 + J + 3*m_P*(module*(z_S + z_P)/2)**2"
+        " + 3*J_P*((z_S + z_P)/z_P)**2)",
+        "bearing": ["0", "0"],
+    },
+    # J = m r^2/2 of both; tan(delta) = z_1/z_2: F_a = F_t tan(alpha) sin(delta), F_r = F_t tan(alpha) cos(delta)
+    "bevel_gears": {
+        "acceleration": "2*(T_1 - T_2*z_1/z_2)/(r**2*(m_1 + m_2))",
+        "tangential": "(m_1*T_2*z_1/z_2 + m_2*T_1)/(r*(m_1 + m_2))",
+        "axial": "(m_1*T_2*z_1/z_2 + m_2*T_1)/(r*(m_1 + m_2))*tan(alpha)*z_1/sqrt(z_1**2 + z_2**2)",
+        "radial": "(m_1*T_2*z_1/z_2 + m_2*T_1)/(r*(m_1 + m_2))*tan(alpha)*z_2/sqrt(z_1**2 + z_2**2)",
+    },
+    # T = M z_1/z_2 tan(gamma +- phi')/tan(gamma), tan(phi') = mu/cos(alpha)
+    "worm_gear": {
+        "torque": [
+            "M*z_1/z_2/tan(gamma)*(tan(gamma) - mu/cos(alpha))/(1 + tan(gamma)*mu/cos(alpha))",
+            "M*z_1/z_2/tan(gamma)*(tan(gamma) + mu/cos(alpha))/(1 - tan(gamma)*mu/cos(alpha))",
+        ],
+    },
+    # i = z_2 z_4/(z_1 z_3); J_1 + J_2 (z_1/z_2)^2 + J_3/i^2 at the input, T - M/i
+    "compound_gear_train": {
+        "ratio": "z_2*z_4/(z_1*z_3)",
+        "acceleration": "(T - M*z_1*z_3/(z_2*z_4))/(J_1 + J_2*(z_1/z_2)**2 + J_3*(z_1*z_3/(z_2*z_4))**2)",
+    },
+    # I_1 w_1' = M - r_1 F, I_2 w_2' = r_2 F; T_1 = T_0 + F/2; 2 (T_0 - q v^2) v (e - 1)/(e + 1) at q v^2 = T_0/3
+    "belt_with_slip_limit": {
+        "force": "I_2*r_1*M/(I_1*r_2**2 + I_2*r_1**2)",
+        "tight": "T_0 + I_2*r_1*M/(I_1*r_2**2 + I_2*r_1**2)/2",
+        "power": "4*T_0/3*sqrt(T_0/(3*q))*(exp(mu*phi) - 1)/(exp(mu*phi) + 1)",
+        "speed": "sqrt(T_0/(3*q))",
+    },
+    # F = (M - I a)/r with 4 I a = M
+    "belt_tightened": {
+        "tight": "T_0 + 3*M/(8*r)",
+        "slack": "T_0 - 3*M/(8*r)",
+        "bearing": "2*T_0",
+        "length": "2*d + 2*pi*r",
+    },
+    # radii p z/(2 pi); L/p = 2 d cos(gamma)/p + (z_1 + z_2)/2 + gamma (z_1 - z_2)/pi, sin(gamma) = p (z_1 - z_2)/(2 pi d)
+    "bicycle_chain": {
+        "ratio": "z_1/z_2",
+        "acceleration": "(M*z_1/z_2 - M_2*(z_1/z_2)**2)/(I_1 + I_2*(z_1/z_2)**2)*z_2/z_1*z_1/z_2",
+        "links": "2*sqrt(d**2 - (p*(z_1 - z_2)/(2*pi))**2)/p + (z_1 + z_2)/2"
+        " + asin(p*(z_1 - z_2)/(2*pi*d))*(z_1 - z_2)/pi",
+    },
+    # the loop loses R phi on one side and gains r phi on the other; the block turns as fast as the shaft
+    "differential_hoist": {
+        "ratio": "(R - r)/2",
+        "acceleration": "(T - m*g*(R - r)/2)/(I + m*((R - r)/2)**2 + m*((R + r)/2)**2/2)",
+    },
+    # F (L - b) + T_1 b = T_2 (2 R - b), T_1 = T_2 e^(mu pi), M = R (T_1 - T_2)
+    "differential_band_brake": {
+        "force": "M*(2*R - b*(1 + exp(mu*pi)))/(R*(L - b)*(exp(mu*pi) - 1))",
+        "torque": "F*R*(L - b)*(exp(mu*pi) - 1)/(2*R - b*(1 + exp(mu*pi)))",
+    },
     # T = m g r tan(lambda +- rho) with tan(lambda) = p/(2 pi r), tan(rho) = mu
     "screw_jack": {
         "torque": ["m*g*r*(p - 2*pi*r*mu)/(2*pi*r + mu*p)", "m*g*r*(p + 2*pi*r*mu)/(2*pi*r - mu*p)"],
