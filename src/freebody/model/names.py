@@ -68,6 +68,10 @@ class Joining(Protocol):
         """How far along a direction of the ground it keeps a point of one of its bodies."""
         ...
 
+    def pressure_angle(self, names: Names) -> Measure | Message:
+        """Of a cam: by how much it pushes aside of the way on which its follower is guided."""
+        ...
+
     def mentions(self, names: Names) -> set[str]:
         """Names of the bodies that it joins."""
         ...
