@@ -98,3 +98,39 @@ def test_the_drawn_edge_of_an_eccentric_circle_is_a_circle() -> None:
 def test_cams_that_cannot_be_are_refused_with_what_would_do(cam: str, told: str) -> None:
     with pytest.raises(fb.ModelError, match=told):
         fb.System.from_text(MECHANISM.format(cam=cam))
+
+
+def test_the_pressure_angle_is_that_of_the_line_to_the_middle_of_an_eccentric_circle() -> None:
+    # the normal goes through the middle of the circle: sin(alpha) = -e sin(phi)/(a + b), negative where it falls
+    guided = MECHANISM.replace("body: tappet, along: up", "body: tappet, along: up, through: ground.O")
+    for text, cam in ((MECHANISM, ROLLER), (guided, ROLLER.replace("lift:", "along: up, lift:"))):
+        system = fb.System.from_text(text.format(cam=cam))
+        reference = Reference(system)
+        q = reference.assemble()
+        snapshot = reference.snapshot(q, reference.velocities(q))
+        found = system.question("pressure angle of it").quantity.value(system, snapshot)
+        assert found == pytest.approx(-np.arcsin(0.008 * np.sin(0.4) / 0.04), rel=1e-9)
+
+
+def test_a_follower_on_a_line_through_the_centre_is_pushed_as_by_the_general_statement() -> None:
+    guided = MECHANISM.replace("body: tappet, along: up", "body: tappet, along: up, through: ground.O")
+    series = [
+        fb.System.from_text(guided.format(cam=cam)).simulate(0.3, every=0.05).recording.series
+        for cam in (ROLLER, ROLLER.replace("lift:", "along: up, lift:"))
+    ]
+    for name in ("y", "y_acceleration", "guide.normal_force", "motor.driving_torque", "it.contact_force"):
+        assert series[0][name].values == pytest.approx(series[1][name].values, rel=1e-7, abs=1e-9), name
+
+
+@pytest.mark.parametrize(
+    ("question", "told"),
+    [
+        ("pressure angle of guide", "is one of cams"),
+        ("pressure angle of it", "a flat face"),
+        ("pressure angle of x", "no"),
+    ],
+)
+def test_what_has_no_pressure_angle_is_told_so(question: str, told: str) -> None:
+    flat = "{cam: {cam: disk, follower: tappet, base_radius: a, lift: e*cos(phi), along: up}}"
+    with pytest.raises(fb.FreebodyError, match=told):
+        fb.System.from_text(MECHANISM.format(cam=flat)).question(question)

@@ -227,6 +227,7 @@ _LANDAU = "sqrt((m1 + m2)*((m1 + m2)*(L1 + L2)**2 - 4*m1*L1*L2))"
 
 _LIFTED = "(W/((1 - mu**2)*cos(alpha) - 2*mu*sin(alpha)))"  # what the inclined face of a wedge carries
 _LEANS, _ROLLS = "(k*theta + c*rate(theta))", "(3*m/2 + M)"
+_BEAM = "(k - J*g*c_x/c)"
 _DELAY = ("(4*k/(J*tau**2))", "(4*c/(J*tau**2))", "(4/tau**2 + 4*c/(J*tau))", "(4/tau + c/J)")
 TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
     # m v' = -m g - k v |v|, separated: upwards a tangent of the time, back by the energy that the resistance leaves
@@ -838,6 +839,46 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
     "saturated_servo": {
         "start": "(abs(T_m - k*phi_0) - abs(T_m + k*phi_0))/(2*J)",
         "equation": "(abs(T_m - k*phi - c*rate(phi)) - abs(T_m + k*phi + c*rate(phi)))/(2*J)",
+    },
+    # r + r_R + h/2 (1 - cos(phi)) from the centre: tan(alpha) = r'/r, greatest where cos(phi) = h/2/(r + r_R + h/2)
+    "cam_with_roller": {
+        "angle": "atan(h/2*sin(Omega*t)/(r + r_R + h/2*(1 - cos(Omega*t))))",
+        "greatest": "atan(h/2/sqrt((r + r_R)*(r + r_R + h)))",
+    },
+    # N_r (a + b) = m g a + F h about the front wheels, F = mu N_r; N_f (a + b) = m g b - F h
+    "traction_limits": {
+        "acceleration": "F/m",
+        "rear": "(m*g*a + F*h)/(a + b)",
+        "most": "mu*m*g*a/(a + b - mu*h)",
+        "lifts": "m*g*b/h",
+    },
+    # a_r = -s Omega^2, a_phi = 2 v Omega
+    "telescopic_boom": {
+        "torque": "m*s_0*(2*v*Omega + g*cos(beta))",
+        "force": "m*(g*sin(beta) - s_0*Omega**2)",
+        "side": "m*(2*v*Omega + g*cos(beta))",
+    },
+    "cruise_control": {
+        "equation": "(k_p*(v_d - rate(s)) + k_i*z - c*rate(s))/m - g*sin(beta)",
+        "droop": "-c*v_d/m - g*sin(beta)",
+    },
+    # m L^2/3 s^3 + c s^2 + (k - m g L/2) s + k_i
+    "arm_against_gravity": {
+        "equation": "3*(m*g*L/2*sin(theta) - k*theta - c*rate(theta) - k_i*z)/(m*L**2)",
+        "stable": ["3*c/(m*L**2)", "3*(k - m*g*L/2)/(m*L**2) - k_i/c", "3*k_i/(m*L**2)"],
+        "gain": "3*c*(k - m*g*L/2)/(m*L**2)",
+    },
+    # s'' = s theta'^2 - g sin(theta), J theta'' = -k theta - c theta' + (k_x - m g) s + c_x s' to the first order:
+    # J s^4 + c s^3 + k s^2 + g c_x s + g (k_x - m g)
+    "ball_on_a_beam": {
+        "ball": "s*rate(theta)**2 - g*sin(theta)",
+        "stable": [
+            "c/J",
+            f"{_BEAM}/J",
+            f"g*c_x/J - c*g*(k_x - m*g)/(J*{_BEAM})",
+            "g*(k_x - m*g)/J",
+        ],
+        "least": "m*g",
     },
 }
 # whose formulas are worked out by hand in tests of their own

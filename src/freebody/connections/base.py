@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Literal, cast
 
 from freebody.connections.pairs import OutlinePair
 from freebody.language.expression import Expr
+from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, RIGHT, UP, Direction, Point
@@ -85,6 +86,10 @@ class Connection(Spec):
     def keeps_at(self, names: Names, point: Point, along: Direction, seen: frozenset[str]) -> Expr | None:
         """How far along a direction of the ground it keeps a point of one of its bodies; see `standing`."""
         return None
+
+    def pressure_angle(self, names: Names) -> Measure | Message:
+        """By how much it pushes aside of the way on which what it drives is guided, or why there is no such angle."""
+        return Message("{connection} has no pressure angle, which is one of cams", connection=self.own_name(names))
 
     def mentions(self, names: Names) -> set[str]:
         """Names of the bodies that it joins."""

@@ -21,6 +21,7 @@ from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING, Any
 
 from freebody.connections.base import Connection
+from freebody.connections.standing import ground_guide_of, stands_at, vanishes
 from freebody.errors import FreebodyError
 from freebody.language.expression import (
     PI,
@@ -55,13 +56,15 @@ _FORMS = ("flat", "edge", "roller")
 _N_DRAWN = 120  # stretches of a drawn edge
 _N_LOOKED_AT = 720  # angles at which the edge is looked at for undercutting
 _PHI = "phi"
+_Parts = tuple[tuple[str, Measure], ...]
 
 
 class Cam(Connection, kind="cam"):
     """`cam: {cam: disk, follower: valve.face, base_radius: r, lift: h/2*(1 - cos(phi)), along: up}`: the edge of a cam
     pushes a follower with a flat face, whose normal is `along` (a direction of the ground, or of the follower:
     `along: lever.y`). `form: edge`: the point of the follower itself runs on the edge; `form: roller` with a
-    `roller_radius`: it is the middle of a roller. The lift is a formula in phi, the angle of the cam from where its x
+    `roller_radius`: it is the middle of a roller; of these `along` says on which side of the cam they are; guided
+    through its centre, they have plain formulas. The lift is a formula in phi, the angle of the cam from where its x
     axis points at the follower. The contact force is positive where the cam pushes (1 row)."""
 
     cam: str
@@ -104,8 +107,8 @@ connections:
         if (self.form == "roller") != (self.roller_radius is not None):
             names.problem(Message("roller_radius goes with form: roller"), "roller_radius")
             return None
-        if (self.form == "flat") != (self.along is not None):
-            names.problem(Message("along is the normal of a flat face, e.g. along: up; edges and rollers have none"))
+        if self.form == "flat" and self.along is None:
+            names.problem(Message("along is the normal of a flat face, e.g. along: up"))
             return None
         return cam, point, None if self.along is None else names.direction(self.along, "along")
 
@@ -117,7 +120,9 @@ connections:
         r = self._radius(names)
         self._look_for_undercut(names, r)
         used: tuple[tuple[str, Measure], ...]
-        if normal is not None:
+        if normal is not None and self.form != "flat" and self._is_radial(names, cam, point, normal):
+            return [self._radial(cam, point, normal, r)]
+        if normal is not None and self.form == "flat":
             away = Symbol("away") - r
             turned: Measure = Angle(cam.name, normal.body, direction_angle(normal))
             used = (("away", Displacement(point, cam.center, normal)), (_PHI, turned))
@@ -131,6 +136,54 @@ connections:
                 ("seen", Bearing(cam.center, point)),
             )
         return [ConstraintRow("contact", "contact force", Composed(away, used, LENGTH), unilateral=True)]
+
+    def _is_radial(self, names: Names, cam: RigidBody, point: Point, side: Direction) -> bool:
+        """Whether a guide keeps the follower on a line through the centre of the cam."""
+        across = side.normal()
+        places = [stands_at(names, at, across) for at in (point, cam.center)]
+        if any(place is None for place in places):
+            return False
+        first, second = (place for place in places if place is not None)
+        return vanishes(names, first - second)
+
+    def _radial(self, cam: RigidBody, point: Point, side: Direction, r: Expr) -> ConstraintRow:
+        """Of a follower that stays on a line through the centre: there it is seen at the angle across/along, which is
+        zero, so that the edge is r - r' across/along to the first order; that is enough, and along is r."""
+        steep = divide(differentiate(r, _PHI), r)
+        away = Symbol("along") - r + steep * Symbol("across")
+        used: _Parts = (
+            ("along", Displacement(point, cam.center, side)),
+            ("across", Displacement(point, cam.center, side.normal())),
+            (_PHI, Angle(cam.name, side.body, direction_angle(side))),
+        )
+        away = away / Call("sqrt", number(1) + steep * steep)
+        return ConstraintRow("contact", "contact force", Composed(away, used, LENGTH), unilateral=True)
+
+    def pressure_angle(self, names: Names) -> Measure | Message:
+        """Between the normal of the edge, e_r + r'/r e_t at the follower, and the guide of the follower."""
+        with names.quietly():
+            parts = self._parts(names)
+            guide = None if parts is None else ground_guide_of(names, parts[1].body, turning=True)
+        if self.form == "flat":
+            return Message("a flat face is pushed along its normal, whatever the cam: it has no pressure angle")
+        if parts is None or guide is None:
+            return Message("the follower of {cam} is guided along no line", cam=self.own_name(names))
+        cam, point, side = parts
+        r = self._radius(names)
+        steep = divide(differentiate(r, _PHI), r)
+        used: _Parts
+        if side is not None and self._is_radial(names, cam, point, side):
+            used = ((_PHI, Angle(cam.name, side.body, direction_angle(side))),)
+            return Composed(Call("atan", steep), used, DIMENSIONLESS)
+        steep = substitute(steep, {_PHI: Symbol("turned") - Symbol("seen")})
+        along, across = Symbol("along"), Symbol("across")
+        used = (
+            ("along", Displacement(point, cam.center, guide)),
+            ("across", Displacement(point, cam.center, guide.normal())),
+            ("turned", Angle(cam.name)),
+            ("seen", Bearing(cam.center, point)),
+        )
+        return Composed(Call("atan", divide(across + steep * along, along - steep * across)), used, DIMENSIONLESS)
 
     # -- its edge -----------------------------------------------------------------------------
     def _look_for_undercut(self, names: Names, r: Expr) -> None:

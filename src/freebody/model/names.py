@@ -77,6 +77,10 @@ class Joining(Protocol):
         """What it can be asked for beside its reactions, by the words that ask for it."""
         ...
 
+    def pressure_angle(self, names: Names) -> Measure | Message:
+        """Of a cam: by how much it pushes aside of the way on which its follower is guided."""
+        ...
+
     def mentions(self, names: Names) -> set[str]:
         """Names of the bodies that it joins."""
         ...

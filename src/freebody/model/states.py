@@ -3,8 +3,8 @@
 A state is the rate of a coordinate of its own, its integral Z: with a unit inertia and f as what drives it,
 Newton's law of that coordinate is Z'' = z' = f. Nothing depends on Z, which is cyclic; so a system with states is a
 system like any other to both routes, and what makes it steady and stable follows as for cyclic coordinates (Routh).
-What people see of it is the state: it has no mass, no place, no energy and no degree of freedom. Source: Franklin, Powell & Emami-Naeini,
-Feedback Control of Dynamic Systems, ch. 4 and 7 (integral control, state-space form).
+What people see of it is the state: it has no mass, no place, no energy and no degree of freedom. Source: Franklin,
+Powell & Emami-Naeini, Feedback Control of Dynamic Systems, ch. 4 and 7 (integral control, state-space form).
 """
 
 from __future__ import annotations
