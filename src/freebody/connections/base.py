@@ -87,7 +87,7 @@ class Connection(Spec):
         """How far along a direction of the ground it keeps a point of one of its bodies; see `standing`."""
         return None
 
-    def pressure_angle(self, names: Names) -> Measure | Message:
+    def aside_of_way(self, names: Names) -> Measure | Message:
         """By how much it pushes aside of the way on which what it drives is guided, or why there is no such angle."""
         return Message("{connection} has no pressure angle, which is one of cams", connection=self.own_name(names))
 

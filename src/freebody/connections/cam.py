@@ -159,7 +159,7 @@ connections:
         away = away / Call("sqrt", number(1) + steep * steep)
         return ConstraintRow("contact", "contact force", Composed(away, used, LENGTH), unilateral=True)
 
-    def pressure_angle(self, names: Names) -> Measure | Message:
+    def aside_of_way(self, names: Names) -> Measure | Message:
         """Between the normal of the edge, e_r + r'/r e_t at the follower, and the guide of the follower."""
         with names.quietly():
             parts = self._parts(names)

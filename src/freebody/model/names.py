@@ -77,7 +77,7 @@ class Joining(Protocol):
         """What it can be asked for beside its reactions, by the words that ask for it."""
         ...
 
-    def pressure_angle(self, names: Names) -> Measure | Message:
+    def aside_of_way(self, names: Names) -> Measure | Message:
         """Of a cam: by how much it pushes aside of the way on which its follower is guided."""
         ...
 

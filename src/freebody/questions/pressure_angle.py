@@ -37,7 +37,7 @@ def _pressure_angle(names: Names, found: Found, path: Path) -> Quantity | None:
         hint = did_you_mean(found["of"], names.connections)
         names.unknown(found["of"], Message("there is no connection {name}.{hint}", name=found["of"], hint=hint), *path)
         return None
-    measure = connection.pressure_angle(names)
+    measure = connection.aside_of_way(names)
     if isinstance(measure, str):
         names.problem(measure, *path)
         return None

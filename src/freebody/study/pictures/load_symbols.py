@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 from freebody.language.expression import Call, Expr, Number, ProductOf, Symbol, free_symbols, negate, substitute
 from freebody.language.notation import to_text
+from freebody.language.units import DIMENSIONLESS
 from freebody.measures.combination import Composed
 from freebody.model.elements import RATE, VALUE, AppliedLoad, ConstraintRow
 from freebody.model.states import as_told
@@ -36,12 +37,13 @@ class LoadSymbols:
         if given is not None:
             return name(given), sign
         is_short = law is not None and len(to_text(law)) <= _LONGEST
-        return (formula(law) if law is not None and is_short else self._named_after(push.load)), sign
+        return (formula(law) if law is not None and is_short else self._named_after(push)), sign
 
-    def _named_after(self, load: str) -> Label:
-        """F with the load as index, or with the connection that rubs."""
-        called = load if load in self.system.loads else load.partition(".")[0]
-        return name(f"F_{re.sub(r'[^0-9A-Za-z]', '_', called)}")
+    def _named_after(self, push: AppliedLoad) -> Label:
+        """F, or M of what turns, with the load as index, or with the connection that rubs."""
+        letter = "M" if push.measure.dimension == DIMENSIONLESS else "F"
+        called = push.load if push.load in self.system.loads else push.load.partition(".")[0]
+        return name(f"{letter}_{re.sub(r'[^0-9A-Za-z]', '_', called)}")
 
     def law(self, push: AppliedLoad) -> tuple[Expr | None, int]:
         """The law and its sign as for `of`; None where the model has no name for what it depends on."""
