@@ -166,6 +166,32 @@ def test_a_scheduler_that_is_gone_is_told(cluster: Any, tmp_path: Path, monkeypa
         pendulum().sweep(**ASKED, cluster=cluster.scheduler_address, out=tmp_path / "a.csv")
 
 
+@pytest.mark.parametrize(
+    ("kind", "said"),
+    [("KilledWorker", "every worker that looked at them died"), ("MemoryError", "MemoryError: no room")],
+)
+def test_a_block_that_no_worker_can_do_is_named(
+    kind: str, said: str, cluster: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """What dask hands on when four workers in a row died of a task, and what a task itself has raised."""
+
+    class Failed:
+        def result(self) -> Any:
+            raise type(kind, (Exception,), {})("no room")
+
+        def release(self) -> None:
+            pass
+
+    def failed(_client: Any, waiting: dict[Any, Any], _store: Any) -> list[Any]:
+        future = Failed()
+        waiting[future] = (64, 128, None)
+        return [future]
+
+    monkeypatch.setattr(remote, "_finished", failed)
+    with pytest.raises(CannotAnswer, match=rf"cases 65 to 128 cannot be looked at on the cluster: {said}.*--resume"):
+        pendulum().sweep(**ASKED, cluster=cluster.scheduler_address, out=tmp_path / "a.csv")
+
+
 def test_only_some_blocks_are_under_way(cluster: Any, whole: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     """Two for each thread and two more, however many cases there are: the memory is that of these blocks."""
     most, finished = 0, remote._finished
