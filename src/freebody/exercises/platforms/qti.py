@@ -12,7 +12,6 @@ import zipfile
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
-from xml.etree.ElementTree import Element
 
 from freebody.errors import InputError
 from freebody.exercises.asked import (
@@ -29,16 +28,17 @@ from freebody.exercises.asked import (
 from freebody.exercises.bank import Bank
 from freebody.exercises.markup import MATHML, Markup, described
 from freebody.exercises.package import Package
-from freebody.exercises.selftests import Marked, SelfTest
+from freebody.exercises.qti import SPACE, QtiItem, canonical, item_of, tagged
+from freebody.exercises.selftests import SelfTest
 from freebody.exercises.xml import HEAD, parsed, words
 from freebody.language.sentences import Message
+from freebody.narrative.telling.raising import raised
 from freebody.present.report.blocks import Figure
 
 NAME = "qti"
 WHAT = "QTI 2.1"
 FILE = "package.zip"
 
-SPACE = "http://www.imsglobal.org/xsd/imsqti_v2p1"
 _PLACES = f"{SPACE} http://www.imsglobal.org/xsd/qti/qtiv2p1/imsqti_v2p1p1.xsd"
 _PACKAGE = "http://www.imsglobal.org/xsd/imscp_v1p1"
 _XSI = "http://www.w3.org/2001/XMLSchema-instance"
@@ -110,7 +110,7 @@ class _ItemWriter:
             choices += f'<simpleChoice identifier="{own}">{shown}</simpleChoice>'
             feedback += _feedback(own, said)
             what, verdict = ("key", "correct") if option.is_right else ("distractor", "incorrect")
-            tests.append(SelfTest(name, what, _canonical(shown), verdict, _canonical(_paragraph(said))))
+            tests.append(SelfTest(name, what, canonical(shown), verdict, canonical(_paragraph(said))))
         body = f'<choiceInteraction responseIdentifier="RESPONSE" shuffle="true" maxChoices="1">{choices}'
         processed = (
             f'<responseCondition><responseIf><match><variable identifier="RESPONSE"/><correct identifier="RESPONSE"/>'
@@ -133,10 +133,10 @@ class _ItemWriter:
             branches += _set("FEEDBACK", "identifier", f"mistake_{k}") + "</responseElseIf>"
             feedback += _feedback(f"mistake_{k}", text)
         prompt = self.markup.text(form.prompt)
-        unit = f" {words(form.unit)}" if form.unit else ""
+        unit = f" {words(raised(form.unit))}" if form.unit else ""
         body = f'<p>{prompt}</p><p><textEntryInteraction responseIdentifier="RESPONSE" expectedLength="15"/>{unit}</p>'
         processed = f"<responseCondition>{branches}</responseCondition>"
-        tests = tuple(number_tests(self.asked.name, form, [_canonical(_paragraph(text)) for text in said]))
+        tests = tuple(number_tests(self.asked.name, form, [canonical(_paragraph(text)) for text in said]))
         return _WrittenForm(_declared("RESPONSE", "float", digits(form.value)), body, processed, feedback, tests)
 
     def numbers(self, form: Form) -> _WrittenForm:
@@ -257,108 +257,7 @@ def _zipped(files: Mapping[str, bytes]) -> bytes:
     return buffer.getvalue()
 
 
-def _canonical(markup: str) -> str:
-    """A piece of an item as the reader finds it."""
-    return _inside(parsed(f'<x xmlns="{SPACE}">{markup}</x>'.encode(), NAME))
-
-
-# -- reading ----------------------------------------------------------------------------------
-Value = str | float | None
-
-
-@dataclass(frozen=True)
-class QtiItem:
-    """An item that can be answered. choices: identifiers by what they show; feedback: by outcome and identifier."""
-
-    name: str
-    root: Element
-    choices: Mapping[str, str]
-    kinds: Mapping[str, str]
-    correct: Mapping[str, Value]
-    largest: float
-
-    def mark(self, response: str) -> Marked:
-        """By the item's own processing of responses."""
-        outcomes = _Processing(self, self._given(response)).outcomes()
-        score = outcomes.get("SCORE") or 0.0
-        said = [
-            _inside(found)
-            for found in self.root.findall(_q("modalFeedback"))
-            if found.get("outcomeIdentifier") == "FEEDBACK" and found.get("identifier") == outcomes.get("FEEDBACK")
-        ]
-        return Marked("correct" if score == self.largest else "incorrect", "".join(said))
-
-    def _given(self, response: str) -> dict[str, Value]:
-        names = list(self.kinds)
-        if self.choices:
-            if response not in self.choices:
-                raise InputError(Message("the question has no such option"))
-            return {names[0]: self.choices[response]}
-        parts = response.split(";")
-        if len(parts) != len(names):
-            raise InputError(Message("the question has {n} fields", n=len(names)))
-        return {name: _float(part, self.name) for name, part in zip(names, parts, strict=True)}
-
-
-class _Processing:
-    """Runs those elements of response processing that the writer uses."""
-
-    def __init__(self, item: QtiItem, given: Mapping[str, Value]) -> None:
-        self.item, self.given = item, given
-        self.found: dict[str, Value] = {}
-
-    def outcomes(self) -> Mapping[str, Value]:
-        for rule in self.item.root.findall(f"{_q('responseProcessing')}/*"):
-            self._rule(rule)
-        return self.found
-
-    def _rule(self, rule: Element) -> None:
-        match _tag(rule):
-            case "setOutcomeValue":
-                self.found[rule.get("identifier", "")] = self._value(rule[0])
-            case "responseCondition":
-                for branch in rule:
-                    test, rules = (None, branch[:]) if _tag(branch) == "responseElse" else (branch[0], branch[1:])
-                    if test is None or self._holds(test):
-                        for inside in rules:
-                            self._rule(inside)
-                        return
-            case other:
-                raise self._unknown(other)
-
-    def _holds(self, test: Element) -> bool:
-        match _tag(test):
-            case "and":
-                return all(self._holds(part) for part in test)
-            case "match":
-                first, second = map(self._value, test)
-                return first is not None and first == second
-            case "equal":
-                first, second = map(self._value, test)
-                if not isinstance(first, float) or not isinstance(second, float):
-                    return False
-                below, above = ([float(x) for x in test.get("tolerance", "0").split()] * 2)[:2]
-                return second - below * (1 + 1e-9) <= first <= second + above * (1 + 1e-9)
-            case other:
-                raise self._unknown(other)
-
-    def _value(self, element: Element) -> Value:
-        name = element.get("identifier", "")
-        match _tag(element):
-            case "variable":
-                return self.given.get(name, self.found.get(name))
-            case "correct":
-                return self.item.correct.get(name)
-            case "baseValue":
-                text = (element.text or "").strip()
-                return _float(text, self.item.name) if element.get("baseType") == "float" else text
-            case other:
-                raise self._unknown(other)
-
-    def _unknown(self, element: str) -> InputError:
-        return InputError(Message("the element {element} is not read", element=element))
-
-
+# -- reading --------------------------------------------------------------------------------------
 def read(directory: Path) -> Mapping[str, QtiItem]:
     """The items of a package by their titles: those that its test names. Raises InputError for what is no such
     package, and for files that the manifest or an item names and that are not there."""
@@ -367,28 +266,15 @@ def read(directory: Path) -> Mapping[str, QtiItem]:
     for file in manifest.iter(f"{{{_PACKAGE}}}file"):
         _of(files, file.get("href", ""))
     found: dict[str, QtiItem] = {}
-    for reference in parsed(_of(files, "test.xml"), "test.xml").iter(_q("assessmentItemRef")):
+    for reference in parsed(_of(files, "test.xml"), "test.xml").iter(tagged("assessmentItemRef")):
         path = reference.get("href", "")
-        item = _item(parsed(_of(files, path), path))
-        for image in item.root.iter(_q("img")):
+        item = item_of(parsed(_of(files, path), path))
+        for image in item.root.iter(tagged("img")):
             _of(files, _beside(path, image.get("src", "")))
         if item.name in found:
             raise InputError(Message("{file} has two questions named {name}", file=FILE, name=item.name))
         found[item.name] = item
     return found
-
-
-def _item(root: Element) -> QtiItem:
-    name = root.get("title", "")
-    declared = root.findall(_q("responseDeclaration"))
-    kinds = {d.get("identifier", ""): d.get("baseType", "") for d in declared}
-    correct: dict[str, Value] = {}
-    for d in declared:
-        text = (d.findtext(f"{_q('correctResponse')}/{_q('value')}") or "").strip()
-        correct[d.get("identifier", "")] = _float(text, name) if d.get("baseType") == "float" else text
-    choices = {_inside(choice): choice.get("identifier", "") for choice in root.iter(_q("simpleChoice"))}
-    largest = root.findtext(f"{_q('outcomeDeclaration')}[@identifier='MAXSCORE']/{_q('defaultValue')}/{_q('value')}")
-    return QtiItem(name, root, choices, kinds, correct, _float(largest or "1", name))
 
 
 def _unzipped(path: Path) -> Mapping[str, bytes]:
@@ -414,29 +300,3 @@ def _beside(path: str, relative: str) -> str:
     for part in PurePosixPath(relative).parts:
         parts = parts[:-1] if part == ".." else [*parts, part]
     return "/".join(parts)
-
-
-def _q(tag: str) -> str:
-    return f"{{{SPACE}}}{tag}"
-
-
-def _tag(element: Element) -> str:
-    return element.tag.rpartition("}")[2]
-
-
-def _inside(element: Element) -> str:
-    """What stands in an element, in one way of writing it: without the names of spaces."""
-    return (words(element.text or "") + "".join(map(_canonical_element, element))).strip()
-
-
-def _canonical_element(element: Element) -> str:
-    attributes = "".join(f' {name}="{words(value)}"' for name, value in sorted(element.items()))
-    own = f"<{_tag(element)}{attributes}>{_inside(element)}</{_tag(element)}>"
-    return own + words(element.tail or "")
-
-
-def _float(text: str, name: str) -> float:
-    try:
-        return float(text)
-    except ValueError:
-        raise InputError(Message("{name}: '{text}' is no number", name=name, text=text)) from None
