@@ -22,7 +22,7 @@ from freebody.exercises.platforms import numbas
 from freebody.exercises.typed import Typing
 from freebody.language.parser import parse
 from freebody.system.system import System
-from test_export_prairielearn import CARDS, OTHERS
+from test_export import CARDS, OTHERS
 
 ROOT = Path(__file__).parent.parent
 DRIVER = ROOT / "tests" / "consumers" / "numbas_driver.mjs"

@@ -155,8 +155,8 @@ class Picture(Protocol):
     @property
     def description(self) -> str: ...
 
-    def svg(self) -> str:
-        """An SVG element of its own, whose colours follow a dark page."""
+    def svg(self, *, dark: bool | None = None) -> str:
+        """An SVG element of its own, whose colours follow a dark page unless `dark` says which to take."""
         ...
 
     def tikz(self) -> str:
