@@ -9,14 +9,16 @@ import re
 import shutil
 import subprocess
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import pytest
 
-from freebody.errors import InputError, SelfTestFailed
+from freebody.errors import CannotAnswer, InputError, SelfTestFailed
 from freebody.exercises.bank import Bank
 from freebody.exercises.export import examine, export_bank
+from freebody.exercises.formulas import formula_of
 from freebody.exercises.making import made_bank
 from freebody.exercises.platforms import numbas
 from freebody.exercises.typed import Typing
@@ -118,6 +120,13 @@ def test_numbers_are_written_without_an_exponent() -> None:
         text = numbas._decimal(x)  # type: ignore[attr-defined]
         assert re.fullmatch(r"-?[0-9]+(\.[0-9]+)?", text)
         assert float(text) == x
+
+
+def test_an_answer_that_it_has_no_word_for_is_not_asked_as_a_formula(bank: Bank) -> None:
+    """The period of a large swing, 4 sqrt(L/g) K(sin(theta/2)), has an elliptic integral."""
+    item = replace(bank.items[0], expression=parse("4*sqrt(R/g)*elliptic_K(m1/(m1 + m2))"))
+    with pytest.raises(CannotAnswer, match="^it has an elliptic integral$"):
+        formula_of(item, numbas.LANGUAGE)
 
 
 # -- marking ----------------------------------------------------------------------------------

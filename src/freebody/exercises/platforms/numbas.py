@@ -223,7 +223,7 @@ class NumbasQuestion:
             expr: Expr = typing.read(text)
             return values_at(expr, self.points, self.later)
         except ExpressionError as error:
-            raise InputError(str(error)) from error
+            raise InputError(error.message) from error
 
     def _choice(self, part: Mapping[str, Any], response: str) -> Marked:
         if response not in part["choices"]:
