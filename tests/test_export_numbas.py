@@ -125,7 +125,7 @@ def test_numbers_are_written_without_an_exponent() -> None:
 def test_an_answer_that_it_has_no_word_for_is_not_asked_as_a_formula(bank: Bank) -> None:
     """The period of a large swing, 4 sqrt(L/g) K(sin(theta/2)), has an elliptic integral."""
     item = replace(bank.items[0], expression=parse("4*sqrt(R/g)*elliptic_K(m1/(m1 + m2))"))
-    with pytest.raises(CannotAnswer, match="^it has an elliptic integral$"):
+    with pytest.raises(CannotAnswer, match=r"^it has an elliptic integral$"):
         formula_of(item, numbas.LANGUAGE)
 
 
