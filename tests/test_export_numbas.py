@@ -115,6 +115,13 @@ def test_braces_and_dollars_in_words_begin_nothing() -> None:
     )
 
 
+def test_nothing_is_computed_from_the_name_of_a_question(bank: Bank) -> None:
+    """Numbas puts values into names, too."""
+    item = replace(bank.items[0], name="{1/0} of $x$ \\\\(y")
+    (made,) = numbas.write(replace(bank, items=(item,))).names[:1]
+    assert made == f"(1/0) of x (y ({item.id}) [formula]"
+
+
 def test_numbers_are_written_without_an_exponent() -> None:
     for x in (1e-7, 123456789.25, -2.5e-3, 1e22):
         text = numbas._decimal(x)  # type: ignore[attr-defined]
