@@ -171,7 +171,10 @@ def test_a_question_that_is_missing_and_one_without_a_test_are_told(tmp_path: Pa
 
 
 def test_a_writer_whose_package_fails_leaves_nothing_behind(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(gift, "_escaped", lambda text: " ".join(text.splitlines()))  # a brace ends the answers
+    def unescaped(text: str) -> str:
+        return " ".join(text.splitlines())
+
+    monkeypatch.setattr(gift, "_escaped", unescaped)  # a brace ends the answers
     with pytest.raises((SelfTestFailed, InputError)):
         export_bank(bank("atwood_machine"), "gift", tmp_path / "p")
     assert list(tmp_path.iterdir()) == []

@@ -133,7 +133,7 @@ class _SystemItems:
     def _variant(self, n: int, k: int, wrong: Sequence[WrongAnswer]) -> ItemVariant:
         system, solution = self.variants[n - 1].system, self.variants[n - 1].solution
         question, answer = system.questions[k], solution.answers[k]
-        numbers = options_in_numbers(system, question, answer) if self.sheet.in_numbers else {}
+        numbers = options_in_numbers(system, question, answer) if self.sheet.in_numbers else None
         statement = ExerciseStatement(system, self.catalogue, 1, 1, numbers=numbers)
         model = in_style(statement.model(), system.style)
         options: list[ShownOption] = []

@@ -65,6 +65,7 @@ class _Writer:
         if isinstance(one.form, ChoiceAsked):
             answers, tests = self._choice(name, one.form)
         else:
+            assert isinstance(one.form, NumberAsked)  # several at once are not asked for
             told += f"<p>{markup.text(one.form.prompt)}</p>"
             answers, tests = self._number(name, one.form)
         solution = markup.blocks(variant.solution)
