@@ -9,20 +9,22 @@ import re
 import shutil
 import subprocess
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import pytest
 
-from freebody.errors import InputError, SelfTestFailed
+from freebody.errors import CannotAnswer, InputError, SelfTestFailed
 from freebody.exercises.bank import Bank
 from freebody.exercises.export import examine, export_bank
+from freebody.exercises.formulas import formula_of
 from freebody.exercises.making import made_bank
 from freebody.exercises.platforms import numbas
 from freebody.exercises.typed import Typing
 from freebody.language.parser import parse
 from freebody.system.system import System
-from test_export_prairielearn import CARDS, OTHERS
+from test_export import CARDS, OTHERS
 
 ROOT = Path(__file__).parent.parent
 DRIVER = ROOT / "tests" / "consumers" / "numbas_driver.mjs"
@@ -113,11 +115,25 @@ def test_braces_and_dollars_in_words_begin_nothing() -> None:
     )
 
 
+def test_nothing_is_computed_from_the_name_of_a_question(bank: Bank) -> None:
+    """Numbas puts values into names, too."""
+    item = replace(bank.items[0], name="{1/0} of $x$ \\\\(y")
+    (made,) = numbas.write(replace(bank, items=(item,))).names[:1]
+    assert made == f"(1/0) of x (y ({item.id}) [formula]"
+
+
 def test_numbers_are_written_without_an_exponent() -> None:
     for x in (1e-7, 123456789.25, -2.5e-3, 1e22):
         text = numbas._decimal(x)  # type: ignore[attr-defined]
         assert re.fullmatch(r"-?[0-9]+(\.[0-9]+)?", text)
         assert float(text) == x
+
+
+def test_an_answer_that_it_has_no_word_for_is_not_asked_as_a_formula(bank: Bank) -> None:
+    """The period of a large swing, 4 sqrt(L/g) K(sin(theta/2)), has an elliptic integral."""
+    item = replace(bank.items[0], expression=parse("4*sqrt(R/g)*elliptic_K(m1/(m1 + m2))"))
+    with pytest.raises(CannotAnswer, match=r"^it has an elliptic integral$"):
+        formula_of(item, numbas.LANGUAGE)
 
 
 # -- marking ----------------------------------------------------------------------------------

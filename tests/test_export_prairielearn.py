@@ -23,20 +23,11 @@ from freebody.exercises.prairielearn import SERVER
 from freebody.exercises.typed import Typing
 from freebody.language.parser import parse
 from freebody.system.system import System
+from test_export import CARDS, OTHERS
 
 ROOT = Path(__file__).parent.parent
 ATWOOD = "atwood_machine_acceleration"
 DRIVER = ROOT / "tests" / "consumers" / "prairielearn_driver.py"
-CARDS = (
-    "atwood_machine", "disk_rolling_down_incline", "sphere_launched_down_incline", "planetary_gear",
-    "disk_on_angled_shaft", "cardan_joint", "body_on_driven_roller", "multi_bar_platform",
-)  # fmt: skip
-OTHERS = (
-    "belt_drive", "block_on_rough_incline", "ballistic_pendulum", "capstan", "band_brake", "bouncing_ball",
-    "cart_and_pendulum", "compound_atwood", "conical_pendulum", "double_pendulum", "four_bar", "hoist",
-    "incline_with_pulley", "ladder_against_wall", "loop_the_loop", "mass_on_spring", "particle_leaving_dome",
-    "simple_pendulum", "yo_yo", "slider_crank",
-)  # fmt: skip
 
 
 @pytest.fixture(scope="module")

@@ -26,6 +26,7 @@ from freebody.exercises.stack.seeds import drawn, seeds
 from freebody.language.expression import Expr, evaluate
 from freebody.language.parser import parse
 from freebody.system.system import System
+from test_export import CARDS, OTHERS
 
 HOSTILE = 'Block ]]> {@1+1@} [[input:ans9]] \\(x\\) $y$ {#z#} <b>&amp;"'
 BLOCK = f"""
@@ -144,6 +145,16 @@ def test_hostile_words_of_an_author_stay_words(hostile: Path) -> None:
     assert "ans9" in text
     assert not re.search(r"\{[@#]", text.replace("{@fbn@}", ""))
     assert examine(hostile) > 0
+
+
+def test_letters_of_a_formula_are_no_units_where_a_number_is_asked_for_as_well(hostile: Path) -> None:
+    """STACK looks for misspelt units in all inputs of such a question: k would be refused, as K is one."""
+    (question,) = questions_in(hostile)
+    options = {i.findtext("type"): i.findtext("options") for i in question.findall("input")}
+    assert {key: value or "" for key, value in options.items()} == {
+        "algebraic": "consolidatesubscripts, nounits",
+        "units": "",
+    }
 
 
 def test_names_that_stack_would_misread_are_told_to_those_who_answer(hostile: Path) -> None:
@@ -284,26 +295,27 @@ def test_maxima_compares_as_our_own_reader_does(bank: Bank) -> None:
         assert told == [str(x).lower() for x in wanted]
 
 
-CARDS = """multi_bar_platform body_on_driven_roller disk_rolling_down_incline sphere_launched_down_incline
-planetary_gear atwood_machine disk_on_angled_shaft cardan_joint"""
-OTHERS = """incline_with_pulley belt_drive bevel_differential four_bar slider_crank conical_pendulum screw_jack capstan
-hoist ladder_against_wall rolling_coin band_brake wedge_under_load cart_and_pendulum bob_on_sliding_cart
-two_masses_three_springs clutch_engages cylinder_pulled_by_string double_pendulum ladder_rough_wall"""
+@pytest.fixture(scope="session")
+def image(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Where STACK keeps its image of Maxima."""
+    given = os.environ.get("FREEBODY_STACK_CACHE", "")
+    folder = Path(given) if given else tmp_path_factory.mktemp("stack-cache")
+    folder.mkdir(parents=True, exist_ok=True)
+    return folder
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", f"{CARDS} {OTHERS}".split())
-def test_stack_itself_marks_as_expected(name: str, tmp_path: Path) -> None:
+@pytest.mark.parametrize("name", [*CARDS, *OTHERS])
+def test_stack_itself_marks_as_expected(name: str, tmp_path: Path, image: Path) -> None:
     """The question tests of a package, run by STACK's own loader and Maxima (see tests/consumers/README.md)."""
-    checkout, cache = os.environ.get("FREEBODY_STACK", ""), os.environ.get("FREEBODY_STACK_CACHE", "")
-    if not checkout or not cache:
-        pytest.skip("NOT RUN: FREEBODY_STACK names a checkout of STACK, FREEBODY_STACK_CACHE a folder for its image")
+    checkout = os.environ.get("FREEBODY_STACK", "")
+    if not checkout:
+        pytest.skip("NOT RUN: FREEBODY_STACK says where STACK is")
     if shutil.which("php") is None or shutil.which("maxima") is None:
         pytest.skip("NOT RUN: STACK needs php and maxima")
     export(ROOT / "examples" / f"{name}.yaml", to="moodle-stack", out=tmp_path / "p")
-    Path(cache).mkdir(parents=True, exist_ok=True)
     file = str(tmp_path / "p" / moodle_stack.FILE)
-    run = subprocess.run(["php", str(DRIVER), checkout, cache, file], capture_output=True, text=True, check=False)
+    run = subprocess.run(["php", str(DRIVER), checkout, str(image), file], capture_output=True, text=True, check=False)
     assert run.returncode == 0, run.stdout + run.stderr
     told = json.loads(run.stdout)
     assert len(told) == len(questions_in(tmp_path / "p"))
@@ -311,3 +323,4 @@ def test_stack_itself_marks_as_expected(name: str, tmp_path: Path) -> None:
         assert question["passes"] > 0
         assert not question["fails"], question
         assert not question["errors"], question
+        assert not question["messages"], question

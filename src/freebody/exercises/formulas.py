@@ -61,7 +61,7 @@ def formula_of(item: Item, language: Language) -> FormulaAsked:
     try:
         typed = _typed(typing, right)
     except ExpressionError as error:
-        raise CannotAnswer(error.args[0]) from error
+        raise CannotAnswer(error.message) from error
     found = _readable(item.equivalent, typing, states)
     equal = tuple(_typed(typing, parts) for parts, own in found if are_same(own, values))
     wrong = tuple(_wrong(item, typing, states, values))

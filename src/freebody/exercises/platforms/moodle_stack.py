@@ -13,8 +13,9 @@ from freebody.exercises.package import Package
 from freebody.exercises.selftests import SelfTest, What
 from freebody.exercises.stack.question import StackQuestion
 from freebody.exercises.stack.reading import ReadPart, read_parts
-from freebody.exercises.stack.writing import ItemWriter
+from freebody.exercises.stack.writing import PLATFORM, ItemWriter
 from freebody.exercises.stack.xml_file import questions_of, quiz
+from freebody.language.sentences import Message
 from freebody.narrative.telling.catalogue import Catalogue
 
 NAME = "moodle-stack"
@@ -32,6 +33,14 @@ def write(bank: Bank) -> Package:
         told += writer.told
         if question is not None:
             questions.append(question)
+    n = sum(bool(item.conditions) and item.name in {q.name for q in questions} for item in bank.items)
+    if n:
+        limit = Message(
+            "{platform} does not ask for the conditions under which an answer holds; {n} answers have some",
+            platform=PLATFORM,
+            n=n,
+        )
+        told.append(limit)
     tests = tuple(test for question in questions for test in _self_tests(question))
     files = {FILE: quiz(bank.title, tuple(questions))}
     return Package(files, tuple(q.name for q in questions), tests, tuple(told))

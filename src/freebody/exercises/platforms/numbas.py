@@ -18,7 +18,7 @@ from typing import Any, cast
 from freebody.errors import ExpressionError, InputError
 from freebody.exercises import numbas as shape
 from freebody.exercises.asked import ChoiceAsked, NumberAsked, number_tests
-from freebody.exercises.bank import Bank, ItemVariant
+from freebody.exercises.bank import Bank, Item, ItemVariant
 from freebody.exercises.formulas import FormulaAsked, formula_tests, is_same, parts_given, values_at
 from freebody.exercises.markup import Markup, described, latex_dialect
 from freebody.exercises.notes import typing_note
@@ -39,6 +39,7 @@ _TAKEN = "pi infinity infty nan true false and or not xor in isa as implies divi
 _FUNCTIONS = {"log": "ln", "asin": "arcsin", "acos": "arccos", "atan": "arctan", "sign": "sgn"}
 LANGUAGE = Language(frozenset(_TAKEN.split()), _FUNCTIONS)
 _MARK = re.compile(r"[{}$]|\\(?=[()\[\]])")
+_NO_SIGNS = str.maketrans({"{": "(", "}": ")", "$": None, "\\": None})
 _STATED = re.compile(r"\[([^\]]*)\]")
 
 
@@ -51,7 +52,7 @@ def write(bank: Bank) -> Package:
         made, own = _Writer(bank, question).question()
         written.append(made)
         tests += own
-    files = {FILE: shape.exam(plain(bank.title), written)} if written else {}
+    files = {FILE: shape.exam(plain(bank.title).translate(_NO_SIGNS), written)} if written else {}
     return Package(files, tuple(q["name"] for q in written), tuple(tests), told)
 
 
@@ -60,7 +61,7 @@ class _Writer:
 
     def __init__(self, bank: Bank, question: ItemQuestion) -> None:
         self.bank, self.asked = bank, question
-        self.name = f"{plain(question.item.name)} [{question.kind}]"
+        self.name = f"{_name(question.item)} [{question.kind}]"
         self.marks = question.item.points or 1.0
         self.markup = Markup(bank.language, bank.words, latex_dialect((r"\(", r"\)"), (r"\[", r"\]"), _words), _image)
 
@@ -150,6 +151,13 @@ class _Writer:
         return [{**part, "alternatives": others}], variables, tests
 
 
+def _name(item: Item) -> str:
+    """A name in which nothing is a variable or a formula, with its id where signs had to go."""
+    name = plain(item.name)
+    kept = name.translate(_NO_SIGNS)
+    return name if kept == name else f"{kept} ({item.id})"
+
+
 def _words(text: str) -> str:
     """Plain words, in which nothing begins a formula or a variable."""
     return _MARK.sub(lambda found: f"{found[0]}<span></span>", escape(plain(text)))
@@ -223,7 +231,7 @@ class NumbasQuestion:
             expr: Expr = typing.read(text)
             return values_at(expr, self.points, self.later)
         except ExpressionError as error:
-            raise InputError(str(error)) from error
+            raise InputError(error.message) from error
 
     def _choice(self, part: Mapping[str, Any], response: str) -> Marked:
         if response not in part["choices"]:

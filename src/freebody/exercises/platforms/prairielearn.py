@@ -200,7 +200,7 @@ class PrairieLearnQuestion:
                 typing.written(expr)
             values = [values_at(expr, self.data["points"], self.data["later"]) for expr in exprs]
         except ExpressionError as error:
-            raise InputError(str(error)) from error
+            raise InputError(error.message) from error
         if are_same(values, self.data["values"]):
             return Marked("correct")
         known = [wrong["feedback"] for wrong in self.data["wrong"] if are_same(values, wrong["values"])]

@@ -40,6 +40,7 @@ fbclose(fba,fbb):=if not fbalike(fba,fbb) then false else block([fbs], fbs:lmax(
 fbsame(fba,fbb):=fbclose(fbseries(fba,fbpoints,fblater),fbseries(fbb,fbpoints,fblater));
 fbratio(fbl,fbm):=if not fbalike(fbl,fbm) then false elseif is(abs(first(fbl)*first(fbm))<=0) then false
     else fbclose(fbl,fbm*first(fbl)/first(fbm));
+fbvalued(fbe):=fbknown(fbseries(fbe,fbpoints,fblater));
 fbfactor(fba,fbb):=fbratio(fbseries(fba,fbpoints,fblater),fbseries(fbb,fbpoints,fblater));
 fbscale(fbl,fbm):=if fbalike(fbl,fbm) then fbclose(fbl,fblarger*fbm) else true;
 fbfirst(fbl):=if fbl=[] then [] else [first(fbl)];

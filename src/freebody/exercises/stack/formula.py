@@ -26,6 +26,7 @@ from freebody.present.report.blocks import Emphasis, Formula, Text
 INPUT, TREE = "ans1", "prt1"
 RIGHT, AS_FORMULA = "right", "right-as-formula"
 MOST_WRONG = 8
+_OPTIONS = "consolidatesubscripts, nounits"  # m_1 is m1; k is no misspelt unit where a number is asked for as well
 Parts = tuple[Expr, ...]
 
 
@@ -129,7 +130,7 @@ class FormulaPart:
     # -- the tree -----------------------------------------------------------------------------
     def _nodes(self) -> Iterator[Node]:
         """In numbers first: that is quick, knows the mechanics and the range, and says of each wrong answer what it is.
-        AlgEquiv is left for what has no value at the states."""
+        AlgEquiv is left for what has no value at the states: it may take longer than a site allows."""
         alike = Node("AlgEquiv", "fbans", "fbkey", AS_FORMULA if self.has_numbers else RIGHT, is_right=True)
         if not self.has_numbers:
             yield alike
@@ -141,9 +142,11 @@ class FormulaPart:
             yield Node("AlgEquiv", f"fbsame(fbans,fbwrong{k})", "true", wrong.note, wrong.said)
         yield Node("AlgEquiv", "fbsame(-fbans,fbkey)", "true", "sign", self._say("stack.sign"))
         if self.points.scaled is not None:
-            said = self._say("stack.dimension", unit=raised(self.item.unit or "1"))
+            unit = raised(self.item.unit)
+            said = self._say("stack.dimension", unit=unit) if unit else self._say("stack.no_dimension")
             yield Node("AlgEquiv", "fbunits(fbans)", "false", "dimension", said)
         yield Node("AlgEquiv", "fbfactor(fbans,fbkey)", "true", "factor", self._say("stack.factor"))
+        yield Node("AlgEquiv", "fbvalued(fbans)", "true", "differs")
         yield alike
 
     def _say(self, key: str, **args: str) -> str:
@@ -152,7 +155,7 @@ class FormulaPart:
     # -- what is typed ------------------------------------------------------------------------
     def _input(self) -> Input:
         several = tuple(name for name in self.names.maxima.values() if len(name) > 1)
-        return Input(INPUT, "algebraic", "fbkey", several, "consolidatesubscripts")
+        return Input(INPUT, "algebraic", "fbkey", several, _OPTIONS)
 
     def _asked(self) -> str:
         return f"{self._how_to_type()}{place_of(INPUT)}"
@@ -165,10 +168,18 @@ class FormulaPart:
             for name in offered
             if len(self.names.maxima[name]) > 1
         ]
-        vector = self._say("stack.vector") if isinstance(self.item.expression, tuple) else ""
         typed = f"{self._say('exercise.typed')} {', '.join(map(self.markup.text, pairs))}" if pairs else ""
-        told = " ".join(filter(None, (vector, typed)))
+        told = " ".join(filter(None, (self._shape(), typed)))
         return f"<p>{told}</p>" if told else ""
+
+    def _shape(self) -> str:
+        """How an answer of several parts is typed."""
+        if not isinstance(self.item.expression, tuple):
+            return ""
+        labels = self.item.labels
+        if any(label.isdigit() for label in labels):
+            return self._say("stack.values")
+        return self._say("stack.vector", parts=f"[{', '.join(labels)}]" if labels else "[...]")
 
     # -- tests --------------------------------------------------------------------------------
     def _tests(self, tree: Tree) -> Iterator[QuestionTest]:

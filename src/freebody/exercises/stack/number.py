@@ -28,10 +28,18 @@ class NumberPart:
     @property
     def is_asked(self) -> bool:
         """Whether each variant has a number that can be judged."""
+        return self._is_number and not self.is_sometimes_zero
+
+    @property
+    def is_sometimes_zero(self) -> bool:
+        """Whether the tolerance leaves no room in a variant."""
+        return self._is_number and not self.is_count and not all(map(self.item.tolerance.room, self.values))
+
+    @property
+    def _is_number(self) -> bool:
         item = self.item
-        if item.answer not in ("formula", "number") or is_moving(item) or len(self.values) < len(item.variants):
-            return False
-        return self.is_count or all(item.tolerance.room(value) for value in self.values)
+        is_one = item.answer in ("formula", "number") and not is_moving(item)
+        return is_one and len(self.values) == len(item.variants)
 
     @property
     def is_count(self) -> bool:
@@ -56,13 +64,14 @@ class NumberPart:
             if len(numbers) < len(values):
                 continue
             others = [self.values, *(w for _, w, _ in found)]
-            if all(self._apart(x, other[n]) for n, x in enumerate(numbers) for other in others):
+            if all(self._are_apart(n, x, other[n]) for n, x in enumerate(numbers) for other in others):
                 found.append((len(found) + 1, numbers, self.markup.text(answer.feedback).strip()))
         return found
 
-    def _apart(self, a: float, b: float) -> bool:
-        room = self.item.tolerance.room
-        return abs(a - b) > 2 * (room(a) + room(b)) + 1e-9 * abs(b)
+    def _are_apart(self, n: int, a: float, b: float) -> bool:
+        """Whether no number is taken for both in a variant."""
+        value = self.values[n]
+        return abs(a - b) > 2 * self.item.tolerance.room(value) + 1e-9 * abs(value)
 
     # -- Maxima -------------------------------------------------------------------------------
     def _variables(self) -> Iterator[str]:

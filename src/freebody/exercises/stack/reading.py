@@ -111,6 +111,8 @@ class ReadPart:
             return not self.points.has_dimension(mine)
         if node.given == "fbfactor(fbans,fbkey)":
             return self.points.is_multiple(mine, self._parts("fbkey"))
+        if node.given == "fbvalued(fbans)":
+            return None not in self.points.series(mine)
         if node.given == "fbans":
             return _is_formula(mine, self._parts(node.wanted))
         raise InputError(Message("{name}: '{text}' is not known", name=self.question.name, text=node.given))

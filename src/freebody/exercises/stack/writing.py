@@ -75,6 +75,12 @@ class ItemWriter:
         number = NumberPart(item, self.markup, f"ans{n}", f"prt{n}")
         if number.is_asked:
             parts.append(number.part())
+        elif number.is_sometimes_zero:
+            told = Message(
+                "{item}: the number is not asked for, as it is 0 in a variant and a share of it is no tolerance",
+                item=item.name,
+            )
+            self.told.append(told)
         if not parts and item.has_options:
             told = Message("{item}: {platform} can only ask for it with options", item=item.name, platform=PLATFORM)
             self.told.append(told)
