@@ -162,7 +162,8 @@ def _of_path(bar: FourBar, task: Task, s: Any, lengths: tuple[float, ...]) -> fl
         for p in task.positions:
             theta = float(np.angle((B - A) / frame)) + p.angle - task.positions[0].angle
             b, c, _P = bar.at(theta, side, lengths)
-            worst = max(worst, abs(A + frame * (b + local * (c - b)) - complex(p.x, p.y)))
+            missed = abs(A + frame * (b + local * (c - b)) - complex(p.x, p.y))
+            worst = max(worst, missed) if math.isfinite(missed) else math.inf
         errors.append(worst)
     finite = [x for x in errors if math.isfinite(x)]
     return min(finite, default=math.nan)
@@ -182,19 +183,17 @@ def main() -> None:
             row = [is_among(bar.lengths, own), len(own), error, seconds, told]
             row += [is_among(bar.lengths, peer), len(peer), peer_error, peer_seconds]
             rows.setdefault(name, []).append([float(x) for x in row])
-    print(
-        "| task | found | solutions | worst error | time | with defects | pylinkage: found | solutions | worst error | time |"
-    )
-    print("|---|---|---|---|---|---|---|---|---|---|")
+    head = ("found", "solutions", "worst error", "time", "with defects")
+    print("| task | " + " | ".join((*head, *(f"pylinkage: {h}" for h in head[:4]))) + " |")
+    print("|" + "---|" * 10)
     for name, every in rows.items():
         x = np.array(every)
-        n = len(every)
-        mine = f"{x[:, 0].sum():.0f} of {n} | {x[:, 1].mean():.1f} | {np.nanmax(x[:, 2]):.0e} | {1e3 * x[:, 3].mean():.1f} ms | {1e3 * x[:, 4].mean():.1f} ms"
-        worst = np.nanmax(x[:, 7]) if np.isfinite(x[:, 7]).any() else math.nan
-        peer_told = (
-            f"{x[:, 5].sum():.0f} of {n} | {x[:, 6].mean():.1f} | {worst:.0e} | {1e3 * np.nanmean(x[:, 8]):.1f} ms"
-        )
-        print(f"| {name} | {mine} | {peer_told} |")
+        cells = [f"{x[:, 0].sum():.0f} of {len(x)}", f"{x[:, 1].mean():.1f}", f"{np.nanmax(x[:, 2]):.0e}"]
+        cells += [f"{1e3 * x[:, k].mean():.1f} ms" for k in (3, 4)]
+        errors = x[:, 7][np.isfinite(x[:, 7])]
+        cells += [f"{x[:, 5].sum():.0f} of {len(x)}", f"{x[:, 6].mean():.1f}"]
+        cells += [f"{errors.max():.0e}" if len(errors) else "-", f"{1e3 * np.nanmean(x[:, 8]):.1f} ms"]
+        print(f"| {name} | {' | '.join(cells)} |")
     closed()
 
 
