@@ -235,10 +235,10 @@ def test_slopes_of_the_fitted_curve_are_those_of_differences() -> None:
     x = np.concatenate(([0.1, -0.2, 0.3, 0.5, 1.3, 1.1, 1.2, 0.4, 0.6], rng.uniform(0, math.tau, 7)))
     target = rng.normal(size=7) + 1j * rng.normal(size=7)
     for side in (-1, 1):
-        slopes = fitting._slopes(x, side, target)
+        slopes = fitting.slopes(x, side, target)
         h = 1e-6
         steps = [
-            (fitting._residuals(x + h * e, side, target) - fitting._residuals(x - h * e, side, target)) / (2 * h)
+            (fitting.residuals(x + h * e, side, target) - fitting.residuals(x - h * e, side, target)) / (2 * h)
             for e in np.eye(len(x))
         ]
         assert slopes == pytest.approx(np.column_stack(steps), abs=1e-7)

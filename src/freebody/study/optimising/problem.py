@@ -128,7 +128,8 @@ class Problem:
         if np.isfinite(found).all():
             return found * (self.high - self.low)
         if not np.isfinite(self.places(quantity, u)).all():
-            return np.full(found.shape, np.nan)
+            nothing: Array = np.full((quantity.n_places, self.n), np.nan)
+            return nothing
         columns: list[Array] = []
         for k in range(self.n):
             pair = np.array([u, u])

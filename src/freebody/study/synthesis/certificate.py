@@ -23,7 +23,7 @@ from freebody.study.synthesis.linkage import Defect, Linkage
 from freebody.system.system import System
 
 _KEPT = 1e-7  # of the size: gaps in a position
-_NEAR = 0.15  # [rad], and in sizes: a position is on the followed curve if a point between two stations is as near
+_NEAR = 0.03  # [rad], and in sizes: a position is on the followed curve if the chord between two stations is as near
 
 
 @dataclass(frozen=True)

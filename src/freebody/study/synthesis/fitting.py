@@ -42,9 +42,10 @@ def fitted(points: Array, seed: int = 0) -> list[Linkage]:
     bounds = np.where(np.isfinite(high), 1e-3, -np.inf), high
     for x0, side in _guesses(scaled, seed):
         fit = optimize.least_squares(
-            lambda x, s=side: _residuals(x, s, scaled),
+            residuals,
             x0,
-            jac=lambda x, s=side: _slopes(x, s, scaled),
+            jac=slopes,
+            args=(side, scaled),
             bounds=bounds,
             x_scale="jac",
             max_nfev=300,
@@ -82,7 +83,8 @@ def _solved(x: Array, side: int) -> tuple[Complex, Complex, Complex] | None:
     return P, *loop
 
 
-def _residuals(x: Array, side: int, target: Complex) -> Array:
+def residuals(x: Array, side: int, target: Complex) -> Array:
+    """(2 n,) of both coordinates; far off where the loop does not close."""
     solved = _solved(x, side)
     if solved is None:
         return np.full(2 * len(target), _OUT)
@@ -90,7 +92,7 @@ def _residuals(x: Array, side: int, target: Complex) -> Array:
     return np.concatenate((r.real, r.imag))
 
 
-def _slopes(x: Array, side: int, target: Complex) -> Array:
+def slopes(x: Array, side: int, target: Complex) -> Array:
     """(2 n, 9 + n). With b i e^(i phi) dphi - c i e^(i psi) dpsi = w the coupler turns by
     dphi = Re(w conj(e^(i psi)))/Re(b i e^(i phi) conj(e^(i psi)))."""
     n = len(target)
@@ -119,7 +121,7 @@ def _slopes(x: Array, side: int, target: Complex) -> Array:
 # -- guesses ----------------------------------------------------------------------------------
 def _guesses(target: Complex, seed: int) -> list[tuple[Array, int]]:
     """Unknowns and side of the most similar curves of a sample, laid onto the path."""
-    path, _places = _even(np.append(target, target[0]))
+    path = _even(np.append(target, target[0]))
     wanted = _descriptor(path)
     theta = np.linspace(0.0, 2 * np.pi, 2 * _N_CURVE + 1)
     ranked: list[tuple[float, Array, bool]] = []
@@ -128,13 +130,13 @@ def _guesses(target: Complex, seed: int) -> list[tuple[Array, int]]:
         if loop is None:
             continue
         curve = row[0] * np.exp(1j * theta) + (row[4] + 1j * row[5]) * loop[0]
-        own = _descriptor(_even(curve)[0])
+        own = _descriptor(_even(curve))
         for is_mirrored in (False, True):
             gap = (own[::-1] if is_mirrored else own) - wanted
             ranked.append((float(np.abs(gap).sum()), row, is_mirrored))
     ranked.sort(key=lambda one: one[0])
     laid = [_laid(target, path, row, -1 if is_mirrored else 1) for _gap, row, is_mirrored in ranked[:_N_LAID]]
-    laid.sort(key=lambda one: float((_residuals(*one, target) ** 2).sum()))
+    laid.sort(key=lambda one: float((residuals(*one, target) ** 2).sum()))
     inside = [one for one in laid if (one[0][3:7] < _LONGEST).all()]
     return inside[:_N_STARTS]
 
@@ -153,12 +155,12 @@ def _library(seed: int) -> Array:
     return np.column_stack((a, b, c, np.ones(len(z)), u, v))[turns]
 
 
-def _even(curve: Complex) -> tuple[Complex, Array]:
-    """_N_CURVE points evenly along a closed curve, and where they are among its own points."""
+def _even(curve: Complex) -> Complex:
+    """_N_CURVE points evenly along a closed curve."""
     s = np.append(0.0, np.cumsum(np.abs(np.diff(curve))))
-    at = np.linspace(0.0, s[-1], _N_CURVE, endpoint=False)
-    places: Array = np.interp(at, s, np.arange(len(curve), dtype=np.float64))
-    return np.interp(at, s, curve.real) + 1j * np.interp(at, s, curve.imag), places
+    at: Array = np.linspace(0.0, float(s[-1]), _N_CURVE, endpoint=False)
+    found: Complex = np.interp(at, s, curve.real) + 1j * np.interp(at, s, curve.imag)
+    return found
 
 
 def _descriptor(even: Complex) -> Array:
@@ -176,7 +178,7 @@ def _laid(target: Complex, path: Complex, row: Array, side: int) -> tuple[Array,
     loop = _loop(shape[:4], theta, side)
     assert loop is not None
     curve = shape[0] * np.exp(1j * theta) + (shape[4] + 1j * shape[5]) * loop[0]
-    even, _places = _even(curve)
+    even = _even(curve)
     best, kappa = 0.0, 1.0 + 0.0j
     for z in (even, even[::-1]):
         middle = z - z.mean()

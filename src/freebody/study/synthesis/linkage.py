@@ -98,12 +98,12 @@ class Linkage:
         """How far lengths differ between the positions, in sizes."""
         a = np.linalg.norm(self.B - self.A, axis=1)
         b = np.linalg.norm(self.C - self.B, axis=1)
-        c = (
-            [cross(self.along, x - self.A) for x in self.C]
-            if self.along is not None
-            else np.linalg.norm(self.C - self.D, axis=1)
-        )
-        return float(max(np.ptp(x) for x in (a, b, np.array(c)))) / self.size
+        kept = [a, b]
+        if self.D is not None:
+            kept.append(np.linalg.norm(self.C - self.D, axis=1))
+        elif self.along is not None:
+            kept.append(np.array([cross(self.along, x - self.A) for x in self.C]))
+        return max(float(np.ptp(x)) for x in kept) / self.size
 
     @property
     def size(self) -> float:
@@ -246,4 +246,5 @@ def _complex(x: Array) -> Any:
 
 
 def _plane(z: Any) -> Array:
-    return np.stack((np.real(z), np.imag(z)), axis=-1)
+    found: Array = np.stack((z.real, z.imag), axis=-1)
+    return found
