@@ -45,7 +45,7 @@ from freebody.system.system import System
 
 MOST_ROUNDS = 12  # in which panels are divided
 MOST_PARTS = 8.0
-FEWEST, STEPS_A_PANEL = 4, 2  # panels of a phase, and steps of the motion in each, to begin with
+FEWEST = 4  # panels of a phase; else one for each step to begin with
 SETTLED = 3e-3  # the error of a panel goes with the square of how far off it is
 TOGETHER = 1e-6  # changes of what is held that should vanish, by the size of all changes
 Written = Callable[[Equations], Sequence[ProgramNode]]
@@ -158,11 +158,16 @@ class TangentMotion:
         }
 
     # -- the motion ---------------------------------------------------------------------------
-    def run(self, until: float, options: SimulationOptions, times: Array) -> Trajectory:
-        """Follows the motion to `until`, and its tangents; they are known at the given times. Raises CannotAnswer where
-        there is no derivative, saying why."""
+    def run(
+        self, until: float, options: SimulationOptions, times: Array, known: Trajectory | None = None
+    ) -> Trajectory:
+        """Follows the motion to `until`, and its tangents; they are looked at at the given times. known: the motion,
+        where it has been followed. Raises CannotAnswer where there is no derivative, saying why."""
         options = replace(options, verify=False)
-        course, records = self._followed(until, options, np.array([until]))
+        if known is None or self.bounded is not None:
+            course, records = self._followed(until, options, np.array([until]))
+        else:
+            course, records = known, [self._alone(known)]
         if course.status not in (Status.FINISHED, Status.EVENT):
             raise CannotAnswer(Message("the motion cannot be followed: {why}", why=course.message))
         ends = [self._panels(record.course, times) for record in records]
@@ -182,15 +187,19 @@ class TangentMotion:
         self.free.count_from(self.near)
         if self.bounded is None:
             course = self.free.run(self.start.copy(), until, options, outputs=np.concatenate(([0.0], outputs)))
-            return course, [PhaseRecord(course, self.free, None)]  # type: ignore[arg-type]
+            return course, [self._alone(course)]
         hybrid = Hybrid(self.bounded, options)
         course = hybrid.run(self.start.copy(), 0.0, until, outputs, self.near)
         return course, hybrid.phases
 
+    def _alone(self, course: Trajectory) -> PhaseRecord:
+        """The one phase of a motion without contacts."""
+        return PhaseRecord(course, self.free, ModeOf(frozenset(), ()))
+
     def _panels(self, course: Trajectory, times: Array) -> Array:
         """The ends of panels of a phase: even ones, and the times at which something is wanted."""
         first, last = float(course.times[0]), course.t_end
-        even = np.linspace(first, last, max(FEWEST, -(-course.n_steps // STEPS_A_PANEL)) + 1)
+        even = np.linspace(first, last, max(FEWEST, course.n_steps) + 1)
         events = [e.time for e in course.events if first < e.time < last]
         found = np.unique(np.concatenate((even, times[(times > first) & (times < last)], events)))
         apart = np.concatenate(([True], np.diff(found) > 1e-13 * max(1.0, abs(last))))
