@@ -178,7 +178,7 @@ class TangentMotion:
             off = self._tangents(records, ends)
             if all(float(own.max(initial=0.0)) <= limit for own in off):
                 return course
-            ends = [_divided(own, bad, limit) for own, bad in zip(ends, off, strict=True)]
+            ends = [_divided(own, _too_long(bad, limit)) for own, bad in zip(ends, off, strict=True)]
         raise CannotAnswer(Message("the derivatives of the motion do not settle; follow it with a smaller tolerance"))
 
     def _followed(
@@ -197,13 +197,15 @@ class TangentMotion:
         return PhaseRecord(course, self.free, ModeOf(frozenset(), ()))
 
     def _panels(self, course: Trajectory, times: Array) -> Array:
-        """The ends of panels of a phase: even ones, and the times at which something is wanted."""
+        """The ends of panels of a phase: the times at which something is wanted, and between them so many that none is
+        longer than a step of the motion."""
         first, last = float(course.times[0]), course.t_end
-        even = np.linspace(first, last, max(FEWEST, course.n_steps) + 1)
         events = [e.time for e in course.events if first < e.time < last]
-        found = np.unique(np.concatenate((even, times[(times > first) & (times < last)], events)))
+        found = np.unique(np.concatenate(([first, last], times[(times > first) & (times < last)], events)))
         apart = np.concatenate(([True], np.diff(found) > 1e-13 * max(1.0, abs(last))))
-        return found[apart] if apart[-1] else np.append(found[apart][:-1], last)
+        found = found[apart] if apart[-1] else np.append(found[apart][:-1], last)
+        longest = (last - first) / max(FEWEST, course.n_steps)
+        return _divided(found, np.maximum(1.0, np.ceil(np.diff(found) / max(longest, 1e-300) - 1e-9)))
 
     def _tangents(self, records: Sequence[PhaseRecord], ends: Sequence[Array]) -> list[Array]:
         """The tangents of all phases; how far off the panels of each were."""
@@ -317,11 +319,14 @@ def _places(times: Array, wanted: Array) -> NDArray[np.intp]:
     return np.where(np.abs(times[nearer] - wanted) < np.abs(times[at] - wanted), nearer, at)
 
 
-def _divided(ends: Array, off: Array, limit: float) -> Array:
-    """Panels that were too long, each in as many parts as their order of accuracy tells."""
-    parts = np.clip(np.ceil(1.1 * (np.maximum(off, limit) / limit) ** (1.0 / N_PLACES)), 1, MOST_PARTS)
-    parts[off <= limit] = 1
+def _too_long(off: Array, limit: float) -> Array:
+    """(n_panels,) in how many parts panels are to be divided, as their order of accuracy tells."""
+    parts = np.clip(np.ceil(1.1 * (np.maximum(off, limit) / limit) ** (1.0 / N_PLACES)), 1.0, MOST_PARTS)
+    return np.where(off <= limit, 1.0, parts)
+
+
+def _divided(ends: Array, parts: Array) -> Array:
+    """The ends of panels, each in some equal parts."""
     steps = np.repeat(np.diff(ends) / parts, parts.astype(int))
-    first = np.repeat(ends[:-1], parts.astype(int))
     number: Array = np.concatenate([np.arange(float(n)) for n in parts])
-    return np.append(first + number * steps, ends[-1])
+    return np.append(np.repeat(ends[:-1], parts.astype(int)) + number * steps, ends[-1])
