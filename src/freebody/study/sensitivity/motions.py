@@ -50,7 +50,7 @@ def _of_record(
     except (CannotAnswer, *FAILED) as error:
         return _none(record, names, value, str(error))
     found = tuple(_derivative(record, v, float(x), value, system) for v, x in zip(names, slopes, strict=True))
-    return AnswerGradient(record.text, _title(record), None, (), value, found)
+    return AnswerGradient(record.text, _title(record), None, (), value, found, unit=record.unit)
 
 
 def _derivative(record: Record, of: Varied, slope: float, value: float, system: System) -> Derivative:
@@ -63,6 +63,8 @@ def _unit(of: str, by: str) -> str:
     """The unit of a derivative."""
     if by in ("1", "rad"):
         return of
+    if of == by:
+        return "1"
     return f"{of}/({by})" if {"/", " "} & set(by) else f"{of}/{by}"
 
 
