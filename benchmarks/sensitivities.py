@@ -150,7 +150,8 @@ def fits(rounds: int) -> None:
         exact, found = least(lambda: system.fit(data, free), rounds)
         with mock.patch("freebody.study.fitting.fit.MotionTangents", side_effect=CannotAnswer("differences")):
             slow, near = least(lambda: system.fit(data, free), rounds)
-    print(f"fit of {len(free)} unknowns: exact {exact:.2f} s ({found.n_motions} motions, {found.n_tangents} with tangents)")
+    print(f"fit of {len(free)} unknowns")
+    print(f"        exact {exact:.2f} s ({found.n_motions} motions, {found.n_tangents} with tangents)")
     print(f"        differences {slow:.2f} s ({near.n_motions} motions)")
     print("        apart by", max(abs(found.values[n] / near.values[n] - 1.0) for n in free))
 
