@@ -1,4 +1,4 @@
-"""Exact derivatives of motions, against closed forms by hand and against differences of motions followed very exactly."""
+"""Exact derivatives of motions, beside closed forms by hand and differences of motions followed very exactly."""
 
 from __future__ import annotations
 
@@ -118,7 +118,7 @@ def test_an_oscillator_changes_with_everything_as_its_closed_form_does() -> None
 
 
 def test_the_greatest_value_and_the_time_of_an_event_change_as_in_closed_form() -> None:
-    """The first zero of x: w t = pi - atan(w x0/(v0 + d x0)). The greatest value is at tan w t = w v0/(d v0 + w0^2 x0)."""
+    """x first vanishes at w t = pi - atan(w x0/(v0 + d x0)), and is greatest at tan w t = w v0/(d v0 + w0^2 x0)."""
 
     def crossing(m: Any, k: Any, c: Any, x0: Any, v0: Any) -> Any:
         d = c / (2 * m)
@@ -247,7 +247,7 @@ def test_a_double_pendulum_changes_with_masses_lengths_and_start() -> None:
 
 
 def test_what_the_motion_does_not_hang_on_changes_nothing() -> None:
-    """The masses of a double pendulum all larger by the same factor: sum m dx/dm vanishes; so does, with all lengths and
+    """Larger masses, all by the same factor: sum m dx/dm vanishes; so does, with all lengths and
     g larger by the same factor, sum l dx/dl + g dx/dg (the time stays the same)."""
     system = fb.System.from_text(PENDULUMS)
     found = gradient(system, "b at 1.2 s", ["m1", "m2", "l1", "l2", "g"], 1.5)

@@ -80,6 +80,8 @@ def _instant(b: Bounded, before: PhaseRecord, passed: PassedPhase, t: float) -> 
         )
     what, k = b.engine(before.mode)[2][before.course.violated]
     name = (b.barriers if what in ("gap", "press", "foot") else b.drags)[k].name
+    if what == "grip" and before.mode.groups:
+        raise _of_several(name)
     if what == "foot":
         raise CannotAnswer(
             Message(
@@ -132,19 +134,20 @@ def multiplier(e: Equations, name: str) -> ProgramNode:
 
 
 def _pressing(e: Equations, b: Bounded, rub: DryFriction) -> ProgramNode:
-    """The load of a friction at rest."""
+    """The load of a friction at rest. Raises CannotAnswer where its limit is told by more than one reaction."""
     w = e.writer
-    if not rub.load:
-        return w.constant(1.0)
     if len(rub.load) > 1 or rub.static_back is not None or rub.measures:
-        raise CannotAnswer(
-            Message(
-                "{name}: the friction depends on more than one unique reaction, and exact derivatives do not go "
-                "through it",
-                name=rub.name,
-            )
+        raise _of_several(rub.name)
+    return w.function(ABS, multiplier(e, next(iter(rub.load)))) if rub.load else w.constant(1.0)
+
+
+def _of_several(name: str) -> CannotAnswer:
+    return CannotAnswer(
+        Message(
+            "{name}: the friction depends on more than one unique reaction, and exact derivatives do not go through it",
+            name=name,
         )
-    return w.function(ABS, multiplier(e, next(iter(rub.load))))
+    )
 
 
 # -- impacts -----------------------------------------------------------------------------------

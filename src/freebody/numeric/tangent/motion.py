@@ -45,7 +45,7 @@ from freebody.system.system import System
 
 MOST_ROUNDS = 12  # in which panels are divided
 MOST_PARTS = 8.0
-FEWEST, STEPS_A_PANEL = 4, 2  # panels of a phase, and steps of the motion in each, to begin with
+FEWEST = 4  # panels of a phase; else one for each step to begin with
 SETTLED = 3e-3  # the error of a panel goes with the square of how far off it is
 TOGETHER = 1e-6  # changes of what is held that should vanish, by the size of all changes
 Written = Callable[[Equations], Sequence[ProgramNode]]
@@ -158,11 +158,16 @@ class TangentMotion:
         }
 
     # -- the motion ---------------------------------------------------------------------------
-    def run(self, until: float, options: SimulationOptions, times: Array) -> Trajectory:
-        """Follows the motion to `until`, and its tangents; they are known at the given times. Raises CannotAnswer where
-        there is no derivative, saying why."""
+    def run(
+        self, until: float, options: SimulationOptions, times: Array, known: Trajectory | None = None
+    ) -> Trajectory:
+        """Follows the motion to `until`, and its tangents; they are looked at at the given times. known: the motion,
+        where it has been followed. Raises CannotAnswer where there is no derivative, saying why."""
         options = replace(options, verify=False)
-        course, records = self._followed(until, options, np.array([until]))
+        if known is None or self.bounded is not None:
+            course, records = self._followed(until, options, np.array([until]))
+        else:
+            course, records = known, [self._alone(known)]
         if course.status not in (Status.FINISHED, Status.EVENT):
             raise CannotAnswer(Message("the motion cannot be followed: {why}", why=course.message))
         ends = [self._panels(record.course, times) for record in records]
@@ -173,7 +178,7 @@ class TangentMotion:
             off = self._tangents(records, ends)
             if all(float(own.max(initial=0.0)) <= limit for own in off):
                 return course
-            ends = [_divided(own, bad, limit) for own, bad in zip(ends, off, strict=True)]
+            ends = [_divided(own, _too_long(bad, limit)) for own, bad in zip(ends, off, strict=True)]
         raise CannotAnswer(Message("the derivatives of the motion do not settle; follow it with a smaller tolerance"))
 
     def _followed(
@@ -182,19 +187,25 @@ class TangentMotion:
         self.free.count_from(self.near)
         if self.bounded is None:
             course = self.free.run(self.start.copy(), until, options, outputs=np.concatenate(([0.0], outputs)))
-            return course, [PhaseRecord(course, self.free, None)]  # type: ignore[arg-type]
+            return course, [self._alone(course)]
         hybrid = Hybrid(self.bounded, options)
         course = hybrid.run(self.start.copy(), 0.0, until, outputs, self.near)
         return course, hybrid.phases
 
+    def _alone(self, course: Trajectory) -> PhaseRecord:
+        """The one phase of a motion without contacts."""
+        return PhaseRecord(course, self.free, ModeOf(frozenset(), ()))
+
     def _panels(self, course: Trajectory, times: Array) -> Array:
-        """The ends of panels of a phase: even ones, and the times at which something is wanted."""
+        """The ends of panels of a phase: the times at which something is wanted, and between them so many that none is
+        longer than a step of the motion."""
         first, last = float(course.times[0]), course.t_end
-        even = np.linspace(first, last, max(FEWEST, -(-course.n_steps // STEPS_A_PANEL)) + 1)
         events = [e.time for e in course.events if first < e.time < last]
-        found = np.unique(np.concatenate((even, times[(times > first) & (times < last)], events)))
+        found = np.unique(np.concatenate(([first, last], times[(times > first) & (times < last)], events)))
         apart = np.concatenate(([True], np.diff(found) > 1e-13 * max(1.0, abs(last))))
-        return found[apart] if apart[-1] else np.append(found[apart][:-1], last)
+        found = found[apart] if apart[-1] else np.append(found[apart][:-1], last)
+        longest = (last - first) / max(FEWEST, course.n_steps)
+        return _divided(found, np.maximum(1.0, np.ceil(np.diff(found) / max(longest, 1e-300) - 1e-9)))
 
     def _tangents(self, records: Sequence[PhaseRecord], ends: Sequence[Array]) -> list[Array]:
         """The tangents of all phases; how far off the panels of each were."""
@@ -308,11 +319,14 @@ def _places(times: Array, wanted: Array) -> NDArray[np.intp]:
     return np.where(np.abs(times[nearer] - wanted) < np.abs(times[at] - wanted), nearer, at)
 
 
-def _divided(ends: Array, off: Array, limit: float) -> Array:
-    """Panels that were too long, each in as many parts as their order of accuracy tells."""
-    parts = np.clip(np.ceil(1.1 * (np.maximum(off, limit) / limit) ** (1.0 / N_PLACES)), 1, MOST_PARTS)
-    parts[off <= limit] = 1
+def _too_long(off: Array, limit: float) -> Array:
+    """(n_panels,) in how many parts panels are to be divided, as their order of accuracy tells."""
+    parts = np.clip(np.ceil(1.1 * (np.maximum(off, limit) / limit) ** (1.0 / N_PLACES)), 1.0, MOST_PARTS)
+    return np.where(off <= limit, 1.0, parts)
+
+
+def _divided(ends: Array, parts: Array) -> Array:
+    """The ends of panels, each in some equal parts."""
     steps = np.repeat(np.diff(ends) / parts, parts.astype(int))
-    first = np.repeat(ends[:-1], parts.astype(int))
     number: Array = np.concatenate([np.arange(float(n)) for n in parts])
-    return np.append(first + number * steps, ends[-1])
+    return np.append(np.repeat(ends[:-1], parts.astype(int)) + number * steps, ends[-1])

@@ -33,6 +33,7 @@ from freebody.study.worded import FAILED, in_words
 from freebody.system.system import System
 
 TOLERANCE = 1e-11  # of the motions
+_SLOPES = 1e-9  # tolerance of motions in the Jacobian, where residuals need not be so exact
 _STEP = 1e-4  # of the size of an unknown, in differences
 _FAR = 1e3  # of the scatter of the data: how far off a motion counts that cannot be followed
 _MOST = 200  # trials of the unknowns
@@ -160,14 +161,14 @@ class _Problem:
     def _tangents(self, values: Array) -> Array:
         """(n, p) derivatives of the residuals by the unknowns. Raises CannotAnswer where there are none."""
         rows: list[Array] = []
+        followed = replace(self.options, tolerance=max(self.options.tolerance, _SLOPES))
         for k, run in enumerate(self.runs):
             own = {u.parameter: i for i, u in enumerate(self.wanted) if u.parameter and u.run in (-1, k)}
             tangents = None
             if own:
                 self.n_tangents += 1
-                tangents = MotionTangents(
-                    self._motion(k, run, values).result, list(own), run.end, self.options, run.times
-                )
+                motion = self._motion(k, run, values).result
+                tangents = MotionTangents(motion, list(own), run.end, followed, run.times)
             for s in run.series:
                 part = np.zeros((len(s.values), len(self.wanted)))
                 if tangents is not None:

@@ -31,3 +31,4 @@ class AnswerGradient:
     value: float | None
     derivatives: tuple[Derivative, ...]
     why: str = ""
+    unit: str = ""  # of a value without a formula

@@ -19,7 +19,7 @@ from freebody.numeric.options import SimulationOptions
 from freebody.numeric.vectorised import VectorFunction
 from freebody.present.lines import number_text
 from freebody.present.report.blocks import Block, Equation, Equations, Formula, Report, Section
-from freebody.present.report.results import Result, line, question_title, summary, table
+from freebody.present.report.results import Result, entries, entry, line, question_title, summary, table
 from freebody.study.sensitivity.derivatives import AnswerGradient, Derivative
 from freebody.study.sensitivity.motions import of_motion
 from freebody.study.sweeps.answers import AnswerEvaluator
@@ -68,7 +68,12 @@ class Gradient(Result):
                 for d in sorted(a.derivatives, key=lambda d: -round(abs(d.relative or 0.0), 9))
             ]
             head = ["by", "derivative", "unit", "% for 1 %", ""]
-            blocks = [*([Equations(tuple(lines))] if lines else []), *table(rows, head)]
+            shown = f"{_told(a.value)} {a.unit}".strip() if a.formula is None and a.value is not None else ""
+            blocks = [
+                *entries(*([entry("value", shown)] if shown else [])),
+                *([Equations(tuple(lines))] if lines else []),
+                *table(rows, head),
+            ]
             yield Section(question_title(a.name, a.question), tuple(blocks))
 
 

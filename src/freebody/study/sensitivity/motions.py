@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from freebody.errors import CannotAnswer, FreebodyError
+from freebody.errors import FreebodyError
 from freebody.numeric.options import SimulationOptions
 from freebody.study.sensitivity.derivatives import AnswerGradient, Derivative
 from freebody.study.simulation.simulate import simulate
@@ -32,7 +32,7 @@ def of_motion(
     try:
         times = [t for r in records for t in r.instants(motion) if np.isfinite(t)]
         tangents = MotionTangents(motion.result, [v.parameter for v in wanted], until, options, times)
-    except (CannotAnswer, *FAILED) as error:
+    except (FreebodyError, *FAILED) as error:
         yield from (_none(r, wanted, _value(r, motion), str(error)) for r in records)
         return
     for r in records:
@@ -47,10 +47,10 @@ def _of_record(
         return AnswerGradient(record.text, _title(record), None, (), None, (), _missing(motion))
     try:
         slopes = record.change(motion, tangents)
-    except (CannotAnswer, *FAILED) as error:
+    except (FreebodyError, *FAILED) as error:
         return _none(record, names, value, str(error))
     found = tuple(_derivative(record, v, float(x), value, system) for v, x in zip(names, slopes, strict=True))
-    return AnswerGradient(record.text, _title(record), None, (), value, found)
+    return AnswerGradient(record.text, _title(record), None, (), value, found, unit=record.unit)
 
 
 def _derivative(record: Record, of: Varied, slope: float, value: float, system: System) -> Derivative:
@@ -63,6 +63,8 @@ def _unit(of: str, by: str) -> str:
     """The unit of a derivative."""
     if by in ("1", "rad"):
         return of
+    if of == by:
+        return "1"
     return f"{of}/({by})" if {"/", " "} & set(by) else f"{of}/{by}"
 
 
