@@ -55,7 +55,8 @@ connections:
 
 
 def test_a_train_of_great_ratio_lets_power_circulate_and_locks_itself() -> None:
-    """Stepped planet, one wheel held: arm to the other 1/(1 - k), k = z_1 p_2/(p_1 z_2). With eta the torque of the arm is 1 - eta^(+-1) k times that of the wheel; driven by the wheel the arm stands still as soon as eta
+    """Stepped planet, one wheel held: arm to the other 1/(1 - k), k = z_1 p_2/(p_1 z_2). With eta the torque of the arm
+    is 1 - eta^(+-1) k times that of the wheel; driven by the wheel the arm stands still as soon as eta
     k or k/eta pass 1 (Mueller, ch. 4: self-locking)."""
     found = fb.System.from_text(STEPPED.format(z_2=49, p_2=51)).speed_table(efficiency=0.95)
     k = (50 / 50) * (51 / 49)  # turns of right for one of left against the arm

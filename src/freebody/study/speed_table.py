@@ -7,9 +7,9 @@ the carrier is held,
 
 One more condition, that a gear is held, gives every ratio. The torques of three central members S, b, C have the sum
 zero; with the efficiency eta of the train whose carrier is held, T_b = -T_S eta^(+1)/k where S drives against the
-carrier, and eta^(-1) where b does. The power that rolls in the teeth is T_S (w_S - w_C): where it is more than what goes in, power
-circulates. Source: R. Willis, Principles of Mechanism, 1841; Norton, Design of Machinery, 5th ed. 2012, sec. 9.7-9.11;
-Mueller, Die Umlaufgetriebe, 2nd ed. 1998, ch. 4.
+carrier, and eta^(-1) where b does. The power that rolls in the teeth is T_S (w_S - w_C): where it is more than what
+goes in, power circulates. Source: R. Willis, Principles of Mechanism, 1841; Norton, Design of Machinery, 5th ed. 2012,
+sec. 9.7-9.11; Mueller, Die Umlaufgetriebe, 2nd ed. 1998, ch. 4.
 """
 
 from __future__ import annotations
