@@ -713,14 +713,14 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
         "speed": "I_1*omega_0/(I_1 + I_2)",
         "lost": "I_1*I_2*omega_0**2/(2*(I_1 + I_2))",
     },
-    # T_1 - F_t r_1 = J_1 a_1, T_2 - F_t r_2 = J_2 a_2, a_1 z_1 = -a_2 z_2; F_r = F_t tan(alpha), F_n = F_t/cos(alpha)
+    # T_1 - F_t r_1 = J_1 a_1, T_2 - F_t r_2 = J_2 a_2, a_1 z_1 = -a_2 z_2; F_r = F_t tan(alpha)
     "gear_pair_with_pressure_angle": {
         "acceleration": "z_1*(z_1*T_2 - z_2*T_1)/(z_1**2*J_2 + z_2**2*J_1)",
         "tangential": "2*(z_2*J_1*T_2 + z_1*J_2*T_1)/(module*(z_1**2*J_2 + z_2**2*J_1))",
         "radial": "2*(z_2*J_1*T_2 + z_1*J_2*T_1)/(module*(z_1**2*J_2 + z_2**2*J_1))*tan(alpha)",
         "bearing": "2*(z_2*J_1*T_2 + z_1*J_2*T_1)/(module*(z_1**2*J_2 + z_2**2*J_1))/cos(alpha)",
     },
-    # w_S = (1 + z_R/z_S) w, w_P = (1 - z_R/z_P) w, z_R = z_S + 2 z_P: T w_S = (J w_S^2 + J + 3 (m_P a^2 + J_P w_P^2)) w'
+    # w_S = (1 + z_R/z_S) w, w_P = (1 - z_R/z_P) w: T w_S = (J w_S^2 + J + 3 (m_P a^2 + J_P w_P^2)) w'
     "planetary_gear_with_three_planets": {
         "ratio": "2*(z_S + z_P)/z_S",
         "acceleration": "T*2*(z_S + z_P)/z_S/(J*(2*(z_S + z_P)/z_S)**2 + J + 3*m_P*(module*(z_S + z_P)/2)**2"
@@ -760,7 +760,7 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
         "bearing": "2*T_0",
         "length": "2*d + 2*pi*r",
     },
-    # radii p z/(2 pi); L/p = 2 d cos(gamma)/p + (z_1 + z_2)/2 + gamma (z_1 - z_2)/pi, sin(gamma) = p (z_1 - z_2)/(2 pi d)
+    # radii p z/(2 pi); L/p = 2 d cos(c)/p + (z_1 + z_2)/2 + c (z_1 - z_2)/pi, sin(c) = p (z_1 - z_2)/(2 pi d)
     "bicycle_chain": {
         "ratio": "z_1/z_2",
         "acceleration": "(M*z_1/z_2 - M_2*(z_1/z_2)**2)/(I_1 + I_2*(z_1/z_2)**2)*z_2/z_1*z_1/z_2",

@@ -55,6 +55,7 @@ RESULTS: dict[str, tuple[str, Callable[[fb.System], Result]]] = {
         "atwood_machine",
         lambda system: system.sensitivity({"m1": "2..4 kg", "M": "1..2 kg"}, find=["tension"], sample="saltelli:64"),
     ),
+    "speeds": ("planetary_gear_by_teeth", lambda system: system.speed_table(efficiency=0.98)),
     "simulate": ("bouncing_ball", lambda system: system.simulate(1.0)),
     "phases": ("block_on_rough_incline", fb.System.phases),
     "check": ("yo_yo", lambda system: system.check("acceleration", "g/2")),

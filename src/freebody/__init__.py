@@ -46,6 +46,7 @@ if TYPE_CHECKING:
     from freebody.study.simulation.simulator import Simulator
     from freebody.study.small_motion.equilibrium import equilibria
     from freebody.study.small_motion.modes import modes
+    from freebody.study.speed_table import speed_table
     from freebody.study.sweeps.result import Sweep
     from freebody.study.sweeps.sweep import sweep
     from freebody.study.synthesis.synthesise import synthesise
@@ -122,6 +123,7 @@ __all__ = [
     "sensitivity",
     "simulate",
     "solve",
+    "speed_table",
     "statics",
     "sweep",
     "synthesise",

@@ -10,9 +10,11 @@ from freebody.api import System as System
 from freebody.budgets import effort as effort
 from freebody.building import Model as Model
 from freebody.connections.belt import Belt as _Belt
+from freebody.connections.bevel_gears import BevelGears as _BevelGears
 from freebody.connections.brake import Brake as _Brake
 from freebody.connections.brake import FrictionAlongMeasure as _FrictionAlongMeasure
 from freebody.connections.cam import Cam as _Cam
+from freebody.connections.chain import Chain as _Chain
 from freebody.connections.constant_velocity import ConstantVelocity as _ConstantVelocity
 from freebody.connections.constraint import Constraint as _Constraint
 from freebody.connections.constraint import VelocityConstraint as _VelocityConstraint
@@ -40,6 +42,7 @@ from freebody.connections.stop import Stop as _Stop
 from freebody.connections.string.connection import String as _String
 from freebody.connections.universal import Universal as _Universal
 from freebody.connections.weld import Weld as _Weld
+from freebody.connections.worm_gear import WormGear as _WormGear
 from freebody.errors import CannotAnswer as CannotAnswer
 from freebody.errors import FreebodyError as FreebodyError
 from freebody.errors import InputError as InputError
@@ -119,6 +122,7 @@ from freebody.study.simulation.simulate import simulate as simulate
 from freebody.study.simulation.simulator import Simulator as Simulator
 from freebody.study.small_motion.equilibrium import equilibria as equilibria
 from freebody.study.small_motion.modes import modes as modes
+from freebody.study.speed_table import speed_table as speed_table
 from freebody.study.sweeps.result import Sweep as Sweep
 from freebody.study.sweeps.sweep import sweep as sweep
 from freebody.study.synthesis.synthesise import synthesise as synthesise
@@ -183,8 +187,12 @@ class Attraction(_Attraction):
 class Belt(_Belt):
     """`belt: [motor, drum]`, `belt: {first: motor, second: drum, crossed: true}`. An open belt turns both pulleys
     the same way, a crossed one opposite ways; bearings or a carrier keep the centres apart. The belt force is the
-    difference of the tensions of its two runs (their sum is the pretension, which the motion does not fix),
-    positive when it resists a counter-clockwise turn of the first pulley (1 row)."""
+    difference of the tensions of its two runs, positive when it resists a counter-clockwise turn of the first pulley
+    (1 row). With `friction` (in a groove of the `groove_angle`) it slips on the smaller pulley where the force is too
+    large for its `pretension`, the tension of both runs at rest, or for its `largest_tension`, which a tightener keeps
+    in the tight run. The pretension pulls at the bearings, too. `mass_per_length` takes from both at speed. `wrap` is
+    the angle of wrap, without which it follows from the places of the bearings, as the `length` does, which is compared
+    if it is given."""
 
     def __init__(
         self,
@@ -193,6 +201,31 @@ class Belt(_Belt):
         crossed: bool = ...,
         first_radius: _Formula | None = ...,
         second_radius: _Formula | None = ...,
+        friction: _Formula = ...,
+        pretension: _Formula | None = ...,
+        largest_tension: _Formula | None = ...,
+        mass_per_length: _Formula = ...,
+        groove_angle: _Formula | None = ...,
+        wrap: _Formula | None = ...,
+        length: _Formula | None = ...,
+    ) -> None: ...
+
+class BevelGears(_BevelGears):
+    """`bevel_gears: {first: pinion, second: crown, teeth: [z1, z2], radius: r, pressure_angle: 20 deg}`: two wheels in
+    revolute joints on a common carrier (`on`, default the ground), whose axes meet. `radius` is the mean pitch radius
+    of the first. The tooth force acts where the pitch cones touch, at the mean radius, and is positive when it resists
+    a turn of the first that is right-handed about its axis, seen from the apex outwards; with a `pressure_angle` it is
+    positive, or negative with `other_flank: true`. Radial and axial part are those on the first (1 row)."""
+
+    def __init__(
+        self,
+        first: _Text,
+        second: _Text,
+        teeth: _List,
+        radius: _Formula,
+        on: _Text = ...,
+        pressure_angle: _Formula | None = ...,
+        other_flank: bool = ...,
     ) -> None: ...
 
 class Body(_Body):
@@ -265,6 +298,20 @@ class Cam(_Cam):
         along: _Along | None = ...,
         form: _Text = ...,
         roller_radius: _Formula | None = ...,
+    ) -> None: ...
+
+class Chain(_Chain):
+    """`chain: {first: crank, second: hub, pitch: 12.7 mm, teeth: [44, 16]}`: both sprockets turn the same way, with the
+    ratio of their teeth; bearings keep the centres apart. The chain force is the tension of the tight run, as the other
+    one is slack; it is positive when it resists a counter-clockwise turn of the first sprocket (1 row)."""
+
+    def __init__(
+        self,
+        first: _Text,
+        second: _Text,
+        pitch: _Formula,
+        teeth: _List,
+        length: _Formula | None = ...,
     ) -> None: ...
 
 class Composite(_Composite):
@@ -494,10 +541,11 @@ class Frustum(_Frustum):
 
 class GearMesh(_GearMesh):
     """`gear_mesh: [sun, planet]`, `gear_mesh: {first: ring, second: planet, internal: true}` with the ring gear
-    first. The tooth force acts along the common tangent of the pitch circles (pressure angle 0) and is positive
-    when it resists a counter-clockwise turn of the first gear. The distance of the centres is held too where no
-    carrier or bearing holds it already (1 or 2 rows). `first_radius`, `second_radius` for a wheel with several
-    gears on it, or `module: m, teeth: [z1, z2]`: the pitch circles have the diameters m z."""
+    first. The tooth force acts along the common tangent of the pitch circles and is positive when it resists a
+    counter-clockwise turn of the first gear. With a `pressure_angle` the teeth part the gears as well, by its tangent
+    times the tooth force, which is positive then, or negative with `other_flank: true`. The distance of the centres is
+    held too where no carrier or bearing holds it already (1 or 2 rows). `first_radius`, `second_radius` for a wheel
+    with several gears on it, or `module: m, teeth: [z1, z2]`: the pitch circles have the diameters m z."""
 
     def __init__(
         self,
@@ -508,6 +556,8 @@ class GearMesh(_GearMesh):
         second_radius: _Formula | None = ...,
         module: _Formula | None = ...,
         teeth: _List | None = ...,
+        pressure_angle: _Formula | None = ...,
+        other_flank: bool = ...,
     ) -> None: ...
 
 class GearPair(_GearPair):
@@ -737,7 +787,8 @@ class RackAndPinion(_RackAndPinion):
     fixed in the rack; without it, along the guide of the rack or, where that is fixed, of the pinion; else to the
     rack's right). The rack is below the pinion for a direction to the right, to its right for one that goes up, unless
     the places of the two say otherwise; `above: true` puts it on the other side. Bearings hold the distance (1 row).
-    The tooth force is positive when it drives the rack along its direction."""
+    The tooth force is positive when it drives the rack along its direction. With a `pressure_angle` the teeth part the
+    two as well, by its tangent times the tooth force, which is positive then, or negative with `other_flank: true`."""
 
     def __init__(
         self,
@@ -746,6 +797,8 @@ class RackAndPinion(_RackAndPinion):
         along: _Along | None = ...,
         above: bool | None = ...,
         radius: _Formula | None = ...,
+        pressure_angle: _Formula | None = ...,
+        other_flank: bool = ...,
     ) -> None: ...
 
 class Rectangle(_Rectangle):
@@ -1033,4 +1086,27 @@ class Weld(_Weld):
         first: _Text,
         second: _Text,
         turned: _List | None = ...,
+    ) -> None: ...
+
+class WormGear(_WormGear):
+    """`worm_gear: {worm: screw, wheel: wheel, starts: 2, teeth: 40, radius: r, lead_angle: lambda, friction: mu}`: a
+    right-handed worm (`left_handed: true`) of the mean radius r, both in revolute joints on a common carrier (`on`,
+    default the ground) whose axes cross at a right angle (1 row). The tooth force is the tangential one of the wheel,
+    and is positive when it resists a right-handed turn of the worm about its axis. `pressure_angle` is that of the
+    normal section; with it the tooth force is positive, or negative with `other_flank: true`. The worm locks itself
+    where mu/cos(alpha) is at least tan(lambda); the friction force is its part round the axis of the worm."""
+
+    def __init__(
+        self,
+        worm: _Text,
+        wheel: _Text,
+        teeth: _Formula,
+        radius: _Formula,
+        lead_angle: _Formula,
+        starts: _Formula = ...,
+        on: _Text = ...,
+        friction: _Formula | _Mapping = ...,
+        pressure_angle: _Formula | None = ...,
+        other_flank: bool = ...,
+        left_handed: bool = ...,
     ) -> None: ...

@@ -38,6 +38,7 @@ if TYPE_CHECKING:
     from freebody.study.simulation.simulate import Simulation
     from freebody.study.small_motion.found import Equilibria
     from freebody.study.small_motion.modes import At, NaturalModes
+    from freebody.study.speed_table import SpeedTable
     from freebody.study.sweeps.result import Sweep
 
 P = ParamSpec("P")
@@ -532,4 +533,23 @@ class Studies:
         """Find the driving torque over a turn of an angle, as a table and as a picture.
 
         along: a named angle; rate: [rad/s], 0 for slowly; n: poses; csv, plot: files to write."""
+        ...
+
+    @study(
+        "freebody.study.speed_table",
+        "speeds",
+        busy="finding the speeds of the train",
+        options=[
+            Option(
+                "efficiency",
+                ("--efficiency",),
+                "Of the train whose carrier is held, as 0.98: then efficiencies and power flow are told, too.",
+                float,
+            ),
+        ],
+    )
+    def speed_table(self, *, efficiency: float | None = None) -> SpeedTable:
+        """Find the speed table of a planetary gear (Willis), its ratios with one member held, and its efficiencies.
+
+        efficiency: of the train whose carrier is held."""
         ...

@@ -16,7 +16,7 @@ from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, RIGHT, UP, Direction, Point
-from freebody.model.elements import Attitude, ConstraintRow, DryFriction, UnilateralConstraint
+from freebody.model.elements import AppliedLoad, Attitude, ConstraintRow, DryFriction, UnilateralConstraint
 from freebody.model.glyphs import Glyph, Relation
 from freebody.model.kinds import Kinds
 from freebody.model.spec import Spec
@@ -118,8 +118,8 @@ class Connection(Spec):
         """What it can be asked for beside its reactions, by the words that ask for it."""
         return {}
 
-    def brings(self, names: Names) -> dict[str, tuple[str, dict[str, Any]]]:
-        """Loads that belong to it, by their names: the kind and the fields, as a model would have them."""
+    def brings(self, names: Names) -> dict[str, AppliedLoad]:
+        """Loads that belong to it, by their names: the pull of a pretension."""
         return {}
 
     def bearing(self, names: Names) -> tuple[Point, Point, Direction, Direction] | None:

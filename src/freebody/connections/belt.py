@@ -17,19 +17,19 @@ Shigley, Mechanical Engineering Design, sec. 17-2; Meriam & Kraige, Statics, sec
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 from freebody.connections.base import Connection
 from freebody.connections.belt_loop import BeltLoop, distance_of_centers
 from freebody.connections.circles import own_radius, touching
 from freebody.language.expression import ONE, ZERO, Call, Expr, Symbol, divide, free_symbols, multiply, number
-from freebody.language.notation import to_text
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, FORCE, LENGTH, MASS, POWER, VELOCITY
 from freebody.measures.angle import Angle
 from freebody.measures.combination import Combination
+from freebody.measures.distance import Distance
 from freebody.model import glyphs
-from freebody.model.elements import ConstraintRow, DryFriction, UnilateralConstraint
+from freebody.model.elements import AppliedLoad, ConstraintRow, DryFriction, UnilateralConstraint
 from freebody.model.friction import Friction, read_friction
 from freebody.model.glyphs import Glyph
 from freebody.model.spec import Formula
@@ -161,7 +161,7 @@ connections: {p: {pin: [ground.A, a]}, q: {pin: [ground.B, b]}, it: {belt: [a, b
             return names.angle(self.wrap, "wrap")
         return self._loop(names).wrap(names)
 
-    def brings(self, names: Names) -> dict[str, tuple[str, dict[str, Any]]]:
+    def brings(self, names: Names) -> dict[str, AppliedLoad]:
         """Both runs pull the pulleys together by 2 T_0 sin(phi/2), phi the angle of wrap, beside the belt force."""
         if self.pretension is None or self.first == self.second:
             return {}
@@ -172,8 +172,8 @@ connections: {p: {pin: [ground.A, a]}, q: {pin: [ground.B, b]}, it: {belt: [a, b
             names.problem(told, "pretension")
             return {}
         pull = multiply(number(-2), names.positive(self, "pretension", FORCE), Call("sin", divide(wrap, number(2))))
-        fields = {"measure": f"distance from {self.first} to {self.second}", "force": to_text(pull)}
-        return {f"pretension_of_{self.own_name(names)}": ("law", fields)}
+        apart = Distance(names.body(self.first).center, names.body(self.second).center)
+        return {f"pretension_of_{self.own_name(names)}": AppliedLoad("", apart, pull)}
 
     # -- what is asked of it ------------------------------------------------------------------
     def transmitted(self, names: Names) -> Mapping[str, Transmitted]:

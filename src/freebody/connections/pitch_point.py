@@ -84,9 +84,8 @@ def born_wheel(names: Names, spec: Connection, field: str, carrier: str) -> Born
         with names.quietly():
             joint = other.bearing(names) if {wheel, carrier} <= other.mentions(names) else None
         if joint is not None:
-            first, second, axis, axis2 = joint
-            is_first = first.body == carrier
-            return BornWheel(second, first, axis, axis2) if is_first else BornWheel(first, second, axis2, axis)
+            one, two, axis, axis2 = joint
+            return BornWheel(two, one, axis, axis2) if one.body == carrier else BornWheel(one, two, axis2, axis)
     told = Message(
         "no bearing of {wheel} on {carrier}: teeth need a revolute joint there", wheel=wheel, carrier=carrier
     )

@@ -73,6 +73,14 @@ class Joining(Protocol):
         """The parts of the force between its teeth: what the tooth force is multiplied by for each."""
         ...
 
+    def bearing(self, names: Names) -> tuple[Point, Point, Direction, Direction] | None:
+        """Of a joint of space in which one body does nothing but turn against the other: points and axes of both."""
+        ...
+
+    def brings(self, names: Names) -> dict[str, AppliedLoad]:
+        """Loads that belong to it, by their names."""
+        ...
+
     def transmitted(self, names: Names) -> Mapping[str, Transmitted]:
         """What it can be asked for beside its reactions, by the words that ask for it."""
         ...

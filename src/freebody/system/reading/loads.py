@@ -7,7 +7,9 @@ from dataclasses import replace
 
 from freebody.connections.base import Connection
 from freebody.language.expression import free_symbols, replace_rates, substitute
+from freebody.language.notation import to_text
 from freebody.loads.base import Load
+from freebody.loads.law import Law
 from freebody.model.elements import RATE, VALUE, AppliedLoad
 from freebody.model.names import Names
 from freebody.questions.event import AskedEvent, read_event
@@ -26,13 +28,31 @@ def read_loads(names: Names, loads: Mapping[str, Load]) -> list[AppliedLoad]:
     return found
 
 
+class BroughtLoad(Law):
+    """A law that a connection brings."""
+
+    brought_by: str
+    called_here: str
+
+    def applied_loads(self, names: Names) -> list[AppliedLoad]:
+        connection = names.connections.get(self.brought_by)
+        found = {} if connection is None else connection.brings(names)
+        return [found[self.called_here]] if self.called_here in found else []
+
+
 def brought_loads(names: Names, connections: Mapping[str, Connection]) -> dict[str, Load]:
     """The loads that belong to connections."""
     found: dict[str, Load] = {}
     for name, connection in connections.items():
         with names.reading("connections", name, connection.kind):
-            for load, (kind, fields) in connection.brings(names).items():
-                found[load] = Load.kinds[kind](**fields)
+            for load, push in connection.brings(names).items():
+                between = " to ".join(push.measure.bodies())
+                found[load] = BroughtLoad(
+                    measure=f"distance from {between}",
+                    force=str(to_text(push.law)),
+                    brought_by=name,
+                    called_here=load,
+                )
     return found
 
 
