@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 
@@ -120,6 +122,15 @@ def test_a_follower_on_a_line_through_the_centre_is_pushed_as_by_the_general_sta
     ]
     for name in ("y", "y_acceleration", "guide.normal_force", "motor.driving_torque", "it.contact_force"):
         assert series[0][name].values == pytest.approx(series[1][name].values, rel=1e-7, abs=1e-9), name
+
+
+def test_the_greatest_pressure_angle_of_harmonic_motion_has_a_closed_form() -> None:
+    # R + h/2 (1 - cos(phi)) from the centre: tan(alpha) is greatest where cos(phi) = h/2/(R + h/2)
+    system = fb.System.load(Path(__file__).parents[1] / "examples" / "cam_with_roller.yaml")
+    (answer,) = system.solve("greatest pressure angle of cam over a turn").answers
+    h, R = 0.020, 0.050
+    assert answer.expression is not None
+    assert answer.value == pytest.approx(np.arctan(h / 2 / np.sqrt(R * (R + h))), rel=1e-9)
 
 
 @pytest.mark.parametrize(

@@ -840,10 +840,9 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
         "start": "(abs(T_m - k*phi_0) - abs(T_m + k*phi_0))/(2*J)",
         "equation": "(abs(T_m - k*phi - c*rate(phi)) - abs(T_m + k*phi + c*rate(phi)))/(2*J)",
     },
-    # r + r_R + h/2 (1 - cos(phi)) from the centre: tan(alpha) = r'/r, greatest where cos(phi) = h/2/(r + r_R + h/2)
+    # r + r_R + h/2 (1 - cos(phi)) from the centre: tan(alpha) = r'/r
     "cam_with_roller": {
         "angle": "atan(h/2*sin(Omega*t)/(r + r_R + h/2*(1 - cos(Omega*t))))",
-        "greatest": "atan(h/2/sqrt((r + r_R)*(r + r_R + h)))",
     },
     # N_r (a + b) = m g a + F h about the front wheels, F = mu N_r; N_f (a + b) = m g b - F h
     "traction_limits": {

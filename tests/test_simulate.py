@@ -187,16 +187,16 @@ def test_momentum_balances_on_every_body_to_round_off(name: str) -> None:
     engine = result.simulator.engine
     q, v = map(reference.by_column, engine.coordinates(engine.state_at(result.course, k)))
     snapshot = reference.snapshot(q, v, float(result.course.times[k]))
-    accelerations = engine.accelerations(result.course)[k].reshape(len(system.moving) + 1, -1)
+    accelerations = engine.accelerations(result.course)[k].reshape(len(system.all_moving) + 1, -1)
     columns = reference.frame.columns
     turning = gyroscopic(v, reference.masses, columns.values()) if system.space else np.zeros(len(v))
-    for b, body in enumerate(system.moving):
+    for b, body in enumerate(system.all_moving):
         own = list(columns[body.name])
         force, size = turning[own], 1e-2
         for row, x in zip(system.rows, result.course.multipliers[k], strict=True):
             part = x * reference.jet(snapshot.geometry, row.measure).row(len(q))[own]
             force, size = force + part, max(size, float(np.abs(part).max()))
-        for push in system.applied_loads:
+        for push in system.all_loads:
             part = snapshot.law(push) * reference.jet(snapshot.geometry, push.measure).row(len(q))[own]
             force, size = force + part, max(size, float(np.abs(part).max()))
         gap = reference.masses[own] * accelerations[b][: len(own)] - force

@@ -10,7 +10,7 @@ import pytest
 
 import freebody as fb
 from freebody.errors import ModelError
-from freebody.language.expression import Symbol
+from freebody.language.expression import Call, Symbol
 from freebody.numeric.reference import Reference
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
@@ -131,3 +131,18 @@ def test_a_state_may_not_be_called_as_something_else_and_its_law_may_not_contain
         fb.System.from_text(LAG.replace("states: {F", "states: {x"))
     with pytest.raises(ModelError, match="not in their rates"):
         fb.System.from_text(LAG.replace("states: {F: (u - F)/T}", "states: {F: (u - F)/T, G: rate(F)}"))
+
+
+def test_states_may_stand_in_any_order() -> None:
+    text = (EXAMPLES / "heading_with_delay.yaml").read_text()
+    u, v = "  u: (psi - u)/(tau/2)\n", "  v: (u - v)/(tau/2)\n"
+    turned = fb.System.from_text(text.replace(u + v, v + u))
+    assert str(turned.states["v"].dimension) == "1"
+    assert turned.solve("acceleration of psi").answers[0].expression == -(
+        Symbol("k") * Symbol("v") + Symbol("c") * Call("rate", Symbol("psi"))
+    ) / Symbol("J")
+
+
+def test_a_model_in_python_has_states() -> None:
+    written = fb.System.from_text(LAG)
+    assert fb.System.from_data(written.document.data) == written

@@ -286,7 +286,8 @@ class Cam(_Cam):
     """`cam: {cam: disk, follower: valve.face, base_radius: r, lift: h/2*(1 - cos(phi)), along: up}`: the edge of a cam
     pushes a follower with a flat face, whose normal is `along` (a direction of the ground, or of the follower:
     `along: lever.y`). `form: edge`: the point of the follower itself runs on the edge; `form: roller` with a
-    `roller_radius`: it is the middle of a roller. The lift is a formula in phi, the angle of the cam from where its x
+    `roller_radius`: it is the middle of a roller; of these `along` says on which side of the cam they are; guided
+    through its centre, they have plain formulas. The lift is a formula in phi, the angle of the cam from where its x
     axis points at the follower. The contact force is positive where the cam pushes (1 row)."""
 
     def __init__(
@@ -670,8 +671,8 @@ class Impulse(_Impulse):
 
 class Law(_Law):
     """`law: {measure: stretch, force: -k*stretch^3}`: the force (or torque, for an angle) in the direction in
-    which the measure grows, as an expression in measures, their rates (`rate(x)`), states and time `t`. `at_most: F_max`
-    where an actuator can give no more either way."""
+    which the measure grows, as an expression in measures, their rates (`rate(x)`), states and time `t`. `at_most:
+    F_max` where an actuator can give no more either way."""
 
     def __init__(
         self,

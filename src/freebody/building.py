@@ -201,6 +201,11 @@ class Model:
         self._section("measures")[name] = text if isinstance(of, (Written, str)) else {"expression": text}
         return Measure(name)
 
+    def state(self, name: str, rate: Written | Expr | str) -> Expr:
+        """A state of a controller, by its rate: a formula in measures, their rates, states and the time."""
+        self._section("states")[name] = as_text(rate)
+        return Symbol(name)
+
     def start(self, values: Mapping[Measure | Expr | str, Given]) -> None:
         """Values of measures and their rates at the start: `{s: 0, s.rate: v0}`."""
         self._section("start").update(as_text(values))

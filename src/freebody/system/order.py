@@ -25,6 +25,7 @@ from typing import TypeVar
 
 from freebody.language.natural import natural
 from freebody.language.units import DIMENSIONLESS
+from freebody.model.states import state_name
 from freebody.system.blows import BlowEvent
 from freebody.system.system import System
 
@@ -47,6 +48,8 @@ def in_one_order(system: System) -> System:
     def rank_of_body(name: str) -> tuple[object, ...]:
         if system.bodies[name].fixed:
             return -math.inf, natural(name)
+        if state_name(name):  # what carries a state comes after all bodies, by whose places others count
+            return math.inf, natural(name)
         return -len(beside[name] - {name}) - (name in on_ground), walk[name]
 
     def rank_of_measure(name: str) -> tuple[object, ...]:
@@ -61,6 +64,7 @@ def in_one_order(system: System) -> System:
         constraint_rows=tuple(
             sorted(system.constraint_rows, key=lambda row: (-n_rows[row.connection], natural(row.connection)))
         ),
+        states=_sorted(system.states, natural),
         attitudes=tuple(sorted(system.attitudes, key=lambda attitude: natural(attitude.connection))),
         applied_loads=tuple(
             sorted(system.applied_loads, key=lambda push: (natural(push.load), natural(push.component)))

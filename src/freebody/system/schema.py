@@ -180,6 +180,7 @@ def json_schema() -> dict[str, Any]:
             ),
             "loads": _named(_one_of(Load.kinds)),
             "measures": _named(phrase),
+            "states": _named(_FORMULA),
             "start": _named(_FORMULA),
             "questions": {"anyOf": [{"type": "array", "items": question}, _named(question)]},
             "drawing": drawing,

@@ -14,7 +14,7 @@ from freebody.language.units import DIMENSIONLESS, Dimension, parse_quantity
 from freebody.model.phrases import PHRASES, phrase_text
 from freebody.questions.base import FORMS
 
-NAMED = ("parameters", "bodies", "connections", "loads", "measures")
+NAMED = ("parameters", "bodies", "connections", "loads", "measures", "states")
 _TOLD = ("title", "about", "source", "id", "options", "key", "text", "points", "freebody", "style")
 _WORD = re.compile(r"(?<![\w.])[A-Za-z_]\w*")
 

@@ -74,7 +74,8 @@ class FreeBody:
         self.system = snapshot.reference.system
         self.bodies = checked_bodies(self.system, bodies)
         self.closed = closed
-        self.labels = dict(labels or {})
+        own = {name: label for name, label in self.system.looks.labels.items() if name in self.system.loads}
+        self.labels = own | dict(labels or {})  # of loads as their author has them
         self.told = frozenset(told)
         self.size = snapshot.reference.sizes.length
         self.reference = snapshot.reference

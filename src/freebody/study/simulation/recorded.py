@@ -63,11 +63,8 @@ def recorded(result: MeasuredMotion) -> Recording:
 
     course, system = result.course, result.system
     bodies = [b.name for b in system.moving]
-    data = (
-        _bodies(course, len(bodies))
-        if course.rotation is None
-        else _bodies_in_space(course, course.rotation, len(bodies))
-    )
+    own = [k for k, b in enumerate(system.all_moving) if b.name in system.material]
+    data = _bodies(course, own) if course.rotation is None else _bodies_in_space(course, course.rotation, own)
     for name, (value, rate, acceleration) in result.series.items():
         if name in system.states:
             unit = unit_of(system.states[name].dimension)
@@ -114,28 +111,28 @@ def recorded(result: MeasuredMotion) -> Recording:
     return Recording(course.times, series, labels, attributes)
 
 
-def _bodies(course: Trajectory, n: int) -> dict[str, Any]:
-    """Poses of the n bodies and their rates."""
+def _bodies(course: Trajectory, own: list[int]) -> dict[str, Any]:
+    """Poses of the bodies, which stand in these places, and their rates."""
     data: dict[str, Any] = {}
     for order, array in enumerate((course.poses, course.velocities, course.accelerations)):
         per = ("", "/s", "/s^2")[order]
         place, turn = _FIXED_NAMES[2 * order], _FIXED_NAMES[2 * order + 1]
         data[f"body_{place}"] = (
             ("time", "body", "axis"),
-            array[:, :n, :2],
+            array[:, own, :2],
             _named("m" + per, f"{place} of the mass centre"),
         )
-        data[f"body_{turn}"] = (("time", "body"), array[:, :n, 2], _named("rad" + per, turn.replace("_", " ")))
+        data[f"body_{turn}"] = (("time", "body"), array[:, own, 2], _named("rad" + per, turn.replace("_", " ")))
     return data
 
 
-def _bodies_in_space(course: Trajectory, rotation: RotationHistory, n: int) -> dict[str, Any]:
+def _bodies_in_space(course: Trajectory, rotation: RotationHistory, own: list[int]) -> dict[str, Any]:
     data: dict[str, Any] = {}
     axes = ("time", "body", "axis")
     for order, array in enumerate((course.poses, course.velocities, course.accelerations)):
         place, per = _FIXED_NAMES[2 * order], ("", "/s", "/s^2")[order]
-        data[f"body_{place}"] = (axes, array[:, :n], _named("m" + per, f"{place} of the mass centre"))
-    turned = rotation.quaternions[:, :n]
+        data[f"body_{place}"] = (axes, array[:, own], _named("m" + per, f"{place} of the mass centre"))
+    turned = rotation.quaternions[:, own]
     data["body_quaternion"] = (("time", "body", "quaternion"), turned, _named("1", "quaternion of the body's axes"))
     data["body_rotation_matrix"] = ((*axes, "body_axis"), matrices(turned), _named("1", "axes of the body"))
     data["body_rotation_vector"] = (axes, rotation_vectors(turned), _named("rad", "rotation vector of the body's axes"))
@@ -144,7 +141,7 @@ def _bodies_in_space(course: Trajectory, rotation: RotationHistory, n: int) -> d
         ("angular_velocity_in_body", rotation.velocities_in_body, "/s", "angular velocity along the body's axes"),
         ("angular_acceleration", rotation.accelerations, "/s^2", "angular acceleration"),
     ):
-        data[f"body_{name}"] = (axes, array[:, :n], _named("rad" + per, what))
+        data[f"body_{name}"] = (axes, array[:, own], _named("rad" + per, what))
     return data
 
 

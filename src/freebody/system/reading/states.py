@@ -18,9 +18,13 @@ def read_states(source: Source) -> None:
     """Reads the states into the names of the model, each with what carries it."""
     names = source.names
     entries = {name: value for name, value in source.named("states").items() if _is_free(names, name)}
-    for name, value in entries.items():
-        dimension = _rate_dimension(names, value, [other for other in entries if other not in names.states]) * TIME
-        names.states[name] = ControllerState(name, dimension, ZERO, names.origin)
+    left = list(entries)
+    while left:  # in whatever order they stand
+        told = {name: _rate_dimension(names, entries[name], left) for name in left}
+        known = [name for name in left if told[name] is not None] or left
+        for name in known:
+            names.states[name] = ControllerState(name, (told[name] or DIMENSIONLESS) * TIME, ZERO, names.origin)
+        left = [name for name in left if name not in known]
     for name, value in entries.items():
         known = {n: m.dimension for n, m in names.measures.items()} | {n: s.dimension for n, s in names.states.items()}
         state = names.states[name]
@@ -42,8 +46,9 @@ def _is_free(names: Names, name: str) -> bool:
     return False
 
 
-def _rate_dimension(names: Names, value: object, own: list[str]) -> Dimension:
-    """The dimension of a rate, whatever those states have that are not read yet: in u/T - z/T the first term tells."""
+def _rate_dimension(names: Names, value: object, own: list[str]) -> Dimension | None:
+    """The dimension of a rate, whatever those states have that are not known yet: in (u - z)/T the first term tells.
+    None where nothing is left without them."""
     known: Mapping[str, Dimension] = {
         **names.dimensions(in_time=True),
         **{n: m.dimension for n, m in names.measures.items()},
@@ -51,6 +56,7 @@ def _rate_dimension(names: Names, value: object, own: list[str]) -> Dimension:
         "t": TIME,
     }
     try:
-        return dimension_of(substitute(parse(str(value)), dict.fromkeys(own, ZERO)), known)
+        rest = substitute(parse(str(value)), dict.fromkeys(own, ZERO))
+        return None if rest == ZERO else dimension_of(rest, known)
     except (ExpressionError, UnitError):  # told where it is read
         return DIMENSIONLESS
