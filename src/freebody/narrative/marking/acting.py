@@ -23,21 +23,25 @@ from freebody.study.pictures.free_body import FreeBody
 from freebody.study.pictures.general_position import general_position
 from freebody.study.pictures.idle import idle_rows
 from freebody.study.pictures.instant import Instant, instant_of
+from freebody.study.pictures.points import own_measures
 from freebody.study.pictures.touching import closed_bounds
 from freebody.system.system import System
 from freebody.tolerances import ON_LINE
 
+_TOOTH_MOMENT = "tooth moment"  # of wheels that touch somewhere: the model knows the moment of their forces alone
+_SAME_WAY = 1e-6  # of unit vectors
+
 
 @dataclass(frozen=True, eq=False)
 class Acting:
-    """A force or couple on a body. at: (2,) [m] where; force: (2,) and moment: per unit of what it is called; source:
-    the connection or load; is_known: whether its sense is known; is_needed: False for what never acts; law: of a load
-    in symbols, where the model has them; row: of a reaction."""
+    """A force or couple on a body. at: (2 or 3,) [m] where; force: (2 or 3,) and moment: (1 or 3,) per unit of what it
+    is called; source: the connection or load; is_known: whether its sense is known; is_needed: False for what never
+    acts; law: of a load in symbols, where the model has them; row: of a reaction."""
 
     body: str
     at: Array
     force: Array
-    moment: float
+    moment: Array
     source: str
     is_known: bool
     is_needed: bool
@@ -50,13 +54,13 @@ class Acting:
 
     @property
     def way(self) -> Array:
-        """(2,) the direction in which it is counted positive."""
-        return self.force / float(np.hypot(*self.force))
+        """The direction in which it is counted positive, of a couple that of its axis."""
+        return (self.moment if self.is_couple else self.force) / self.size
 
     @property
     def size(self) -> float:
         """How many times its law it is."""
-        return abs(self.moment) if self.is_couple else float(np.hypot(*self.force))
+        return float(np.linalg.norm(self.moment if self.is_couple else self.force))
 
     @property
     def is_normal(self) -> bool:
@@ -122,17 +126,21 @@ class FreeBodies:
 
     @property
     def summed(self) -> str:
-        """A connection of which the model keeps only the sum, a force and a couple, as of the two ends of a belt."""
-        forces = {(a.row.name, a.body) for a in self.outside if a.row is not None and not a.is_couple}
-        couples = (a for a in self.outside if a.row is not None and a.is_couple)
-        return next((a.source for a in couples if a.row is not None and (a.row.name, a.body) in forces), "")
+        """A connection of which the model keeps only the sum, a force and a couple, as of the two ends of a belt. A
+        screw transmits both, along the same axis."""
+        forces = {(a.row.name, a.body): a for a in self.outside if a.row is not None and not a.is_couple}
+        for couple in self.outside:
+            own = None if couple.row is None or not couple.is_couple else forces.get((couple.row.name, couple.body))
+            if own is not None and not (self.system.space and is_within(own.way, [couple.way])):
+                return couple.source
+        return ""
 
     def is_point(self, body: str) -> bool:
         return not self.system.bodies[body].turns
 
     def of_link(self, a: Acting) -> Array | None:
-        """(2,) the line of a massless member with two pins and no load, on which a pin force acts: it is in balance
-        only with both forces along the line that joins them."""
+        """(2 or 3,) the line of a massless member with two pins and no load, on which a pin force acts: it is in
+        balance only with both forces along the line that joins them."""
         if a.row is None:
             return None
         for body in dict.fromkeys(a.row.measure.bodies()):
@@ -143,7 +151,7 @@ class FreeBodies:
             points = {tuple(np.round(x.at / self.size, 9)): x.at for x in acting}
             if len(points) == 2 and all(not x.is_couple and x.row is not None and not x.is_known for x in acting):
                 first, second = points.values()
-                return (second - first) / float(np.hypot(*(second - first)))
+                return (second - first) / float(np.linalg.norm(second - first))
         return None
 
     # -- the table ----------------------------------------------------------------------------
@@ -166,8 +174,8 @@ class FreeBodies:
             b.row is not None
             and b.row.reaction == "tension"
             and (b.source, b.body) == (a.source, a.body)
-            and abs(float(cross(b.way, a.way)[0])) < ON_LINE
-            and abs(float(cross(b.at - a.at, a.way)[0])) < self.small
+            and float(np.linalg.norm(cross(b.way, a.way))) < ON_LINE
+            and float(np.linalg.norm(cross(b.at - a.at, a.way))) < self.small
             for b in acting
             if not a.is_couple
         )
@@ -179,18 +187,18 @@ class FreeBodies:
             return False
         moving = [body for body in dict.fromkeys(a.row.measure.bodies()) if not self.system.bodies[body].fixed]
         lever = a.at - Action(self.snapshot).center(a.body)
-        if len(moving) != 1 or float(np.hypot(*lever)) > self.small:
+        if len(moving) != 1 or float(np.linalg.norm(lever)) > self.small:
             return False
         others = [b for b in acting if b is not a and b.body == a.body and not b.is_couple]
         return all(abs(float(b.force @ a.way)) < ON_LINE for b in others)
 
     def _acting(self, free: FreeBody, shown: ShownForce, idle: frozenset[str]) -> Acting:
         at = free.action.center(shown.body) + np.array(shown.at)
-        force, moment = np.array(shown.force), float(shown.moment[0])
+        force, moment = np.array(shown.force), np.array(shown.moment)
         row = next((r for r in free.rows if r.name == shown.name), None) if shown.kind == "reaction" else None
         if row is not None:
             is_known = row.unilateral or (row.reaction == "tension" and bool(row.stretches))
-            needed = row.name not in idle
+            needed = row.name not in idle and not (row.reaction == _TOOTH_MOMENT and shown.body in carriers(row))
             return Acting(shown.body, at, force, moment, row.connection, is_known, needed, None, row)
         push = self._push(shown.name)
         law, _sign = free.load_symbols.law(push)
@@ -205,6 +213,31 @@ class FreeBodies:
     def _is_positive(self, name: str) -> bool:
         own = self.system.parameters.get(name)
         return own is not None and own.sign == "positive"
+
+
+def is_within(way: Array, ways: Sequence[Array]) -> bool:
+    """Whether a direction is a combination of others."""
+    if not ways:
+        return False
+    basis = np.array(ways).T
+    parts = np.linalg.lstsq(basis, way, rcond=_SAME_WAY)[0]
+    return float(np.linalg.norm(basis @ parts - way)) < _SAME_WAY
+
+
+def is_independent(ways: Sequence[Array]) -> bool:
+    """Whether no direction is a combination of the others."""
+    return not any(is_within(way, ways[:k]) for k, way in enumerate(ways))
+
+
+def is_of_teeth(a: Acting) -> bool:
+    """Whether it is the moment of wheels whose teeth touch at no point that the model knows."""
+    return a.row is not None and a.row.reaction == _TOOTH_MOMENT
+
+
+def carriers(row: ConstraintRow) -> frozenset[str]:
+    """What carries both wheels, from which their angles are counted: their teeth do not touch it."""
+    parts = [frozenset(part.bodies()) for _coefficient, part in own_measures(row.measure)]
+    return frozenset.intersection(*parts) if len(parts) > 1 else frozenset()
 
 
 @lru_cache(maxsize=32)
