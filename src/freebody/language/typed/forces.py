@@ -43,7 +43,7 @@ _KEYS: dict[str, Way | Literal["at"]] = {
     **dict.fromkeys(("towards", "toward", "in richtung", "zu", "nach"), "towards"),
     **dict.fromkeys(("away from", "weg von"), "away"),
     **dict.fromkeys(("under", "unter"), "angle"),
-    **dict.fromkeys(("about", "um"), "about"),
+    **dict.fromkeys(("about", "around", "um"), "about"),
     **dict.fromkeys(("unknown direction", "any direction", "unbekannte richtung", "beliebige richtung"), "any"),
     **dict.fromkeys(("any", "beliebig"), "any"),
     **dict.fromkeys(_COMPASS, "compass"),
@@ -176,7 +176,7 @@ def _components(text: str) -> tuple[str, tuple[str, ...]]:
             if level == 1 and text[k] == ",":
                 cuts.append(k)
             if level == 0:
-                if len(cuts) in (2, 3):
+                if len(cuts) > 1:
                     inside = (text[a + 1 : b].strip() for a, b in pairwise((*cuts, k)))
                     return " ".join((text[:start] + " " + text[k + 1 :]).split()), tuple(inside)
                 break

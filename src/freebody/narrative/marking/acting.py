@@ -165,8 +165,9 @@ class FreeBodies:
         shown = [s for s in free.all_forces() if s not in outside] if is_whole else outside
         found = [self._acting(free, s, idle) for s in shown]
         for a in found:
-            is_needed = a.is_needed and not self._is_alone(a, found) and not self._is_in_tension(a, found)
-            yield replace(a, is_needed=is_needed)
+            is_in_tension = self._is_in_tension(a, found)
+            is_needed = a.is_needed and not self._is_alone(a, found) and not is_in_tension
+            yield replace(a, is_needed=is_needed, is_known=a.is_known or is_in_tension)
 
     def _is_in_tension(self, a: Acting, acting: Sequence[Acting]) -> bool:
         """Whether friction of a rope on a drum acts along one of its ends: two different tensions are all of it."""

@@ -56,12 +56,12 @@ class Explaining:
 
     def _pair(self, entry: Entry) -> str:
         """It acts against a reaction that is drawn at the same place, or repeats it."""
-        if entry.magnitude is not None or not entry.typed.place or entry.typed.is_couple:
+        if entry.magnitude is not None or not entry.typed.place:
             return ""
         for other, a in self.pairs.items():
-            if other.typed.place != entry.typed.place:
+            if other.typed.place != entry.typed.place or other.typed.is_couple != entry.typed.is_couple:
                 continue
-            if other.heading is None or entry.heading is None or a.row is None or other.typed.is_couple:
+            if other.heading is None or entry.heading is None or a.row is None:
                 continue
             if is_place(self.free, entry, a) and is_parallel(entry.heading.way, other.heading.way):
                 return twice(other, entry, a.body)

@@ -23,7 +23,6 @@ from freebody.language.typed import TypedNumber
 from freebody.language.units import FORCE, TORQUE
 from freebody.narrative.marking.acting import Acting, FreeBodies, free_bodies, is_independent, is_of_teeth, is_within
 from freebody.narrative.marking.explaining import Explaining
-from freebody.narrative.marking.places import Heading
 from freebody.narrative.marking.typed_forces import (
     Entry,
     entries_of,
@@ -34,6 +33,7 @@ from freebody.narrative.marking.typed_forces import (
     is_sense,
     twice,
 )
+from freebody.numeric.jets import Array
 from freebody.study.pictures.free_body import checked_bodies
 from freebody.system.system import System
 
@@ -161,14 +161,23 @@ class Matching:
                     own = self.couples(a)
                 else:
                     own = self.joint(a) if entry.place is None or not entry.place.source else self._of_contact(a)
+                    own = self._beside_normal(entry, own)
                 if self._stands_for_all(entry, a, own):
-                    self.pairs[entry] = a
+                    self.pairs[entry] = a if a in own else own[0]
                     self.covered |= set(own)
                     break
             if entry.heading is None and entry not in self.pairs and is_couple:
                 self._without_axis(entry)
             elif entry.heading is None and entry not in self.pairs:
                 raise ExpressionError(Message("'{line}': say in which direction it acts", line=entry.text))
+
+    def _beside_normal(self, entry: Entry, own: list[Acting]) -> list[Acting]:
+        """Of a contact whose normal force is drawn by itself, the friction, which in space may have any direction along
+        it."""
+        normal = [a for a in own if a.is_normal]
+        friction = [a for a in own if a.is_friction]
+        is_drawn = any(self.fits(other, a) for other in self.entries if other is not entry for a in normal)
+        return friction if is_drawn and len(friction) > 1 else own
 
     def _without_axis(self, entry: Entry) -> None:
         """A moment about no axis is one too many where nothing transmits a moment; anywhere else it is not clear."""
@@ -232,21 +241,21 @@ class Matching:
                 continue
             own = self.components(a)
             done |= set(own)
-            kept: list[tuple[Entry, Heading]] = []
-            for entry in [e for e, b in self.pairs.items() if b in own]:
-                if entry.heading is None:
+            drawn = [entry for entry, b in self.pairs.items() if b in own]
+            # an entry that was left over may take the part of one that says nothing new
+            drawn += [entry for entry in self.entries if entry not in self.pairs and self.fits(entry, a)]
+            kept: list[tuple[Entry, Array]] = []
+            for entry in drawn:
+                way = None if entry.heading is None else entry.heading.way
+                if way is None or len(kept) == len(own):
                     continue
-                if not is_within(entry.heading.way, [h.way for _e, h in kept]):
-                    kept.append((entry, entry.heading))
-                    continue
-                same = next((e for e, h in kept if is_parallel(h.way, entry.heading.way)), None)
-                if same is not None:
-                    yield twice(same, entry, a.body)
-                else:
-                    yield Message(
-                        "'{entry}' is made up of the other components of {force}", entry=entry.text, force=a.words
-                    )
-            self.covered |= {b for b in own if is_within(b.way, [h.way for _e, h in kept])}
+                if not is_within(way, [w for _e, w in kept]):
+                    self.pairs[entry] = self.pairs.get(entry, a)
+                    kept.append((entry, way))
+                elif entry in self.pairs:
+                    same = next((e for e, w in kept if is_parallel(w, way)), None)
+                    yield self._dependent(entry, a) if same is None else twice(same, entry, a.body)
+            self.covered |= {b for b in own if is_within(b.way, [w for _e, w in kept])}
 
     def _dependent(self, entry: Entry, a: Acting) -> str:
         return Message("'{entry}' is made up of the other components of {force}", entry=entry.text, force=a.words)

@@ -145,6 +145,11 @@ class Places:
 
     def _turning(self, force: TypedForce) -> Heading:
         """(1,) of a moment in the plane."""
+        axis = _AXIS.fullmatch(force.of[0]) if force.way == "about" else None
+        if axis is not None and axis[2].lower() == "z":
+            return Heading(
+                np.array((-1.0 if axis[1] == "-" else 1.0,)) * (force.turn or 1), bool(force.turn or axis[1])
+            )
         if force.way not in ("", "any"):
             raise ExpressionError(
                 Message("'{line}' is a moment: it turns about an axis and has no direction", line=force.text)

@@ -161,8 +161,6 @@ def is_sense(free: FreeBodies, entry: Entry, a: Acting) -> bool:
 def twice(first: Entry, second: Entry, body: str) -> str:
     """Two entries on one line, of which one is too many."""
     a, b = first.heading, second.heading
-    if first.typed.is_couple:
-        return Message("'{first}' and '{second}' are the same moment", first=first.text, second=second.text)
     if a is not None and b is not None and a.has_sense and b.has_sense and float(a.way @ b.way) < 0:
         return Message(
             "'{first}' and '{second}' are action and reaction, of which only one acts on {body}",
@@ -170,4 +168,6 @@ def twice(first: Entry, second: Entry, body: str) -> str:
             second=second.text,
             body=body,
         )
+    if first.typed.is_couple:
+        return Message("'{first}' and '{second}' are the same moment", first=first.text, second=second.text)
     return Message("'{first}' and '{second}' are the same force", first=first.text, second=second.text)
