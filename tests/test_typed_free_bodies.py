@@ -562,6 +562,30 @@ IN_SPACE = [
         "incorrect",
         "spin transmits no moment about this axis",
     ),
+    # the teeth of bevel wheels: one force, of which three components are usually given
+    (
+        "bevel_gears",
+        "pinion",
+        "T_1 about +x at motor; A at A; moment M any at A; F_t +z at mesh; F_r +y at mesh; F_a +x at mesh",
+        "undecided",
+        "components of the force of mesh",
+    ),
+    (
+        "bevel_gears",
+        "pinion",
+        "T_1 about +x at motor; A at A; moment M any at A",
+        "incorrect",
+        "the force of mesh is missing",
+    ),
+    # a screw: whatever its thread does, as one force and one moment; its parts are known as a sum
+    ("screw_jack", "spindle", "m g down at G; T about +z at lever; F at thread; moment M any at thread", "correct", ""),
+    (
+        "screw_jack",
+        "spindle",
+        "m g down at G; T about +z at lever; F +z at thread; M about z at thread",
+        "undecided",
+        "thread",
+    ),
     ("tilted_disk_on_shaft", "shaft", f"{ROD}; moment M any at hub", "correct", ""),
     (
         "tilted_disk_on_shaft",

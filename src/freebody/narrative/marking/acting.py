@@ -28,6 +28,7 @@ from freebody.study.pictures.touching import closed_bounds
 from freebody.system.system import System
 from freebody.tolerances import ON_LINE
 
+_TOOTH_FORCE = "tooth force"
 _TOOTH_MOMENT = "tooth moment"  # of wheels that touch somewhere: the model knows the moment of their forces alone
 _SAME_WAY = 1e-6  # of unit vectors
 
@@ -126,14 +127,11 @@ class FreeBodies:
 
     @property
     def summed(self) -> str:
-        """A connection of which the model keeps only the sum, a force and a couple, as of the two ends of a belt. A
-        screw transmits both, along the same axis."""
-        forces = {(a.row.name, a.body): a for a in self.outside if a.row is not None and not a.is_couple}
-        for couple in self.outside:
-            own = None if couple.row is None or not couple.is_couple else forces.get((couple.row.name, couple.body))
-            if own is not None and not (self.system.space and is_within(own.way, [couple.way])):
-                return couple.source
-        return ""
+        """A connection of which the model keeps only the sum, a force and a couple, as of the two ends of a belt or of
+        the flanks of a thread."""
+        forces = {(a.row.name, a.body) for a in self.outside if a.row is not None and not a.is_couple}
+        couples = (a for a in self.outside if a.row is not None and a.is_couple)
+        return next((a.source for a in couples if a.row is not None and (a.row.name, a.body) in forces), "")
 
     def is_point(self, body: str) -> bool:
         return not self.system.bodies[body].turns
@@ -231,14 +229,14 @@ def is_independent(ways: Sequence[Array]) -> bool:
 
 
 def is_of_teeth(a: Acting) -> bool:
-    """Whether it is the moment of wheels whose teeth touch at no point that the model knows."""
-    return a.row is not None and a.row.reaction == _TOOTH_MOMENT
+    """Whether it is a force of teeth, or the moment of wheels whose teeth touch at no point that the model knows."""
+    return a.row is not None and a.row.reaction in (_TOOTH_MOMENT, _TOOTH_FORCE)
 
 
 def carriers(row: ConstraintRow) -> frozenset[str]:
     """What carries both wheels, from which their angles are counted: their teeth do not touch it."""
-    parts = [frozenset(part.bodies()) for _coefficient, part in own_measures(row.measure)]
-    return frozenset.intersection(*parts) if len(parts) > 1 else frozenset()
+    first, *others = (tuple(part.bodies()) for _coefficient, part in own_measures(row.measure))
+    return frozenset(body for body in first if others and all(body in bodies for bodies in others))
 
 
 @lru_cache(maxsize=32)

@@ -290,26 +290,37 @@ class Matching:
 
 
 def resolved(free: FreeBodies, entries: Sequence[Entry]) -> str:
-    """What is said where entries add up, in numbers, to a load that is known: its components instead of itself."""
+    """What is said where entries add up, in numbers, to a load that is known: its components instead of itself. Those
+    of a force of teeth (tangential, radial, axial) have names and no numbers."""
     for a in free.outside:
+        at = [e for e in entries if e.heading is not None and not e.typed.is_couple and is_point_of(free, e, a)]
+        ways = [e.heading.way for e in at if e.heading is not None]
+        if (
+            is_of_teeth(a)
+            and not a.is_couple
+            and is_within(a.way, ways)
+            and not any(is_parallel(w, a.way) for w in ways)
+        ):
+            return _said_resolved(at, a)
         if a.law is None or a.is_couple or any(is_magnitude(free, entry, a) for entry in entries):
             continue
         own = [e for e in entries if e.heading is not None and is_point_of(free, e, a) and _size(free, e) is not None]
         for n in range(2, len(a.force) + 1):
             for parts in combinations(own, n):
                 if _adds_up(free, parts, a):
-                    return Message(
-                        "{parts} seem to be components of {force}: draw it as one force",
-                        parts=listed([Message("'{entry}'", entry=entry.text) for entry in parts]),
-                        force=a.words,
-                    )
+                    return _said_resolved(parts, a)
     return ""
+
+
+def _said_resolved(parts: Sequence[Entry], a: Acting) -> str:
+    told = listed([Message("'{entry}'", entry=entry.text) for entry in parts])
+    return Message("{parts} seem to be components of {force}: draw it as one force", parts=told, force=a.words)
 
 
 def toothed(free: FreeBodies, entries: Sequence[Entry]) -> str:
     """Wheels of which the model knows the moments alone, where a force of their teeth is drawn."""
     named = {e.place.source for e in entries if e.place is not None and not e.typed.is_couple}
-    return next((a.source for a in free.outside if is_of_teeth(a) and a.source in named), "")
+    return next((a.source for a in free.outside if is_of_teeth(a) and a.is_couple and a.source in named), "")
 
 
 def _size(free: FreeBodies, entry: Entry) -> float | None:
