@@ -108,6 +108,7 @@ class FreeBodies:
         self.snapshot = self.instant.snapshot
         self.size = self.snapshot.reference.sizes.length
         self.small = ON_LINE * self.size
+        self._links: dict[str, Array | None] = {}  # of bodies
 
     @cached_property
     def outside(self) -> tuple[Acting, ...]:
@@ -142,15 +143,22 @@ class FreeBodies:
         if a.row is None:
             return None
         for body in dict.fromkeys(a.row.measure.bodies()):
-            own = self.system.bodies[body]
-            if own.fixed or own.mass != ZERO or own.inertia != ZERO or not own.turns:
-                continue
-            acting = list(self._of([body], is_whole=False))
-            points = {tuple(np.round(x.at / self.size, 9)): x.at for x in acting}
-            if len(points) == 2 and all(not x.is_couple and x.row is not None and not x.is_known for x in acting):
-                first, second = points.values()
-                return (second - first) / float(np.linalg.norm(second - first))
+            if body not in self._links:
+                self._links[body] = self._link(body)
+            if (line := self._links[body]) is not None:
+                return line
         return None
+
+    def _link(self, body: str) -> Array | None:
+        own = self.system.bodies[body]
+        if own.fixed or own.mass != ZERO or own.inertia != ZERO or not own.turns:
+            return None
+        acting = list(self._of([body], is_whole=False))
+        points = {tuple(np.round(x.at / self.size, 9)): x.at for x in acting}
+        if len(points) != 2 or any(x.is_couple or x.row is None or x.is_known for x in acting):
+            return None
+        first, second = points.values()
+        return (second - first) / float(np.linalg.norm(second - first))
 
     # -- the table ----------------------------------------------------------------------------
     def _of(self, bodies: Sequence[str], *, is_whole: bool) -> Iterator[Acting]:
@@ -215,9 +223,9 @@ class FreeBodies:
 
 
 def is_within(way: Array, ways: Sequence[Array]) -> bool:
-    """Whether a direction is a combination of others."""
-    if not ways:
-        return False
+    """Whether a direction is a combination of others, all of them unit vectors."""
+    if len(ways) < 2:
+        return any(float(np.linalg.norm(way - (way @ one) * one)) < _SAME_WAY for one in ways)
     basis = np.array(ways).T
     parts = np.linalg.lstsq(basis, way, rcond=_SAME_WAY)[0]
     return float(np.linalg.norm(basis @ parts - way)) < _SAME_WAY

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Sequence
+from functools import cache
 from itertools import combinations, product
 
 import numpy as np
@@ -42,6 +43,7 @@ _ASKED = re.compile(
     re.IGNORECASE,
 )
 _BETWEEN = re.compile(r"\s*(?:,|\band\b|\bund\b|\+)\s*")
+_MOST_PARTS = 8  # entries at one point that are tried as components
 _ADDS_UP = 1e-6  # relative, of forces in numbers
 
 
@@ -91,6 +93,8 @@ class Matching:
         self.along_links = along_links
         self.pairs: dict[Entry, Acting] = {}
         self.covered: set[Acting] = set()
+        self._components: dict[Acting, list[Acting]] = {}
+        self._fitting: dict[tuple[Entry, Acting], bool] = {}
 
     def found(self) -> tuple[list[str], str]:
         """What is wrong, and the reactions whose magnitudes are given."""
@@ -114,8 +118,11 @@ class Matching:
     def components(self, a: Acting) -> list[Acting]:
         """The reactions that may be drawn with other directions together: of the force of a joint, of its moment, or of
         friction at one point."""
-        if a.row is None or a.is_known:
-            return [a]
+        if a not in self._components:
+            self._components[a] = [a] if a.row is None or a.is_known else self._exchangeable(a)
+        return self._components[a]
+
+    def _exchangeable(self, a: Acting) -> list[Acting]:
         alike = self.couples(a) if a.is_couple else self.joint(a)
         own = [b for b in alike if b.row is not None and not b.is_known and b.is_friction == a.is_friction]
         return own if not a.is_couple or is_independent([b.way for b in own]) else [a]
@@ -129,6 +136,12 @@ class Matching:
         return len(self.components(a)) > 1
 
     def fits(self, entry: Entry, a: Acting) -> bool:
+        """Whether an entry may stand for a force."""
+        if (entry, a) not in self._fitting:
+            self._fitting[entry, a] = self._fits(entry, a)
+        return self._fitting[entry, a]
+
+    def _fits(self, entry: Entry, a: Acting) -> bool:
         if entry.typed.is_couple != a.is_couple or is_magnitude(self.free, entry, a) is False:
             return False
         if not is_place(self.free, entry, a):
@@ -206,6 +219,7 @@ class Matching:
         but such a load."""
         owner: dict[Acting, Entry] = {a: entry for entry, a in self.pairs.items() if a not in self.covered}
 
+        @cache
         def candidates(entry: Entry) -> list[Acting]:
             fitting = [a for a in self.acting if a not in self.covered and self.fits(entry, a)]
             same = [a for a in self.acting if is_magnitude(self.free, entry, a)]
@@ -306,7 +320,7 @@ def resolved(free: FreeBodies, entries: Sequence[Entry]) -> str:
             continue
         own = [e for e in entries if e.heading is not None and is_point_of(free, e, a) and _size(free, e) is not None]
         for n in range(2, len(a.force) + 1):
-            for parts in combinations(own, n):
+            for parts in combinations(own[:_MOST_PARTS], n):
                 if _adds_up(free, parts, a):
                     return _said_resolved(parts, a)
     return ""
