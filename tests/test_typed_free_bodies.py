@@ -701,6 +701,58 @@ def test_a_clamp_has_two_forces_and_a_moment(answer: str, verdict: str, says: st
     assert says in found.reason
 
 
+BEAM = """freebody: 1
+title: Cantilever in space
+space: {up: z}
+parameters: {m: 2 kg, L: 1 m, g: 9.81 m/s^2, F: 5 N, beta: 30 deg}
+bodies:
+  beam: {rod: {mass: m, length: L}}
+  strut: {rod: {mass: 0, length: L}, turned: [-90 deg about y]}
+connections:
+  wall: {weld: {first: ground.A, second: beam.start}}
+  top: {spherical: [beam.end, strut.start]}
+loads:
+  weight: {gravity: g}
+  push: {force: {at: beam.end, along: y, magnitude: F}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("answer", "verdict", "says"),
+    [
+        ("A at wall; moment M any at wall; m g down at G; F +y at end; S at top", "correct", ""),
+        # a force acts anywhere on its line, here the vertical through the mass centre and the line along y at the end
+        ("A at wall; moment M any at wall; m g (0, 0, -1) at G; F +y at push; S at end", "correct", ""),
+        ("A at wall; m g down at G; F +y at end; S at top", "incorrect", "the moment of wall is missing"),
+        (
+            "A at wall; moment M any at wall; m g down at G; F -y at end; S at top",
+            "incorrect",
+            "wrong sense for the load",
+        ),
+        ("A at wall; moment M any at wall; m g down at G; F +y at G; S at top", "incorrect", "line of action"),
+        ("A at wall; moment M any at wall; m g down at G; F +y at end", "incorrect", "the force of top is missing"),
+        ("A at wall; moment M any at wall; m g +y at G; F +y at end; S at top", "incorrect", "wrong direction"),
+        (
+            "A at wall; moment M any at wall; F +y at end; S at top; m g cos(beta) (0, sin(beta), -cos(beta)) at G; "
+            "m g sin(beta) (0, -cos(beta), -sin(beta)) at G",
+            "undecided",
+            "seem to be components of the weight of beam",
+        ),
+    ],
+)
+def test_a_clamp_in_space_has_three_forces_and_three_moments(answer: str, verdict: str, says: str) -> None:
+    """g (cos b (0, sin b, -cos b) + sin b (0, -cos b, -sin b)) = (0, 0, -g)."""
+    found = fb.System.from_text(BEAM).check(answer=answer, free_body="beam")
+    assert found.verdict == verdict, found.reason
+    assert says in found.reason
+
+
+def test_a_moment_that_a_joint_does_not_transmit_is_told_in_german() -> None:
+    answer = "m g nach unten im Schwerpunkt; A bei hinge; Moment M beliebig bei hinge; M_y um y bei hinge"
+    found = system("conical_pendulum").check(answer=answer, free_body="bob", language="de")
+    assert found.reason == "„M_y um y bei hinge“ ist zu viel: hinge überträgt um diese Achse kein Moment"
+
+
 # -- reading ----------------------------------------------------------------------------------
 @pytest.mark.parametrize(
     ("text", "name", "way", "of", "place"),
@@ -714,6 +766,11 @@ def test_a_clamp_has_two_forces_and_a_moment(answer: str, verdict: str, says: st
         ("S in Richtung B bei A", "S", "towards", ("B",), "A"),
         ("N senkrecht zu ebene im Punkt A", "N", "normal", ("ebene",), "A"),
         ("T down at left", "T", "compass", (), "left"),
+        ("M about x at A", "M", "about", ("x",), "A"),
+        ("M about -z axis at A", "M", "about", ("-z",), "A"),
+        ("M um die Achse von lager bei A", "M", "about", ("Achse von lager",), "A"),
+        ("F (a, b, c) at A", "F", "components", ("a", "b", "c"), "A"),
+        ("F in +z direction at A", "F", "compass", (), "A"),
     ],
 )
 def test_entries_are_read(text: str, name: str, way: str, of: tuple[str, ...], place: str) -> None:
