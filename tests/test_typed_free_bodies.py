@@ -488,6 +488,7 @@ IN_SPACE = [
         "incorrect",
         "one component of the force of tip",
     ),
+    ("spinning_top", "top", "m g down at G; A along top.z at tip", "incorrect", "2 components of the force of tip are"),
     ("spinning_top", "top", "m g down at G; A at tip; M about z at tip", "incorrect", "tip transmits no moment"),
     ("spinning_top", "top", "m g down at G; A at tip; moment M any at tip", "incorrect", "tip transmits no moment"),
     (

@@ -280,6 +280,12 @@ class Matching:
             if a.is_needed and a not in matched and a not in self.covered and not self._is_in_one(a):
                 yield a
 
+    def n_drawn(self, a: Acting) -> int:
+        """How many independent components are drawn in place of those of a joint."""
+        own = self.components(a)
+        ways = [e.heading.way for e, b in self.pairs.items() if b in own and e.heading is not None]
+        return int(np.linalg.matrix_rank(np.array(ways), tol=_ADDS_UP)) if ways else 0
+
     def _is_in_one(self, a: Acting) -> bool:
         """Whether a force at one point of a contact is drawn together with that at another."""
         return any(
@@ -363,11 +369,13 @@ def _adds_up(free: FreeBodies, parts: Sequence[Entry], a: Acting) -> bool:
 
 def told_missing(matching: Matching, missing: Iterable[Acting]) -> Iterator[str]:
     told: set[str] = set()
-    gone = list(missing)
-    for a in gone:
+    for a in missing:
         is_part = matching.is_free_joint(a)
         whole = [b for b in matching.components(a) if b.is_needed] if is_part else []
-        if is_part and any(b not in gone for b in whole):
+        n = len(whole) - matching.n_drawn(a)
+        if is_part and 1 < n < len(whole):
+            said = Message("{n} components of {force} are missing", n=n, force=a.words)
+        elif is_part and n < len(whole):
             said = Message("one component of {force} is missing", force=a.words)
         else:
             said = Message("{force} is missing", force=a.words)
