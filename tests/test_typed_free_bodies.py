@@ -225,6 +225,9 @@ TABLE = [
     ("falling_hinged_rod", "rod", "A1 at 30 deg at hinge; A2 at 120° at hinge; 29.43 N down at G", "correct", ""),
     ("falling_hinged_rod", "rod", "A_y up at hinge; m g down at G", "incorrect", "one component"),
     ("falling_hinged_rod", "rod", "A at hinge; m g down at center; M counterclockwise at hinge", "incorrect", "extra"),
+    ("falling_hinged_rod", "rod", "A at hinge; m g down at G; M about z at hinge", "incorrect", "transmits no moment"),
+    ("slider_crank", "crank", "T about -z; A at main; B at crankpin", "incorrect", "wrong sense for the load drive"),
+    ("slider_crank", "crank", "T about +z; A at main; B at crankpin", "correct", ""),
     ("falling_hinged_rod", "rod", "A_x right; A_y up; m g down", "unreadable", "at which point"),
     ("falling_hinged_rod", "rod", "A at hinge; m g at G", "unreadable", "in which direction"),
     ("falling_hinged_rod", "rod", "A at hinge; m g down at Q", "unreadable", "no point Q"),
@@ -279,6 +282,344 @@ TABLE = [
     ("block_tips_or_slides", "block", "m g down at G; F right at pull; N up at floor; H left at floor", "correct", ""),
     ("block_tips_or_slides", "block", "m g down at G; F right at pull; N up at floor", "incorrect", "friction force"),
 ]
+
+
+# In space. A revolute joint holds a point and the direction of its axis: three forces, and moments about the two
+# directions across its axis. A cylindrical one has no force along its axis either, a prismatic one two forces across it
+# and three moments, a ball joint three forces, a point on a line two, a weld three and three. Wheels that roll have a
+# normal force and friction along both directions of the plane.
+CRANK = "m_crank g down at G; A_x +x at O; A_y +y at O; A_z +z at O; M_x about x at O; M_y about y at O"
+BLOCK = (
+    "m g down at G; S along rod at rod; N_x +x at guide; N_y +y at guide; M_x about x at guide; M_y about y at guide"
+)
+BOB = "m g down at G; A_x +x at hinge; A_y +y at hinge; A_z up at hinge; M_x about x at hinge; M_z about z at hinge"
+SHAFT = (
+    "A_x +x at bearing; A_y up at bearing; A_z +z at bearing; M_x about x at bearing; M_z about z at bearing; "
+    "T about y at motor"
+)
+DISK = (
+    "B_x +x at spindle; B_y up at spindle; B_z +z at spindle; M_1 about z at spindle; "
+    "moment M_2 (sin(beta), cos(beta), 0) at spindle; N up at floor"
+)
+DRIVEN = "A_1 along x at support; A_2 along driven.y at support; M_1 about x at support; M_2 about driven.y at support"
+CROSS = "A at yoke; moment M any at yoke; B_x +x at other_yoke; B_y +y at other_yoke; B_z +z at other_yoke"
+PLANET = "P_x +x at pin; P_y +y at pin; P_z +z at pin; M_x about x at pin; M_z about z at pin"
+INNER = "H at horizontal; M_y about y at horizontal; M_z about z at horizontal; S at spin"
+ROD = "A at A; B_y +y at B; B_z +z at B; T about x at motor; H at hub"
+IN_SPACE = [
+    ("disk_on_angled_shaft", "shaft", f"{SHAFT}; B at spindle; moment M_B any at spindle", "correct", ""),
+    ("disk_on_angled_shaft", "shaft", f"{SHAFT}; B any at B; M_B about any axis at spindle", "correct", ""),
+    ("disk_on_angled_shaft", "shaft", f"{SHAFT}; B at spindle", "incorrect", "the moment of spindle is missing"),
+    (
+        "disk_on_angled_shaft",
+        "shaft",
+        f"{SHAFT}; B at spindle; moment M_B any at spindle; M_y about y at bearing",
+        "incorrect",
+        "bearing transmits no moment about this axis",
+    ),
+    ("disk_on_angled_shaft", "disk", f"{DISK}; F_1 along x at floor; F_2 along z at floor", "correct", ""),
+    ("disk_on_angled_shaft", "disk", f"{DISK}; F_1 (1, 0, 1) at floor; F_2 (1, 0, -1) at floor", "correct", ""),
+    ("disk_on_angled_shaft", "disk", "B at spindle; moment M any at spindle; R at floor", "correct", ""),
+    ("disk_on_angled_shaft", "disk", "B at center; moment M any at spindle; N up at floor; F at floor", "correct", ""),
+    (
+        "disk_on_angled_shaft",
+        "disk",
+        "B at center; moment M any at spindle; N up at floor; F_1 +x at floor; F_2 +x at floor; F_3 +z at floor",
+        "incorrect",
+        "'F_2 +x at floor' and 'F_1 +x at floor' are the same force",
+    ),
+    (
+        "disk_on_angled_shaft",
+        "shaft",
+        f"{SHAFT}; B at B; M_B about any axis at spindle; T' about -y at motor",
+        "incorrect",
+        "are the same moment",
+    ),
+    (
+        "disk_on_angled_shaft",
+        "disk",
+        f"{DISK}; F_1 along x at floor",
+        "incorrect",
+        "one component of the friction force",
+    ),
+    (
+        "disk_on_angled_shaft",
+        "disk",
+        f"{DISK}; F_1 (1, 0, 1) at floor; F_2 (-2, 0, -2) at floor",
+        "incorrect",
+        "action and reaction",
+    ),
+    (
+        "disk_on_angled_shaft",
+        "disk",
+        f"{DISK.replace('up at floor', 'down at floor')}; F_1 along x at floor; F_2 along z at floor",
+        "incorrect",
+        "a contact only pushes",
+    ),
+    (
+        "disk_on_angled_shaft",
+        "disk",
+        f"{DISK}; F_1 along x at floor; F_2 along z at floor; M_3 about shaft.arm at spindle",
+        "incorrect",
+        "spindle transmits no moment about this axis",
+    ),
+    (
+        "disk_on_angled_shaft",
+        "disk",
+        f"{DISK}; F_1 along x at floor; F_2 along z at floor; M_3 about the axis of spindle at spindle",
+        "incorrect",
+        "spindle transmits no moment about this axis",
+    ),
+    (
+        "disk_on_angled_shaft",
+        "disk",
+        f"{DISK.replace('M_1 about z', 'M_1 about -x')}; F_1 along x at floor; F_2 along z at floor",
+        "incorrect",
+        "one component of the moment of spindle is missing",
+    ),
+    ("cardan_joint", "driven", f"{DRIVEN}; B at other_yoke; M_B any axis at other_yoke moment", "correct", ""),
+    (
+        "cardan_joint",
+        "driven",
+        f"{DRIVEN}; A_3 along bent.z at support; B at other_yoke; moment M_B any at other_yoke",
+        "incorrect",
+        "support transmits no force in this direction",
+    ),
+    (
+        "cardan_joint",
+        "driven",
+        f"{DRIVEN}; M_3 about axis of support at support; B at other_yoke; moment M_B any at other_yoke",
+        "incorrect",
+        "support transmits no moment about this axis",
+    ),
+    ("cardan_joint", "cross", f"{CROSS}; M_1 about x at other_yoke; M_2 about bent.z at other_yoke", "correct", ""),
+    (
+        "cardan_joint",
+        "cross",
+        f"{CROSS}; M_1 about x at other_yoke",
+        "incorrect",
+        "one component of the moment of other",
+    ),
+    (
+        "cardan_joint",
+        "cross",
+        f"{CROSS}; M_1 about x at other_yoke; M_2 about bent.z at other_yoke; M_3 about driven.y at other_yoke",
+        "incorrect",
+        "other_yoke transmits no moment about this axis",
+    ),
+    (
+        "cardan_joint",
+        "drive, cross",
+        "A at bearing; moment M any at bearing; B at other_yoke; moment M_B any at other_yoke; Y +x at yoke",
+        "incorrect",
+        "is internal",
+    ),
+    ("conical_pendulum", "bob", BOB, "correct", ""),
+    (
+        "conical_pendulum",
+        "bob",
+        "m g nach unten im Schwerpunkt; A bei hinge; Moment M beliebig bei hinge",
+        "correct",
+        "",
+    ),
+    ("conical_pendulum", "bob", BOB.replace("m g down", "m g up"), "incorrect", "wrong sense for the weight of bob"),
+    ("conical_pendulum", "bob", BOB.replace("at G", "at top"), "incorrect", "line of action of the weight of bob"),
+    ("conical_pendulum", "bob", BOB.removeprefix("m g down at G; "), "incorrect", "the weight of bob is missing"),
+    ("conical_pendulum", "bob", BOB.replace("A_z up", "A_z (1, 1, 0)"), "incorrect", "made up of the other components"),
+    (
+        "conical_pendulum",
+        "bob",
+        f"{BOB}; M_y about y at hinge",
+        "incorrect",
+        "hinge transmits no moment about this axis",
+    ),
+    ("conical_pendulum", "bob", f"{BOB}; Z +x at G", "incorrect", "'Z +x at G' is extra"),
+    ("conical_pendulum", "bob", f"{BOB}; M counterclockwise at hinge", "unreadable", "about which axis"),
+    ("conical_pendulum", "bob", f"{BOB}; Z (1, 0) at G", "unreadable", "2 components, not 3"),
+    ("conical_pendulum", "bob", f"{BOB}; Z at 30 deg at G", "unreadable", "in space an angle"),
+    ("spatial_slider_crank", "crank", f"{CRANK}; S along rod at end", "correct", ""),
+    ("spatial_slider_crank", "crank", f"{CRANK}; S towards block at end", "correct", ""),
+    ("spatial_slider_crank", "crank", f"{CRANK}; S +z at end", "incorrect", "wrong direction for the tension of rod"),
+    (
+        "spatial_slider_crank",
+        "crank",
+        f"{CRANK}; S along rod at O",
+        "incorrect",
+        "line of action of the tension of rod",
+    ),
+    ("spatial_slider_crank", "crank", CRANK, "incorrect", "the tension of rod is missing"),
+    (
+        "spatial_slider_crank",
+        "crank",
+        f"{CRANK}; S along rod at end; M_z about z at O",
+        "incorrect",
+        "O transmits no moment about this axis",
+    ),
+    ("spatial_slider_crank", "block", f"{BLOCK}; M_z about z at guide", "correct", ""),
+    ("spatial_slider_crank", "block", BLOCK, "incorrect", "one component of the moment of guide is missing"),
+    (
+        "spatial_slider_crank",
+        "block",
+        f"{BLOCK}; M_z about z at guide; N_z +z at guide",
+        "incorrect",
+        "guide transmits no force in this direction",
+    ),
+    ("spinning_top", "top", "m g down at G; A_x +x at tip; A_y +y at tip; A_z up at tip", "correct", ""),
+    (
+        "spinning_top",
+        "top",
+        "m g down at G; A_1 along top.x at tip; A_2 along top.y at tip; A_3 along top at tip",
+        "unreadable",
+        "no line top",
+    ),
+    (
+        "spinning_top",
+        "top",
+        "m g down at G; A_1 along top.x at tip; A_2 along top.y at tip; A_3 along top.z at tip",
+        "correct",
+        "",
+    ),
+    ("spinning_top", "top", "m g down at G; A at tip", "correct", ""),
+    ("spinning_top", "top", "m g cos(theta) down at G; A at tip", "incorrect", "magnitude"),
+    (
+        "spinning_top",
+        "top",
+        "m g down at G; A_x +x at tip; A_z up at tip",
+        "incorrect",
+        "one component of the force of tip",
+    ),
+    ("spinning_top", "top", "m g down at G; A along top.z at tip", "incorrect", "2 components of the force of tip are"),
+    ("spinning_top", "top", "m g down at G; A at tip; M about z at tip", "incorrect", "tip transmits no moment"),
+    ("spinning_top", "top", "m g down at G; A at tip; moment M any at tip", "incorrect", "tip transmits no moment"),
+    (
+        "bevel_differential",
+        "carrier",
+        "T about +x at engine; A at carrier_bearing; M_y about y at carrier_bearing; M_z about z at carrier_bearing; "
+        "P at pin; moment M_P any at pin",
+        "correct",
+        "",
+    ),
+    (
+        "bevel_differential",
+        "carrier",
+        "T about -x at engine; A at carrier_bearing; moment M any at carrier_bearing; P at pin; moment M_P any at pin",
+        "incorrect",
+        "wrong sense for the load engine",
+    ),
+    (
+        "bevel_differential",
+        "left",
+        "T_left clockwise about x; A at left_bearing; moment M_A any at left_bearing; M about x at left_mesh",
+        "correct",
+        "",
+    ),
+    (
+        "bevel_differential",
+        "left",
+        "T_left about -x at left_wheel; A at left_bearing; moment M_A any at left_bearing; F +z at left_mesh",
+        "undecided",
+        "left_mesh",
+    ),
+    ("bevel_differential", "planet", f"{PLANET}; M_1 about y at left_mesh; M_2 about y at right_mesh", "correct", ""),
+    (
+        "bevel_differential",
+        "planet",
+        f"{PLANET}; M_1 about y at left_mesh",
+        "incorrect",
+        "the moment of right_mesh is missing",
+    ),
+    (
+        "bevel_differential",
+        "planet",
+        f"{PLANET}; M_y about y at pin; M_1 about y at left_mesh; M_2 about y at right_mesh",
+        "incorrect",
+        "pin transmits no moment about this axis",
+    ),
+    (
+        "gyroscope_in_gimbals",
+        "inner",
+        f"{INNER}; T about +x at push; M_1 about x at spin; M_2 about inner.y at spin",
+        "correct",
+        "",
+    ),
+    (
+        "gyroscope_in_gimbals",
+        "inner",
+        f"{INNER}; T about -x at push; M_1 about x at spin; M_2 about inner.y at spin",
+        "incorrect",
+        "wrong sense for the load push",
+    ),
+    (
+        "gyroscope_in_gimbals",
+        "outer",
+        "V at vertical; moment M_V any at vertical; H at horizontal; moment M_H any at horizontal; T about -x at push",
+        "correct",
+        "",
+    ),
+    (
+        "gyroscope_in_gimbals",
+        "inner",
+        f"{INNER}; T about +x at push; M_1 about x at spin; M_2 about inner.y at spin; M_3 about inner.z at spin",
+        "incorrect",
+        "spin transmits no moment about this axis",
+    ),
+    # the teeth of bevel wheels: one force, of which three components are usually given
+    (
+        "bevel_gears",
+        "pinion",
+        "T_1 about +x at motor; A at A; moment M any at A; F_t +z at mesh; F_r +y at mesh; F_a +x at mesh",
+        "undecided",
+        "components of the force of mesh",
+    ),
+    (
+        "bevel_gears",
+        "pinion",
+        "T_1 about +x at motor; A at A; moment M any at A",
+        "incorrect",
+        "the force of mesh is missing",
+    ),
+    # a screw: whatever its thread does, as one force and one moment; its parts are known as a sum
+    ("screw_jack", "spindle", "m g down at G; T about +z at lever; F at thread; moment M any at thread", "correct", ""),
+    (
+        "screw_jack",
+        "spindle",
+        "m g down at G; T about +z at lever; F +z at thread; M about z at thread",
+        "undecided",
+        "thread",
+    ),
+    ("tilted_disk_on_shaft", "shaft", f"{ROD}; moment M any at hub", "correct", ""),
+    (
+        "tilted_disk_on_shaft",
+        "shaft",
+        f"{ROD}; M_1 about x at hub; M_2 about y at hub; M_3 about z at hub",
+        "correct",
+        "",
+    ),
+    ("tilted_disk_on_shaft", "shaft", ROD, "incorrect", "the moment of hub is missing"),
+    (
+        "tilted_disk_on_shaft",
+        "shaft",
+        f"{ROD}; moment M any at hub; B_x +x at B",
+        "incorrect",
+        "B transmits no force in this direction",
+    ),
+    (
+        "tilted_disk_on_shaft",
+        "shaft",
+        f"{ROD}; moment M any at hub; M_A about y at A",
+        "incorrect",
+        "A transmits no moment",
+    ),
+    ("tilted_disk_on_shaft", "disk", "H at hub; moment M any at hub", "correct", ""),
+    (
+        "tilted_disk_on_shaft",
+        "disk",
+        "H at hub; M_1 about disk.y at hub; M_2 about disk.z at hub",
+        "incorrect",
+        "one component",
+    ),
+]
+TABLE += IN_SPACE
 
 
 @pytest.mark.parametrize("example", sorted({row[0] for row in TABLE}))
@@ -361,6 +702,58 @@ def test_a_clamp_has_two_forces_and_a_moment(answer: str, verdict: str, says: st
     assert says in found.reason
 
 
+BEAM = """freebody: 1
+title: Cantilever in space
+space: {up: z}
+parameters: {m: 2 kg, L: 1 m, g: 9.81 m/s^2, F: 5 N, beta: 30 deg}
+bodies:
+  beam: {rod: {mass: m, length: L}}
+  strut: {rod: {mass: 0, length: L}, turned: [-90 deg about y]}
+connections:
+  wall: {weld: {first: ground.A, second: beam.start}}
+  top: {spherical: [beam.end, strut.start]}
+loads:
+  weight: {gravity: g}
+  push: {force: {at: beam.end, along: y, magnitude: F}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("answer", "verdict", "says"),
+    [
+        ("A at wall; moment M any at wall; m g down at G; F +y at end; S at top", "correct", ""),
+        # a force acts anywhere on its line, here the vertical through the mass centre and the line along y at the end
+        ("A at wall; moment M any at wall; m g (0, 0, -1) at G; F +y at push; S at end", "correct", ""),
+        ("A at wall; m g down at G; F +y at end; S at top", "incorrect", "the moment of wall is missing"),
+        (
+            "A at wall; moment M any at wall; m g down at G; F -y at end; S at top",
+            "incorrect",
+            "wrong sense for the load",
+        ),
+        ("A at wall; moment M any at wall; m g down at G; F +y at G; S at top", "incorrect", "line of action"),
+        ("A at wall; moment M any at wall; m g down at G; F +y at end", "incorrect", "the force of top is missing"),
+        ("A at wall; moment M any at wall; m g +y at G; F +y at end; S at top", "incorrect", "wrong direction"),
+        (
+            "A at wall; moment M any at wall; F +y at end; S at top; m g cos(beta) (0, sin(beta), -cos(beta)) at G; "
+            "m g sin(beta) (0, -cos(beta), -sin(beta)) at G",
+            "undecided",
+            "seem to be components of the weight of beam",
+        ),
+    ],
+)
+def test_a_clamp_in_space_has_three_forces_and_three_moments(answer: str, verdict: str, says: str) -> None:
+    """g (cos b (0, sin b, -cos b) + sin b (0, -cos b, -sin b)) = (0, 0, -g)."""
+    found = fb.System.from_text(BEAM).check(answer=answer, free_body="beam")
+    assert found.verdict == verdict, found.reason
+    assert says in found.reason
+
+
+def test_a_moment_that_a_joint_does_not_transmit_is_told_in_german() -> None:
+    answer = "m g nach unten im Schwerpunkt; A bei hinge; Moment M beliebig bei hinge; M_y um y bei hinge"
+    found = system("conical_pendulum").check(answer=answer, free_body="bob", language="de")
+    assert found.reason == "„M_y um y bei hinge“ ist zu viel: hinge überträgt um diese Achse kein Moment"
+
+
 # -- reading ----------------------------------------------------------------------------------
 @pytest.mark.parametrize(
     ("text", "name", "way", "of", "place"),
@@ -374,6 +767,11 @@ def test_a_clamp_has_two_forces_and_a_moment(answer: str, verdict: str, says: st
         ("S in Richtung B bei A", "S", "towards", ("B",), "A"),
         ("N senkrecht zu ebene im Punkt A", "N", "normal", ("ebene",), "A"),
         ("T down at left", "T", "compass", (), "left"),
+        ("M about x at A", "M", "about", ("x",), "A"),
+        ("M about -z axis at A", "M", "about", ("-z",), "A"),
+        ("M um die Achse von lager bei A", "M", "about", ("Achse von lager",), "A"),
+        ("F (a, b, c) at A", "F", "components", ("a", "b", "c"), "A"),
+        ("F in +z direction at A", "F", "compass", (), "A"),
     ],
 )
 def test_entries_are_read(text: str, name: str, way: str, of: tuple[str, ...], place: str) -> None:
@@ -420,20 +818,21 @@ def test_in_german() -> None:
 
 
 # -- what the table says of itself ------------------------------------------------------------
-def plane_examples() -> list[str]:
-    return [path.stem for path in sorted(EXAMPLES.glob("*.yaml")) if not system(path.stem).space]
+ALL = [path.stem for path in sorted(EXAMPLES.glob("*.yaml"))]
 
 
 def written(acting: Acting, k: int, sense: float = 1.0) -> str:
     """A force of the table, as somebody would type it."""
+    vector = ", ".join(f"{x:.12f}" for x in sense * acting.way)
+    if len(acting.moment) == 3:
+        return f"{'moment ' if acting.is_couple else ''}Z_{k} ({vector}) at {acting.source}"
     if acting.is_couple:
-        turn = "counterclockwise" if acting.moment * sense > 0 else "clockwise"
+        turn = "counterclockwise" if acting.moment[0] * sense > 0 else "clockwise"
         return f"Z_{k} moment {turn} at {acting.source}"
-    x, y = sense * acting.way
-    return f"Z_{k} ({x:.12f}, {y:.12f}) at {acting.source}"
+    return f"Z_{k} ({vector}) at {acting.source}"
 
 
-@pytest.mark.parametrize("example", plane_examples())
+@pytest.mark.parametrize("example", ALL)
 def test_what_acts_is_correct_and_neither_less_nor_against_it(example: str) -> None:
     for body in system(example).moving:
         free = free_bodies(system(example), (body.name,))

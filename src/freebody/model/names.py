@@ -222,28 +222,15 @@ class Names(Formulas):
             if text.startswith("[") and text.endswith("]"):
                 parts: list[Any] = [part.strip() for part in text[1:-1].split(",")]
                 return self.direction(parts, *path, body=body)
-            compass = self.compass
-            if text in compass:
-                if text in self.bodies[GROUND].lines:
-                    told = Message(
-                        "{name} is a direction and a line of the ground; call the line something else", name=text
-                    )
-                    self.problem(told, *path)
-                return self.fixed_in(body, compass[text].components, text)
-            line, plane = self.line(text), self.plane(text)
-            if line is not None:
-                return line.direction
-            if plane is not None:
-                return plane.normal
-            owner, _, axis = text.partition(".")
-            if axis == "axis" and self.axis_of(owner):
-                return Direction(owner, self.axis_of(owner), text)
-            if axis in compass and (owner in self.bodies or owner in self.frames):
-                return self.fixed_in(owner, compass[axis].components, text)
-            if text in self.bodies and self.axis_of(text):
-                return Direction(text, self.axis_of(text), f"{text}.axis")
+            if text in self.compass and text in self.bodies[GROUND].lines:
+                told = Message(
+                    "{name} is a direction and a line of the ground; call the line something else", name=text
+                )
+                self.problem(told, *path)
+            if (named := self.named_direction(text, body)) is not None:
+                return named
             if re.fullmatch(r"[A-Za-z_]+(\.[A-Za-z_]\w*)?", text) and text not in self.parameters and text != "pi":
-                known = [*compass, *self.bodies[GROUND].lines, *self.bodies[GROUND].planes]
+                known = [*self.compass, *self.bodies[GROUND].lines, *self.bodies[GROUND].planes]
                 known += [f"{b.name}.{line}" for b in self.bodies.values() for line in b.lines]
                 self.problem(
                     Message(
@@ -259,6 +246,25 @@ class Names(Formulas):
         shown = str(value)
         along = (Call("cos", angle), Call("sin", angle), *self.origin[2:])
         return self.fixed_in(body, along, shown)
+
+    def named_direction(self, text: str, body: str = GROUND) -> Direction | None:
+        """One that has a name: of the compass, of a line or a plane, of an axis of a body or a frame."""
+        compass = self.compass
+        if text in compass:
+            return self.fixed_in(body, compass[text].components, text)
+        line, plane = self.line(text), self.plane(text)
+        if line is not None:
+            return line.direction
+        if plane is not None:
+            return plane.normal
+        owner, _, axis = text.partition(".")
+        if axis == "axis" and self.axis_of(owner):
+            return Direction(owner, self.axis_of(owner), text)
+        if axis in compass and (owner in self.bodies or owner in self.frames):
+            return self.fixed_in(owner, compass[axis].components, text)
+        if text in self.bodies and self.axis_of(text):
+            return Direction(text, self.axis_of(text), f"{text}.axis")
+        return None
 
     def fixed_in(self, owner: str, along: Components, name: str = "") -> Direction:
         """A direction by components along the axes of a body or of a frame."""

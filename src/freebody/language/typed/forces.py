@@ -2,8 +2,9 @@
 
 entry     = name or formula, and in any order: direction, "at" place        N up at contact
 direction = right | left | up | down | horizontal | vertical | [up | down] along LINE | normal to LINE
-          | towards POINT | away from POINT | at 30 deg | (a, b) | unknown direction
+          | towards POINT | away from POINT | at 30 deg | (a, b) | (a, b, c) | +x | -z | unknown direction
 moment    = name with one of: moment, torque, clockwise, counterclockwise    M counterclockwise at hinge
+            in space also: about LINE | about -x | (a, b, c) | any           M about x at hinge
 
 The German words stand beside the English ones. Which lines and points there are is not known here.
 """
@@ -13,6 +14,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Literal
 
 from freebody.errors import ExpressionError
@@ -22,17 +24,18 @@ from freebody.language.typed.characters import normalized
 MOST_ENTRIES = 40
 _LONGEST = 200  # characters of an entry
 
-Way = Literal["", "compass", "along", "normal", "towards", "away", "angle", "components", "any"]
-Vector = tuple[float, float]
+Way = Literal["", "compass", "along", "normal", "towards", "away", "angle", "components", "about", "any"]
 
-_COMPASS: dict[str, tuple[Vector, bool]] = {  # with a sense or without
-    **dict.fromkeys(("right", "rightward", "rightwards", "rechts"), ((1.0, 0.0), True)),
-    **dict.fromkeys(("left", "leftward", "leftwards", "links"), ((-1.0, 0.0), True)),
-    **dict.fromkeys(("up", "upward", "upwards", "oben", "aufwärts", "hinauf"), ((0.0, 1.0), True)),
-    **dict.fromkeys(("down", "downward", "downwards", "unten", "abwärts", "hinab", "hinunter"), ((0.0, -1.0), True)),
-    **dict.fromkeys(("horizontal", "horizontally", "waagrecht", "waagerecht"), ((1.0, 0.0), False)),
-    **dict.fromkeys(("vertical", "vertically", "vertikal", "lotrecht"), ((0.0, 1.0), False)),
+_COMPASS: dict[str, tuple[str, bool]] = {  # what a model file calls it, and whether a sense is told
+    **dict.fromkeys(("right", "rightward", "rightwards", "rechts"), ("right", True)),
+    **dict.fromkeys(("left", "leftward", "leftwards", "links"), ("left", True)),
+    **dict.fromkeys(("up", "upward", "upwards", "oben", "aufwärts", "hinauf"), ("up", True)),
+    **dict.fromkeys(("down", "downward", "downwards", "unten", "abwärts", "hinab", "hinunter"), ("down", True)),
+    **dict.fromkeys(("horizontal", "horizontally", "waagrecht", "waagerecht"), ("level", False)),
+    **dict.fromkeys(("vertical", "vertically", "vertikal", "lotrecht"), ("up", False)),
+    **{f"{sign}{axis}": (f"{sign}{axis}", True) for sign in "+-" for axis in "xyz"},
 }
+_OF_MOMENTS = ("", "about", "along", "components", "any")
 _KEYS: dict[str, Way | Literal["at"]] = {
     **dict.fromkeys(("at", "in", "bei", "beim", "am", "im", "an"), "at"),
     **dict.fromkeys(("along", "parallel to", "entlang", "längs", "parallel zu"), "along"),
@@ -40,7 +43,9 @@ _KEYS: dict[str, Way | Literal["at"]] = {
     **dict.fromkeys(("towards", "toward", "in richtung", "zu", "nach"), "towards"),
     **dict.fromkeys(("away from", "weg von"), "away"),
     **dict.fromkeys(("under", "unter"), "angle"),
+    **dict.fromkeys(("about", "around", "um"), "about"),
     **dict.fromkeys(("unknown direction", "any direction", "unbekannte richtung", "beliebige richtung"), "any"),
+    **dict.fromkeys(("any", "beliebig"), "any"),
     **dict.fromkeys(_COMPASS, "compass"),
 }
 _KEY = re.compile(rf"(?<!\S)({'|'.join(sorted(map(re.escape, _KEYS), key=len, reverse=True))})(?=\s|$)", re.IGNORECASE)
@@ -48,8 +53,7 @@ _FILLER = re.compile(
     r"(?<!\S)(?:(?:to the|nach)\s+(?=right|left|rechts|links|oben|unten)|(?:the|point|dem|der|den|des|die|punkt)\s+)",
     re.IGNORECASE,
 )
-_AXIS = re.compile(r"(?<=\s)(?:in\s+)?([+-])([xy])(?:[- ]?(?:direction|richtung))?(?=\s|$)", re.IGNORECASE)
-_AXES = {"+x": "right", "-x": "left", "+y": "up", "-y": "down"}
+_AXIS = re.compile(r"(?<=\s)(?:in\s+)?([+-])([xyz])(?:[- ]?(?:direction|axis|richtung|achse))?(?=\s|$)", re.IGNORECASE)
 _ANGLE = re.compile(
     r"(?:an angle of|angle|winkel)\s+(?P<any>.+)|(?P<value>[-+]?[0-9.,]+)\s*(?:°|deg|degrees|grad)", re.IGNORECASE
 )
@@ -60,6 +64,7 @@ _TURNS = (
         1,
     ),
     (re.compile(r"clockwise|im uhrzeigersinn|rechtsdrehend|↻|\bcw\b", re.IGNORECASE), -1),
+    (re.compile(r"\b(?:about any axis|um (?:eine )?beliebige achse)\b", re.IGNORECASE), 0),
     (re.compile(r"\b(?:moment|torque|couple|drehmoment|kräftepaar)\b", re.IGNORECASE), 0),
 )
 
@@ -67,14 +72,14 @@ _TURNS = (
 @dataclass(frozen=True)
 class TypedForce:
     """One entry. name: a name or formula; way: how the direction is told, of: the line, point, angle or components that
-    it names; vector: a direction of the compass, has_sense: whether it says which way; turn: of a moment, 1
+    it names; compass: a direction as a model file calls it, has_sense: whether it says which way; turn: of a moment, 1
     counterclockwise, -1 clockwise, 0 not said."""
 
     text: str
     name: str
     way: Way = ""
     of: Sequence[str] = ()
-    vector: Vector | None = None
+    compass: str = ""
     has_sense: bool = False
     place: str = ""
     is_couple: bool = False
@@ -101,35 +106,36 @@ def _entry(line: str) -> TypedForce:
         )
     text, is_couple, turn = _turned(" ".join(line.split()))
     text, components = _components(text)
-    text = _AXIS.sub(lambda found: _AXES[found[1] + found[2].lower()], text)
+    text = _AXIS.sub(lambda found: found[1] + found[2].lower(), text)
     text = _FILLER.sub("", text)
     name, *parts = _KEY.split(text)
-    told, place, vector, has_sense = _told(line, parts)
+    told, place, compass, has_sense = _told(line, parts)
     if components:
         told["components"] = "\0".join(components)
     if (angle := _DEGREES.search(name)) is not None:
         name, told["angle"] = name[: angle.start()], f"{angle['value'].replace(',', '.')} deg"
-    if len(told) > 1 or (told and vector is not None and not told.keys() & {"along", "normal"}):
+    if len(told) > 1 or (told and compass and not told.keys() & {"along", "normal"}):
         raise ExpressionError(Message("'{line}' has two directions", line=line))
-    way = next(iter(told), "" if vector is None else "compass")
+    way = next(iter(told), "compass" if compass else "")
     of = tuple(told[way].split("\0")) if way in told else ()
-    if is_couple and way:
-        raise ExpressionError(Message("'{line}' is a moment: it turns, and has no direction in the plane", line=line))
-    return TypedForce(line, normalized(name).strip(" =:,"), way, of, vector, has_sense, place, is_couple, turn)  # type: ignore[arg-type]
+    is_couple = is_couple or way == "about"
+    if is_couple and (way not in _OF_MOMENTS or compass):
+        raise ExpressionError(Message("'{line}' is a moment: it turns about an axis and has no direction", line=line))
+    return TypedForce(line, normalized(name).strip(" =:,"), way, of, compass, has_sense, place, is_couple, turn)  # type: ignore[arg-type]
 
 
-def _told(line: str, parts: Sequence[str]) -> tuple[dict[str, str], str, Vector | None, bool]:
+def _told(line: str, parts: Sequence[str]) -> tuple[dict[str, str], str, str, bool]:
     """Of key words and what stands behind each: lines, points and angles by how they are told, the place, a direction
     of the compass and whether it has a sense."""
     told = dict[str, str]()
-    place, vector, has_sense = "", None, False
+    place, compass, has_sense = "", "", False
     keys = [(_KEYS[key.lower()], key.lower(), arg.strip()) for key, arg in zip(parts[::2], parts[1::2], strict=True)]
     k = 0
     while k < len(keys):
         what, word, arg = keys[k]
-        if what == "at" and not arg and k + 1 < len(keys) and keys[k + 1][0] == "compass":  # at left
+        if what in ("at", "about") and not arg and k + 1 < len(keys) and keys[k + 1][0] == "compass":  # at left
             k += 1
-            arg = keys[k][1]
+            arg = keys[k][1] if what == "at" else _COMPASS[keys[k][1]][0]
         if what in ("at", "angle") and (angle := _ANGLE.fullmatch(arg)) is not None:
             told["angle"] = angle["any"] or f"{angle['value'].replace(',', '.')} deg"
         elif what == "at":
@@ -141,15 +147,15 @@ def _told(line: str, parts: Sequence[str]) -> tuple[dict[str, str], str, Vector 
                 )
             place = arg
         elif what == "compass":
-            if vector is not None:
+            if compass:
                 raise ExpressionError(Message("'{line}' has two directions", line=line))
-            vector, has_sense = _COMPASS[word]
+            compass, has_sense = _COMPASS[word]
             if arg:  # down the incline
                 told["along"] = arg
         else:
             told[what] = arg
         k += 1
-    return told, place, vector, has_sense
+    return told, place, compass, has_sense
 
 
 def _turned(text: str) -> tuple[str, bool, int]:
@@ -162,7 +168,7 @@ def _turned(text: str) -> tuple[str, bool, int]:
 
 
 def _components(text: str) -> tuple[str, tuple[str, ...]]:
-    """The text without (a, b) or [a, b], and its parts."""
+    """The text without (a, b) or [a, b], in space (a, b, c), and its parts."""
     for start in (k for k, letter in enumerate(text) if letter in "(["):
         level, cuts = 0, [start]
         for k in range(start, len(text)):
@@ -170,8 +176,8 @@ def _components(text: str) -> tuple[str, tuple[str, ...]]:
             if level == 1 and text[k] == ",":
                 cuts.append(k)
             if level == 0:
-                if len(cuts) == 2:
-                    inside = text[start + 1 : cuts[1]].strip(), text[cuts[1] + 1 : k].strip()
-                    return " ".join((text[:start] + " " + text[k + 1 :]).split()), inside
+                if len(cuts) > 1:
+                    inside = (text[a + 1 : b].strip() for a, b in pairwise((*cuts, k)))
+                    return " ".join((text[:start] + " " + text[k + 1 :]).split()), tuple(inside)
                 break
     return text, ()

@@ -23,21 +23,26 @@ from freebody.study.pictures.free_body import FreeBody
 from freebody.study.pictures.general_position import general_position
 from freebody.study.pictures.idle import idle_rows
 from freebody.study.pictures.instant import Instant, instant_of
+from freebody.study.pictures.points import own_measures
 from freebody.study.pictures.touching import closed_bounds
 from freebody.system.system import System
 from freebody.tolerances import ON_LINE
 
+_TOOTH_FORCE = "tooth force"
+_TOOTH_MOMENT = "tooth moment"  # of wheels that touch somewhere: the model knows the moment of their forces alone
+_SAME_WAY = 1e-6  # of unit vectors
+
 
 @dataclass(frozen=True, eq=False)
 class Acting:
-    """A force or couple on a body. at: (2,) [m] where; force: (2,) and moment: per unit of what it is called; source:
-    the connection or load; is_known: whether its sense is known; is_needed: False for what never acts; law: of a load
-    in symbols, where the model has them; row: of a reaction."""
+    """A force or couple on a body. at: (2 or 3,) [m] where; force: (2 or 3,) and moment: (1 or 3,) per unit of what it
+    is called; source: the connection or load; is_known: whether its sense is known; is_needed: False for what never
+    acts; law: of a load in symbols, where the model has them; row: of a reaction."""
 
     body: str
     at: Array
     force: Array
-    moment: float
+    moment: Array
     source: str
     is_known: bool
     is_needed: bool
@@ -50,13 +55,13 @@ class Acting:
 
     @property
     def way(self) -> Array:
-        """(2,) the direction in which it is counted positive."""
-        return self.force / float(np.hypot(*self.force))
+        """The direction in which it is counted positive, of a couple that of its axis."""
+        return (self.moment if self.is_couple else self.force) / self.size
 
     @property
     def size(self) -> float:
         """How many times its law it is."""
-        return abs(self.moment) if self.is_couple else float(np.hypot(*self.force))
+        return float(np.linalg.norm(self.moment if self.is_couple else self.force))
 
     @property
     def is_normal(self) -> bool:
@@ -103,6 +108,7 @@ class FreeBodies:
         self.snapshot = self.instant.snapshot
         self.size = self.snapshot.reference.sizes.length
         self.small = ON_LINE * self.size
+        self._links: dict[str, Array | None] = {}  # of bodies
 
     @cached_property
     def outside(self) -> tuple[Acting, ...]:
@@ -122,7 +128,8 @@ class FreeBodies:
 
     @property
     def summed(self) -> str:
-        """A connection of which the model keeps only the sum, a force and a couple, as of the two ends of a belt."""
+        """A connection of which the model keeps only the sum, a force and a couple, as of the two ends of a belt or of
+        the flanks of a thread."""
         forces = {(a.row.name, a.body) for a in self.outside if a.row is not None and not a.is_couple}
         couples = (a for a in self.outside if a.row is not None and a.is_couple)
         return next((a.source for a in couples if a.row is not None and (a.row.name, a.body) in forces), "")
@@ -131,20 +138,27 @@ class FreeBodies:
         return not self.system.bodies[body].turns
 
     def of_link(self, a: Acting) -> Array | None:
-        """(2,) the line of a massless member with two pins and no load, on which a pin force acts: it is in balance
-        only with both forces along the line that joins them."""
+        """(2 or 3,) the line of a massless member with two pins and no load, on which a pin force acts: it is in
+        balance only with both forces along the line that joins them."""
         if a.row is None:
             return None
         for body in dict.fromkeys(a.row.measure.bodies()):
-            own = self.system.bodies[body]
-            if own.fixed or own.mass != ZERO or own.inertia != ZERO or not own.turns:
-                continue
-            acting = list(self._of([body], is_whole=False))
-            points = {tuple(np.round(x.at / self.size, 9)): x.at for x in acting}
-            if len(points) == 2 and all(not x.is_couple and x.row is not None and not x.is_known for x in acting):
-                first, second = points.values()
-                return (second - first) / float(np.hypot(*(second - first)))
+            if body not in self._links:
+                self._links[body] = self._link(body)
+            if (line := self._links[body]) is not None:
+                return line
         return None
+
+    def _link(self, body: str) -> Array | None:
+        own = self.system.bodies[body]
+        if own.fixed or own.mass != ZERO or own.inertia != ZERO or not own.turns:
+            return None
+        acting = list(self._of([body], is_whole=False))
+        points = {tuple(np.round(x.at / self.size, 9)): x.at for x in acting}
+        if len(points) != 2 or any(x.is_couple or x.row is None or x.is_known for x in acting):
+            return None
+        first, second = points.values()
+        return (second - first) / float(np.linalg.norm(second - first))
 
     # -- the table ----------------------------------------------------------------------------
     def _of(self, bodies: Sequence[str], *, is_whole: bool) -> Iterator[Acting]:
@@ -157,8 +171,9 @@ class FreeBodies:
         shown = [s for s in free.all_forces() if s not in outside] if is_whole else outside
         found = [self._acting(free, s, idle) for s in shown]
         for a in found:
-            is_needed = a.is_needed and not self._is_alone(a, found) and not self._is_in_tension(a, found)
-            yield replace(a, is_needed=is_needed)
+            is_in_tension = self._is_in_tension(a, found)
+            is_needed = a.is_needed and not self._is_alone(a, found) and not is_in_tension
+            yield replace(a, is_needed=is_needed, is_known=a.is_known or is_in_tension)
 
     def _is_in_tension(self, a: Acting, acting: Sequence[Acting]) -> bool:
         """Whether friction of a rope on a drum acts along one of its ends: two different tensions are all of it."""
@@ -166,8 +181,8 @@ class FreeBodies:
             b.row is not None
             and b.row.reaction == "tension"
             and (b.source, b.body) == (a.source, a.body)
-            and abs(float(cross(b.way, a.way)[0])) < ON_LINE
-            and abs(float(cross(b.at - a.at, a.way)[0])) < self.small
+            and float(np.linalg.norm(cross(b.way, a.way))) < ON_LINE
+            and float(np.linalg.norm(cross(b.at - a.at, a.way))) < self.small
             for b in acting
             if not a.is_couple
         )
@@ -179,18 +194,18 @@ class FreeBodies:
             return False
         moving = [body for body in dict.fromkeys(a.row.measure.bodies()) if not self.system.bodies[body].fixed]
         lever = a.at - Action(self.snapshot).center(a.body)
-        if len(moving) != 1 or float(np.hypot(*lever)) > self.small:
+        if len(moving) != 1 or float(np.linalg.norm(lever)) > self.small:
             return False
         others = [b for b in acting if b is not a and b.body == a.body and not b.is_couple]
         return all(abs(float(b.force @ a.way)) < ON_LINE for b in others)
 
     def _acting(self, free: FreeBody, shown: ShownForce, idle: frozenset[str]) -> Acting:
         at = free.action.center(shown.body) + np.array(shown.at)
-        force, moment = np.array(shown.force), float(shown.moment[0])
+        force, moment = np.array(shown.force), np.array(shown.moment)
         row = next((r for r in free.rows if r.name == shown.name), None) if shown.kind == "reaction" else None
         if row is not None:
             is_known = row.unilateral or (row.reaction == "tension" and bool(row.stretches))
-            needed = row.name not in idle
+            needed = row.name not in idle and not (row.reaction == _TOOTH_MOMENT and shown.body in carriers(row))
             return Acting(shown.body, at, force, moment, row.connection, is_known, needed, None, row)
         push = self._push(shown.name)
         law, _sign = free.load_symbols.law(push)
@@ -205,6 +220,31 @@ class FreeBodies:
     def _is_positive(self, name: str) -> bool:
         own = self.system.parameters.get(name)
         return own is not None and own.sign == "positive"
+
+
+def is_within(way: Array, ways: Sequence[Array]) -> bool:
+    """Whether a direction is a combination of others, all of them unit vectors."""
+    if len(ways) < 2:
+        return any(float(np.linalg.norm(way - (way @ one) * one)) < _SAME_WAY for one in ways)
+    basis = np.array(ways).T
+    parts = np.linalg.lstsq(basis, way, rcond=_SAME_WAY)[0]
+    return float(np.linalg.norm(basis @ parts - way)) < _SAME_WAY
+
+
+def is_independent(ways: Sequence[Array]) -> bool:
+    """Whether no direction is a combination of the others."""
+    return not any(is_within(way, ways[:k]) for k, way in enumerate(ways))
+
+
+def is_of_teeth(a: Acting) -> bool:
+    """Whether it is a force of teeth, or the moment of wheels whose teeth touch at no point that the model knows."""
+    return a.row is not None and a.row.reaction in (_TOOTH_MOMENT, _TOOTH_FORCE)
+
+
+def carriers(row: ConstraintRow) -> frozenset[str]:
+    """What carries both wheels, from which their angles are counted: their teeth do not touch it."""
+    first, *others = (tuple(part.bodies()) for _coefficient, part in own_measures(row.measure))
+    return frozenset(body for body in first if others and all(body in bodies for bodies in others))
 
 
 @lru_cache(maxsize=32)

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 from freebody.language.notation import to_text
 from freebody.language.sentences import Message
-from freebody.narrative.marking.acting import Acting, FreeBodies
+from freebody.narrative.marking.acting import Acting, FreeBodies, is_within
 from freebody.narrative.marking.typed_forces import (
     Entry,
     is_magnitude,
@@ -34,8 +34,10 @@ class Explaining:
             self._internal,
             self._elsewhere,
             self._smooth,
+            self._no_moment,
             self._direction,
             self._place,
+            self._no_force,
         ):
             if said := explain(entry):
                 return said
@@ -46,8 +48,8 @@ class Explaining:
 
     def _is_on(self, entry: Entry, a: Acting, *, with_place: bool = True) -> bool:
         """Whether an entry lies on the line of a force, whatever its sense."""
-        if entry.typed.is_couple or a.is_couple:
-            return entry.typed.is_couple == a.is_couple and (not with_place or is_place(self.free, entry, a))
+        if entry.typed.is_couple != a.is_couple:
+            return False
         if entry.heading is None or not is_parallel(entry.heading.way, a.way):
             return False
         return not with_place or is_place(self.free, entry, a)
@@ -57,9 +59,9 @@ class Explaining:
         if entry.magnitude is not None or not entry.typed.place:
             return ""
         for other, a in self.pairs.items():
-            if other.typed.place != entry.typed.place:
+            if other.typed.place != entry.typed.place or other.typed.is_couple != entry.typed.is_couple:
                 continue
-            if other.heading is None or entry.heading is None or a.row is None or other.typed.is_couple:
+            if other.heading is None or entry.heading is None or a.row is None:
                 continue
             if is_place(self.free, entry, a) and is_parallel(entry.heading.way, other.heading.way):
                 return twice(other, entry, a.body)
@@ -122,18 +124,53 @@ class Explaining:
 
     def _smooth(self, entry: Entry) -> str:
         """Friction where there is none."""
+        if entry.typed.is_couple:
+            return ""
         for a in self.free.outside:
             if not a.is_normal or entry.heading is None or not is_point_of(self.free, entry, a):
                 continue
-            tangent = a.way[::-1] * (1.0, -1.0)
+            is_tangent = abs(float(entry.heading.way @ a.way)) < 1e-6
             rough = any(b.is_friction and b.source == a.source for b in self.free.outside)
-            if not rough and is_parallel(entry.heading.way, tangent):
+            if not rough and is_tangent:
                 return Message(
                     "'{entry}' is extra: {connection} is smooth and has only a normal force",
                     entry=entry.text,
                     connection=a.source,
                 )
         return ""
+
+    def _no_moment(self, entry: Entry) -> str:
+        """A joint transmits no moment about an axis that its bodies turn about."""
+        source = self._barred(entry) if entry.typed.is_couple else ""
+        if not source:
+            return ""
+        if any(a.is_couple and a.source == source for a in self.free.outside):
+            return Message(
+                "'{entry}' is extra: {connection} transmits no moment about this axis",
+                entry=entry.text,
+                connection=source,
+            )
+        return Message("'{entry}' is extra: {connection} transmits no moment", entry=entry.text, connection=source)
+
+    def _no_force(self, entry: Entry) -> str:
+        """Nor a force along one that they slide along."""
+        source = "" if entry.typed.is_couple else self._barred(entry)
+        if not source:
+            return ""
+        return Message(
+            "'{entry}' is extra: {connection} transmits no force in this direction",
+            entry=entry.text,
+            connection=source,
+        )
+
+    def _barred(self, entry: Entry) -> str:
+        """A connection at the place of an entry, of which none transmits such a force or moment."""
+        own = [a for a in self.free.outside if a.row is not None and is_point_of(self.free, entry, a)]
+        sources = dict.fromkeys(a.source for a in own)
+        alike = [a.way for a in self.free.outside if a.source in sources and a.is_couple == entry.typed.is_couple]
+        if alike and (entry.heading is None or is_within(entry.heading.way, alike)):
+            return ""
+        return next(iter(sources), "")
 
     def _direction(self, entry: Entry) -> str:
         """It acts where a force is missing."""

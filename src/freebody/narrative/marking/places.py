@@ -29,6 +29,8 @@ _RIMS = {
     **dict.fromkeys(("top", "oben"), (0.0, 1.0)),
     **dict.fromkeys(("bottom", "unten"), (0.0, -1.0)),
 }
+_AXIS_OF = re.compile(r"(?:axis of|achse von)\s+", re.IGNORECASE)
+_AXIS = re.compile(r"([+-]?)([xyz])(?:[- ]?(?:axis|achse))?", re.IGNORECASE)
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,7 +45,7 @@ class Place:
 
 @dataclass(frozen=True, eq=False)
 class Heading:
-    """(2,) a direction; has_sense: whether it is said which way."""
+    """(2 or 3,) a direction, of a moment (1 or 3,) that of its axis; has_sense: whether it is said which way."""
 
     way: Array
     has_sense: bool
@@ -97,7 +99,7 @@ class Places:
                 return self._of_source(next(iter(touching)))
             if touching:
                 raise ExpressionError(Message("say which contact: {names}", names=", ".join(touching)))
-        if word in _RIMS:
+        if word in _RIMS and not self.system.space:
             round_ones = [(body, self.free.snapshot.scalar(body.radius)) for body in own if body.radius is not None]
             if round_ones:
                 way = np.array(_RIMS[word])
@@ -119,39 +121,99 @@ class Places:
 
     # -- directions ---------------------------------------------------------------------------
     def heading(self, force: TypedForce, place: Place | None) -> Heading | None:
-        """The direction of an entry; None where none is told."""
+        """The direction of an entry, of a moment that of its axis; None where none is told."""
+        if force.is_couple and not self.system.space:
+            return self._turning(force)
         match force.way:
             case "" | "any":
-                return None
+                return self._untold(force)
             case "compass":
-                assert force.vector is not None
-                return Heading(np.array(force.vector), force.has_sense)
-            case "along" | "normal":
-                way = self._line(force.of[0])
-                way = np.array((-way[1], way[0])) if force.way == "normal" else way
-                return self._turned(way, force)
+                return Heading(self._compass(force), force.has_sense)
+            case "along":
+                return self._turned(self._line(force.of[0]), force)
+            case "normal":
+                return self._turned(self._normal(force.of[0]), force)
+            case "about":
+                way, turn = self._line(force.of[0]), force.turn or 1
+                return Heading(way * turn, bool(force.turn) or force.of[0].strip().startswith(("+", "-")))
             case "towards" | "away":
                 return self._towards(force, place)
             case "angle":
-                angle = self._angle(force.of[0])
-                return Heading(np.array((math.cos(angle), math.sin(angle))), True)
+                return Heading(self._at_angle(self._angle(force.of[0]), force.text), True)
             case "components":
-                way = np.array([self._number(part) for part in force.of])
-                if not way.any():
-                    raise ExpressionError(Message("'{line}' has no direction", line=force.text))
-                return Heading(way / float(np.hypot(*way)), True)
+                return Heading(self._of_components(force), True)
+
+    def _turning(self, force: TypedForce) -> Heading:
+        """(1,) of a moment in the plane."""
+        axis = _AXIS.fullmatch(force.of[0]) if force.way == "about" else None
+        if axis is not None and axis[2].lower() == "z":
+            return Heading(
+                np.array((-1.0 if axis[1] == "-" else 1.0,)) * (force.turn or 1), bool(force.turn or axis[1])
+            )
+        if force.way not in ("", "any"):
+            raise ExpressionError(
+                Message("'{line}' is a moment: it turns about an axis and has no direction", line=force.text)
+            )
+        return Heading(np.array((float(force.turn or 1),)), force.turn != 0)
+
+    def _untold(self, force: TypedForce) -> None:
+        if force.turn:
+            raise ExpressionError(Message("'{line}': say about which axis it turns", line=force.text))
+
+    def _of_components(self, force: TypedForce) -> Array:
+        if len(force.of) != len(self.system.up):
+            raise ExpressionError(
+                Message("'{line}' has {n} components, not {own}", line=force.text, n=len(force.of), own=self._n)
+            )
+        way = np.array([self._number(part) for part in force.of])
+        if not way.any():
+            raise ExpressionError(Message("'{line}' has no direction", line=force.text))
+        return way * (force.turn or 1) / float(np.linalg.norm(way))
+
+    @property
+    def _n(self) -> int:
+        return 3 if self.system.space else 2
+
+    def _compass(self, force: TypedForce) -> Array:
+        """In space right is along x, as in a model file, and what is level has no one direction."""
+        word = "right" if force.compass == "level" and not self.system.space else force.compass
+        return self._named_direction(word, force.text)
+
+    def _named_direction(self, word: str, line: str) -> Array:
+        found = self.system.names.named_direction(word.removeprefix("+"))
+        if found is None:
+            raise ExpressionError(Message("'{line}': say in which direction it acts", line=line))
+        return self._along(found)
 
     def _turned(self, way: Array, force: TypedForce) -> Heading:
         """A line with the sense that a word of the compass gives it."""
-        if force.vector is None or not force.has_sense:
+        if not force.has_sense:
             return Heading(way, False)
-        along = float(way @ np.array(force.vector))
+        along = float(way @ self._compass(force))
         return Heading(way if along > 0 else -way, abs(along) > 1e-9)
+
+    def _at_angle(self, angle: float, line: str) -> Array:
+        if self.system.space:
+            raise ExpressionError(Message("'{line}': in space an angle gives no direction", line=line))
+        return np.array((math.cos(angle), math.sin(angle)))
+
+    def _normal(self, text: str) -> Array:
+        """Across a line of the plane; in space along the normal of a plane or a contact."""
+        if not self.system.space:
+            way = self._line(text)
+            return np.array((-way[1], way[0]))
+        touching = next((a for a in self.free.outside if a.is_normal and a.source == text), None)
+        if touching is not None:
+            return touching.way
+        plane = self.system.names.plane(text)
+        if plane is None:
+            raise ExpressionError(Message("there is no plane {name} here", name=text))
+        return self._along(plane.normal)
 
     def _towards(self, force: TypedForce, place: Place | None) -> Heading:
         start = self._of_place(force) if place is None or not place.points else place.points[0]
         away = self._aim(force.of[0]) - start
-        size = float(np.hypot(*away))
+        size = float(np.linalg.norm(away))
         if size < self.free.small:
             raise ExpressionError(Message("'{line}' has no direction", line=force.text))
         return Heading((-1.0 if force.way == "away" else 1.0) * away / size, True)
@@ -168,41 +230,59 @@ class Places:
         return self.place(text).points[0] if found is None else found[1]
 
     def _line(self, text: str) -> Array:
-        """(2,) along a line of the ground or of a body, a connection, a body from its start to its end, or at an angle
-        in the parameters."""
+        """(2 or 3,) along a line of the ground or of a body, a connection, a body from its start to its end, another
+        direction with a name, or at an angle in the parameters."""
+        text = _AXIS_OF.sub("", text)
         if not text:
             raise ExpressionError(Message("say along which line"))
-        if text.lower() in ("x", "y"):
-            return np.array((1.0, 0.0) if text.lower() == "x" else (0.0, 1.0))
+        if (axis := _AXIS.fullmatch(text)) is not None and (axis[2].lower() != "z" or self.system.space):
+            way = np.eye(self._n)["xyz".index(axis[2].lower())]
+            return -way if axis[1] == "-" else way
         body, _, line = text.rpartition(".")
         of = self.system.bodies.get(body or GROUND)
         if of is not None and line in of.lines:
             return self._along(of.lines[line].direction)
         acting = (*self.free.outside, *self.free.inside, *self.free.elsewhere)
         if found := [a for a in acting if a.source == text and not a.is_couple]:
-            return self._of_connection(found)
+            return self._of_connection(found, text)
         if (own := self.system.bodies.get(text)) is not None and {"start", "end"} <= own.points.keys():
             away = self._point(own.point("end")) - self._point(own.point("start"))
-            return away / float(np.hypot(*away))
+            return away / float(np.linalg.norm(away))
+        if (named := self.system.names.named_direction(text)) is not None:
+            return self._along(named)
         try:
             angle = self._angle(text)
         except ExpressionError:
             known = [*self.system.bodies[GROUND].lines, *(a.source for a in acting)]
             told = Message("there is no line {name} here.{hint}", name=text, hint=did_you_mean(text, known))
             raise ExpressionError(told) from None
-        return np.array((math.cos(angle), math.sin(angle)))
+        return self._at_angle(angle, text)
 
-    def _of_connection(self, found: list[Acting]) -> Array:
-        """Along a contact is along its tangent; along a string or a link is along its force."""
+    def _of_connection(self, found: list[Acting], text: str) -> Array:
+        """Along a contact is along its tangent; along a string or a link is along its force; along a joint in space is
+        along its axis."""
+        if self.system.space and sum(a.body == found[0].body for a in found) > 1:
+            return self._axis(found[0], text)
         normal = next((a for a in found if a.is_normal), None)
         if normal is not None:
             return np.array((normal.way[1], -normal.way[0]))
         return found[0].way
 
+    def _axis(self, a: Acting, text: str) -> Array:
+        """(3,) the one direction about which a joint transmits no moment, or along which it transmits no force."""
+        own = [b for b in (*self.free.outside, *self.free.inside, *self.free.elsewhere) if b.source == a.source]
+        own = [b for b in own if b.body == a.body]
+        for is_couple in (True, False):
+            ways = np.array([b.way for b in own if b.is_couple == is_couple])
+            if len(ways) == 2:
+                way = np.cross(*ways)
+                return np.asarray(way / float(np.linalg.norm(way)), dtype=np.float64)
+        raise ExpressionError(Message("{name} has no axis", name=text))
+
     def _along(self, direction: Direction) -> Array:
         zero = tuple(0 * c for c in direction.components)
         away = self._point(Point(direction.body, direction.components)) - self._point(Point(direction.body, zero))
-        return away / float(np.hypot(*away))
+        return away / float(np.linalg.norm(away))
 
     # -- numbers ------------------------------------------------------------------------------
     def _angle(self, text: str) -> float:

@@ -14,7 +14,7 @@ from freebody.language.sentences import Message
 from freebody.language.typed import TypedNumber, Vocabulary, read_typed
 from freebody.language.typed.forces import TypedForce, read_forces
 from freebody.language.units import FORCE, TORQUE
-from freebody.narrative.marking.acting import Acting, FreeBodies, Weight
+from freebody.narrative.marking.acting import Acting, FreeBodies, Weight, is_within
 from freebody.narrative.marking.places import Heading, Place, Places
 from freebody.numeric.jets import Array
 from freebody.study.pictures.action import cross
@@ -111,7 +111,7 @@ def _same(own: Expr, law: Expr, size: float) -> int:
 
 
 def is_place(free: FreeBodies, entry: Entry, a: Acting) -> bool:
-    """Whether an entry acts on the line of action of a force. That of a slider lies where its moment puts it."""
+    """Whether an entry acts on the line of action of a force."""
     place = entry.place
     if place is None:
         return a.is_couple or free.is_point(a.body) or isinstance(a, Weight)
@@ -121,11 +121,19 @@ def is_place(free: FreeBodies, entry: Entry, a: Acting) -> bool:
         return False
     if a.is_couple:
         return True
-    if a.is_normal and any(b.is_couple and (b.source, b.body) == (a.source, a.body) for b in free.outside):
-        return True
     if entry.heading is None:
-        return any(float(np.hypot(*(p - a.at))) < free.small for p in place.points)
-    return any(abs(float(cross(p - a.at, entry.heading.way)[0])) < free.small for p in place.points)
+        return is_point_of(free, entry, a)
+    levers = [cross(p - a.at, entry.heading.way) for p in place.points]
+    return any(float(np.linalg.norm(m)) < free.small or is_borne(free, m, a) for m in levers)
+
+
+def is_borne(free: FreeBodies, moment: Array, a: Acting) -> bool:
+    """Whether a joint that slides can as well transmit a force elsewhere: its line of action lies where the moments of
+    the joint put it."""
+    own = [b for b in free.outside if a.row is not None and (b.source, b.body) == (a.source, a.body)]
+    slides = a.is_normal or sum(not b.is_couple for b in own) < len(a.at)
+    couples = [b.way for b in own if b.is_couple]
+    return slides and is_within(moment / float(np.linalg.norm(moment)), couples)
 
 
 def is_point_of(free: FreeBodies, entry: Entry, a: Acting) -> bool:
@@ -134,11 +142,11 @@ def is_point_of(free: FreeBodies, entry: Entry, a: Acting) -> bool:
         return free.is_point(a.body) and not a.is_couple
     if entry.place.source:
         return entry.place.source == a.source
-    return any(float(np.hypot(*(p - a.at))) < free.small for p in entry.place.points)
+    return any(float(np.linalg.norm(p - a.at)) < free.small for p in entry.place.points)
 
 
 def is_parallel(first: Array, second: Array) -> bool:
-    return abs(float(cross(first, second)[0])) < 1e-6
+    return is_within(first, [second])
 
 
 def is_sense(free: FreeBodies, entry: Entry, a: Acting) -> bool:
@@ -146,8 +154,6 @@ def is_sense(free: FreeBodies, entry: Entry, a: Acting) -> bool:
     sign = sign_of(free, entry, a)
     if not a.is_known and not sign:
         return True
-    if a.is_couple:
-        return (sign or 1) * entry.typed.turn * a.moment >= 0
     assert entry.heading is not None
     return not entry.heading.has_sense or (sign or 1) * float(entry.heading.way @ a.way) > 0
 
@@ -162,4 +168,6 @@ def twice(first: Entry, second: Entry, body: str) -> str:
             second=second.text,
             body=body,
         )
+    if first.typed.is_couple:
+        return Message("'{first}' and '{second}' are the same moment", first=first.text, second=second.text)
     return Message("'{first}' and '{second}' are the same force", first=first.text, second=second.text)
