@@ -41,7 +41,9 @@ def _transmitted(names: Names, quantity: str, rest: Clause) -> Groups:
     kinds = _KINDS.get(quantity, (quantity,))
     if quantity == "tension" and quantity not in own:
         kinds = tuple(
-            kind for kind in sorted(own) if kind.endswith(" force") and kind.split()[0] in ("belt", "rope", "cable")
+            kind
+            for kind in sorted(own)
+            if kind.endswith(" force") and kind.split()[0] in ("belt", "chain", "rope", "cable")
         )
         if not kinds and any(name in names.connections for _, name in rest.names):
             kinds = (quantity,)  # the grammar says that it has none
