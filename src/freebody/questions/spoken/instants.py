@@ -156,6 +156,13 @@ def _how_far(names: Names, main: Clause) -> Groups:
         return
     if up:
         yield [f"{way} when rate({way}) = 0" for way, sense in lookup.inclined(names, who) if sense > 0]
+    elif (
+        set(main.all("verb")) == {"move"}
+        and lookup.rests(names)
+        and lookup.goes_on(names)
+        and not names.struck_at_start
+    ):
+        yield [f"{way} when rate({way}) = 0" for way in lookup.ways(names, who) if who and lookup.springs(names)]
     elif set(main.all("verb")) - {"move"} == {"slide"} and not lookup.rests(names):
         yield [f"distance travelled along {way} until slipping ends" for way in lookup.ways(names, who)]
     elif set(main.all("verb")) == {"turn"}:
