@@ -142,11 +142,12 @@ def _of_sides(names: Names, clause: Clause) -> Groups:
     asked, of = clause.all("quantity"), [name for _, name in clause.names]
     if len(asked) != 1 or len(of) > 1 or not clause.only("quantity", "name", *SILENT):
         return
-    for row in names.constraint_rows:
-        if row.reaction == asked[0] and row.connection in (of or [row.connection]) and len(row.ends) == 2:
-            first, second = (f"{asked[0]} of {row.connection} at {end}" for end in row.ends)
-            yield [f"{first} - {second}"]
-            return
+    rows = [
+        row for row in names.constraint_rows if row.reaction == asked[0] and row.connection in (of or [row.connection])
+    ]
+    if rows and all(len(row.ends) == 2 and row.connection == rows[0].connection for row in rows):
+        first, second = (f"{asked[0]} of {rows[0].connection} at {end}" for end in (rows[0].ends[0], rows[-1].ends[1]))
+        yield [f"{first} - {second}"]
 
 
 def _plain(names: Names, clause: Clause) -> Groups:

@@ -217,7 +217,7 @@ def ends(names: Names, sentence: Sentence) -> Groups:
     """Up to what is counted."""
     if len(sentence.others) == 1:
         mark, clause = sentence.others[0]
-        time = clock(clause) if mark == "after" else None
+        time = clock(names, clause) if mark == "after" else None
         if time is not None:
             yield [f"t = {time}"]
         elif mark in ("until", "when", "after") or (mark == "while" and _has_value(names, clause)):

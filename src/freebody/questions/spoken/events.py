@@ -267,6 +267,8 @@ def _who(names: Names, clause: Clause) -> tuple[str, str]:
 
 def _hits(names: Names, who: str, other: str) -> Groups:
     """What can strike nothing lands where it is as low as at the start, or as zero of its height if it starts above."""
+    if other in names.loads:
+        return
     if not lookup.strikes(names) and other in ("", GROUND):
         yield [f"{height} = 0" for height in (lookup.rising(names, who) or lookup.falling(names, who))]
         return
@@ -320,7 +322,7 @@ def _returns(names: Names, who: str, other: str) -> Groups:
 
 def _reaches(names: Names, who: str, other: str) -> Groups:
     """A place that is reached is struck, where it can be."""
-    if other and other not in names.parameters and other not in names.measures:
+    if other and not any(other in own for own in (names.parameters, names.measures, names.loads)):
         yield [f"{who or 'it'} hits {other}"]
 
 

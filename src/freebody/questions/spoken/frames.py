@@ -157,6 +157,8 @@ def _changing(clause: Clause) -> Clause:
     """The rate at which a quantity changes is another quantity."""
     asked = clause.all("quantity")
     rate = Word("quantity", "rate of")
+    if asked == [rate.what] and len(clause.names) == 1:  # wie schnell steigt der Klotz
+        return Clause([Word("ask", "fast"), *clause.without("quantity").words])
     if len(asked) != 2 or rate not in clause.words:
         return clause
     [of] = [quantity for quantity in asked if quantity != rate.what] or [""]

@@ -156,6 +156,13 @@ def _how_far(names: Names, main: Clause) -> Groups:
         return
     if up:
         yield [f"{way} when rate({way}) = 0" for way, sense in lookup.inclined(names, who) if sense > 0]
+    elif (
+        set(main.all("verb")) == {"move"}
+        and lookup.rests(names)
+        and lookup.goes_on(names)
+        and not names.struck_at_start
+    ):
+        yield [f"{way} when rate({way}) = 0" for way in lookup.ways(names, who) if who and lookup.springs(names)]
     elif set(main.all("verb")) - {"move"} == {"slide"} and not lookup.rests(names):
         yield [f"distance travelled along {way} until slipping ends" for way in lookup.ways(names, who)]
     elif set(main.all("verb")) == {"turn"}:
@@ -263,7 +270,7 @@ def _at(names: Names, mark: str, clause: Clause) -> Groups:
     if mark in ("until", "while"):
         return
     if mark == "after":
-        time = clock(clause)
+        time = clock(names, clause)
         if time is not None:
             yield [f" after {time}"]
             return
@@ -323,6 +330,9 @@ def _event_within(names: Names, main: Clause) -> tuple[Clause, list[list[str]]] 
         who = lookup.massive(names)[0]  # what leaves the dome
     if main.has("ask", "where") and not main.has("quantity"):
         head = [Word("quantity", "position")]
+        if set(verbs) & {"slack", "taut"}:  # what a string leads round is told by the angle, not by how long that is
+            swung = [angle for angle in lookup.hung(names, who or "") if angle in lookup.angles(names, angle)]
+            return (Clause([Word("name", swung[0])]), found) if len(swung) == 1 else None
     if main.has("quantity", "angle"):  # a place of the motion has a name: what has none is no angle of a motion
         [angle, *_] = [*at_angle, *lookup.angles(names, who or ""), *lookup.angles(names, ""), ""]
         return (Clause([Word("name", angle)]), found) if angle else None

@@ -18,10 +18,10 @@ from freebody.questions.spoken.words import Clause
 if TYPE_CHECKING:
     from freebody.model.names import Names
 
-_ENDS_REST = {"slide", "move", "fall", "rise", "turn", "start"}  # verbs of what comes where rest ends
+_ENDS_REST = {"slide", "move", "fall", "rise", "turn", "start", "tip"}  # verbs of what comes where rest ends
 _VERBS = _ENDS_REST | {"hold", "stop", "exert", "act", "end"}
 _MARKS = ("until", "so_that", "to", "when", "without")
-_REST, _NO_SLIP = "it stays at rest", "it does not slip"
+_REST, _NO_SLIP, _NO_TIP = "it stays at rest", "it does not slip", "it does not tip"
 
 
 def limits(names: Names, words: list[Word], modal: set[str]) -> Groups:
@@ -47,6 +47,8 @@ def limits(names: Names, words: list[Word], modal: set[str]) -> Groups:
     end = _end(head, state, modal, lasts)
     if end in ("least", "largest"):
         yield [f"{end} {parameter} so that {lasts}"]
+    elif end == "range" and lasts == _NO_TIP:
+        yield [f"range of {parameter} for which {lasts}"]
     elif end == "range":
         yield [f"range of {parameter} that keeps it at rest"]
 
@@ -89,6 +91,8 @@ def _lasting(names: Names, head: Clause, state: Clause, modal: set[str]) -> str 
         return _REST if modal and is_bounded and not state.words and lookup.is_rough(names) else None
     if not ends:
         return None
+    if "tip" in ends:
+        return _NO_TIP if ends <= {"tip", "start", "move"} and len(lookup.massive(names)) == 1 else None
     if "slide" in ends:
         return _NO_SLIP if all(lookup.is_all_that_slips(names, body) for body in bodies) else None
     return _REST if not bodies or ("rise" in ends and not is_denied) else None

@@ -358,6 +358,14 @@ def axle_of(names: Names, body: str) -> str:
     return "center" if names.bodies[body].points["mass_center"] in points else "beside"
 
 
+def free_end(names: Names, body: str) -> str | None:
+    """The end of a body that nothing holds, where something holds the other one."""
+    own = [f"{body}.{end}" for end in ("start", "end") if body in names.bodies and end in names.bodies[body].points]
+    held = [end for end in own if any(end in _ends(names, joint) for joint in names.connections)]
+    free = [end for end in own if end not in held]
+    return free[0] if len(held) == len(free) == 1 else None
+
+
 def is_known(names: Names, name: str) -> bool:
     """Whether a name is that of a thing that the model has."""
     things = (names.bodies, names.connections, names.loads, names.measures, names.bodies[GROUND].lines)

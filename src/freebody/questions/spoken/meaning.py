@@ -31,6 +31,7 @@ _STARTS, _AT_START, _FROM_REST = Word("verb", "start"), Word("instant", "at star
 _WHILE = Word("mark", "while")
 _COMMA = Word("preposition", ",")
 _SO_THAT = Word("mark", "so_that")
+_FREE_END = "free_end"  # of a body, as the spelling writes it
 _FOR = Word("preposition", "of")  # friction for rolling
 # what only a limit tells apart: how small, how steep
 _AS_LARGE = {Word("ask", what): Word("ask", "large") for what in ("small", "flat", "steep")}
@@ -39,6 +40,9 @@ _AS_LARGE = {Word("ask", what): Word("ask", "large") for what in ("small", "flat
 def meanings(names: Names, words: list[Word]) -> Groups:
     """What words can ask for."""
     if any(word.kind == "other" for word in words):
+        return
+    words = _at_free_ends(names, words)
+    if not words:
         return
     modal = {word.what for word in words if word.kind == "filler"} & {"may", "must"}
     words = _from_rest(names, words)
@@ -57,10 +61,25 @@ def meanings(names: Names, words: list[Word]) -> Groups:
     sentence = parted(words)
     sentence = sentence and told_who(names, sentence)
     if sentence is not None and all(mark in _MARKS for mark, _ in sentence.others):
-        for told in (_limit, _structure, _conserved, lost, time, stopping, counted, timed):
+        for told in (_limit, _structure, _which_way, _conserved, lost, time, stopping, counted, timed):
             yield from told(names, sentence)
     yield from stated(names, words)
     yield from limits(names, lasting, modal)
+
+
+def _at_free_ends(names: Names, words: list[Word]) -> list[Word]:
+    """With the points that the tip of a rod and its free end are; nothing where there is none."""
+    found: list[Word] = []
+    for word in words:
+        body, _, end = word.what.partition(".")
+        if word.kind == "name" and end == _FREE_END:
+            points = [lookup.free_end(names, own) for own in ([body] if body else lookup.moving(names))]
+            free = [point for point in points if point is not None]
+            if len(free) != 1:
+                return []
+            word = Word("name", free[0])
+        found.append(word)
+    return found
 
 
 def _as_long_as(words: list[Word]) -> list[Word]:
@@ -262,7 +281,11 @@ def _structure(names: Names, sentence: Sentence) -> Groups:
     growing = [name for _, name in whole.names if name in names.parameters]
     if not growing and whole.has("verb", "grow") and not any(name in names.bodies for _, name in whole.names):
         growing = given.chosen(names, given.KIND_OF["force"], [name for _, name in whole.names])
-    fails = set(whole.all("verb")) - {"start", "move"} == {"tip", "slide", "grow"} and not whole.has("value")
+    doing = set(whole.all("verb")) - {"start", "move"}
+    if doing == {"tip", "slide"} and not (sentence.others or whole.has("ask")):  # of the only force
+        growing = growing or given.of_kind(names, "force")
+        doing |= {"grow"}
+    fails = doing == {"tip", "slide", "grow"} and not whole.has("value")
     if fails and len(growing) == 1 and not whole.has("not") and set(whole.all("degree")) <= {"first"}:
         yield [f"does it tip or slide as {growing[0]} grows"]
     verbs, of = set(main.all("verb")), [name for _, name in main.names]
@@ -306,6 +329,16 @@ def _structure(names: Names, sentence: Sentence) -> Groups:
     if verbs & {"tip"} and verbs & {"slide"} and len(verbs - {"start", "move"}) == 2:
         grows = [name for name in of if name in names.parameters]
         yield [f"does it tip or slide as {name} grows" for name in grows]
+
+
+def _which_way(names: Names, sentence: Sentence) -> Groups:
+    """Which way something moves that is let go: the way in which it is accelerated."""
+    main, verbs = sentence.main, set(sentence.main.all("verb"))
+    of = [name for _, name in main.names if name in lookup.moving(names)]
+    plain = main.has("ask", "way") and main.only("ask", "verb", "name", "pronoun") and not sentence.others
+    if plain and len(of) == len(main.names) == 1 and verbs <= {"start", *GOES_ON} and verbs and lookup.rests(names):
+        is_turned = "turn" in verbs or lookup.axle_of(names, of[0]) == "center"
+        yield [f"{'angular ' if is_turned else ''}acceleration of {of[0]}"]
 
 
 def _conserved(names: Names, sentence: Sentence) -> Groups:

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
 
 _TRANSMITTED = (
     *("tension", "normal force", "friction force", "contact force", "axial force", "tooth force", "driving torque"),
+    *("radial tooth force", "tangential tooth force", "axial tooth force"),
     *("driving force", "reaction", "bearing reaction", "force", "moment", "torque", "impulse", "angular impulse"),
 )
 _KINDS = {  # kinds of what is said so, by how likely they are meant
@@ -41,7 +42,9 @@ def _transmitted(names: Names, quantity: str, rest: Clause) -> Groups:
     kinds = _KINDS.get(quantity, (quantity,))
     if quantity == "tension" and quantity not in own:
         kinds = tuple(
-            kind for kind in sorted(own) if kind.endswith(" force") and kind.split()[0] in ("belt", "rope", "cable")
+            kind
+            for kind in sorted(own)
+            if kind.endswith(" force") and kind.split()[0] in ("belt", "chain", "rope", "cable")
         )
         if not kinds and any(name in names.connections for _, name in rest.names):
             kinds = (quantity,)  # the grammar says that it has none
@@ -176,7 +179,7 @@ def _between(
         yield [f"{head} of {strange[0]}"]
         return
     first, second = (*of, "", "")[:2]
-    joints = lookup.joints(names, first, second, kind)
+    joints = lookup.joints(names, first, second, "tooth force" if kind.endswith(" tooth force") else kind)
     joints = [joint for joint in joints if joint in only] or ([] if only else joints)
     if kind == "moment" and not ends:  # no pin is clamped
         joints = [
@@ -224,3 +227,26 @@ def _work(names: Names, quantity: str, rest: Clause) -> Groups:
         of = driving
     if rest.only("name", *SILENT) and len(of) == 1:
         yield [f"{quantity} of {of[0]}"]
+
+
+@said_of("tight tension", "slack tension")
+def _of_runs(names: Names, quantity: str, rest: Clause) -> Groups:
+    """A tension of a belt with pretension, which is named or the only one."""
+    of = [name for _, name in rest.names]
+    if rest.only("name", *SILENT) and len(of) <= 1:
+        yield [f"{quantity} of {name}" for name in of or _having(names, quantity)]
+
+
+def _having(names: Names, quantity: str) -> list[str]:
+    with names.quietly():
+        return [name for name, spec in names.connections.items() if quantity in spec.transmitted(names)]
+
+
+@said_of("pressure angle")
+def _pressure_angle(names: Names, quantity: str, rest: Clause) -> Groups:
+    """Of a cam that is named, or of the only one."""
+    of = [name for _, name in rest.names if name in names.connections]
+    with names.quietly():
+        cams = [name for name, spec in names.connections.items() if not isinstance(spec.aside_of_way(names), str)]
+    if rest.only("name", *SILENT) and len(rest.names) <= 1:
+        yield [f"pressure angle of {name}" for name in of or cams]

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from freebody.measures.geometry import GROUND
 from freebody.questions.spoken import lookup
 from freebody.questions.spoken.composing import ALONG, SILENT, Groups, said_of, without_owners
+from freebody.questions.spoken.lexicon import Word
 from freebody.questions.spoken.words import Clause
 
 if TYPE_CHECKING:
@@ -19,6 +20,9 @@ _SLOPES = {"uphill": "up", "downhill": "down"}
 @said_of("velocity", "speed", "acceleration", "angular velocity", "angular acceleration")
 def motion(names: Names, quantity: str, rest: Clause) -> Groups:
     """A velocity or an acceleration of a body, a point or a measure, along a direction, relative to another body."""
+    if (turned := _other_way(names, rest)) is not None:  # down a slope whose line points up
+        yield from ([f"-({text})" for text in group] for group in motion(names, quantity, turned))
+        return
     found = _directed(names, rest)
     if found is None or not rest.only("name", "part", *SILENT):
         return
@@ -64,6 +68,21 @@ def motion(names: Names, quantity: str, rest: Clause) -> Groups:
         yield [f"{quantity.removeprefix('angular ')} of {name}{end}"] if name in names.measures else []
     elif name in names.bodies and quantity != "speed":
         yield [f"{quantity} of {name}{end}"]
+
+
+def _other_way(names: Names, rest: Clause) -> Clause | None:
+    """The words with the other way along the only slope or a line, where that does not point the way that is said."""
+    ways = rest.all("updown")
+    if len(ways) == 1 and not rest.has("part") and _directed(names, rest) is None:
+        other = {"up": "down", "down": "up"}[ways[0]]
+        turned = Clause([Word("updown", other) if word.kind == "updown" else word for word in rest.words])
+        return turned if _directed(names, turned) is not None else None
+    line = lookup.sloping(names)
+    said = [part for part in rest.all("part") if part in _SLOPES]
+    if len(said) != 1 or not line or lookup.points(names, line, _SLOPES[said[0]]):
+        return None
+    other = {"uphill": "downhill", "downhill": "uphill"}[said[0]]
+    return Clause([Word("part", other) if word == Word("part", said[0]) else word for word in rest.words])
 
 
 def _directed(names: Names, rest: Clause) -> tuple[list[str], str, str] | None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from freebody.language.units import TIME
 from freebody.questions.spoken import dimensions, lookup
 from freebody.questions.spoken.lexicon import Word
 from freebody.questions.spoken.words import Clause
@@ -64,8 +65,11 @@ def told_who(names: Names, sentence: Sentence) -> Sentence:
     return Sentence(sentence.main, tuple(others))
 
 
-def clock(clause: Clause) -> str | None:
-    """A time since the start that a clause is."""
+def clock(names: Names, clause: Clause) -> str | None:
+    """A time since the start that a clause is: 2 s, or a parameter that is a time."""
+    times = [name for _, name in clause.names if name in names.parameters and names.parameters[name].dimension == TIME]
+    if len(times) == 1 and clause.only("name", "preposition", "pronoun") and len(clause.names) == 1:
+        return times[0]
     values = clause.values
     if len(values) == 1 and clause.only("value", "preposition", "pronoun") and dimensions.is_time(values[0][1]):
         return values[0][1]

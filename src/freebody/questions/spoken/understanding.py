@@ -118,9 +118,13 @@ def _nearest(names: Names, text: str, read: Callable[[str], AskedT | None]) -> t
     nearest: dict[str, AskedT] = {}
     distance: int | None = None
     instead: list[Problem] = []
+    tried_at = 0
     for meaning in _meanings(names, text):
         if distance is not None and meaning.distance > distance:
             break
+        if distance is None and meaning.distance > tried_at and _leave_open(instead):
+            break  # which of several values is meant says no other name that the words may be
+        tried_at = meaning.distance
         for wordings in meaning.texts:
             tried = {words: _read_quietly(names, words, read) for words in wordings}
             here = {words: asked for words, asked in tried.items() if not isinstance(asked, Unread)}
@@ -145,6 +149,11 @@ def _read_quietly(names: Names, text: str, read: Callable[[str], AskedT | None])
 def _is_specific(problems: list[Problem]) -> bool:
     """Whether they say more than that nothing of a text can be read."""
     return any(not (isinstance(p.message, Message) and _GENERAL & p.message.arguments.keys()) for p in problems)
+
+
+def _leave_open(problems: list[Problem]) -> bool:
+    """Whether they say that what is asked has several values."""
+    return len(problems) == 1 and " has several values of " in problems[0].message
 
 
 def _is_of_words(names: Names, problems: list[Problem]) -> bool:
