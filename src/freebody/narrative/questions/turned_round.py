@@ -26,6 +26,7 @@ from freebody.study.answering.numbers import LONGEST, at_event, number_at
 from freebody.study.answering.simulated_numbers import number_with_changes
 from freebody.study.answering.solve import solve
 from freebody.study.answering.turned_round import with_others
+from freebody.study.answering.witness import patience
 from freebody.symbolic.limits import derivative_by
 from freebody.symbolic.relations import readable
 from freebody.system.system import System
@@ -213,7 +214,7 @@ class _Refined:
             if not of.is_of_state:
                 found = number_at(setup, of, question.event, draw)
             elif question.event is not None:
-                found = at_event(setup, of, draw, draw.start(), LONGEST, question.event)
+                found = at_event(setup, of, draw, draw.start(), patience(draw.start(), LONGEST), question.event)
             else:
                 here = world.snapshot
                 moved = draw.start() if question.at_start else draw.reference.snapshot(here.q, here.v, here.t)
