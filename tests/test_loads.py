@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import functools
+import math
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -478,3 +480,29 @@ start: {y: 5 m, rate(y): 10 m/s}
     lowest = max(motion.series["y"][0])
     assert 700 * lowest == pytest.approx(50 * (lowest - 20) ** 2, rel=1e-5)
     assert motion.series["y"][0][1000] == pytest.approx(5 + 10 * 1 + 5 * 1**2, rel=1e-9)  # at 1 s it still falls
+
+
+@pytest.mark.parametrize("at", ["", ", at: [r_0, 0]"])
+def test_a_satellite_is_followed_however_long_it_takes(at: str) -> None:
+    """In SI, by a place or by its distance; r_a = r_0/(2 mu/(r_0 v_0^2) - 1), which needs mu < r_0 v_0^2 < 2 mu, and
+    T = 2 pi sqrt(a^3/mu) with 2 a = r_0 + r_a (Kepler)."""
+    mu, r, v = 4e14, 7e6, 9e3
+    model = f"""
+parameters: {{m: 2 kg, mu: {mu} m^3/s^2, r_0: {r} m, v_0: {v} m/s}}
+bodies: {{satellite: {{particle: {{mass: m}}{at}}}}}
+loads: {{it: {{attraction: {{center: ground.O, strength: mu}}}}}}
+measures: {{r: distance from ground.O to satellite, phi: angle of line from ground.O to satellite}}
+start: {{r: r_0, phi: 0, rate(r): 0, rate(phi): v_0/r_0}}
+"""
+    system = fb.System.from_text(model)
+    apogee = r / (2 * mu / (r * v * v) - 1)
+    assert system.solve("greatest r").answers[0].value == pytest.approx(apogee, rel=1e-9)
+    period = system.solve("period of r").answers[0].value
+    assert period == pytest.approx(2 * math.pi * math.sqrt(((r + apogee) / 2) ** 3 / mu), rel=1e-6)
+
+
+def test_how_far_a_satellite_gets_is_derived_where_it_gets_farther() -> None:
+    """With r_0 v_0^2 < mu it falls at first, and its greatest distance is that of the start."""
+    model = (Path(__file__).parents[1] / "examples" / "planet_orbit.yaml").read_text()
+    (derivation,) = fb.explain(fb.System.from_text(model), "greatest r").derivations
+    assert not derivation.reason

@@ -116,6 +116,16 @@ def test_a_saturated_motor_gives_its_full_torque_first() -> None:
     assert 20 * phi[-1] - 4 * 6.0 * 0.4 > 3.0  # which is so all the time
 
 
+@pytest.mark.parametrize("most", [3.0, 0.01])
+def test_a_saturated_motor_rests_where_its_law_says_however_far_that_is(most: float) -> None:
+    """k phi = 0; about it J phi'' + c phi' + k phi = 0, so that omega^2 = k/J. T_m/k may be less than a step."""
+    system = example("saturated_servo").with_parameters(T_m=most)
+    (rest,) = system.equilibria().rests
+    assert rest.measures["phi"] == pytest.approx(0.0, abs=1e-9)
+    (mode,) = system.modes().modes
+    assert mode.frequency == pytest.approx(math.sqrt(20 / 0.5))
+
+
 def test_inputs_and_outputs_reach_the_state_space_model() -> None:
     # from the wanted place X to the trolley: at rest x = r = p = X, so the gain at s = 0 is one; and p is 1/(tau s + 1)
     system = example("crane_with_feedforward")

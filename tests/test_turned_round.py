@@ -7,6 +7,7 @@ where there is one. Problem families: Meriam & Kraige, Engineering Mechanics: Dy
 from __future__ import annotations
 
 import math
+from pathlib import Path
 
 import pytest
 
@@ -19,6 +20,7 @@ from freebody.language.notation import to_python
 from freebody.language.parser import parse
 from freebody.study.answering.answer import Answer
 
+EXAMPLES = Path(__file__).parents[1] / "examples"
 G = 9.81
 THROW = """
 parameters: {m: 0.5 kg, v0: 15 m/s, theta: 50 deg, s: 12 m, h: 2 m, T: 2 s, g: 9.81 m/s^2}
@@ -280,6 +282,14 @@ def test_it_is_derived(name: str) -> None:
     assert derivation.stages[-2].title.key == "stage.turned"
     equations = [item for item in derivation.stages[-2].items if hasattr(item, "number")]
     assert len(equations) == len(formulas) + 1  # the equation of every value, and all values
+
+
+def test_it_is_derived_where_the_unknown_stands_on_both_sides() -> None:
+    """Moments about the front contact: N (a + b) = m g a + F h. With N = F/mu: F (a + b - mu h) = mu m g a."""
+    model, find = (EXAMPLES / "traction_limits.yaml").read_text(), "value of F for which normal force of rear = F/mu"
+    (derivation,) = fb.explain(System.from_text(model), find).derivations
+    assert not derivation.reason
+    assert _answer(model, find).value == pytest.approx(0.8 * 1200 * G * 1.2 / (1.2 + 1.4 - 0.8 * 0.5))
 
 
 @pytest.mark.slow

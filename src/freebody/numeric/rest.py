@@ -288,11 +288,13 @@ class RestFinder:
 
     def is_same(self, a: LoadBalance, b: LoadBalance) -> bool:
         """Whether two poses are one: turns counted out, if the loads do not count them."""
-        if self.apart(a.pose, b.pose) > SAME:
-            return False
+        return self.apart(a.pose, b.pose) <= SAME and self.loads_same(a.pose, b.pose)
+
+    def loads_same(self, a: CountedPose, b: CountedPose) -> bool:
+        """Whether the laws of all loads have the same values in two poses."""
         laws = [
             np.array([law(self.reference, g, push) for push in self.reference.system.all_loads])
-            for g in (self.geometry(a.pose), self.geometry(b.pose))
+            for g in (self.geometry(a), self.geometry(b))
         ]
         return bool(np.abs(laws[0] - laws[1]).max(initial=0.0) <= 1e-3 * np.abs(laws).max(initial=0.0) + ROUND_OFF)
 

@@ -8,7 +8,7 @@ part that it belongs to, so that nothing in another part matters.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -101,7 +101,8 @@ class Sizes:
 
 def typical_length(system: System, number: Callable[[Expr], float]) -> float:
     """How far points are from mass centres and from the origin, and how long held lengths are, at most [m]. Of what is
-    fixed only those points count at which something is held, pushed or measured."""
+    fixed only those points count at which something is held, pushed or measured. Where none of these has a length, a
+    start far away tells it, as that of a planet does."""
     moving = system.all_moving
     fixed = {point.body for point in system.touched} & {name for name, body in system.bodies.items() if body.fixed}
     places = [place for body in moving for place in body.points.values()]
@@ -113,7 +114,14 @@ def typical_length(system: System, number: Callable[[Expr], float]) -> float:
     for row in system.constraint_rows:
         if row.target is not None and row.measure.dimension == LENGTH and "t" not in free_symbols(row.target):
             lengths.append(abs(number(row.target)))
-    return max(lengths) or 1.0
+    return max(lengths) or max([1.0, *_start_lengths(system, number)])
+
+
+def _start_lengths(system: System, number: Callable[[Expr], float]) -> Iterator[float]:
+    """What the start says of lengths [m]."""
+    for key, value in system.all_start.items():
+        if system.all_measures[key].dimension == LENGTH:
+            yield abs(number(value))
 
 
 def _small_moves(masses: Array, turning: NDArray[np.bool_], near: Sequence[Near]) -> Array:

@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -23,6 +24,7 @@ if TYPE_CHECKING:
     from freebody.numeric.rest import CountedPose, LoadBalance, RestFinder
 
 _STEP, _FINE_STEP = 0.25, 0.1  # in sizes or radians; the second with one degree of freedom
+_N_HALVINGS = 40
 _N_BEND = 1e4  # condition number at which coordinates are none any more
 
 
@@ -56,6 +58,29 @@ def toured(statics: RestFinder, pose: CountedPose, k: int) -> Iterator[CountedPo
         )
         if turns or (len(errors) == 2 and here.balance.error < (1.0 - 1e-6) * min(errors)):
             yield here.balance.pose
+    if len(first.residual) == 1:
+        for here, there in pairwise(line):
+            narrowed = _narrowed(statics, here, there)
+            if narrowed is not None:
+                yield narrowed
+
+
+def _narrowed(statics: RestFinder, here: _TourPose, there: _TourPose) -> CountedPose | None:
+    """Between two poses from which the load drives to each other with all it can, as a motor at its limit does: by
+    halves, one at which it is less and tells Newton's method where to go."""
+    least = (1.0 - 1e-6) * min(here.balance.error, there.balance.error)
+    if here.along * there.along >= 0.0 or max(here.balance.error, there.balance.error) * (1.0 - 1e-6) > least:
+        return None
+    for _ in range(_N_HALVINGS):
+        way = statics.reference.frame.difference(there.balance.pose.q, here.balance.pose.q)
+        middle = statics.try_balance(statics.moved(here.balance.pose, 0.5 * way))
+        if middle is None:
+            return None
+        if middle.error < least:
+            return middle.pose
+        half = _TourPose(middle, float(middle.forces @ way))
+        here, there = (half, there) if half.along * here.along > 0.0 else (here, half)
+    return None
 
 
 class _CoordinateTour:
@@ -67,6 +92,7 @@ class _CoordinateTour:
         self._marks: list[SmallCoordinate] = coordinates(
             statics.reference, statics.geometry(first.pose), first.split.null
         )
+        self._passed: list[CountedPose] = []
         self.has_closed = False
 
     def stops(self, sense: float) -> Iterator[_TourPose]:
@@ -80,6 +106,7 @@ class _CoordinateTour:
                 return  # beside such sizes this direction is lost in numbers
             heading = heading / length
             yield _TourPose(here, float(here.forces @ heading))
+            self._passed.append(here.pose)
             there = self._next(here, size * heading)
             if there is None:
                 return
@@ -107,9 +134,12 @@ class _CoordinateTour:
             return False
         if statics.reference.system.space:
             return statics.is_same(there, first)
-        turned = there.pose.q - statics.difference(there.pose, first.pose)
-        again = statics.try_balance(replace(there.pose, q=turned))
-        return again is not None and statics.is_same(again, first)
+        whole = there.pose.q - statics.difference(there.pose, first.pose) - first.pose.q
+        again = statics.try_balance(replace(first.pose, q=first.pose.q + whole))
+        if again is None or not statics.is_same(again, first):
+            return False
+        # a load at its limit counts no turns here, and may do so on the turn behind, which is not gone then
+        return all(statics.loads_same(pose, replace(pose, q=pose.q - whole)) for pose in self._passed)
 
     def _next(self, here: LoadBalance, step: Array) -> LoadBalance | None:
         for part in (1.0, 0.3, 0.1):

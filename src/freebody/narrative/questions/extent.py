@@ -21,6 +21,7 @@ from freebody.questions.steady import Extremes
 from freebody.study.answering.answer import Answer
 from freebody.study.answering.crosscheck import SaysNothing, holds
 from freebody.study.answering.extent import extent_in_numbers, goes_one_way, kept_on_the_way, turn_of
+from freebody.symbolic.conditions import Condition
 from freebody.symbolic.tidy import tidy
 
 
@@ -70,16 +71,21 @@ def _turning(
         square = square_line(context, script, c, lines, "start")
 
         kept = kept_on_the_way(setup, found)
+        kept += [Condition(part, relation, Message("it turns")) for part, relation in found.conditions]
+
+        def is_so(world: World) -> bool:
+            return all(holds(setup, k, world.draw, world.draw.start()) for k in kept)
 
         def read(world: World) -> float:
-            if not all(holds(setup, k, world.draw, world.draw.start()) for k in kept):
+            if not is_so(world):
                 raise SaysNothing(Message("the motion is another one there"))
             return extent_in_numbers(world.draw, measure, side)
 
         symbol = asked_as(context, question, read)
         script.add(asked_entry(symbol, question))
+        script.glossary = script.glossary.where(is_so)
         args: dict[str, Argument] = {"line": square}
-        script.line(symbol, tidy(x), why="course.farthest", args=args, uses=(square,), when="never")
+        script.line(symbol, tidy(x), why="course.farthest", args=args, uses=(square,), when="start")
     return script.stages
 
 

@@ -26,6 +26,7 @@ from freebody.study.answering.numbers import LONGEST, at_event, number_at
 from freebody.study.answering.simulated_numbers import number_with_changes
 from freebody.study.answering.solve import solve
 from freebody.study.answering.turned_round import with_others
+from freebody.study.answering.witness import patience
 from freebody.symbolic.limits import derivative_by
 from freebody.symbolic.relations import readable
 from freebody.system.system import System
@@ -128,9 +129,9 @@ def _are_roots(context: Context, quantity: Wanted, formula: Expr, values: Sequen
     """Whether the formula is what is wanted at all values, at the model's own numbers."""
     own = context.setup.draws[0].values
     with suppress(ArithmeticError, ValueError, KeyError):
-        target = float(evaluate(quantity.target, own, FLOAT_FUNCTIONS))
         for value in values:
             x = float(evaluate(value, own, FLOAT_FUNCTIONS))
+            target = float(evaluate(quantity.target, {**own, quantity.parameter: x}, FLOAT_FUNCTIONS))
             found = float(evaluate(formula, {**own, quantity.parameter: x}, FLOAT_FUNCTIONS))
             near = float(evaluate(formula, {**own, quantity.parameter: 1.1 * x}, FLOAT_FUNCTIONS))
             if near == found or abs(found - target) > _ROOT * max(abs(near - found), abs(target)):
@@ -169,10 +170,10 @@ def _solved(context: Context, script: Script, question: Question, formula: Expr,
     names = introduced(context, script, question, values, _Refined(context.system, question, quantity).reader)
     lines: list[int] = []
     for name in names:
-        put_in = substitute(formula, {quantity.parameter: name})
+        put_in, target = (substitute(x, {quantity.parameter: name}) for x in (formula, quantity.target))
         args = {"name": f"@{quantity.parameter}"}
         why = "" if lines else "turned.equation"
-        lines.append(script.line(put_in, quantity.target, why=why, args=args, when=when))
+        lines.append(script.line(put_in, target, why=why, args=args, when=when))
     sides = (names[0], values[0]) if len(names) == 1 else (tuple(names), tuple(values))
     script.line(*sides, why="turned.solved", args={"lines": tuple(lines)}, uses=tuple(lines), when=when)
 
@@ -180,7 +181,7 @@ def _solved(context: Context, script: Script, question: Question, formula: Expr,
 @dataclass(frozen=True)
 class _Refined:
     """The value by the numeric route: that of the formula, and one step of Newton's method from there with the quantity
-    found in numbers."""
+    found in numbers, less what it is to be, which may hang on the parameter too."""
 
     system: System
     question: Question
@@ -193,12 +194,15 @@ class _Refined:
         # a change of contacts, and a steady motion, are found by the numeric route in ways of their own
         if self.question.transition is not None or self.quantity.of.scope == "steady motion":
             return x
-        target = float(world.of(self.quantity.target)[0])
         step = _STEP * (abs(x) or 1.0)
-        there, near = self._quantity(world, x), self._quantity(world, x + step)
+        there, near = self._excess(world, x), self._excess(world, x + step)
         if near == there:
             raise CannotAnswer(Message("that does not depend on {name}", name=self.quantity.parameter))
-        return x - (there - target) * step / (near - there)
+        return x - there * step / (near - there)
+
+    def _excess(self, world: World, x: float) -> float:
+        target = substitute(self.quantity.target, {self.quantity.parameter: number(Fraction(x))})
+        return self._quantity(world, x) - float(world.of(target)[0])
 
     def _quantity(self, world: World, x: float) -> float:
         values = world.draw.values | {self.quantity.parameter: x}
@@ -210,7 +214,7 @@ class _Refined:
             if not of.is_of_state:
                 found = number_at(setup, of, question.event, draw)
             elif question.event is not None:
-                found = at_event(setup, of, draw, draw.start(), LONGEST, question.event)
+                found = at_event(setup, of, draw, draw.start(), patience(draw.start(), LONGEST), question.event)
             else:
                 here = world.snapshot
                 moved = draw.start() if question.at_start else draw.reference.snapshot(here.q, here.v, here.t)

@@ -29,7 +29,7 @@ from freebody.study.answering.magnitude import magnitude
 from freebody.study.answering.named_formulas import Chain
 from freebody.study.answering.numbers import LONGEST
 from freebody.study.answering.scope import for_all
-from freebody.study.answering.witness import motion_to
+from freebody.study.answering.witness import motion_to, patience
 from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition
 from freebody.symbolic.field import Ratio
@@ -162,7 +162,7 @@ class AnswerCompletion:
         if event is None or self.reached is None:
             return [start]
         try:
-            return [start, *motion_to(draw.reference, start, LONGEST, event).links]
+            return [start, *motion_to(draw.reference, start, patience(start, LONGEST), event).links]
         except (CannotAnswer, ArithmeticError, ValueError):
             return [start]
 

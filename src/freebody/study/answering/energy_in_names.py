@@ -20,6 +20,7 @@ from freebody.study.answering.evidence import LONGEST
 from freebody.study.answering.in_names import in_numbers, told
 from freebody.study.answering.named_formulas import NamedFormula
 from freebody.study.answering.numbers import at_event
+from freebody.study.answering.witness import patience
 from freebody.study.setup import Setup
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.first_integrals import is_driven
@@ -55,7 +56,7 @@ def answer_by_energy(setup: Setup, question: Question) -> Answer | None:
 
     def compare(draw: Draw) -> None:
         exact, start = in_numbers(setup, found, draw, draw.start()), draw.start()
-        check.compare(draw, exact, at_event(setup, q, draw, start, LONGEST, event))
+        check.compare(draw, exact, at_event(setup, q, draw, start, patience(start, LONGEST), event))
         in_order.append(draw)
 
     evidence = check.gather(setup.draw_stream(), compare).evidence()

@@ -27,7 +27,7 @@ from freebody.study.answering.draws import Draw
 from freebody.study.answering.finding import NotHere
 from freebody.study.answering.magnitude import magnitude
 from freebody.study.answering.numbers import at_event
-from freebody.study.answering.witness import motion_to
+from freebody.study.answering.witness import motion_to, patience
 from freebody.study.mobility.centres import moving_for
 from freebody.study.setup import Setup, rank_freedoms
 from freebody.symbolic.conditions import Condition
@@ -92,7 +92,7 @@ def along_motion(
         if not all(holds(setup, c, draw, start) for c in (*conditions, *signs)):
             return
         late = 1.0 if isinstance(event, Clock) else 1.5
-        until = LONGEST if time is None else late * element_at(setup, (time,), draw, start)[0]
+        until = patience(start, LONGEST) if time is None else late * element_at(setup, (time,), draw, start)[0]
         if until > 0:
             numeric = at_event(setup, quantity, draw, start, until, event)
             check.compare(draw, exact, numeric, partial(magnitude, quantity.dimension, draw.seen(start)))
@@ -128,10 +128,10 @@ def along_motion(
 
 
 def _comes(setup: Setup, event: AskedEvent) -> bool:
-    """Whether an event comes within a minute, at the model's own values."""
+    """Whether an event comes, at the model's own values."""
     draw = setup.draws[0]
     with suppress(CannotAnswer, ArithmeticError, ValueError):
-        motion_to(draw.reference, draw.start(), LONGEST, event)
+        motion_to(draw.reference, draw.start(), patience(draw.start(), LONGEST), event)
         return True
     return False
 

@@ -19,7 +19,7 @@ from freebody.study.answering.crosscheck import (
 from freebody.study.answering.draws import Draw
 from freebody.study.answering.finding import Finding, NotHere
 from freebody.study.answering.repeated import SHORTER, checked, coordinate_of, taken_throughout
-from freebody.study.answering.witness import least_rate, run, snapshots
+from freebody.study.answering.witness import least_rate, patience, run, snapshots
 from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition, insisted
 from freebody.symbolic.field import Ratio
@@ -89,8 +89,10 @@ def extent_in_numbers(draw: Draw, measure: Measure, side: int) -> float:
     start, reference = draw.start(), draw.reference
     watches = [EngineWatch("turn", measure, 1, size=least_rate(start, measure))]
 
+    longest = patience(start, LONGEST)
+
     def followed(share: float) -> tuple[Engine, Trajectory, list[float]]:
-        engine, course = run(reference, start, np.array([start.t, start.t + share * LONGEST]), watches)
+        engine, course = run(reference, start, np.array([start.t, start.t + share * longest]), watches)
         turns = [h.time for h in course.events if h.kind in ("rising", "falling") and h.time > start.t]
         return engine, course, turns[:_N_TURNS]
 

@@ -19,7 +19,7 @@ from freebody.questions.small_motion import OfSmallMotion, SmallOscillations
 from freebody.study.answering.crosscheck import as_parts
 from freebody.study.answering.draws import Draw
 from freebody.study.answering.passage import smooth_numbers
-from freebody.study.answering.witness import motion_to, states_at
+from freebody.study.answering.witness import motion_to, patience, states_at
 from freebody.study.mobility.centres import moving_for
 from freebody.study.setup import Setup
 
@@ -69,7 +69,7 @@ def _number(quantity: Quantity, setup: Setup, event: AskedEvent | None, draw: Dr
     elif _rests(setup):
         raise CannotAnswer(Message("it starts at rest, and only round-off accelerates it: numbers would follow that"))
     else:
-        values = as_parts(at_event(setup, quantity, draw, start, LONGEST, event))
+        values = as_parts(at_event(setup, quantity, draw, start, patience(start, LONGEST), event))
     return values[0] if len(values) == 1 else values
 
 
@@ -100,15 +100,16 @@ def _extent_number(quantity: Extent, setup: Setup, event: AskedEvent | None, dra
 
 
 def _insist_no_farther(quantity: Extent, draw: Draw, value: float) -> None:
-    """Raises CannotAnswer where it gets farther within a minute."""
+    """Raises CannotAnswer where it gets farther later on."""
+    longest = patience(draw.start(), LONGEST)
     try:
-        seen = states_at(draw.reference, draw.start(), np.linspace(0.0, LONGEST, _N_LOOKS))
+        seen = states_at(draw.reference, draw.start(), np.linspace(0.0, longest, _N_LOOKS))
     except CannotAnswer:  # the motion cannot be followed so long
         return
     reached = max(quantity.side * s.value(quantity.measure) for s in seen) * quantity.side
     if quantity.side * (reached - value) > _FARTHER * max(abs(reached), abs(value)):
         told = Message(
-            "it gets farther later on: in a simulation of {t:.3g} s to {value:.6g}", t=LONGEST, value=reached
+            "it gets farther later on: in a simulation of {t:.3g} s to {value:.6g}", t=longest, value=reached
         )
         raise CannotAnswer(told)
 

@@ -28,7 +28,7 @@ from freebody.study.answering.crosscheck import (
 )
 from freebody.study.answering.draws import Draw
 from freebody.study.answering.finding import Finding, NotHere
-from freebody.study.answering.witness import least_rate, run
+from freebody.study.answering.witness import least_rate, patience, run
 from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition, insisted, require
 from freebody.symbolic.field import Ratio
@@ -148,7 +148,7 @@ def number(measure: Measure | None, setup: Setup, draw: Draw) -> float:
     measure = measure or next(iter(setup.system.measures.values()), None)
     if measure is None:
         raise CannotAnswer(Message("name a measure whose period is meant"))
-    return period_in_numbers(draw, measure, LONGEST, is_exact=True)
+    return period_in_numbers(draw, measure, patience(draw.start(), LONGEST), is_exact=True)
 
 
 def period_in_numbers(draw: Draw, measure: Measure, until: float, *, is_exact: bool) -> float:
@@ -165,11 +165,12 @@ def cycle(draw: Draw, measure: Measure, until: float, *, is_exact: bool) -> tupl
 
 def cycle_at_all(draw: Draw, measure: Measure, *, is_exact: bool) -> tuple[float, float]:
     """The same in the longest motion, of which no more is followed than has the turns that count."""
+    longest = patience(draw.start(), LONGEST)
     for share in SHORTER:
-        seen = _watched_motion(draw, measure, share * LONGEST)
+        seen = _watched_motion(draw, measure, share * longest)
         if len(seen.turns) >= _N_TURNS:
-            return _ends_of_cycle(draw, measure, seen, share * LONGEST, is_exact=is_exact)
-    return cycle(draw, measure, LONGEST, is_exact=is_exact)
+            return _ends_of_cycle(draw, measure, seen, share * longest, is_exact=is_exact)
+    return cycle(draw, measure, longest, is_exact=is_exact)
 
 
 def _ends_of_cycle(

@@ -39,6 +39,7 @@ from freebody.study.answering.draws import SEED, Draw, draws
 from freebody.study.answering.finding import Elements, Finding, NotHere
 from freebody.study.answering.magnitude import magnitude
 from freebody.study.answering.numbers import LONGEST, at_event, number_at
+from freebody.study.answering.witness import patience
 from freebody.study.setup import N_DRAWS, Setup
 from freebody.symbolic.conditions import Condition, merged, require
 from freebody.symbolic.field import Ratio
@@ -299,10 +300,11 @@ def quantity_with(setup: Setup, question: Question, of: Quantity, formula: Formu
 
 def _until(setup: Setup, event: AskedEvent, draw: Draw) -> float:
     """[s] How long an event is waited for; where the time grows without end, until all has settled."""
+    longest = patience(draw.start(), LONGEST)
     if not isinstance(event, Clock) or event.time is not None:
-        return LONGEST
+        return longest
     settled = setup.motion.at_clock(None).settled
-    return LONGEST if settled is None else element_at(setup, (settled,), draw, draw.start())[0]
+    return longest if settled is None else element_at(setup, (settled,), draw, draw.start())[0]
 
 
 def _chosen(possible: Sequence[_Candidate]) -> Finding:

@@ -6,6 +6,7 @@ Where rows depend on each other, the dense solution of the reference route says 
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
@@ -28,6 +29,7 @@ from freebody.numeric.options import SimulationOptions
 from freebody.numeric.reference import Reference, Snapshot
 from freebody.questions.clock import Clock
 from freebody.questions.reading import AskedEvent, QuestionEvent
+from freebody.tolerances import LEAST
 
 MOST_STEPS = 100_000  # of a motion to an event
 N_LINKS = 33  # snapshots along a motion, by which angles are counted on
@@ -35,6 +37,7 @@ TOLERANCE = 1e-11
 _FEW = 9  # links up to an event
 _TURN = "turn"
 _SLOW = 1e-3  # [SI/s]
+_SLOWEST = 1e9  # [s] of these times: slower is round-off
 _SOON = 1e-9  # [s] of a motion that is looked at where it begins
 TOUCH = 1e-8  # what a measure may miss a value by where it turns, by the size of the event
 
@@ -126,6 +129,16 @@ def least_rate(start: Snapshot, measure: Measure | NonholonomicForm) -> float:
     """[SI/s] What counts as large where a rate is watched for zeros: what it is the sum of at the start, since it may
     be zero there but for the round-off of that."""
     return max(_SLOW, start.rate_size(measure))
+
+
+def patience(start: Snapshot, seconds: float) -> float:
+    """[s] How long a motion is waited for: so many seconds, or as many of the times in which what moves goes through
+    the size of the system, or turns by a radian, where these are longer, as those of planets are."""
+    sizes, rates = start.reference.sizes, [0.0]
+    rates.append(float(sizes.relative(start.v).max(initial=0.0)))
+    with suppress(CannotAnswer, ArithmeticError, ValueError):
+        rates.append(math.sqrt(float(sizes.relative(start.accelerations).max(initial=0.0))))
+    return seconds * min(max(1.0, 1.0 / max(*rates, LEAST)), _SLOWEST)
 
 
 def states_at(reference: Reference, start: Snapshot, times: Array) -> tuple[NumericSnapshot, ...]:

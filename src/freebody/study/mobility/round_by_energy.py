@@ -16,6 +16,7 @@ from freebody.questions.linkages import FullTurn
 from freebody.study.answering.answer import Evidence
 from freebody.study.answering.repeated import LONGEST, comes_round
 from freebody.study.answering.turned_round import Formula
+from freebody.study.answering.witness import patience
 from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition
 from freebody.symbolic.model import SymbolicModel
@@ -42,7 +43,7 @@ def goes_round(setup: Setup, q: FullTurn, otherwise: CannotAnswer) -> Formula:
 
     def in_numbers(values: dict[str, float]) -> float:
         draw = setup.draws[0].with_values(values, setup.system)
-        return float(comes_round(draw, measure, LONGEST))
+        return float(comes_round(draw, measure, patience(draw.start(), LONGEST)))
 
     return Formula(Fraction(1), [Condition(x, relation, purpose) for x, relation in needs], _none, in_numbers)
 
