@@ -5,6 +5,7 @@ They are slow, and are left out with a word where the browser, Playwright or nod
 
 from __future__ import annotations
 
+import json
 import re
 import shutil
 import subprocess
@@ -288,6 +289,73 @@ def test_a_shared_page_answers_without_a_server(browser: Any, tmp_path: Path) ->
     page.click(".cm-line:has-text('a pendulum')")
     page.keyboard.type("x")
     assert text_of(page) == PENDULUM
+    page.close()
+    assert wrong == []
+
+
+NOTEBOOK = """<!DOCTYPE html><div id="cell"></div><script type="module">
+const script = new Blob([await kernel("script")], { type: "text/javascript" });
+const { default: widget } = await import(URL.createObjectURL(script));
+const heard = {};
+const tell = (name, value) => (heard[name] ?? []).forEach((each) => each(value));
+const state = {};
+for (const name of ["page", "text", "title", "height"]) state[name] = await kernel(name);
+window.model = {
+  get: (name) => state[name],
+  set: (name, value) => { state[name] = value; tell(`change:${name}`, value); },
+  save_changes: () => kernel("keep", state.text),
+  send: async (said) => tell("msg:custom", JSON.parse(await kernel("ask", JSON.stringify(said)))),
+  on: (name, hear) => (heard[name] ??= []).push(hear),
+  off: () => undefined,
+};
+widget.render({ model, el: document.getElementById("cell") });
+</script>"""
+
+
+def test_a_widget_of_a_notebook_moves_with_its_sliders(browser: Any, tmp_path: Path) -> None:
+    """With a notebook that has a model of the kernel as anywidget gives it to `render`."""
+    pytest.importorskip("anywidget", reason='NOT RUN: pip install "freebody[notebook]" for the widget of notebooks')
+    import freebody as fb
+
+    widget: Any = fb.System.from_text(PENDULUM).widget(height="30rem")
+    sent: list[Any] = []
+    widget.send = sent.append
+
+    def kernel(name: str, said: str = "") -> str:
+        if name == "script":
+            return str(widget._esm)
+        if name == "keep":
+            widget.text = said
+        if name != "ask":
+            return str(getattr(widget, "text" if name == "keep" else name))
+        widget._handle_custom_msg(json.loads(said), [])
+        return json.dumps(sent.pop())
+
+    file = tmp_path / "notebook.html"
+    file.write_text(NOTEBOOK, encoding="utf-8")
+    page = browser.new_page(viewport={"width": 900, "height": 700}, locale="en-GB")
+    wrong: list[str] = []
+    page.on("pageerror", lambda error: wrong.append(str(error)))
+    page.on("console", lambda message: wrong.append(message.text) if message.type == "error" else None)
+    page.expose_function("kernel", kernel)
+    page.goto(file.as_uri())
+    cell = page.frame_locator("iframe")
+    cell.locator(".view canvas").wait_for(timeout=WAIT)
+    assert cell.locator("#question").count() == 0
+    slider = cell.locator(".sliders label:has-text('L') input").first
+    slider.focus()
+    for _ in range(5):
+        page.keyboard.press("ArrowRight")
+    cell.locator(".sliders .number:has-text('1.05 m')").wait_for(timeout=WAIT)
+    page.wait_for_function("() => model.get('text').includes('{L: 1.05 m,')")
+    assert widget.system == fb.System.from_text(PENDULUM).with_parameters(L="1.05 m")
+    cell.locator("[aria-label=Undo]").click()
+    page.wait_for_function("() => model.get('text').includes('{L: 1 m,')")
+    assert widget.text == PENDULUM
+    page.evaluate("model.set('text', model.get('text').replace('L: 1 m', 'L: 3 m'))")
+    cell.locator(".sliders .number:has-text('3 m')").wait_for(timeout=WAIT)
+    cell.locator("text=Play").click()
+    cell.locator("text=Pause").wait_for()
     page.close()
     assert wrong == []
 

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, Any, Literal, cast
 
+from freebody.messages import Message
 from freebody.studies import Studies
 from freebody.system.system import System as Description
 
 if TYPE_CHECKING:
+    from freebody.studio.notebook import Widget
     from freebody.study.model_warnings import ModelWarning
 
 
@@ -23,6 +25,20 @@ class System(Studies, Description):
         from freebody.study.model_warnings import warnings_of
 
         return warnings_of(self)
+
+    def widget(self, *, until: float = 3.0, language: Literal["en", "de"] = "en", height: str = "34rem") -> Widget:
+        """For notebooks: the scene with time and sliders, which changes with them; `widget.system` is the system as it
+        stands then. until: [s] of motion at first; height: of the view, in units of CSS. Raises InputError where the
+        extra `notebook` is not installed."""
+        from freebody.errors import InputError
+
+        try:
+            from freebody.studio.notebook import Widget
+        except ModuleNotFoundError as error:
+            raise InputError(
+                Message('the widget needs {package}; pip install "freebody[notebook]"', package=error.name or "")
+            ) from None
+        return Widget(self, until=until, language=language, height=height)
 
     def _repr_html_(self) -> str:
         """For notebooks: the title, the picture, and the parameters; words where a picture cannot be drawn."""

@@ -1,4 +1,5 @@
 // What is asked of the server: with the token of the address, and in the schema of `wire.ts`.
+import { fromKernel, notebook } from "./notebook";
 import type { Answers, Example, OpenedFile, Opening, Reply, Requests, SaveAnswer, SaveRequest } from "./wire";
 
 /** A page that was written to be shared has its answers with it, and no server. */
@@ -8,6 +9,7 @@ interface Kept {
 }
 const kept = JSON.parse(document.getElementById("kept")?.textContent ?? "null") as Kept | null;
 export const isShared = kept !== null;
+const isAlone = isShared || notebook !== null; // without a server
 
 /** By what an answer is kept: the kind of the request, and what it says beside the text. */
 function keyOf(kind: string, request: object): string {
@@ -25,6 +27,7 @@ const token = new URLSearchParams(location.hash.slice(1)).get("token") ?? "";
 export class Unreachable extends Error {}
 
 async function post<T>(name: string, body: unknown): Promise<T> {
+  if (notebook) return fromKernel<T>(name, body);
   let response: Response;
   try {
     response = await fetch(`/api/${name}`, {
@@ -56,9 +59,9 @@ export function ask<K extends keyof Requests>(kind: K, request: Requests[K], top
   return post("ask", { kind, topic, request });
 }
 export const cancel = (topic: string) => post<object>("cancel", { topic });
-export const busy = () => kept ? Promise.resolve<Record<string, string>>({}) : post<Record<string, string>>("busy", {});
+export const busy = () => isAlone ? Promise.resolve<Record<string, string>>({}) : post<Record<string, string>>("busy", {});
 export const open = () => kept ? Promise.resolve(kept.opening) : post<Opening>("open", {});
 export const openFile = (name: string) => post<OpenedFile>("file", { name });
 export const save = (request: SaveRequest) => post<SaveAnswer>("save", request);
 export const examples = () => post<Example[]>("examples", {});
-export const schema = () => kept ? Promise.resolve<Record<string, unknown>>({}) : post<Record<string, unknown>>("schema", {});
+export const schema = () => isAlone ? Promise.resolve<Record<string, unknown>>({}) : post<Record<string, unknown>>("schema", {});

@@ -1,5 +1,6 @@
 // The state of the page. The text is the only truth: everything else here follows from it, or is a matter of view.
 import { Latest, debounced } from "./latest";
+import { hearText, notebook, tellText } from "./notebook";
 import * as server from "./server";
 import type { Told } from "./server";
 import { type Change, changeBetween } from "./text";
@@ -79,6 +80,7 @@ export class Studio {
   derived = $state<string | null>(null);
 
   readonly isShared = server.isShared;
+  readonly isNotebook = notebook !== null;
   writer: Writer | null = null;
   private reading = new Latest();
   private moving = new Latest();
@@ -86,7 +88,7 @@ export class Studio {
   private dragging = new Latest();
 
   constructor() {
-    const language = kept.get("language") ?? navigator.language.slice(0, 2);
+    const language = notebook?.language ?? kept.get("language") ?? navigator.language.slice(0, 2);
     this.language = language === "de" ? "de" : "en";
     this.theme = (kept.get("theme") as Theme | null) ?? (prefersDark.matches ? "dark" : "light");
     document.documentElement.dataset.theme = this.theme;
@@ -125,6 +127,7 @@ export class Studio {
         if (opening.is_file) this.load("");
         else this.dialog = "gallery";
       }
+      if (this.isNotebook) hearText((text) => this.rewrite(text, "input.kernel"));
     } catch (error) {
       this.fail(error);
     }
@@ -135,7 +138,7 @@ export class Studio {
     [this.file, this.version, this.savedText] = [name, version, text];
     const draft = kept.get(`draft.${name}`);
     this.draft = !this.isShared && draft !== null && draft !== text ? draft : null;
-    this.until = Number(kept.get(`until.${name}`)) || 3;
+    this.until = notebook?.until ?? (Number(kept.get(`until.${name}`)) || 3);
     this.selected = null;
     this.load(text);
   }
@@ -190,8 +193,15 @@ export class Studio {
   changed(text: string): void {
     this.text = text;
     this.isStale = true;
-    this.keepDraft();
+    if (this.isNotebook) this.keepInKernel();
+    else this.keepDraft();
     this.readSoon();
+  }
+
+  /** In a notebook the kernel has the text: there is nothing to save. */
+  private keepInKernel(): void {
+    if (this.text !== this.savedText) tellText(this.text);
+    this.savedText = this.text;
   }
 
   private keepDraft = debounced(500, () => {
@@ -212,7 +222,7 @@ export class Studio {
       this.model = told.answer;
       this.modelText = text;
       this.follow(text);
-      this.countSoon();
+      if (!this.isNotebook) this.countSoon();
     });
   }
 

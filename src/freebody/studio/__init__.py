@@ -10,6 +10,7 @@ lanes       the workers as the server sees them: the latest request wins, one ca
 folder      the opened folder, beyond which the page reaches nothing
 server      the address of the page, who may use it, and its answers
 launch      the command
+notebook    scene, time and sliders in a notebook, answered by its kernel (`widget.js` shows them)
 
 The text of the model is the only state, and it is the page's: the server keeps none. The page itself is written in
 `studio/` (TypeScript, Svelte) and built into `page/`, which is kept with the sources: users need no node.

@@ -42,15 +42,15 @@ def shared_page(request: ShareRequest) -> str:
     for kind, given in _questions(request, [q.id for q in system.questions], [b.name for b in system.moving]):
         reply: Reply = done(kind, {**common, **given})
         replies[_key(kind, given)] = reply.model_dump(mode="json")
-    opening = Opening(
-        file=OpenedFile(name=request.name, text=request.text, version=""),
-        files=[],
-        is_file=True,
-        version=version("freebody"),
-        kinds=[],
-    )
+    opening = opening_of(request.name, request.text)
     kept = {"opening": opening.model_dump(mode="json"), "replies": replies}
-    return _page(system.title or request.name, request.language, json.dumps(kept, ensure_ascii=False))
+    return whole_page(system.title or request.name, request.language, "kept", json.dumps(kept, ensure_ascii=False))
+
+
+def opening_of(name: str, text: str) -> Opening:
+    """What a page begins with that has one model, and neither a folder nor anything to add."""
+    file = OpenedFile(name=name, text=text, version="")
+    return Opening(file=file, files=[], is_file=True, version=version("freebody"), kinds=[])
 
 
 def _questions(request: ShareRequest, questions: list[str], bodies: list[str]) -> Iterator[tuple[str, dict[str, Any]]]:
@@ -74,8 +74,9 @@ def _key(kind: str, given: dict[str, Any]) -> str:
     return json.dumps([kind, own], sort_keys=True, separators=(",", ":"), ensure_ascii=False)
 
 
-def _page(title: str, language: str, kept: str) -> str:
-    """One file: the built page with its style, its program and what it knows."""
+def whole_page(title: str, language: str, name: str, kept: str) -> str:
+    """One file: the built page with its style, its program and what it knows. kept: that, in JSON; name: of that part
+    of the page, by which the program finds it"""
     built = files("freebody.studio").joinpath("page")
     program = re.sub(
         r"</(script)", r"<\\/\1", built.joinpath("studio.js").read_text(encoding="utf-8"), flags=re.IGNORECASE
@@ -95,7 +96,7 @@ def _page(title: str, language: str, kept: str) -> str:
 </head>
 <body>
 <div id="app"></div>
-<script type="application/json" id="kept">{data}</script>
+<script type="application/json" id="{name}">{data}</script>
 <script type="module">{program}</script>
 <!--
 {built.joinpath("LICENSES.txt").read_text(encoding="utf-8").replace("--", "- -")}
