@@ -58,6 +58,9 @@ def _transmitted(names: Names, quantity: str, rest: Clause) -> Groups:
         kinds = tuple(dict.fromkeys((*driving, *kinds)))  # what a motor gives
     if quantity == "torque" and not joints:  # no bearing is asked for its reaction so
         kinds = ("driving torque", "torque")
+    pulling = {row.connection for row in names.constraint_rows if row.reaction == "tension"}
+    if quantity == "force" and joints <= pulling and joints and rest.only("name", *SILENT) and len(rest.names) == 1:
+        kinds = ("force",)  # the force in a rope is no sum of what its parts pull with
     for kind in kinds:
         yield from _of_joint(names, kind, rest)
 
