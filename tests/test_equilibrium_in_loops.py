@@ -8,7 +8,6 @@ import pytest
 
 from freebody.api import System
 
-
 CORD = """
 parameters: {m: 2 kg, M: 1.2 kg, L: 1 m, g: 9.81 m/s^2}
 ground: {points: {O: [0, 0], A: [0, L]}}
@@ -35,8 +34,8 @@ def test_a_place_that_hangs_on_what_a_loop_binds_is_no_equilibrium() -> None:
 
 
 def test_a_rod_between_two_smooth_planes_is_answered_within_the_budget_of_terms() -> None:
-    """The mass centre is above the instant centre: tan(phi) = (cot(alpha) - cot(beta))/2 for planes that fall and rise by
-    these."""
+    """The mass centre is above the instant centre: tan(phi) = (cot(alpha) - cot(beta))/2 for planes that fall and
+    rise by these."""
     model = """
 parameters: {m: 2 kg, L: 1 m, alpha: 30 deg, beta: 50 deg, g: 9.81 m/s^2}
 bodies: {rod: {rod: {mass: m, length: L}}}
