@@ -72,7 +72,7 @@ def equilibria(
     """Those that are found, the one that is meant first: the start, else the nearest of those that are stable.
     is_one_enough: others are not looked for where the start is one. Raises CannotAnswer where none is found."""
     f = model.field
-    rest = {c.speed: f.zero for c in model.coordinates} | stand_still(model)
+    rest = {c.speed: f.zero for c in (*model.coordinates, *model.dependent)} | stand_still(model)
     forces = [f.follow(F, rest) for F in model.dynamics.forcing]
     at_start = {c.index: start.of(c.index) for c in model.coordinates}
     at_start |= _bound_at(model, at_start, start)
@@ -261,6 +261,7 @@ def _zeros(model: SymbolicModel, forces: list[Ratio], left: list[Coordinate]) ->
     if not left:
         return [{}] if all(model.samples.vanishes(F) for F in forces) else []
     found: list[dict[int, Ratio]] = []
+    bound = {d.index for d in model.dependent}
     for F in forces:
         present = model.field.ingredients(F)
         candidates = [c for c in left if c.index in present]
@@ -268,7 +269,10 @@ def _zeros(model: SymbolicModel, forces: list[Ratio], left: list[Coordinate]) ->
             continue
         for c in candidates:
             for value in zeros_of(model, F, c):
-                rest = [model.field.follow(G, {c.index: value}) for G in forces]
+                if bound & model.field.ingredients(value):
+                    continue  # it hangs on what follows from the coordinate through a loop: still an equation
+                # the one that is solved vanishes there, which need not be found once more
+                rest = [model.field.follow(G, {c.index: value}) for G in forces if G is not F]
                 for more in _zeros(model, rest, [k for k in left if k is not c]):
                     value_now = model.field.follow(value, more)
                     found.append({c.index: value_now, **more})

@@ -35,6 +35,8 @@ class Sign(Enum):
         return self in (Sign.POSITIVE, Sign.NEGATIVE)
 
 
+_MOST_WAVES = 100_000  # that a sum of products of sines and cosines is taken apart into
+
 _OPPOSITE = {
     Sign.POSITIVE: Sign.NEGATIVE,
     Sign.NEGATIVE: Sign.POSITIVE,
@@ -309,7 +311,10 @@ def _is_root(field: Field, g: int) -> bool:
 
 
 def _amplitudes(field: Field, terms: Terms) -> Sign:
-    """constant + sum of waves >= constant - sum of amplitudes."""
+    """constant + sum of waves >= constant - sum of amplitudes. Unknown where these would be too many waves."""
+    trigs = [[e + 1 for g, e in m if field.generators[g].kind in ("cos", "sin")] for m in terms]
+    if sum(map(math.prod, trigs)) > _MOST_WAVES:
+        return Sign.UNKNOWN
     constant: dict[tuple[tuple[int, int], ...], object] = {}
     total = field.zero
     for monomial, coefficient in terms.items():

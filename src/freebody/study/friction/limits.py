@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from freebody.errors import CannotAnswer
@@ -17,6 +17,7 @@ from freebody.tolerances import ROUND_OFF
 
 _CLOSE = 1e-13  # ends are found to this, by their size
 _BEYOND = 1e-11  # a margin that is surely negative
+_BEYOND_GUESS = 4.0  # of the way to a guess, at most, that an end may lie beyond
 _FAR = 1e7  # a parameter that so much of its size does not bring to an end is not limited
 _NOTHING = 1e-7  # a coefficient of friction that is none: friction is needed, however little
 N_STEPS = 80
@@ -148,6 +149,7 @@ class Parametric:
             else:
                 inside = guess
                 if len(margins) > 1 and abs(found.value) <= _BEYOND:
+                    inside = _crossing(margins, guess) if found.value < 0.0 else guess
                     break
         return HoldingEnd(inside, *last)
 
@@ -186,3 +188,13 @@ class Parametric:
                 value = self.low + 0.6 * (value - self.low)
                 yield value
             yield self.low
+
+
+def _crossing(margins: Sequence[tuple[float, float]], guess: float) -> float:
+    """Where the last margins outside come to nothing, if that is a little beyond a guess whose own margin is less than
+    counts: a margin that hardly changes with the parameter is that small well outside."""
+    (a, fa), (b, fb) = margins[-2:]
+    if fa == fb:
+        return guess
+    end = b - fb * (b - a) / (fb - fa)
+    return end if 1.0 <= (end - b) / (guess - b) <= _BEYOND_GUESS else guess

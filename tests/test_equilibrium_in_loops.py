@@ -1,0 +1,50 @@
+"""Equilibria where loops bind coordinates, or where formulas would be long: the place, or why there is none."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from freebody.api import System
+
+CORD = """
+parameters: {m: 2 kg, M: 1.2 kg, L: 1 m, g: 9.81 m/s^2}
+ground: {points: {O: [0, 0], A: [0, L]}}
+bodies: {rod: {rod: {mass: m, length: L}}, w: {particle: {mass: M}}}
+connections:
+  pin: {pin: [ground.O, rod.start]}
+  cord: {string: {from: rod.end, over: [ground.A], to: w}}
+  guide: {slot: {pin: w, along: down, through: ground.A}}
+loads: {weight: {gravity: g}}
+measures: {phi: {angle of rod}}
+start: {phi: 40 deg}
+"""
+
+
+def test_a_place_that_hangs_on_what_a_loop_binds_is_no_equilibrium() -> None:
+    """V = m g (L/2) sin(phi) + M g d, d^2 = 2 L^2 (1 - sin(phi)): at rest d = 2 M L/m. The angle of the cord, by which
+    the force could be solved for phi, follows from phi itself."""
+    system = System.from_text(CORD)
+    answer = system.solve("equilibrium of phi").answers[0]
+    assert answer.expression is None
+    assert "defect" not in answer.reason
+    sine = 1 - (2 * 1.2 / 2) ** 2 / 2
+    assert any(math.sin(r.measures["phi"]) == pytest.approx(sine) for r in system.equilibria().rests)
+
+
+def test_a_rod_between_two_smooth_planes_is_answered_within_the_budget_of_terms() -> None:
+    """The mass centre is above the instant centre: tan(phi) = (cot(alpha) - cot(beta))/2 for planes that fall and
+    rise by these."""
+    model = """
+parameters: {m: 2 kg, L: 1 m, alpha: 30 deg, beta: 50 deg, g: 9.81 m/s^2}
+bodies: {rod: {rod: {mass: m, length: L}}}
+connections: {a: {slot: {pin: rod.start, along: -alpha}}, b: {slot: {pin: rod.end, along: beta}}}
+loads: {weight: {gravity: g}}
+measures: {phi: {angle of rod}}
+start: {phi: 0.1}
+"""
+    system = System.from_text(model)
+    assert "terms" in system.solve("equilibrium of phi").answers[0].reason
+    tangent = (1 / math.tan(math.radians(30)) - 1 / math.tan(math.radians(50))) / 2
+    assert all(math.tan(r.measures["phi"]) == pytest.approx(tangent) for r in system.equilibria().rests)
