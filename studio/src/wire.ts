@@ -50,6 +50,12 @@ export interface Element {
   leaves: Leaf[];
 }
 
+/** What was pointed at: a spot by its name; without one, a place [m] on the ground. */
+export interface End {
+  name: string;
+  at: [number, number];
+}
+
 /** A bundled model. name: of its file */
 export interface Example {
   name: string;
@@ -92,12 +98,29 @@ export interface Happening {
   name: string;
 }
 
-/** What a section may have. value: of the smallest example, as YAML in one line; about: what it is */
+/** The changed text, and the path to the new element in it, with its value in one line. */
+export interface JoinAnswer {
+  text: string;
+  path: string[];
+  value: string;
+}
+
+/** Add an element of a kind between what was pointed at, as many as the kind has ends. */
+export interface JoinRequest {
+  text: string;
+  language?: "en" | "de";
+  section: string;
+  kind: string;
+  ends: End[];
+}
+
+/** What a section may have. value: of the smallest example, as YAML in one line; about: what it is; ends: the paths in its value of what it joins */
 export interface Kind {
   section: string;
   kind: string;
   value: string;
   about: string;
+  ends: ((string | number)[])[];
 }
 
 /** A value in the text that can be changed. path: to it; label: the last parts of it; text: as it stands there */
@@ -256,6 +279,18 @@ export interface Span {
   end: number;
 }
 
+/** A point, a body or a line that can be pointed at, where it is [m] at the start. */
+export interface Spot {
+  name: string;
+  body: string;
+  at: [number, number];
+}
+
+/**  */
+export interface SpotsAnswer {
+  spots: Spot[];
+}
+
 /** html: the report; plain: the same as data; is_complete: whether all that was asked is found */
 export interface StudyAnswer {
   html: string;
@@ -296,6 +331,8 @@ export interface Requests {
   edit: EditRequest;
   add: AddRequest;
   drag: DragRequest;
+  spots: Request;
+  join: JoinRequest;
   suggest: SuggestRequest;
   motion: MotionRequest;
   picture: PictureRequest;
@@ -311,6 +348,8 @@ export interface Answers {
   edit: TextAnswer;
   add: TextAnswer;
   drag: TextAnswer;
+  spots: SpotsAnswer;
+  join: JoinAnswer;
   suggest: SuggestAnswer;
   motion: MotionAnswer;
   picture: PictureAnswer;

@@ -56,6 +56,8 @@ WORK: dict[str, Work] = {
     "edit": Work(wire.EditRequest, "editing", "edit", READING),
     "add": Work(wire.AddRequest, "editing", "add", READING),
     "drag": Work(wire.DragRequest, "dragging", "drag", READING),
+    "spots": Work(wire.Request, "joining", "spots", READING),
+    "join": Work(wire.JoinRequest, "joining", "join", READING),
     "suggest": Work(wire.SuggestRequest, "editing", "suggest", READING),
     "motion": Work(wire.MotionRequest, "moving", "motion", MOVING),
     "picture": Work(wire.PictureRequest, "asking", "drawn", COUNTING),
