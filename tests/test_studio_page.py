@@ -249,6 +249,16 @@ def test_points_are_connected_by_keys_with_a_preview(page: Any) -> None:
     wait_for_text(page, r"damper: \{damper: \{first: rod\.end, second: ground\.origin, damping")
 
 
+def test_an_element_is_renamed_everywhere_and_undone_at_once(page: Any) -> None:
+    page.click(".tree button:has-text('rod')")
+    page.fill("#panel label:has-text('Name') input", "bar")
+    page.keyboard.press("Enter")
+    wait_for_text(page, r"bar: \{rod: [^]*bar\.start[^]*angle of bar")
+    page.wait_for_selector("#panel h2:has-text('bar')", timeout=WAIT)
+    page.click("[aria-label=Undo]")
+    page.wait_for_function(f"text => {TEXT} === text", arg=PENDULUM, timeout=WAIT)
+
+
 def test_it_speaks_german(page: Any) -> None:
     page.click("[aria-label*=Deutsch]")
     page.wait_for_selector(".badge.dof:has-text('Freiheitsgrad')")

@@ -298,6 +298,15 @@ export class Studio {
     else if (told) this.failure = this.reason(told);
   }
 
+  /** What is at a path gets another name, wherever the text has it. */
+  async rename(path: (string | number)[], name: string): Promise<void> {
+    const told = await this.asked("rename", { text: this.text, language: this.language, path, name });
+    if (told?.answer) {
+      this.rewrite(told.answer.text, "input.rename");
+      this.selected = [...path.slice(0, -1), name.trim()].join(".");
+    } else if (told) this.failure = this.reason(told);
+  }
+
   /** Brings a point of a body from one place at the start to another, as far as it goes. */
   drag(text: string, body: string, grabbed: [number, number], to: [number, number]): void {
     this.dragging.run(async () => {

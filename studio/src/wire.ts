@@ -236,6 +236,14 @@ export interface Remark {
   fixes: Fix[];
 }
 
+/** Give what is at a path another name, wherever the text has it. */
+export interface RenameRequest {
+  text: string;
+  language?: "en" | "de";
+  path: (string | number)[];
+  name: string;
+}
+
 /** What comes back. done: answer is there; refused: the model or the question is at fault; else the work was not finished: replaced by a later request, cancelled, out of time or memory, or the worker ended */
 export interface Reply {
   status: "done" | "refused" | "replaced" | "cancelled" | "too long" | "crashed";
@@ -329,6 +337,7 @@ export interface TextAnswer {
 export interface Requests {
   read: ReadRequest;
   edit: EditRequest;
+  rename: RenameRequest;
   add: AddRequest;
   drag: DragRequest;
   spots: Request;
@@ -346,6 +355,7 @@ export interface Requests {
 export interface Answers {
   read: ReadAnswer;
   edit: TextAnswer;
+  rename: TextAnswer;
   add: TextAnswer;
   drag: TextAnswer;
   spots: SpotsAnswer;

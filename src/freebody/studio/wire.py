@@ -38,6 +38,13 @@ class EditRequest(Request):
     value: str | None = Field(max_length=2000)
 
 
+class RenameRequest(Request):
+    """Give what is at a path another name, wherever the text has it."""
+
+    path: list[str | int] = Field(min_length=2, max_length=12)
+    name: str = Field(min_length=1, max_length=100)
+
+
 class AddRequest(Request):
     """Add an element at the end of a section, under its name or the next that is free. value: its YAML in one line"""
 

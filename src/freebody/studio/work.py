@@ -54,6 +54,7 @@ class Work:
 WORK: dict[str, Work] = {
     "read": Work(wire.ReadRequest, "reading", "read", READING),
     "edit": Work(wire.EditRequest, "editing", "edit", READING),
+    "rename": Work(wire.RenameRequest, "renaming", "rename", READING),
     "add": Work(wire.AddRequest, "editing", "add", READING),
     "drag": Work(wire.DragRequest, "dragging", "drag", READING),
     "spots": Work(wire.Request, "joining", "spots", READING),
