@@ -211,6 +211,54 @@ def test_everything_is_reached_by_keys(page: Any) -> None:
     wait_for_text(page, "spring: \\{spring")
 
 
+def begin_pointing(page: Any, kind: str) -> None:
+    """By keys: the palette, the kind, and on to the scene."""
+    page.keyboard.press("Control+i")
+    page.fill("dialog[open] input[type=search]", kind)
+    page.keyboard.press("Enter")
+    page.focus("dialog >> text=Point in the scene")
+    page.keyboard.press("Enter")
+    page.wait_for_selector(".view .spot", timeout=WAIT)
+
+
+def test_points_are_connected_by_pointing_at_them(page: Any) -> None:
+    begin_pointing(page, "spring")
+    page.click(".view .spot[aria-label='rod.end']")
+    box = page.locator(".view canvas").bounding_box()
+    page.mouse.click(box["x"] + 0.75 * box["width"], box["y"] + 0.3 * box["height"])
+    wait_for_text(page, r"spring: \{spring: \{first: rod\.end, second: ground\.B, stiffness")
+    wait_for_text(page, r"points: \{A: \[0, 0\], B: \[")
+    page.wait_for_selector("#panel h2:has-text('spring')", timeout=WAIT)
+    page.click("[aria-label=Undo]")
+    page.wait_for_function(f"text => {TEXT} === text", arg=PENDULUM, timeout=WAIT)
+
+
+def test_points_are_connected_by_keys_with_a_preview(page: Any) -> None:
+    begin_pointing(page, "damper")
+    page.focus(".view .spot[aria-label='rod.end']")
+    page.keyboard.press("Enter")
+    page.focus(".view .spot[aria-label='ground.origin']")
+    page.wait_for_selector(".joining code:has-text('first: rod.end, second: ground.origin')", timeout=WAIT)
+    page.keyboard.press("Escape")
+    assert page.locator(".spot").count() == 0
+    assert text_of(page) == PENDULUM
+    begin_pointing(page, "damper")
+    for name in ("rod.end", "ground.origin"):
+        page.focus(f".view .spot[aria-label='{name}']")
+        page.keyboard.press("Enter")
+    wait_for_text(page, r"damper: \{damper: \{first: rod\.end, second: ground\.origin, damping")
+
+
+def test_an_element_is_renamed_everywhere_and_undone_at_once(page: Any) -> None:
+    page.click(".tree button:has-text('rod')")
+    page.fill("#panel label:has-text('Name') input", "bar")
+    page.keyboard.press("Enter")
+    wait_for_text(page, r"bar: \{rod: [^]*bar\.start[^]*angle of bar")
+    page.wait_for_selector("#panel h2:has-text('bar')", timeout=WAIT)
+    page.click("[aria-label=Undo]")
+    page.wait_for_function(f"text => {TEXT} === text", arg=PENDULUM, timeout=WAIT)
+
+
 def test_it_speaks_german(page: Any) -> None:
     page.click("[aria-label*=Deutsch]")
     page.wait_for_selector(".badge.dof:has-text('Freiheitsgrad')")

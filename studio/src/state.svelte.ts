@@ -4,13 +4,22 @@ import { hearText, notebook, tellText } from "./notebook";
 import * as server from "./server";
 import type { Told } from "./server";
 import { type Change, changeBetween } from "./text";
-import type { Answers, Element, Kind, MotionAnswer, Parameter, ReadAnswer, StudyAnswer } from "./wire";
+import type { Answers, Element, End, Kind, MotionAnswer, Parameter, ReadAnswer, Spot, StudyAnswer } from "./wire";
 import { WORDS, type Word } from "./words";
 
 export type Language = "en" | "de";
 export type Theme = "light" | "dark";
 export type Panel = "ask" | "derivation" | "free" | "mobility" | "conserved" | "more" | "properties" | "export";
 export type Pane = "model" | "scene" | "results";
+
+/** An element that is being made by pointing: what can be pointed at, what was, and what would come of it. */
+interface Joining {
+  text: string;
+  kind: Kind;
+  spots: Spot[];
+  ends: End[];
+  preview: string;
+}
 
 /** What the editor can do for the rest of the page. */
 export interface Writer {
@@ -78,6 +87,7 @@ export class Studio {
   until = $state(3);
   dialog = $state<"" | "add" | "commands" | "gallery" | "help" | "save" | "changed">("");
   derived = $state<string | null>(null);
+  joining = $state.raw<Joining | null>(null);
 
   readonly isShared = server.isShared;
   readonly isNotebook = notebook !== null;
@@ -86,6 +96,7 @@ export class Studio {
   private moving = new Latest();
   private counting = new Latest();
   private dragging = new Latest();
+  private looking = new Latest();
 
   constructor() {
     const language = notebook?.language ?? kept.get("language") ?? navigator.language.slice(0, 2);
@@ -192,6 +203,7 @@ export class Studio {
   /** The editor has another text. */
   changed(text: string): void {
     this.text = text;
+    this.joining = null;
     this.isStale = true;
     if (this.isNotebook) this.keepInKernel();
     else this.keepDraft();
@@ -286,6 +298,15 @@ export class Studio {
     else if (told) this.failure = this.reason(told);
   }
 
+  /** What is at a path gets another name, wherever the text has it. */
+  async rename(path: (string | number)[], name: string): Promise<void> {
+    const told = await this.asked("rename", { text: this.text, language: this.language, path, name });
+    if (told?.answer) {
+      this.rewrite(told.answer.text, "input.rename");
+      this.selected = [...path.slice(0, -1), name.trim()].join(".");
+    } else if (told) this.failure = this.reason(told);
+  }
+
   /** Brings a point of a body from one place at the start to another, as far as it goes. */
   drag(text: string, body: string, grabbed: [number, number], to: [number, number]): void {
     this.dragging.run(async () => {
@@ -303,6 +324,57 @@ export class Studio {
     if (told?.answer) this.rewrite(told.answer.text, "input.add");
     else if (told) this.failure = this.reason(told);
     return Boolean(told?.answer);
+  }
+
+  // -- pointing
+  /** Whether elements of a kind can be made by pointing. */
+  canPoint(kind: Kind): boolean {
+    return kind.ends.length > 0 && this.isCurrent && this.motion !== null && !this.model!.is_spatial;
+  }
+  async beginJoining(kind: Kind): Promise<void> {
+    const text = this.text;
+    const told = await this.asked("spots", { text, language: this.language });
+    if (!told?.answer) {
+      if (told) this.failure = this.reason(told);
+      return;
+    }
+    if (text !== this.text) return;
+    [this.dialog, this.pane, this.time] = ["", "scene", 0];
+    this.joining = { text, kind, spots: told.answer.spots, ends: [], preview: "" };
+  }
+  stopJoining(): void {
+    this.joining = null;
+  }
+  private joined(joining: Joining, ends: End[]) {
+    const { text, kind } = joining;
+    return this.asked("join", { text, language: this.language, section: kind.section, kind: kind.kind, ends });
+  }
+  /** What would come of pointing at an end, where it is the last one. */
+  preview(end: End | null): void {
+    const joining = this.joining;
+    if (!joining) return;
+    if (joining.preview) this.joining = { ...joining, preview: "" };
+    const ends = end ? [...joining.ends, end] : [];
+    this.looking.run(async () => {
+      if (ends.length !== joining.kind.ends.length) return;
+      const told = await this.joined(joining, ends);
+      if (this.joining?.ends !== joining.ends || !told || told.status === "replaced") return;
+      this.joining = { ...this.joining, preview: told.answer?.value ?? this.reason(told) };
+    });
+  }
+  async point(end: End): Promise<void> {
+    const joining = this.joining;
+    if (!joining) return;
+    const ends = [...joining.ends, end];
+    if (ends.length < joining.kind.ends.length) {
+      this.joining = { ...joining, ends, preview: "" };
+      return;
+    }
+    const told = await this.joined(joining, ends);
+    if (told?.answer) {
+      this.rewrite(told.answer.text, "input.add");
+      [this.selected, this.panel] = [told.answer.path.join("."), "properties"];
+    } else if (told) this.failure = this.reason(told);
   }
 
   // -- asking

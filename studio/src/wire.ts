@@ -50,6 +50,12 @@ export interface Element {
   leaves: Leaf[];
 }
 
+/** What was pointed at: a spot by its name; without one, a place [m] on the ground. */
+export interface End {
+  name: string;
+  at: [number, number];
+}
+
 /** A bundled model. name: of its file */
 export interface Example {
   name: string;
@@ -92,12 +98,29 @@ export interface Happening {
   name: string;
 }
 
-/** What a section may have. value: of the smallest example, as YAML in one line; about: what it is */
+/** The changed text, and the path to the new element in it, with its value in one line. */
+export interface JoinAnswer {
+  text: string;
+  path: string[];
+  value: string;
+}
+
+/** Add an element of a kind between what was pointed at, as many as the kind has ends. */
+export interface JoinRequest {
+  text: string;
+  language?: "en" | "de";
+  section: string;
+  kind: string;
+  ends: End[];
+}
+
+/** What a section may have. value: of the smallest example, as YAML in one line; about: what it is; ends: the paths in its value of what it joins */
 export interface Kind {
   section: string;
   kind: string;
   value: string;
   about: string;
+  ends: ((string | number)[])[];
 }
 
 /** A value in the text that can be changed. path: to it; label: the last parts of it; text: as it stands there */
@@ -213,6 +236,14 @@ export interface Remark {
   fixes: Fix[];
 }
 
+/** Give what is at a path another name, wherever the text has it. */
+export interface RenameRequest {
+  text: string;
+  language?: "en" | "de";
+  path: (string | number)[];
+  name: string;
+}
+
 /** What comes back. done: answer is there; refused: the model or the question is at fault; else the work was not finished: replaced by a later request, cancelled, out of time or memory, or the worker ended */
 export interface Reply {
   status: "done" | "refused" | "replaced" | "cancelled" | "too long" | "crashed";
@@ -256,6 +287,18 @@ export interface Span {
   end: number;
 }
 
+/** A point, a body or a line that can be pointed at, where it is [m] at the start. */
+export interface Spot {
+  name: string;
+  body: string;
+  at: [number, number];
+}
+
+/**  */
+export interface SpotsAnswer {
+  spots: Spot[];
+}
+
 /** html: the report; plain: the same as data; is_complete: whether all that was asked is found */
 export interface StudyAnswer {
   html: string;
@@ -294,8 +337,11 @@ export interface TextAnswer {
 export interface Requests {
   read: ReadRequest;
   edit: EditRequest;
+  rename: RenameRequest;
   add: AddRequest;
   drag: DragRequest;
+  spots: Request;
+  join: JoinRequest;
   suggest: SuggestRequest;
   motion: MotionRequest;
   picture: PictureRequest;
@@ -309,8 +355,11 @@ export interface Requests {
 export interface Answers {
   read: ReadAnswer;
   edit: TextAnswer;
+  rename: TextAnswer;
   add: TextAnswer;
   drag: TextAnswer;
+  spots: SpotsAnswer;
+  join: JoinAnswer;
   suggest: SuggestAnswer;
   motion: MotionAnswer;
   picture: PictureAnswer;

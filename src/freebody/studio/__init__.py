@@ -2,7 +2,9 @@
 
 wire        what page and server say to each other: one schema, from which the types of the page are written
 reading     a text as the page needs it: what is in it, where that stands, what is wrong and how to mend it
+joining     what can be pointed at in the scene, and new elements between that
 moving      its motion: what the player draws, curves, events
+renaming    another name for a part of it, wherever the text has it
 asking      pictures, studies, and files of them
 work        the table of what a worker does
 worker      the process that does it, with limits of time and memory

@@ -32,16 +32,20 @@ def _scalar(text: str) -> Any:
 def add(request: AddRequest) -> TextAnswer:
     """A new element at the end of its section, under its name or the next that is free."""
     document = Document.read(request.text)
-    value = _scalar(request.value)
-    known: Any = document.data.get(request.section) or {}
-    if request.section == "questions" and not (isinstance(known, dict) and known):
-        return TextAnswer(text=document.with_item(("questions",), value).dumps())
+    return TextAnswer(text=with_element(document, request.section, request.name, _scalar(request.value))[0])
+
+
+def with_element(document: Document, section: str, name: str, value: Any) -> tuple[str, str]:
+    """The text with one more element of a section, and its name: the given one or the next that is free."""
+    known: Any = document.data.get(section) or {}
+    if section == "questions" and not (isinstance(known, dict) and known):
+        return document.with_item(("questions",), value).dumps(), ""
     if not isinstance(known, dict):
-        raise InputError(Message("{section} is no mapping of names", section=request.section))
-    name, number = request.name, 2
-    while name in known:
-        name, number = f"{request.name}{number}", number + 1
-    return TextAnswer(text=document.with_value((request.section, name), value).dumps())
+        raise InputError(Message("{section} is no mapping of names", section=section))
+    free, number = name, 2
+    while free in known:
+        free, number = f"{name}{number}", number + 1
+    return document.with_value((section, free), value).dumps(), free
 
 
 def suggest(request: SuggestRequest) -> SuggestAnswer:

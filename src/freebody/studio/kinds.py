@@ -10,8 +10,12 @@ from freebody.connections.base import Connection
 from freebody.language.document import Document
 from freebody.language.document.writer import flow_text
 from freebody.loads.base import Load
+from freebody.measures.geometry import GROUND
+from freebody.model.names import Names
 from freebody.model.shapes.base import Shape
+from freebody.studio.reading import entries_of
 from freebody.studio.wire import Kind
+from freebody.system.system import System
 
 _SECTIONS: dict[str, Any] = {"bodies": Shape, "connections": Connection, "loads": Load}
 
@@ -27,7 +31,30 @@ def _of(section: str, base: Any) -> Iterator[Kind]:
         value = _value(section, name, getattr(spec, "example", ""))
         if value is not None:
             about = (spec.__doc__ or "").strip().split("\n\n")[0]
-            yield Kind(section=section, kind=name, value=flow_text(value), about=" ".join(about.split()))
+            ends = [] if section == "bodies" else list(_ends(spec.example, value))
+            yield Kind(section=section, kind=name, value=flow_text(value), about=" ".join(about.split()), ends=ends)
+
+
+def _ends(example: str, value: Any) -> Iterator[list[str | int]]:
+    """The paths of the words in a value that name a point, a body or a line of its example."""
+    names = System.from_text(example).names
+
+    def walk(part: Any, path: list[str | int]) -> Iterator[list[str | int]]:
+        if isinstance(part, dict | list):
+            for key, each in entries_of(cast("Any", part)):
+                yield from walk(each, [*path, key])
+        elif isinstance(part, str) and len(path) > 1 and is_spot(names, part):
+            yield path
+
+    yield from walk(value, [])
+
+
+def is_spot(names: Names, word: str) -> bool:
+    """Whether a word of a model names a point, a body or a line of it. A point of the ground need not be declared."""
+    body, dot, point = word.partition(".")
+    if body == GROUND:
+        return not dot or point.isidentifier()
+    return names.line(word) is not None or (body in names.bodies and (not dot or point in names.bodies[body].points))
 
 
 def _value(section: str, kind: str, example: str) -> Any:

@@ -162,7 +162,7 @@ def _elements(document: Document, places: Places) -> Iterator[Element]:
         found: Any = data
         for part in section:
             found = mapping_of(found).get(part)
-        for key, value in _entries(found):
+        for key, value in entries_of(found):
             path: Place = (*section, key)
             span, name = document.span(path), document.key_span(path)
             if span is None:
@@ -179,7 +179,7 @@ def _elements(document: Document, places: Places) -> Iterator[Element]:
             )
 
 
-def _entries(value: Any) -> list[tuple[str | int, Any]]:
+def entries_of(value: Any) -> list[tuple[str | int, Any]]:
     """The entries of a mapping or a list, with their keys; none of anything else."""
     if isinstance(value, list):
         return list(enumerate(cast("list[Any]", value)))
@@ -201,7 +201,7 @@ def _kind_of(value: Any) -> str:
 def _leaves(document: Document, places: Places, path: Place, value: Any) -> Iterator[Leaf]:
     """Every single value under a path."""
     if isinstance(value, dict | list):
-        for key, each in _entries(cast("Any", value)):
+        for key, each in entries_of(cast("Any", value)):
             yield from _leaves(document, places, (*path, key), each)
         return
     span = document.span(path)

@@ -38,6 +38,13 @@ class EditRequest(Request):
     value: str | None = Field(max_length=2000)
 
 
+class RenameRequest(Request):
+    """Give what is at a path another name, wherever the text has it."""
+
+    path: list[str | int] = Field(min_length=2, max_length=12)
+    name: str = Field(min_length=1, max_length=100)
+
+
 class AddRequest(Request):
     """Add an element at the end of a section, under its name or the next that is free. value: its YAML in one line"""
 
@@ -52,6 +59,21 @@ class DragRequest(Request):
     body: str = Field(max_length=200)
     grabbed: tuple[float, float]
     to: tuple[float, float]
+
+
+class End(Said):
+    """What was pointed at: a spot by its name; without one, a place [m] on the ground."""
+
+    name: str = Field(default="", max_length=200)
+    at: tuple[float, float] = (0.0, 0.0)
+
+
+class JoinRequest(Request):
+    """Add an element of a kind between what was pointed at, as many as the kind has ends."""
+
+    section: str = Field(pattern="^(connections|loads)$")
+    kind: str = Field(max_length=100)
+    ends: list[End] = Field(min_length=1, max_length=4)
 
 
 class SuggestRequest(Request):
@@ -188,6 +210,26 @@ class TextAnswer(Said):
     text: str
 
 
+class JoinAnswer(Said):
+    """The changed text, and the path to the new element in it, with its value in one line."""
+
+    text: str
+    path: list[str]
+    value: str
+
+
+class Spot(Said):
+    """A point, a body or a line that can be pointed at, where it is [m] at the start."""
+
+    name: str
+    body: str
+    at: tuple[float, float]
+
+
+class SpotsAnswer(Said):
+    spots: list[Spot]
+
+
 class SuggestAnswer(Said):
     """understood: the question in the words of the grammar, empty if it cannot be read; then why: message"""
 
@@ -277,12 +319,14 @@ class Example(Said):
 
 
 class Kind(Said):
-    """What a section may have. value: of the smallest example, as YAML in one line; about: what it is"""
+    """What a section may have. value: of the smallest example, as YAML in one line; about: what it is; ends: the paths
+    in its value of what it joins"""
 
     section: str
     kind: str
     value: str
     about: str
+    ends: list[list[str | int]]
 
 
 class OpenedFile(Said):

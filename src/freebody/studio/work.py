@@ -54,8 +54,11 @@ class Work:
 WORK: dict[str, Work] = {
     "read": Work(wire.ReadRequest, "reading", "read", READING),
     "edit": Work(wire.EditRequest, "editing", "edit", READING),
+    "rename": Work(wire.RenameRequest, "renaming", "rename", READING),
     "add": Work(wire.AddRequest, "editing", "add", READING),
     "drag": Work(wire.DragRequest, "dragging", "drag", READING),
+    "spots": Work(wire.Request, "joining", "spots", READING),
+    "join": Work(wire.JoinRequest, "joining", "join", READING),
     "suggest": Work(wire.SuggestRequest, "editing", "suggest", READING),
     "motion": Work(wire.MotionRequest, "moving", "motion", MOVING),
     "picture": Work(wire.PictureRequest, "asking", "drawn", COUNTING),

@@ -11,8 +11,7 @@ from typing import Any, cast
 from freebody.api import System
 from freebody.errors import FreebodyError
 from freebody.language.units import DIMENSIONLESS, Dimension, parse_quantity
-from freebody.model.phrases import PHRASES, phrase_text
-from freebody.questions.base import FORMS
+from freebody.model.phrases import phrase_text
 
 NAMED = ("parameters", "bodies", "connections", "loads", "measures", "states")
 _TOLD = ("title", "about", "source", "id", "options", "key", "text", "points", "freebody", "style")
@@ -61,16 +60,6 @@ def has_options(data: Data) -> bool:
 
 
 # -- names ------------------------------------------------------------------------------------
-def reserved_words() -> set[str]:
-    """Words of the grammar, which a name may also be."""
-    forms = " ".join(f.form for f in (*PHRASES, *FORMS))
-    events = (
-        "rate when until begins slips opens slides rolls leaves goes slack contact sliding rolling energy tip slide"
-    )
-    compass = "right left up down x y z origin center start end t pi"
-    return {w.lower() for w in re.findall(r"[A-Za-z_]+", f"{forms} {events} {compass}")}
-
-
 def renamed(data: Data, names: Mapping[str, str]) -> Data:
     """The data with bodies, connections, loads, measures and parameters called otherwise."""
 

@@ -23,6 +23,7 @@ from freebody.errors import FreebodyError
 from freebody.language.units import DIMENSIONLESS, Dimension
 from freebody.model.shapes.base import Shape
 from freebody.questions.reading import Question
+from freebody.questions.reserved import reserved_words
 from freebody.testing import documents
 from freebody.testing.documents import Data, section
 from freebody.testing.observing import Observed, Reading, differences, observed
@@ -116,7 +117,7 @@ def renamed(system: System, rng: random.Random) -> list[Changed]:
             question.pop("key", None)
     # a belt that is called belt transmits a belt force, whatever its name
     reactions = {word for row in system.rows for word in row.reaction.split()}
-    taken = documents.reserved_words() | reactions
+    taken = reserved_words() | reactions
     names = [n for part in documents.NAMED for n in section(data, part) if n.lower() not in taken]
     letters = rng.sample("abcdefhklnquvw", 14)
     new = {n: f"{letters[k % 14]}qx{k}" for k, n in enumerate(dict.fromkeys(names))}
