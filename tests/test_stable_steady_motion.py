@@ -123,3 +123,33 @@ def test_spherical_pendulum_nods_in_a_period_of_an_elliptic_integral():
     answer = asked(BOB, "period of theta")
     assert answer.value == pytest.approx(2 * time, rel=1e-3)
     assert "elliptic_K" in repr(answer.expression)
+
+
+SPEED_CONTROL = """
+parameters: {J: 0.5 kg m^2, c: 0.3 N m s, k_p: 2 N m s, k_i: 3 N m, tau: 0.4 s, w: 10 rad/s}
+bodies: {rotor: {body: {inertia: J, radius: 0.1 m}}}
+connections: {axle: {pin: [ground.O, rotor]}}
+measures: {phi: {angle of rotor}}
+states: {z: w - rate(phi), u: (k_p*(w - rate(phi)) + k_i*z - u)/tau}
+loads:
+  motor: {torque: {on: rotor, magnitude: u}}
+  friction: {torsional_damper: {body: rotor, damping: c}}
+start: {phi: 0, rate(phi): 0}
+"""
+
+
+def test_a_controller_of_speed_is_stable_up_to_a_gain_although_no_angle_matters() -> None:
+    """J w' = u - c w, tau u' = k_p (w_d - w) + k_i z - u, z' = w_d - w settles at w_d, u = c w_d, z = c w_d/k_i. Its
+    characteristic polynomial is J tau s^3 + (J + c tau) s^2 + (c + k_p) s + k_i, stable by Routh while
+    (J + c tau)(c + k_p) > J tau k_i. All coordinates are cyclic, and yet disturbances may grow. Source: Franklin,
+    Powell & Emami-Naeini, Feedback Control of Dynamic Systems, ch. 3 and 4.
+    """
+    system = System.from_text(SPEED_CONTROL)
+    answer = system.solve("largest k_i so that the steady motion is stable").answers[0]
+    assert answer.value == pytest.approx((0.5 + 0.3 * 0.4) * (0.3 + 2) / (0.5 * 0.4))
+    verdicts = [
+        str(system.with_parameters(k_i=k).solve("stability of steady motion").answers[0].to_text())
+        for k in ("7 N m", "7.3 N m")
+    ]
+    assert "not stable with the given numbers" not in verdicts[0]
+    assert "not stable with the given numbers" in verdicts[1]

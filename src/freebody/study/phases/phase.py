@@ -25,7 +25,7 @@ from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.phases.course import ClosedFormMotion
 from freebody.symbolic.phases.energy_motion import course_of
-from freebody.symbolic.phases.friction import named_rows, resultant, solve_loads, with_loads
+from freebody.symbolic.phases.friction import acts_either_way, named_rows, resultant, solve_loads, with_loads
 from freebody.symbolic.start import StartState, start_from_bodies, start_state
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy
@@ -276,10 +276,19 @@ class Phase:
                 found.append(PhaseWatch("slip ends", name, state * self.state.rate(rub.row.measure)))
             elif name not in self.dropped:
                 found += self._limits(rub)
+        for x in self.pressed:  # behind it the size of N is -N
+            found.append(PhaseWatch("changes sign", relation_text(tidy(x), "="), x))
         for x in map(self.model.express, self.model.samples.assumed):
             if self.model.field.ingredients(x) & {c.index for c in self.model.coordinates}:
                 found.append(PhaseWatch("changes sign", relation_text(tidy(x), "="), x))  # and with it the formulas
         return tuple(found)
+
+    @cached_property
+    def pressed(self) -> tuple[Ratio, ...]:
+        """The loads of the frictions that may be pressed either way: positive while they are on this side."""
+        names = [name for name in self.mode.states if name not in self.dropped]
+        rubs = [rub for name in names if acts_either_way(rub := self.dry_friction[name], self.rows)]
+        return tuple(x for rub in rubs if not (x := self.load(rub)).is_zero())
 
     @cached_property
     def closing_again(self) -> dict[str, ConstraintRow]:

@@ -33,7 +33,7 @@ from freebody.symbolic.conditions import Condition
 from freebody.symbolic.decide import decide
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.state import SymbolicState
-from freebody.system.modes import ideal_bounds
+from freebody.system.modes import ContactMode, ideal_bounds
 from freebody.system.system import System
 from freebody.tolerances import ROUND_OFF, ROUNDED
 
@@ -41,6 +41,7 @@ MAX_DEPTH = 5
 MAX_NODES = 24
 MAX_IMPACTS = 2  # one after the other, in formulas
 MOST_TERMS = 6  # of a condition behind the jerk of a string
+MOST_SIGNS = 4  # ways in which the frictions of one mode are pressed
 _EFFORT = 1000  # what an effort is told by
 
 
@@ -211,21 +212,22 @@ class PhaseTree(Home):
             if not len(left) or self.n_nodes >= allowed(MAX_NODES):
                 break
             try:
-                phase = self.begun(mode, instant.placed, left)
-                needed = [(self.to_home(phase, x), rel, purpose) for x, rel, purpose in checks(phase, instant)]
-                needed += without_slip(mode, instant)
-                own = [self._test(*check) for check in needed]
+                for phase in self._phases_of(mode, instant, left):
+                    needed = [(self.to_home(phase, x), rel, purpose) for x, rel, purpose in checks(phase, instant)]
+                    needed += without_slip(mode, instant)
+                    own = [self._test(*check) for check in needed]
+                    tests += [t for t in own if t.relation != "="]
+                    holds = (
+                        np.all([t.holds & t.known for t in own], axis=0) if own else np.ones(self.sets.n, dtype=bool)
+                    )
+                    mine = left[holds[left]]
+                    if len(mine):
+                        labels[mine] = len(phases)
+                        phases.append((phase, needed))
+                        self.n_nodes += 1
+                        left = left[~holds[left]]
             except NO_FORM as error:
                 self.reasons.append(why(self.system, error))
-                continue
-            tests += [t for t in own if t.relation != "="]
-            holds = np.all([t.holds & t.known for t in own], axis=0) if own else np.ones(self.sets.n, dtype=bool)
-            mine = left[holds[left]]
-            if len(mine):
-                labels[mine] = len(phases)
-                phases.append((phase, needed))
-                self.n_nodes += 1
-                left = left[~holds[left]]
         if not phases:
             return []
         found: list[PhaseNode] = []
@@ -241,6 +243,21 @@ class PhaseTree(Home):
         for node in found:
             self._end(node)
         return found
+
+    def _phases_of(self, mode: ContactMode, instant: PhaseStart, left: Chosen) -> Iterator[Phase]:
+        """The phase of a mode; where what presses its frictions may have either sign, one for each way of signs that is
+        met at the parameter sets."""
+        todo = left
+        for _signs in range(MOST_SIGNS):
+            phase = self.begun(mode, instant.placed, todo)
+            yield phase
+            exist = (
+                [] if phase.determinant is None or not phase.pressed else [phase.start_instant.here(phase.determinant)]
+            )
+            turned = [self.numbers(self.to_home(phase, x)) < 0 for x in (*phase.pressed, *exist)]
+            todo = todo[np.any(turned, axis=0)[todo]] if turned else todo[:0]
+            if not len(todo):
+                return
 
     # -- how a phase ends -------------------------------------------------------------------------
     def _end(self, node: PhaseNode) -> None:

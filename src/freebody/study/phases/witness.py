@@ -121,21 +121,28 @@ class NumericMode:
 
     # -- dynamics ---------------------------------------------------------------------------------
     def solved(self, q: Array, v: Array, t: float) -> dict[str, float]:
-        """The loads of the sliding frictions. Guides are pressed on the side on which that is not negative; a contact
-        has one side, and a negative load says that it has opened."""
+        """The loads of the sliding frictions. Guides are pressed on the side on which that is not negative; where both
+        are such, on that to which the loads come steadily as friction grows from nothing, det(1 - B) > 0. A contact has
+        one side, and a negative load says that it has opened."""
         if not self.loads:
             return {}
         seen = self._seen(q, v, t)
         n = len(self.loads)
         table = np.array([[self._size(rub, s) for s in seen] for rub in self.loads.values()])
         is_guide = np.array([not rub.of for rub in self.loads.values()])
+        jammed: dict[str, float] | None = None
         for signs in _signs(table[:, 0], is_guide):
             a = signs * table[:, 0]
             B = signs[:, None] * (table[:, 1:] - table[:, :1])
             N = np.linalg.solve(np.eye(n) - B, a)
             if float(N[is_guide].min(initial=0.0)) >= -_STILL * max(1.0, float(np.abs(N).max())):
-                return dict(zip(self.loads, N.tolist(), strict=True))
-        raise CannotAnswer(Message("no friction force is consistent with the motion"))
+                found = dict(zip(self.loads, N.tolist(), strict=True))
+                if float(np.linalg.det(np.eye(n) - B)) > 0.0:
+                    return found
+                jammed = jammed or found
+        if jammed is None:
+            raise CannotAnswer(Message("no friction force is consistent with the motion"))
+        return jammed
 
     def _seen(self, q: Array, v: Array, t: float) -> list[Snapshot]:
         """One instant without loads and with each unit load; the last one is kept, since everything asks for it."""

@@ -12,7 +12,7 @@ from freebody.language.sentences import Message
 from freebody.study.setup import Setup
 from freebody.study.steady.motion import SteadyMotion
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.linear import determinant
+from freebody.symbolic.linear import RHS, Row, determinant, solve
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.zeros import reals, zeros_of
 
@@ -119,7 +119,7 @@ def linear_at_start(setup: Setup, steady: SteadyMotion) -> Linear:
                 names=", ".join(bound),
             )
         )
-    if not steady.others:
+    if not steady.others and not any(steady.feels(c) for c in steady.cyclic):
         raise CannotAnswer(
             Message("all coordinates are cyclic: every disturbance leads to a neighbouring steady motion")
         )
@@ -137,6 +137,9 @@ def linear_at_start(setup: Setup, steady: SteadyMotion) -> Linear:
             solved = _solved_for(Linear(steady, place, rates, put), c.speed)
             if solved is not None:
                 return solved
+        solved = _solved_together(Linear(steady, place, {c: x for c, x in rates.items() if c in given}, put))
+        if solved is not None:
+            return solved
     for place in places:
         moved = _moved(Linear(steady, place, rates, put))
         if moved is not None:
@@ -198,6 +201,28 @@ def _solved_for(linear: Linear, speed: int) -> Linear | None:
             found = replace(linear, rates=linear.rates | {speed: value})
             return None if _unbalanced(found) else found
     return None
+
+
+def _solved_together(linear: Linear) -> Linear | None:
+    """With all open rates such that the motion is steady, where the conditions are linear in them and leave one value
+    for each: what a controller with states of its own settles at."""
+    steady, left = linear.steady, _unbalanced(linear)
+    open_ = [c.speed for c in steady.cyclic if c.speed not in linear.rates]
+    if len(left) != len(open_):
+        return None
+    f, rows = steady.model.field, list[Row]()
+    for x in left:
+        row: Row = {speed: f.partial(x, speed) for speed in open_}
+        if any(f.ingredients(k) & set(open_) for k in row.values()):
+            return None
+        rest = f.lowest_terms(f.follow(x, dict.fromkeys(open_, f.zero)))
+        rows.append({k: v for k, v in row.items() if not v.is_zero()} | {RHS: -rest})
+    solved = solve(f, rows, open_, steady.model.samples.vanishes)
+    if solved.free or solved.contradictory:
+        return None
+    values = {speed: row.get(RHS, f.zero) for speed, row in solved.pivots.items()}
+    found = replace(linear, rates=linear.rates | values)
+    return None if _unbalanced(found) else found
 
 
 def _moved(linear: Linear) -> Linear | None:

@@ -116,6 +116,10 @@ class SteadyMotion:
         m = self.model
         return [without_square_roots(m, m.in_independent_speeds(x)) for x in m.dynamics.forcing]
 
+    def feels(self, c: Coordinate) -> bool:
+        """Whether a force depends on the rate of a coordinate."""
+        return any(c.speed in self.model.field.ingredients(x) for x in self.forces)
+
     @cached_property
     def still(self) -> dict[int, Ratio]:
         """The speeds of what stays constant."""

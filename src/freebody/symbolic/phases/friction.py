@@ -11,6 +11,7 @@ motion (Painleve).
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 
@@ -27,6 +28,8 @@ from freebody.system.system import System
 
 IsNegative = Callable[[Ratio], bool]
 
+MOST_SIGNS = 64  # combinations of the signs with which frictions are pressed that are tried
+
 
 @dataclass(frozen=True)
 class FrictionLoads:
@@ -40,11 +43,24 @@ def resultant(
     model: SymbolicModel, rub: DryFriction, rows: Mapping[str, ConstraintRow], is_negative: IsNegative
 ) -> Ratio:
     """The load of a friction: the size of the multipliers that it names. A bound's is its own, since it cannot pull."""
+    row, x = _pressed(model, rub, rows)
+    return x if row is None or row.unilateral or not is_negative(x) else -x
+
+
+def acts_either_way(rub: DryFriction, rows: Mapping[str, ConstraintRow]) -> bool:
+    """Whether what presses a friction may have either sign, as the load of a thread: its size is a case distinction."""
+    return any(name in rows and not rows[name].unilateral for name in rub.load)
+
+
+def _pressed(
+    model: SymbolicModel, rub: DryFriction, rows: Mapping[str, ConstraintRow]
+) -> tuple[ConstraintRow | None, Ratio]:
+    """The multiplier whose size is the load of a friction, with its row; none where nothing is transmitted."""
     # a row that is open transmits nothing: the friction of a string that hangs slack
     parts = [(rows[name], model.reactions.multiplier(rows[name])) for name in rub.load if name in rows]
     parts = [(row, x) for row, x in parts if not x.is_zero()]
     if not parts:
-        return model.field.zero
+        return None, model.field.zero
     if len(parts) > 1:
         raise CannotAnswer(
             Message(
@@ -54,20 +70,37 @@ def resultant(
             )
         )
     ((row, x),) = parts
-    x = row.sign * x
-    return x if row.unilateral or not is_negative(x) else -x
+    return row, row.sign * x
 
 
 def solve_loads(
     model: SymbolicModel, loads: Mapping[str, DryFriction], rows: Mapping[str, ConstraintRow], is_negative: IsNegative
 ) -> FrictionLoads:
-    """The loads of all sliding frictions. Raises CannotAnswer where they are not unique or not rational."""
+    """The loads of all sliding frictions. Of what presses either way the sign is such that at the first sample its
+    load comes out positive, and is what it grows to with the friction, from none. Raises CannotAnswer where they are
+    not unique or not rational."""
+    pressed = {name: _pressed(model, rub, rows) for name, rub in loads.items()}
+    either = [name for name, (row, _x) in pressed.items() if row is not None and not row.unilateral]
+    first: FrictionLoads | None = None
+    for signs in itertools.islice(itertools.product((1, -1), repeat=len(either)), MOST_SIGNS):
+        sign = dict(zip(either, signs, strict=True))
+        sizes = {name: sign.get(name, 1) * x for name, (_row, x) in pressed.items()}
+        found = _solved(model, loads, sizes)
+        if not any(map(is_negative, [found.determinant, *(found.values[name] for name in either)])):
+            return found
+        first = first or found
+    assert first is not None  # the signs of none are one choice
+    return first
+
+
+def _solved(model: SymbolicModel, loads: Mapping[str, DryFriction], sizes: Mapping[str, Ratio]) -> FrictionLoads:
+    """The loads by what they are the sizes of, in which they occur themselves."""
     f = model.field
     names = list(loads)
     columns = {f.index(model.parameters[name]): name for name in names}
     equations: list[Row] = []
     for name in names:
-        x = resultant(model, loads[name], rows, is_negative)
+        x = sizes[name]
         row: Row = {f.index(model.parameters[name]): f.one}
         rest = x
         for column in columns:
