@@ -6,6 +6,7 @@ They are slow, and are left out with a word where the browser, Playwright or nod
 from __future__ import annotations
 
 import json
+import random
 import re
 import shutil
 import subprocess
@@ -257,6 +258,35 @@ def test_an_element_is_renamed_everywhere_and_undone_at_once(page: Any) -> None:
     page.wait_for_selector("#panel h2:has-text('bar')", timeout=WAIT)
     page.click("[aria-label=Undo]")
     page.wait_for_function(f"text => {TEXT} === text", arg=PENDULUM, timeout=WAIT)
+
+
+def test_200_random_edits_are_undone_to_the_start(page: Any) -> None:
+    """Of a value in the properties, a slider, or the text: each an edit that can be undone by itself."""
+    seed = random.randrange(10**6)
+    print("seed", seed)
+    chance = random.Random(seed)
+    page.click(".tree button:has-text('weight')")
+    field = page.locator("#panel .fields label:has-text('gravity') input")
+    slider = page.locator(".sliders label:has-text('m') input").first
+    for k in range(200):
+        match chance.randrange(10):
+            case 0:
+                before = text_of(page)
+                field.fill(f"{k + 1}*g")
+                field.press("Enter")
+                page.wait_for_function(f"text => {TEXT} !== text", arg=before, timeout=WAIT)
+            case 1 | 2 | 3:
+                slider.focus()
+                page.keyboard.press(chance.choice(["ArrowLeft", "ArrowRight", "PageUp", "PageDown"]))
+            case _:
+                page.locator(".cm-line").first.click()
+                page.keyboard.press("End")
+                page.keyboard.insert_text(f" {chance.randrange(100)}")
+    assert text_of(page) != PENDULUM
+    undo = page.locator("[aria-label=Undo]")
+    while undo.is_enabled():
+        undo.click()
+    assert text_of(page) == PENDULUM
 
 
 def test_it_speaks_german(page: Any) -> None:

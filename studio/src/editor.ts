@@ -42,7 +42,7 @@ export function editorIn(parent: HTMLElement, studio: Studio, complete: (context
   const extensions = [
     EditorState.readOnly.of(studio.isShared),
     lineNumbers(),
-    history({ newGroupDelay: 700 }),
+    history({ newGroupDelay: 700, minDepth: 1000 }),
     bracketMatching(),
     closeBrackets(),
     highlightActiveLine(),

@@ -14,7 +14,7 @@ from freebody.present.layout import Layout, bounds, headings
 from freebody.present.marks import ContactTrack
 from freebody.present.pen import Pen
 from freebody.present.scene import Scene
-from freebody.present.strokes import Caption, Path, Stretch, Stroke, stroke_points
+from freebody.present.strokes import Caption, Path, Stretch, Stroke, path_points, stroke_points
 from freebody.present.surfaces import Surfaces, surplus
 
 _NARROWEST, _LOWEST = 0.6, 0.35  # width by height of a picture, and height by width
@@ -67,7 +67,13 @@ class Drawing:
 
     def _frame(self, least: tuple[float, float]) -> None:
         """Sets the corners round all strokes so far."""
-        seen = [self.points(stroke, k) for stroke in self.strokes for k in self.key_frames()]
+        frames = self.key_frames()
+        seen: list[Array] = []
+        for stroke in self.strokes:
+            if isinstance(stroke, Path):
+                seen.append(path_points(stroke, self.poses[frames]).reshape(-1, 2))
+            else:
+                seen.extend(self.points(stroke, k) for k in frames)
         corners = np.concatenate([*seen, self.low[None], self.high[None]])
         low, high = corners.min(axis=0), corners.max(axis=0)
         margin = 3 * self.symbol

@@ -66,12 +66,17 @@ def stroke_points(stroke: Stroke, pose: Array, every: Array) -> Array:
     if isinstance(stroke, Strand):
         return _strand_points(stroke, pose, every)
     if isinstance(stroke, Path):
-        angle = 0.0 if stroke.turn == GROUND else pose[0, stroke.turn, 2]
-        return positions(pose, stroke.place)[0] + turned(angle, *stroke.points.T)
+        return path_points(stroke, pose)[0]
     a, b = positions(pose, stroke.first)[0], positions(pose, stroke.second)[0]
     along = b - a
     left = np.array([-along[1], along[0]]) / (float(np.hypot(*along)) or 1.0)
     return a + stroke.points[:, :1] * along + stroke.points[:, 1:] * left
+
+
+def path_points(stroke: Path, poses: Array) -> Array:
+    """(n_instants, n, 2) [m] the same at many instants. poses: (n_instants, n_bodies, 3)"""
+    angles = np.zeros(len(poses)) if stroke.turn == GROUND else poses[:, stroke.turn, 2]
+    return positions(poses, stroke.place)[:, None] + turned(angles[:, None], *stroke.points.T)
 
 
 def _strand_points(strand: Strand, pose: Array, every: Array) -> Array:
