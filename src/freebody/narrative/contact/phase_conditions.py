@@ -36,6 +36,7 @@ _PURPOSES = {
     "it happens": "happens",
     "before {contact} {event}": "before",
     "as at the start": "branch",
+    "{contact} is pressed on this side": "pressed",
     "friction forces exist": "exists",
     "no event ends it": "never",
 }

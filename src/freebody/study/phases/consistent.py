@@ -80,7 +80,7 @@ def checks(phase: Phase, instant: PhaseStart) -> Iterator[Inequality]:
         elif watch.kind == "slips":
             yield here(watch.element), ">=", Message("{contact} does not slip", contact=watch.connection)
         elif watch.kind == "changes sign":
-            yield here(watch.element), ">=", Message("as at the start")
+            yield here(watch.element), ">=", watch.purpose
         elif watch.kind == "slip ends":
             slip = slips[watch.name]
             sign = phase.mode.states[watch.name]

@@ -77,6 +77,7 @@ class PhaseWatch:
     element: Ratio
     direction: int = 0  # in which it begins to slip
     within: tuple[Ratio, ...] = ()  # not negative where the place at which it touches exists
+    purpose: str = Message("as at the start")  # of what changes its sign, where it does not
 
     @property
     def connection(self) -> str:
@@ -276,19 +277,20 @@ class Phase:
                 found.append(PhaseWatch("slip ends", name, state * self.state.rate(rub.row.measure)))
             elif name not in self.dropped:
                 found += self._limits(rub)
-        for x in self.pressed:  # behind it the size of N is -N
-            found.append(PhaseWatch("changes sign", relation_text(tidy(x), "="), x))
+        for name, x in self.pressed.items():  # behind it the size of N is -N
+            side = Message("{contact} is pressed on this side", contact=self.dry_friction[name].row.connection)
+            found.append(PhaseWatch("changes sign", relation_text(tidy(x), "="), x, purpose=side))
         for x in map(self.model.express, self.model.samples.assumed):
             if self.model.field.ingredients(x) & {c.index for c in self.model.coordinates}:
                 found.append(PhaseWatch("changes sign", relation_text(tidy(x), "="), x))  # and with it the formulas
         return tuple(found)
 
     @cached_property
-    def pressed(self) -> tuple[Ratio, ...]:
-        """The loads of the frictions that may be pressed either way: positive while they are on this side."""
+    def pressed(self) -> dict[str, Ratio]:
+        """The loads of the frictions that may be pressed either way, by name: positive while they are on this side."""
         names = [name for name in self.mode.states if name not in self.dropped]
-        rubs = [rub for name in names if acts_either_way(rub := self.dry_friction[name], self.rows)]
-        return tuple(x for rub in rubs if not (x := self.load(rub)).is_zero())
+        loads = {n: self.load(rub) for n in names if acts_either_way(rub := self.dry_friction[n], self.rows)}
+        return {name: x for name, x in loads.items() if not x.is_zero()}
 
     @cached_property
     def closing_again(self) -> dict[str, ConstraintRow]:
