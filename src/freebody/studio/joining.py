@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from copy import deepcopy
 from itertools import product
-from typing import Any, cast
+from typing import Any
 
 from freebody.errors import InputError, ModelError
 from freebody.language.document import Document, Place
@@ -24,7 +24,7 @@ from freebody.present.figures import turned
 from freebody.present.places import Places
 from freebody.studio.editing import with_element
 from freebody.studio.kinds import kinds
-from freebody.studio.reading import checked_system
+from freebody.studio.reading import checked_system, mapping_of
 from freebody.studio.wire import JoinAnswer, JoinRequest, Request, Spot, SpotsAnswer
 from freebody.system.system import System
 
@@ -101,14 +101,13 @@ def _with_places(system: System, request: JoinRequest) -> tuple[Document, list[l
             body = end.name.partition(".")[0]
             ends.append([end.name] if body in (end.name, GROUND) else [end.name, body])
             continue
-        points: Any = (document.data.get("ground") or {}).get("points") or {}
+        points: Any = mapping_of(document.data.get("ground")).get("points") or {}
         if isinstance(points, list):
             raise InputError(Message("the points of the ground have no places here; give them places first"))
         for name in undeclared:
             if name not in points:
                 document = document.with_value(("ground", "points", name), [0, 0])
-        points = {**points, **undeclared}
-        name = next(each for each in _letters() if each not in points)
+        name = next(each for each in _letters() if each not in points and each not in undeclared)
         place = [f"{float(f'{x:.{_DIGITS}g}'):g} m" for x in end.at]
         document = document.with_value(("ground", "points", name), place)
         ends.append([f"{GROUND}.{name}"])
@@ -126,4 +125,4 @@ def _letters() -> Iterator[str]:
 def _set(value: Any, path: Place, word: str) -> None:
     for part in path[:-1]:
         value = value[part]
-    cast("Any", value)[path[-1]] = word
+    value[path[-1]] = word
