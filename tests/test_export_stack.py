@@ -20,7 +20,7 @@ from freebody.exercises.export import examine, export, export_bank
 from freebody.exercises.making import made_bank
 from freebody.exercises.platforms import moodle_stack
 from freebody.exercises.stack.castext import by_variant, string, words
-from freebody.exercises.stack.comparing import COMPARING, points_of
+from freebody.exercises.stack.comparing import COMPARING, Points, points_of
 from freebody.exercises.stack.maxima import MaximaNames
 from freebody.exercises.stack.seeds import drawn, seeds
 from freebody.language.expression import Expr, evaluate
@@ -324,3 +324,12 @@ def test_stack_itself_marks_as_expected(name: str, tmp_path: Path, image: Path) 
         assert not question["fails"], question
         assert not question["errors"], question
         assert not question["messages"], question
+
+
+def test_a_factor_is_seen_in_a_vector_whose_first_component_vanishes() -> None:
+    points = Points(({"a": 1.0}, {"a": 2.0}))
+    key = (parse("0"), parse("a^2"))
+    assert points.is_multiple((parse("0"), parse("-7*a^2")), key)
+    assert not points.is_multiple((parse("0"), parse("a")), key)
+    assert not points.is_multiple((parse("a^2"), parse("a^2")), key)
+    assert not points.is_multiple((parse("0"), parse("0")), key)

@@ -38,8 +38,9 @@ fbnear(fba,fbb,fbs):=is(abs(fba-fbb)<=1.0e-7*max(abs(fba),abs(fbb))+1.0e-12*fbs)
 fbclose(fba,fbb):=if not fbalike(fba,fbb) then false else block([fbs], fbs:lmax(maplist(abs,fbb)),
     is(sublist(makelist(fbnear(fba[fbi],fbb[fbi],fbs),fbi,1,length(fba)),lambda([fbx],not fbx))=[]));
 fbsame(fba,fbb):=fbclose(fbseries(fba,fbpoints,fblater),fbseries(fbb,fbpoints,fblater));
-fbratio(fbl,fbm):=if not fbalike(fbl,fbm) then false elseif is(abs(first(fbl)*first(fbm))<=0) then false
-    else fbclose(fbl,fbm*first(fbl)/first(fbm));
+fbdot(fbl,fbm):=sum(fbl[fbi]*fbm[fbi],fbi,1,length(fbm));
+fbratio(fbl,fbm):=if not fbalike(fbl,fbm) then false elseif is(abs(fbdot(fbl,fbm))<=0) then false
+    else fbclose(fbl,fbm*fbdot(fbl,fbm)/fbdot(fbm,fbm));
 fbvalued(fbe):=fbknown(fbseries(fbe,fbpoints,fblater));
 fbfactor(fba,fbb):=fbratio(fbseries(fba,fbpoints,fblater),fbseries(fbb,fbpoints,fblater));
 fbscale(fbl,fbm):=if fbalike(fbl,fbm) then fbclose(fbl,fblarger*fbm) else true;
@@ -70,9 +71,10 @@ class Points:
     def is_multiple(self, a: Sequence[Expr], b: Sequence[Expr]) -> bool:
         """Whether one is the other times a constant."""
         mine, its = self.series(a), self.series(b)
-        if len(mine) != len(its) or not mine or not mine[0] or not its[0]:
+        if len(mine) != len(its) or None in mine or None in its:
             return False
-        return close(mine, [None if x is None else x * mine[0] / its[0] for x in its])
+        along, size = (sum(x * y for x, y in zip(c, its, strict=True) if x and y) for c in (mine, its))
+        return bool(along) and close(mine, [None if x is None else x * along / size for x in its])
 
     def has_dimension(self, parts: Sequence[Expr]) -> bool:
         """Whether an answer has the right dimension; also where that cannot be told."""
