@@ -111,4 +111,4 @@ if __name__ == "__main__":
     os.environ[WRITE] = "1"
     files = [str(Path(__file__).parent / name) for name in (Path(__file__).name, *ELSEWHERE)]
     chosen = "golden_one" if not sys.argv[2:] else f"golden_one and ({' or '.join(sys.argv[2:])})"
-    sys.exit(pytest.main(["-n", "0", "-k", chosen, *files]))
+    sys.exit(pytest.main(["-n", "0", "-m", "slow or not slow", "-k", chosen, *files]))
