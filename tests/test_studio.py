@@ -253,6 +253,29 @@ def test_what_makes_no_sense_is_refused_in_words(kind: str, request_: dict[str, 
     assert reply.message
 
 
+def test_a_typed_answer_is_judged_and_hints_come_in_their_order() -> None:
+    """theta'' of a rod that turns about its end, from the horizontal: -3 g cos(theta)/(2 L)."""
+    told = [done("judge", {"text": PENDULUM, "question": "first", "answer": a}).answer for a in _ANSWERS]
+    assert [t["plain"]["verdict"] for t in told] == ["correct", "incorrect", "unreadable"]
+    assert [t["is_right"] for t in told] == [True, False, False]
+    assert [t["is_attempt"] for t in told] == [True, True, False]
+    help_ = done("hints", {"text": PENDULUM, "question": "first"}).answer
+    assert help_["words"]
+    assert len(help_["hints"]) > 1
+
+
+def test_forces_on_a_body_cut_free_are_judged() -> None:
+    def verdict(answer: str) -> str:
+        reply = done("judge", {"text": PENDULUM, "free": ["rod"], "answer": answer})
+        return str(reply.answer["plain"]["verdict"])
+
+    assert verdict("m g down at G; A_x right at start; A_y up at start") == "correct"
+    assert verdict("m g down at G") == "incorrect"
+
+
+_ANSWERS = ("-3*g*cos(theta)/(2*L)", "-g*cos(theta)/L", "((")
+
+
 # -- the folder -------------------------------------------------------------------------------
 @pytest.mark.parametrize(
     "name",

@@ -146,6 +146,18 @@ def test_a_question_in_ones_own_words_is_answered_and_kept(page: Any) -> None:
     wait_for_text(page, r"find: .how fast does the rod turn\?")
 
 
+def test_an_answer_is_judged_with_hints_and_attempts(page: Any) -> None:
+    page.get_by_label("Let me answer").first.check()
+    form = page.locator("form.judged").first
+    form.get_by_role("button", name="Hint").click()
+    form.locator(".hints li").first.wait_for(timeout=60_000)
+    for answer, attempts in (("((", "0"), ("g/L", "1")):
+        form.get_by_label("Your answer").fill(answer)
+        form.get_by_role("button", name="Check").click()
+        form.get_by_text(f"attempts: {attempts}").wait_for(timeout=60_000)
+    assert "Incorrect" in form.locator(".freebody-report").inner_text()
+
+
 def test_a_body_is_dragged_with_its_pin_kept(page: Any) -> None:
     box = page.locator(".view canvas").bounding_box()
     # from the pixels of the bodies' colour: the far end of the rod is where they are lowest

@@ -98,6 +98,19 @@ export interface Happening {
   name: string;
 }
 
+/** words: the question as an exercise asks it */
+export interface HintsAnswer {
+  words: string;
+  hints: string[];
+}
+
+/** How a question of the file is asked, and hints to it. question: its id */
+export interface HintsRequest {
+  text: string;
+  language?: "en" | "de";
+  question: string;
+}
+
 /** The changed text, and the path to the new element in it, with its value in one line. */
 export interface JoinAnswer {
   text: string;
@@ -112,6 +125,24 @@ export interface JoinRequest {
   section: string;
   kind: string;
   ends: End[];
+}
+
+/** html: the verdict; plain: the same as data; is_attempt: whether it counts, as what cannot be read does not */
+export interface JudgeAnswer {
+  html: string;
+  plain: Record<string, unknown>;
+  is_right: boolean;
+  is_attempt: boolean;
+}
+
+/** Judge what somebody answers to a question, or the forces that are said to act on bodies cut free. prefix: of the names in the HTML */
+export interface JudgeRequest {
+  text: string;
+  language?: "en" | "de";
+  question?: string;
+  free?: string[];
+  answer: string;
+  prefix?: string;
 }
 
 /** What a section may have. value: of the smallest example, as YAML in one line; about: what it is; ends: the paths in its value of what it joins */
@@ -345,6 +376,8 @@ export interface Requests {
   suggest: SuggestRequest;
   motion: MotionRequest;
   picture: PictureRequest;
+  judge: JudgeRequest;
+  hints: HintsRequest;
   count: StudyRequest;
   study: StudyRequest;
   export: ExportRequest;
@@ -363,6 +396,8 @@ export interface Answers {
   suggest: SuggestAnswer;
   motion: MotionAnswer;
   picture: PictureAnswer;
+  judge: JudgeAnswer;
+  hints: HintsAnswer;
   count: StudyAnswer;
   study: StudyAnswer;
   export: FilesAnswer;

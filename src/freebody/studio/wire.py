@@ -108,6 +108,22 @@ class StudyRequest(Request):
     prefix: str = Field(default="", pattern="^[a-z-]{0,20}$")
 
 
+class JudgeRequest(Request):
+    """Judge what somebody answers to a question, or the forces that are said to act on bodies cut free. prefix: of the
+    names in the HTML"""
+
+    question: str = Field(default="", max_length=400)
+    free: list[str] = Field(default=[], max_length=200)
+    answer: str = Field(max_length=4000)
+    prefix: str = Field(default="", pattern="^[a-z-]{0,20}$")
+
+
+class HintsRequest(Request):
+    """How a question of the file is asked, and hints to it. question: its id"""
+
+    question: str = Field(max_length=400)
+
+
 class ExportRequest(StudyRequest):
     """The same as files."""
 
@@ -278,6 +294,22 @@ class StudyAnswer(Said):
     html: str
     plain: dict[str, Any]
     is_complete: bool
+
+
+class JudgeAnswer(Said):
+    """html: the verdict; plain: the same as data; is_attempt: whether it counts, as what cannot be read does not"""
+
+    html: str
+    plain: dict[str, Any]
+    is_right: bool
+    is_attempt: bool
+
+
+class HintsAnswer(Said):
+    """words: the question as an exercise asks it"""
+
+    words: str
+    hints: list[str]
 
 
 class File(Said):

@@ -62,6 +62,8 @@ WORK: dict[str, Work] = {
     "suggest": Work(wire.SuggestRequest, "editing", "suggest", READING),
     "motion": Work(wire.MotionRequest, "moving", "motion", MOVING),
     "picture": Work(wire.PictureRequest, "asking", "drawn", COUNTING),
+    "judge": Work(wire.JudgeRequest, "quizzing", "judged", STUDYING),
+    "hints": Work(wire.HintsRequest, "quizzing", "hints", STUDYING),
     "count": Work(wire.StudyRequest, "asking", "studied", COUNTING),
     "study": Work(wire.StudyRequest, "asking", "studied", STUDYING),
     "export": Work(wire.ExportRequest, "asking", "exported", STUDYING),
