@@ -46,7 +46,7 @@ def long_tests() -> tuple[frozenset[str], frozenset[str]]:
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     examples, tests = long_tests()
     for item in items:
-        case = item.nodeid.partition("[")[2].removesuffix("]")
+        case = item.nodeid.partition("[")[2].removesuffix("]").partition("-")[0]
         if item.nodeid in tests or case in examples:
             item.add_marker(pytest.mark.slow)
 

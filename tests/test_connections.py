@@ -683,6 +683,57 @@ start: {y: 0}
 """,
         {"stop force of it at start": "m*g", "acceleration of y at start": "0"},
     ),
+    # M - F r_1 = I a, F r_2 = J b, a z_1 = b z_2
+    "chain between two sprockets": (
+        "chain",
+        """
+parameters: {I: 0.1 kg m^2, J: 0.3 kg m^2, M: 5 N m, p: 12.7 mm, d: 0.4 m}
+ground: {points: {A: [0, 0], B: [d, 0]}}
+bodies: {a: {body: {inertia: I}}, b: {body: {inertia: J}, at: [d, 0]}}
+connections:
+  p: {pin: [ground.A, a]}
+  q: {pin: [ground.B, b]}
+  it: {chain: {first: a, second: b, pitch: p, teeth: [40, 20]}}
+loads: {drive: {torque: {on: a, magnitude: M}}}
+""",
+        {"angular acceleration of a": "M/(I + 4*J)", "angular acceleration of b": "2*M/(I + 4*J)"},
+    ),
+    # tan(delta_1) = z_1/z_2 at a right angle: r_1 = 2 r_2, so the second turns twice as fast, the other way
+    "bevel gears at a right angle": (
+        "bevel_gears",
+        """
+space: true
+parameters: {I: 0.1 kg m^2, J: 0.3 kg m^2, M: 5 N m, r: 0.2 m}
+ground: {points: {A: [r/2, 0, 0], B: [0, r, 0]}}
+bodies: {a: {body: {inertia: I}}, b: {body: {inertia: J}}}
+connections:
+  p: {revolute: {first: ground.A, second: a, about: x}}
+  q: {revolute: {first: ground.B, second: b, about: y}}
+  it: {bevel_gears: {first: a, second: b, teeth: [40, 20], radius: r}}
+loads: {drive: {torque: {on: a, about: x, magnitude: M}}}
+measures: {phi: angle of a about x, psi: angle of b about y}
+start: {phi: 0, psi: 0}
+""",
+        {"acceleration of phi": "M/(I + 4*J)", "acceleration of psi": "-2*M/(I + 4*J)"},
+    ),
+    # a turn of the worm moves the wheel by one of its 30 teeth
+    "worm without friction": (
+        "worm_gear",
+        """
+space: true
+parameters: {I: 0.001 kg m^2, J: 0.3 kg m^2, M: 5 N m, r: 0.05 m}
+ground: {points: {A: [0, 0, 2*r], B: [0, 0, -2*r]}}
+bodies: {a: {body: {inertia: I}}, b: {body: {inertia: J}}}
+connections:
+  p: {revolute: {first: ground.A, second: a, about: x}}
+  q: {revolute: {first: ground.B, second: b, about: y}}
+  it: {worm_gear: {worm: a, wheel: b, starts: 1, teeth: 30, radius: r, lead_angle: atan(1/10)}}
+loads: {drive: {torque: {on: a, about: x, magnitude: M}}}
+measures: {phi: angle of a about x}
+start: {phi: 0}
+""",
+        {"acceleration of phi": "M/(I + J/900)"},
+    ),
 }
 
 

@@ -725,6 +725,9 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
         "ratio": "2*(z_S + z_P)/z_S",
         "acceleration": "T*2*(z_S + z_P)/z_S/(J*(2*(z_S + z_P)/z_S)**2 + J + 3*m_P*(module*(z_S + z_P)/2)**2"
         " + 3*J_P*((z_S + z_P)/z_P)**2)",
+        # T - 3 F r_S = J w_S'
+        "tooth": "2*(T - J*2*(z_S + z_P)/z_S*T*2*(z_S + z_P)/z_S/(J*(2*(z_S + z_P)/z_S)**2 + J"
+        " + 3*m_P*(module*(z_S + z_P)/2)**2 + 3*J_P*((z_S + z_P)/z_P)**2))/(3*module*z_S)",
         "bearing": ["0", "0"],
     },
     # J = m r^2/2 of both; tan(delta) = z_1/z_2: F_a = F_t tan(alpha) sin(delta), F_r = F_t tan(alpha) cos(delta)
@@ -733,6 +736,12 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
         "tangential": "(m_1*T_2*z_1/z_2 + m_2*T_1)/(r*(m_1 + m_2))",
         "axial": "(m_1*T_2*z_1/z_2 + m_2*T_1)/(r*(m_1 + m_2))*tan(alpha)*z_1/sqrt(z_1**2 + z_2**2)",
         "radial": "(m_1*T_2*z_1/z_2 + m_2*T_1)/(r*(m_1 + m_2))*tan(alpha)*z_2/sqrt(z_1**2 + z_2**2)",
+        # the teeth push the pinion along its axis away from the apex, towards its axis, and against its turn
+        "bearing": [
+            "-(m_1*T_2*z_1/z_2 + m_2*T_1)/(r*(m_1 + m_2))*tan(alpha)*z_1/sqrt(z_1**2 + z_2**2)",
+            "(m_1*T_2*z_1/z_2 + m_2*T_1)/(r*(m_1 + m_2))*tan(alpha)*z_2/sqrt(z_1**2 + z_2**2)",
+            "(m_1*T_2*z_1/z_2 + m_2*T_1)/(r*(m_1 + m_2))",
+        ],
     },
     # T = M z_1/z_2 tan(gamma +- phi')/tan(gamma), tan(phi') = mu/cos(alpha)
     "worm_gear": {
@@ -745,11 +754,15 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
     "compound_gear_train": {
         "ratio": "z_2*z_4/(z_1*z_3)",
         "acceleration": "(T - M*z_1*z_3/(z_2*z_4))/(J_1 + J_2*(z_1/z_2)**2 + J_3*(z_1*z_3/(z_2*z_4))**2)",
+        # F m z_4/2 = M + J_3 w_3', counted against a turn of the shaft to the left; it turns to the right
+        "tooth": "-2/(m*z_4)*(M + J_3*z_1*z_3/(z_2*z_4)*(T - M*z_1*z_3/(z_2*z_4))"
+        "/(J_1 + J_2*(z_1/z_2)**2 + J_3*(z_1*z_3/(z_2*z_4))**2))",
     },
     # I_1 w_1' = M - r_1 F, I_2 w_2' = r_2 F; T_1 = T_0 + F/2; 2 (T_0 - q v^2) v (e - 1)/(e + 1) at q v^2 = T_0/3
     "belt_with_slip_limit": {
         "force": "I_2*r_1*M/(I_1*r_2**2 + I_2*r_1**2)",
         "tight": "T_0 + I_2*r_1*M/(I_1*r_2**2 + I_2*r_1**2)/2",
+        "limit": "2*(T_0 - q*(rate(theta_1)*r_1)**2)*(exp(mu*phi) - 1)/(exp(mu*phi) + 1)",
         "power": "4*T_0/3*sqrt(T_0/(3*q))*(exp(mu*phi) - 1)/(exp(mu*phi) + 1)",
         "speed": "sqrt(T_0/(3*q))",
     },
@@ -764,6 +777,8 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
     "bicycle_chain": {
         "ratio": "z_1/z_2",
         "acceleration": "(M*z_1/z_2 - M_2*(z_1/z_2)**2)/(I_1 + I_2*(z_1/z_2)**2)*z_2/z_1*z_1/z_2",
+        # F p z_2/(2 pi) = I_2 w_2' + M_2
+        "force": "2*pi/(p*z_2)*(M_2 + I_2*(M*z_1/z_2 - M_2*(z_1/z_2)**2)/(I_1 + I_2*(z_1/z_2)**2))",
         "links": "2*sqrt(d**2 - (p*(z_1 - z_2)/(2*pi))**2)/p + (z_1 + z_2)/2"
         " + asin(p*(z_1 - z_2)/(2*pi*d))*(z_1 - z_2)/pi",
     },

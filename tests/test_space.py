@@ -171,6 +171,9 @@ def on_a_lab(name: str, shift: Array, turn: Array) -> dict[str, Any]:
         return re.sub(r"^([xyz]) of (\S+)$", r"travel of \2 along lab.\1 from lab.origin", text)
 
     data["connections"] = renamed(data.get("connections", {}))
+    for joint in data["connections"].values():  # wheels whose bearings are on the ground unless it is said
+        for kind in joint.keys() & {"bevel_gears", "worm_gear"}:
+            joint[kind].setdefault("on", "lab")
     data["loads"] = renamed(data.get("loads", {}))
     data["measures"] = {key: measure(renamed(text)) for key, text in data.get("measures", {}).items()}
     for load in data["loads"].values():

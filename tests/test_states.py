@@ -156,3 +156,12 @@ def test_states_may_stand_in_any_order() -> None:
 def test_a_model_in_python_has_states() -> None:
     written = fb.System.from_text(LAG)
     assert fb.System.from_data(written.document.data) == written
+
+
+def test_a_state_does_not_disturb_what_moves_beside_it() -> None:
+    text = (EXAMPLES / "servo_with_pid.yaml").read_text(encoding="utf-8")
+    beside = text.replace("bodies:\n", "bodies:\n  stone: {particle: {mass: 1 kg}, at: [3 m, 0]}\n", 1)
+    question = "acceleration of phi at start"
+    [alone] = fb.solve(fb.System.from_text(text), question=question).answers
+    [found] = fb.solve(fb.System.from_text(beside), question=question).answers
+    assert found.expression == alone.expression is not None

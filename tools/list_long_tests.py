@@ -54,7 +54,7 @@ def long_ones(times: dict[str, float], examples: set[str]) -> list[str]:
     cases: dict[str, list[tuple[float, str]]] = defaultdict(list)
     for test, seconds in times.items():
         function, _, case = test.partition("[")
-        if (name := case.rstrip("]")) in examples:
+        if (name := case.rstrip("]").partition("-")[0]) in examples:
             by_example[name] += seconds
         else:
             cases[function].append((seconds, test))

@@ -11,6 +11,7 @@ from freebody.language.units import DIMENSIONLESS, LENGTH, MASS, Dimension
 from freebody.model.transmitted import Transmitted
 from freebody.questions.arithmetic import Functions, Joined, OfParameters
 from freebody.questions.base import NAME, Described, Found, Path, Quantity, asked
+from freebody.questions.extent import extreme
 from freebody.questions.motion import OfMeasure
 from freebody.questions.reactions import has_connection
 from freebody.questions.reactions_by_component import ReactionComponent
@@ -79,6 +80,8 @@ questions: {it: tight tension of drive}
 )
 def _of_belt(names: Names, found: Found, path: Path) -> Quantity | None:
     of, what = str(found["of"]), str(found["what"])
+    if what == "greatest power" and of in names.loads:  # over the motion
+        return extreme(names, {"end": "greatest", "of": f"power of {of}"}, path)
     if of in names.broken or not has_connection(names, of, path):
         return None
     with names.quietly():

@@ -113,7 +113,7 @@ questions: {it: greatest tension of rod}
     r"(?: (?:over|during|of|in) the (?:whole )?motion)?",
     rank=15,
 )
-def _extent(names: Names, found: Found, path: Path) -> Quantity | None:
+def extreme(names: Names, found: Found, path: Path) -> Quantity | None:
     of, end = str(found["of"]), "greatest" if found["end"] in GREATEST else "least"
     if (summed := _SUM.fullmatch(of)) and _is_of_measures(names, summed[1]):
         measure = composed(names, summed[1], *path)

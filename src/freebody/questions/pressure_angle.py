@@ -6,11 +6,12 @@ so that it is kept below 30 to 35 degrees. Source: Norton, Design of Machinery, 
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from freebody.language.sentences import Message
+from freebody.language.sentences import Message, Sentence
 from freebody.model.noting import did_you_mean
-from freebody.questions.base import NAME, Found, Path, Quantity, asked
+from freebody.questions.base import NAME, Described, Found, Path, Quantity, asked
 from freebody.questions.motion import OfMeasure
 
 if TYPE_CHECKING:
@@ -30,7 +31,19 @@ questions: {it: pressure angle of cam}
 """
 
 
-@asked("pressure angle of CAM", rf"pressure angle of (?:the )?(?P<of>{NAME})", rank=75, example=EXAMPLE)
+@dataclass(frozen=True)
+class PressureAngle(OfMeasure, kind="pressure angle"):
+    """Of a cam: between the force on its follower and the way of this."""
+
+    connection: str
+
+    example = EXAMPLE
+
+    def sentence(self, system: Described) -> Sentence:
+        return Sentence("what.pressure_angle", {"connection": self.connection})
+
+
+@asked("pressure angle of CAM", rf"pressure angle of (?:the )?(?P<of>{NAME})", rank=75)
 def _pressure_angle(names: Names, found: Found, path: Path) -> Quantity | None:
     connection = names.connections.get(found["of"])
     if connection is None:
@@ -41,4 +54,4 @@ def _pressure_angle(names: Names, found: Found, path: Path) -> Quantity | None:
     if isinstance(measure, str):
         names.problem(measure, *path)
         return None
-    return OfMeasure(measure, 0, f"pressure angle of {found['of']}")
+    return PressureAngle(measure, 0, f"pressure angle of {found['of']}", found["of"])

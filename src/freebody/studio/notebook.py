@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import json
 from importlib.resources import files
-from typing import Any
+from typing import Any, cast
 
 import anywidget
 import traitlets
@@ -40,7 +40,7 @@ class Widget(anywidget.AnyWidget):
             height=height,
         )
         self._kind = type(system)
-        self.on_msg(self._asked)
+        cast(Any, self).on_msg(self._asked)
 
     @property
     def system(self) -> System:
@@ -63,4 +63,4 @@ class Widget(anywidget.AnyWidget):
             answer = self.answer(content["name"], content["body"])
         except Exception as error:  # the page waits for an answer, whatever happened
             answer = Reply(status="crashed", message=f"{type(error).__name__}: {error}").model_dump(mode="json")
-        self.send({"id": content["id"], "answer": answer})
+        cast(Any, self).send({"id": content["id"], "answer": answer})

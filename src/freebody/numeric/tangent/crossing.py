@@ -10,7 +10,7 @@ is an equation for (v+, P) that is differentiated as the equations of motion are
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any, Protocol
 
 import numpy as np
 
@@ -22,18 +22,32 @@ from freebody.numeric.contact.record import PhaseRecord
 from freebody.numeric.engine.operations import ProgramNode
 from freebody.numeric.jets import Array
 from freebody.numeric.kernels.operations import ABS
+from freebody.numeric.system import NumericSystem
 from freebody.numeric.tangent.equations import Columns, Equations, Matrices, column, inverted, momenta
+from freebody.numeric.tangent.passed import PassedPhase
 from freebody.numeric.tangent.phase import PhaseTangent
-
-if TYPE_CHECKING:
-    from freebody.numeric.tangent.motion import PassedPhase, TangentMotion
+from freebody.numeric.tangent.writing import TangentWriter
 
 GRAZING = 1e-6  # of its largest rate in the phase: slower than that a guard does not cross
 SAME = 1e-6  # of the largest speed: velocities after an impact that a law gives
 
 
+class UnderWay(Protocol):
+    """A motion that is followed with its tangents, as far as it has come."""
+
+    @property
+    def bounded(self) -> Bounded | None: ...
+    @property
+    def phases(self) -> Sequence[PassedPhase]: ...
+    @property
+    def writer(self) -> TangentWriter: ...
+    @property
+    def reference(self) -> NumericSystem: ...
+    def note(self, t: float, change: Array) -> None: ...
+
+
 def crossed(
-    motion: TangentMotion, before: PhaseRecord, after: PhaseRecord, phase: PhaseTangent, state: Array, t: float
+    motion: UnderWay, before: PhaseRecord, after: PhaseRecord, phase: PhaseTangent, state: Array, t: float
 ) -> tuple[Array, Array]:
     """The changes (n, k) of pose and velocities at the start of a phase, at a fixed time, from those at the end of the
     phase before. Raises CannotAnswer where there are none."""
@@ -155,7 +169,7 @@ class Impact:
     """A collision between two phases."""
 
     def __init__(
-        self, motion: TangentMotion, before: PhaseRecord, after: PhaseRecord, passed: PassedPhase, v_after: Array
+        self, motion: UnderWay, before: PhaseRecord, after: PhaseRecord, passed: PassedPhase, v_after: Array
     ) -> None:
         """v_after: the velocities that the motion goes on with. Raises CannotAnswer where they are not those of
         Newton's law for one contact that closes."""

@@ -11,7 +11,7 @@ Source: Hiskens & Pai, IEEE Trans. Circuits Syst. I 47, 2000, 204-220.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -35,9 +35,10 @@ from freebody.numeric.options import SimulationOptions
 from freebody.numeric.system import NumericSystem
 from freebody.numeric.tangent.collocation import N_PLACES, instants
 from freebody.numeric.tangent.crossing import crossed
-from freebody.numeric.tangent.equations import Columns, Equations, Matrices, Matrix, column
+from freebody.numeric.tangent.equations import Columns, Equations, Matrices, Matrix
 from freebody.numeric.tangent.gradients import TURN, Played
-from freebody.numeric.tangent.phase import PhaseTangent, Tangent
+from freebody.numeric.tangent.passed import PassedPhase
+from freebody.numeric.tangent.phase import PhaseTangent
 from freebody.numeric.tangent.start import Inputs, StartTangent, independent
 from freebody.numeric.tangent.writing import TangentWriter
 from freebody.system.modes import ContactMode, in_mode
@@ -48,39 +49,6 @@ MOST_PARTS = 8.0
 FEWEST = 4  # panels of a phase; else one for each step to begin with
 SETTLED = 3e-3  # the error of a panel goes with the square of how far off it is
 TOGETHER = 1e-6  # changes of what is held that should vanish, by the size of all changes
-Written = Callable[[Equations], Sequence[ProgramNode]]
-
-
-@dataclass(frozen=True)
-class Seen:
-    """Some expressions at instants: values and rates along the motion (n, m), changes by the names at fixed times
-    (n, m, k)."""
-
-    values: Array
-    rates: Array
-    changes: Array
-
-
-@dataclass(frozen=True)
-class PassedPhase:
-    """A phase of a motion with its tangents."""
-
-    equations: Equations
-    phase: PhaseTangent
-    tangent: Tangent
-
-    def seen(self, written: Written) -> Seen:
-        """What some expressions come to at the ends of all panels."""
-        nodes, of, x = written(self.equations), self.tangent, self.equations
-        parts = x.columns.parts("", nodes)
-        inputs = of.inputs
-        D = Matrices(x.writer, {"x": column(nodes), **parts}).at(inputs, of.times, of.angles)
-        D["p"] = self.phase.by_names(D["p"])
-        v = np.stack([np.broadcast_to(inputs[x.writer.velocity(e)], len(of.times)) for e in x.writer.entries], axis=1)
-        a = of.unknowns[:, : len(x.writer.entries)]
-        rates = D["q"] @ v[:, :, None] + D["v"] @ a[:, :, None] + D["u"] @ of.slopes[:, :, None] + D["t"]
-        changes = D["q"] @ of.q + D["v"] @ of.v + D["u"] @ of.u + D["p"]
-        return Seen(D["x"][:, :, 0], rates[:, :, 0], changes)
 
 
 @dataclass(frozen=True)

@@ -138,7 +138,8 @@ def patience(start: Snapshot, seconds: float) -> float:
     rates.append(float(sizes.relative(start.v).max(initial=0.0)))
     with suppress(CannotAnswer, ArithmeticError, ValueError):
         rates.append(math.sqrt(float(sizes.relative(start.accelerations).max(initial=0.0))))
-    return seconds * min(max(1.0, 1.0 / max(*rates, LEAST)), _SLOWEST)
+    slowest = 1.0 / max(*rates, LEAST)
+    return seconds * (max(1.0, slowest) if slowest < _SLOWEST else 1.0)  # what is slower yet is at rest
 
 
 def states_at(reference: Reference, start: Snapshot, times: Array) -> tuple[NumericSnapshot, ...]:
