@@ -14,7 +14,7 @@ from freebody.numeric.jets import Array
 from freebody.numeric.options import SimulationOptions
 from freebody.numeric.tangent.crossing import moved, multiplier
 from freebody.numeric.tangent.equations import Equations
-from freebody.numeric.tangent.motion import Seen
+from freebody.numeric.tangent.passed import Seen
 from freebody.study.simulation.recorded import reaction_names
 from freebody.study.simulation.simulate import Simulation
 from freebody.study.simulation.simulator import read_event
