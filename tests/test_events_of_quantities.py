@@ -13,6 +13,8 @@ import pytest
 import freebody as fb
 from freebody.api import System
 from freebody.errors import ModelError
+from freebody.narrative.sheets.asking import asking
+from freebody.narrative.telling.catalogue import Catalogue
 from posed import is_formula, posed
 
 ROD = """
@@ -22,6 +24,13 @@ connections: {hinge: {pin: [ground.O, rod.start]}}
 loads: {weight: {gravity: g}}
 measures: {th: {angle of rod from up clockwise}}
 start: {th: a}
+"""
+STONE = """
+parameters: {m: 2 kg, d: 1 m, h: 3 m, g: 9.81 m/s^2}
+bodies: {stone: {particle: {mass: m}}}
+loads: {weight: {gravity: g}}
+measures: {y: y of stone}
+start: {y: h, rate(y): 0}
 """
 PENDULUM = """
 parameters: {m: 1.5 kg, L: 0.9 m, a: 60 deg, g: 9.81 m/s^2}
@@ -121,12 +130,14 @@ def test_it_is_derived() -> None:
 
 def test_a_change_since_the_start_counts_from_where_the_motion_starts() -> None:
     """A stone that leaves rest at the height h has v^2 = 2 g d when it has fallen by d, wherever it started."""
-    stone = """
-parameters: {m: 2 kg, d: 1 m, h: 3 m, g: 9.81 m/s^2}
-bodies: {stone: {particle: {mass: m}}}
-loads: {weight: {gravity: g}}
-measures: {y: y of stone}
-start: {y: h, rate(y): 0}
-"""
-    is_formula(stone, "speed of stone when y has changed by -d", "sqrt(2*g*d)")
-    is_formula(stone, "How fast is the stone after it has fallen 1 m?", "sqrt(2*g)")
+    is_formula(STONE, "speed of stone when y has changed by -d", "sqrt(2*g*d)")
+    is_formula(STONE, "How fast is the stone after it has fallen 1 m?", "sqrt(2*g)")
+
+
+@pytest.mark.parametrize(
+    ("language", "said"), [("en", "when y has changed by -d"), ("de", "sich y um -d geändert hat")]
+)
+def test_an_exercise_asks_for_a_change_by_its_value(language: str, said: str) -> None:
+    system = System.from_text(f"{STONE}questions: {{it: speed of stone when y has changed by -d}}\n")
+    [question] = system.questions
+    assert said in Catalogue(language).plain(asking(system, question)).replace("\u2212", "-")

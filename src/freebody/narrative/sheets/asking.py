@@ -5,12 +5,13 @@ from __future__ import annotations
 from functools import singledispatch
 
 from freebody.errors import ExpressionError
+from freebody.language.expression import free_symbols
 from freebody.language.parser import parse
 from freebody.language.sentences import NOTHING, Argument, Sentence
 from freebody.questions.base import Quantity
 from freebody.questions.clock import Clock
 from freebody.questions.conservation import Conserved
-from freebody.questions.event import OfQuantity
+from freebody.questions.event import ChangeEvent, OfQuantity
 from freebody.questions.motion import rates_of
 from freebody.questions.reading import Question
 from freebody.system.system import System
@@ -72,6 +73,10 @@ def _when(question: Question, system: System) -> Argument:
             return Sentence(f"ask.{word}_quantity", {"what": of, "value": question.event.target})
         return Sentence("ask.when_transition", {"text": question.event.text})
     event = question.event
+    if isinstance(event, ChangeEvent):
+        what = parse(event.phrase) if event.phrase in system.measures else event.phrase
+        by = event.change if free_symbols(event.change) else event.value_text  # a number with its unit
+        return Sentence(f"ask.{word}_change", {"what": what, "by": by})
     name = next((name for name, measure in system.measures.items() if measure == event.measure), None)
     if name is not None:
         return Sentence(f"ask.{word}", {"left": rates_of(name, event.order), "right": event.value})
