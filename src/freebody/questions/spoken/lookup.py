@@ -238,6 +238,19 @@ def rises(names: Names, measure: str, sense: int) -> bool:
 
 
 # -- connections ------------------------------------------------------------------------------
+def keeps_height(names: Names, body: str) -> bool:
+    """Whether a connection to the ground keeps a body at its height."""
+    upright = {names.compass[way].components for way in ("up", "down")}
+    held = [row.measure for row in names.constraint_rows if row.target is None and not row.unilateral]
+    return any(
+        isinstance(m, Displacement)
+        and m.of.body == body
+        and {m.origin.body, m.along.body} == {GROUND}
+        and m.along.components in upright
+        for m in held
+    )
+
+
 def joints(names: Names, first: str, second: str, reaction: str) -> list[str]:
     """Connections that are, or touch, each of two things (bodies, lines of the ground, connections), those that have
     the reaction where any has."""
@@ -410,8 +423,7 @@ def deflections(names: Names, spring: str) -> list[str]:
 
 def strikes(names: Names) -> bool:
     """Whether there is something that can collide."""
-    contacts = {name for name, called in names.called.items() if not {"contact", "stop", "rolling"}.isdisjoint(called)}
-    return any(row.connection in contacts for row in names.constraint_rows)
+    return any(row.unilateral and row.reaction != "tension" for row in names.constraint_rows)
 
 
 def goes_on(names: Names) -> bool:

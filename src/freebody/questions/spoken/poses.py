@@ -109,17 +109,11 @@ def _on_lines(names: Names, body: str) -> list[_Going]:
         own, sense = _signed(measure)
         if not isinstance(own, Bearing) or body not in ("", name, own.end.body):
             continue
-        if own.origin == GROUND and _is_level(names, own.start.body):
+        stands = own.start.body == GROUND or lookup.keeps_height(names, own.start.body)
+        if own.origin == GROUND and stands:
             reference = names.numeric(own.reference)
             found += [_Going(name, sense, math.degrees(reference))] if reference is not None else []
     return found
-
-
-def _is_level(names: Names, body: str) -> bool:
-    """Whether a body stands, or is led along a line that is level."""
-    sliders = [name for name, called in names.called.items() if "slider" in called]
-    led = any(body in names.connections[name].mentions(names) for name in sliders if name in names.connections)
-    return body == GROUND or (led and bool(lookup.level(names, body)))
 
 
 def _about_axles(names: Names, body: str) -> list[_Going]:
