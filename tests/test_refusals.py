@@ -265,3 +265,43 @@ start: {theta: 60 deg}
     fb.System.from_text(text.replace("a: 60", "a: 1.2").replace(change[0], radians))
     with pytest.raises(fb.ModelError, match=re.escape(said)):
         fb.System.from_text(text.replace(*change))
+
+
+TACKLE = """
+parameters: {m1: 20 kg, m2: 8 kg, mp: 1 kg, r: 0.1 m, g: 9.81 m/s^2}
+ground: {points: {P: [0, 0], Q: [0.3 m, 0]}}
+bodies:
+  load: {particle: {mass: m1}}
+  weight: {particle: {mass: m2}}
+  lower: {disk: {mass: mp, radius: r}}
+  upper: {disk: {mass: mp, radius: r}}
+connections:
+  axle: {pin: [ground.Q, upper.center]}
+  rope: {string: {WAY}}
+  hook: {string: {from: lower, to: load}}
+loads: {gravity: {gravity: g}}
+measures: {x: drop of load below ground.P}
+questions: [acceleration of x]
+"""
+
+
+@pytest.mark.parametrize(
+    ("way", "said"),
+    [
+        ("from: ground.P, over: [lower, upper], to: weight", r"path: \[\.\.\., under lower, \.\.\.\]"),
+        ("from: ground.P, over: [upper], under: [lower], to: weight", r"path: \[ground\.P, over upper, under lower"),
+    ],
+)
+def test_a_way_that_no_rope_could_take_or_that_is_open_is_refused(way: str, said: str) -> None:
+    with pytest.raises(fb.ModelError, match=said):
+        fb.System.from_text(TACKLE.replace("WAY", way))
+
+
+def test_the_rope_under_the_lower_wheel_and_over_the_upper_one_is_a_tackle() -> None:
+    """The load moves by x, the weight by 2x; both wheels are uniform disks that turn by x/r and 2x/r:
+    (m1 + mp + 4 m2 + mp/2 + 4 mp/2) x'' = (m1 + mp - 2 m2) g."""
+    [found] = (
+        fb.System.from_text(TACKLE.replace("WAY", "path: [ground.P, under lower, over upper, weight]")).solve().answers
+    )
+    m1, m2, mp, g = 20.0, 8.0, 1.0, 9.81
+    assert found.value == pytest.approx((m1 + mp - 2 * m2) * g / (m1 + 3.5 * mp + 4 * m2), rel=1e-12)

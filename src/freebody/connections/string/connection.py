@@ -13,7 +13,7 @@ from freebody.connections.base import Connection
 from freebody.connections.standing import is_parallel
 from freebody.connections.string.capstan import drum_name, frictions, rough_drums, rub
 from freebody.connections.string.hanging import Hook, askew
-from freebody.connections.string.laying import StringRun, check_ends, run_over
+from freebody.connections.string.laying import StringRun, check_ends, run_over, unwrapped
 from freebody.connections.string.node import StringNode
 from freebody.connections.string.sections import StringSection, sections_of
 from freebody.connections.string.way import is_held, named_on, read_way
@@ -142,6 +142,15 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
         if self.path and (self.start or self.to or self.over or self.under):
             names.problem(Message("give the way either as path, or as from, over, under, to"))
             return None
+        if self.over and self.under:
+            met = ", ".join(text for text, _field in self._places())
+            told = Message(
+                "over and under together leave open what the string meets first: give its places in their order, "
+                "path: [{met}]",
+                met=met,
+            )
+            names.problem(told, "under")
+            return None
         places = self._places()
         if len(places) < 2 or not (self.path or (self.start and self.to)):
             names.problem(Message("a string needs two ends: from and to"))
@@ -156,6 +165,14 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
         names.laying.append(self)
         run = run_over(names, way, self.leads)
         names.laying.pop()
+        if (missed := unwrapped(names, run)) is not None:
+            told = Message(
+                "both leads of the string run to the same side of {wheel}, so it would not go round it: a string that "
+                "carries a wheel from below runs under it, path: [..., under {wheel}, ...]",
+                wheel=missed,
+            )
+            names.problem(told, "path" if self.path else "over")
+            return None
         return run
 
     def _grips(self, names: Names, run: StringRun) -> set[str]:
