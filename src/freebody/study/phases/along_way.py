@@ -177,7 +177,7 @@ class EnergyRoad:
         out = np.where(np.isfinite(out), out, endless)
         ends = np.isfinite(first) | ~np.isfinite(self.ahead) | np.isfinite(self.wall)
         back = np.where(ends, 0.0, np.minimum(self.behind, endless))
-        missed = np.zeros(self.sets.n, dtype=bool)
+        missed, turned = np.zeros((2, self.sets.n), dtype=bool)
         shares = (np.arange(N_ALONG) + 0.5) / N_ALONG
         for share in shares:
             for d in (share * out, -share * back):
@@ -185,10 +185,14 @@ class EnergyRoad:
                 f, square = (self.sets.evaluate(self.model, x, place) for x in (value, self.course.square))
                 sign = self.way if is_odd else 1.0
                 with np.errstate(invalid="ignore"):
-                    missed |= (d != 0) & ((sign * f < 0) | (square < 0))
+                    missed |= (d != 0) & (sign * f < 0)
+                    turned |= (d != 0) & (square < 0)
                 if is_odd:
                     break  # its sign turns with the speed: on the way back it has ended
-        if (missed & self.mine & ~self.too_near & (self.way != 0)).any():
+        counts = self.mine & ~self.too_near & (self.way != 0)
+        if (turned & counts).any():
+            raise CannotAnswer(Message("where {coordinate} turns back has no closed form", coordinate=self.c.name))
+        if (missed & counts).any():
             raise CannotAnswer(
                 Message("when {contact} {event} has no closed form", contact=watch.connection, event=occurs(watch))
             )
