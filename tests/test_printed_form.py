@@ -90,3 +90,17 @@ def test_five_questions_on_one_incline_take_two_pages() -> None:
     assert len(system.questions) == 5
     pages = re.findall(rb"/Type\s*/Page\b", pdf_bytes(system.explain().report))
     assert len(pages) == 2
+
+
+@pytest.mark.parametrize(("length", "noted"), [("0.5 m", True), ("L/2", False)])
+def test_numbers_with_a_unit_are_said_to_stand_in_a_formula_in_si_units(length: str, noted: bool) -> None:
+    """v^2 = 2 g (L + 0.5 m) is shown as 2 g (L + 1/2)."""
+    system = System.from_text(f"""
+parameters: {{L: 1 m, g: 9.81 m/s^2}}
+bodies: {{ball: {{particle: {{mass: 1 kg}}, at: [0, L + {length}]}}}}
+loads: {{weight: {{gravity: g}}}}
+measures: {{x: x of ball, y: y of ball}}
+questions: [speed of ball when y = 0]
+""")
+    [found] = system.solve().answers
+    assert any("SI units" in str(note) for note in found.notes) == noted

@@ -23,6 +23,7 @@ from freebody.study.answering.numbers import number_of
 from freebody.study.answering.other_turns import with_other_turns
 from freebody.study.answering.parts import part_for
 from freebody.study.answering.places_of_quantities import placed, with_place
+from freebody.study.answering.plain_numbers import with_plain_numbers
 from freebody.study.answering.solution import Solution
 from freebody.study.setup import Setup, independent_measures
 from freebody.study.worded import in_words
@@ -103,7 +104,7 @@ def _in_whole(system: System, questions: Sequence[Question], setup: Setup | None
         if not system.space:
             raise
         return _in_numbers(setup, questions, str(error))
-    answers = tuple(_in_smooth_motion(setup, q) for q in questions)
+    answers = with_plain_numbers(system, model, [_in_smooth_motion(setup, q) for q in questions])
     return Solution.of(system, model, answers, assumed=assumed_at_start(setup, answers))
 
 
@@ -289,7 +290,8 @@ def _in_phases(system: System, questions: Sequence[Question]) -> Solution:
         found = {a.id: a for a in at_pose.answers}
         return replace(at_pose, answers=tuple(found.get(q.id) or refused(q, str(error)) for q in questions))
     phases = phases_of(tree)
-    answers = tuple(at_rest(system, q) if q.quantity.scope == "rest" else answer(tree, q) for q in questions)
+    found = [at_rest(system, q) if q.quantity.scope == "rest" else answer(tree, q) for q in questions]
+    answers = found if phases.first_model is None else with_plain_numbers(system, phases.first_model, found)
     return Solution.of(system, phases.first_model, answers, phases, assumed_at_start(tree.home, answers))
 
 
