@@ -451,6 +451,7 @@ def test_only_the_cause_is_told_of_what_cannot_be_read(section: str, text: str, 
         ("[crate, floor]", "[crate, ground]", "name one of its lines: ground.floor"),
         ("mu: 0.4", "mu: 0.4, M: 3", "M must be a mass (kg), but has no unit: write M: 3 kg under parameters"),
         ("to: ground.B", "end: ground.B", "string has no end"),
+        ("contact: {between: [crate, floor],", "rolling: {body: bob, on: floor,", "write contact: {between: [wheel"),
     ],
 )
 def test_what_people_write_first_is_led_to_what_is_meant(old: str, new: str, said: str) -> None:

@@ -43,6 +43,12 @@ class Rolling(Connection, kind="rolling"):
     radius: Formula | None = None
 
     has_contact_point = True
+    elsewhere = {
+        "friction": Message(
+            "what rolls here never slips; where friction may be too little write contact: {{between: [wheel, floor], "
+            "friction: mu}}"
+        )
+    }
     example = """
 ground: {lines: {floor: {along: right}}}
 bodies: {wheel: {disk: {mass: 1 kg, radius: 1 m}}}

@@ -82,6 +82,8 @@ class Spec(BaseModel, metaclass=_Described):
     kind: ClassVar[str] = ""
     # what people call such a thing beside its kind: questions know it by these words
     called: ClassVar[tuple[str, ...]] = ()
+    # fields that people give it and that are another kind's: what to write there
+    elsewhere: ClassVar[Mapping[str, str]] = {}
 
     def __init__(self, *args: Any, **named: Any) -> None:
         fields = list(type(self).model_fields)

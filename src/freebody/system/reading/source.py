@@ -183,6 +183,10 @@ class Source:
         alike = {key: tuple(difflib.get_close_matches(key, known, n=1, cutoff=0.6)) for key in strange}
         meant = {key: kind.meant(key) or alike[key] for key in strange}
         for key in strange:
+            if key in kind.elsewhere:
+                told = Message("{what} has no {key}: {instead}", what=kind.kind, key=key, instead=kind.elsewhere[key])
+                self.names.problem(told, *path, key)
+                continue
             hint = did_you_mean(key, known)
             if meant[key]:
                 hint = Message(" Did you mean {x}?", x=listed(meant[key], "{first} and {second}"))
@@ -192,7 +196,7 @@ class Source:
         left = [field for field in absent if not any(field in fields for fields in meant.values())]
         if not left:
             return
-        others = [key for key in strange if not meant[key]]
+        others = [key for key in strange if not meant[key] and key not in kind.elsewhere]
         has_no = Message("has no {keys}; it ", keys=in_turn(others)) if others else ""
         told = Message(
             "{kind} {has_no}needs {what}; it takes {names}{example}",
