@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from typing import TYPE_CHECKING
+from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING, ClassVar
 
 from freebody.connections.base import Connection
 from freebody.connections.circles import touching
@@ -43,7 +43,7 @@ class Rolling(Connection, kind="rolling"):
     radius: Formula | None = None
 
     has_contact_point = True
-    elsewhere = {
+    elsewhere: ClassVar[Mapping[str, str]] = {
         "friction": Message(
             "what rolls here never slips; where friction may be too little write contact: {{between: [wheel, floor], "
             "friction: mu}}"
