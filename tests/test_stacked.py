@@ -11,6 +11,11 @@ import pytest
 import freebody as fb
 from freebody.language.expression import evaluate
 from freebody.study.answering.answer import Answer
+from freebody.study.phases.consistent import candidates
+from freebody.study.phases.nodes import PhaseStart
+from freebody.study.phases.phase import Placed
+from freebody.study.phases.together import slipping_together
+from freebody.study.phases.tree import PhaseTree
 
 STACKED = """
 parameters: {m: 2 kg, M: 5 kg, mu: 0.4, F: 20 N, g: 9.81 m/s^2}
@@ -76,3 +81,40 @@ def test_the_force_of_a_contact_is_that_of_all_its_places_together() -> None:
     # moments about the mass centre: N_right - N_left = (2/w) (F (b - h/2) + mu m g h/2)
     apart = 2.0 / w * (F * (b - h / 2.0) + mu * m * g * h / 2.0)
     assert found[at_corner].value == pytest.approx((m * g + apart) / 2.0, rel=1e-12)
+
+
+@pytest.mark.slow
+def test_a_block_slides_on_a_block_that_slides() -> None:
+    """Both rough (Meriam & Kraige, ch. 3; Irodov 1.2): the upper one with mu1 g, the lower one with
+    (F - mu1 m1 g - mu2 (m1 + m2) g)/m2, where together they would need more than mu1 g."""
+    text = """
+parameters: {m1: 5 kg, m2: 10 kg, mu1: 0.3, mu2: 0.1, F: 60 N, g: 9.81 m/s^2}
+ground: {lines: {floor: {along: right}}}
+bodies:
+  top: {rectangle: {mass: m1, width: 0.2 m, height: 0.2 m}, at: [0, 0.5 m]}
+  bottom: {rectangle: {mass: m2, width: 1 m, height: 0.4 m}, at: [0, 0.2 m]}
+connections:
+  upper: {contact: {between: [top, bottom], friction: mu1}}
+  lower: {contact: {between: [bottom, floor], friction: mu2}}
+loads: {weight: {gravity: g}, pull: {force: {at: bottom, along: right, magnitude: F}}}
+measures: {x: x of top, u: x of bottom}
+"""
+    found = solved(text, "acceleration of x at start", "acceleration of u at start")
+    x, u = found["acceleration of x at start"], found["acceleration of u at start"]
+    m1, m2, mu1, mu2, F, g = 5.0, 10.0, 0.3, 0.1, 60.0, 9.81
+    assert x.value == pytest.approx(mu1 * g)
+    assert u.value == pytest.approx((F - mu1 * m1 * g - mu2 * (m1 + m2) * g) / m2)
+    less = {"m1": m1, "m2": m2, "mu1": mu1, "mu2": mu2, "F": 40.0, "g": g}
+    assert case_of(x, "upper sticks, lower slides", **less) == pytest.approx((40 - mu2 * (m1 + m2) * g) / (m1 + m2))
+
+
+def test_the_corners_of_a_block_on_a_plane_slide_alike() -> None:
+    """Nine states of two frictions, of which three can be: at rest, to the right, to the left."""
+    tree = PhaseTree(fb.System.from_text(CRATE))
+    start = tree.roots[0]
+    rubs = [rub.name for rub in tree.rubbing(tree.closed)]
+    assert len(rubs) == 2
+    assert slipping_together(rubs, tree.slip_rates) == [[(rubs[0], 1), (rubs[1], 1)]]
+    instant = PhaseStart(Placed(), tree.closed, tree.slips, given=(), began=tree.home.model.field.zero)
+    closed = [m.states for m in candidates(tree, instant, start.sets) if m.closed == start.phase.mode.closed]
+    assert [set(states.values()) for states in closed] == [{0}, {1}, {-1}]

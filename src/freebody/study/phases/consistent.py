@@ -11,7 +11,7 @@ Source of the cases: Pfeiffer & Glocker, Multibody Dynamics with Unilateral Cont
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 import numpy as np
 
@@ -22,6 +22,7 @@ from freebody.study.phases.home import Home
 from freebody.study.phases.nodes import PhaseStart
 from freebody.study.phases.numbers import Chosen
 from freebody.study.phases.phase import Phase
+from freebody.study.phases.together import slipping_together
 from freebody.system.modes import ContactMode
 
 MAX_CANDIDATES = 48
@@ -29,30 +30,12 @@ MAX_CANDIDATES = 48
 
 def candidates(home: Home, instant: PhaseStart, indices: Chosen) -> Iterator[ContactMode]:
     """Modes in the order in which they are tried: all closed, sticking before sliding."""
-    closed, slips, before, excluded = instant.closed, instant.slips, instant.before, instant.excluded
-    choices: list[list[tuple[str, int | None]]] = []
-    for name in sorted(closed):
-        open_now = excluded == (name, 0)
-        choices.append([(name, None)] if open_now else [(name, 1), (name, None)])
-    for name, slip in slips.items():
-        signs: list[int]
-        if slip.is_zero():
-            signs = [0, 1, -1]
-            if excluded is not None and excluded[0] == name:
-                signs = [excluded[1]] if excluded[1] else signs
-        else:
-            numbers = home.numbers(slip)[indices]
-            signs = [s for s in (1, -1) if np.any(s * numbers > 0)]
-            if np.any(numbers == 0):
-                signs.append(0)
-        choices.append([(name, s) for s in signs])
-    tried = itertools.islice(itertools.product(*choices), 4 * allowed(MAX_CANDIDATES))
+    closed, before = instant.closed, instant.before
+    allowed_states = {name: _states(home, instant, name, indices) for name in instant.slips}
     seen: set[ContactMode] = set()
     modes: list[tuple[int, int, ContactMode]] = []
-    for k, combination in enumerate(tried):
-        still = {n for n, s in combination if n in closed and s is not None}
-        still |= {n for n in closed if n not in dict(combination)}
-        dry_friction = {n: s for n, s in combination if n in slips and s is not None and _touches(home, n, still)}
+    tried = itertools.islice(_combined(home, instant, allowed_states), 4 * allowed(MAX_CANDIDATES))
+    for k, (still, dry_friction) in enumerate(tried):
         mode = ContactMode.of(still, dry_friction, instant.past)
         if mode not in seen:
             seen.add(mode)
@@ -60,6 +43,39 @@ def candidates(home: Home, instant: PhaseStart, indices: Chosen) -> Iterator[Con
             modes.append((n_changes, k, mode))
     modes.sort(key=lambda item: item[:2])
     yield from (mode for _n, _k, mode in modes[: allowed(MAX_CANDIDATES)])
+
+
+def _states(home: Home, instant: PhaseStart, name: str, indices: Chosen) -> list[int]:
+    """The states that a friction may take: sticking, or sliding in the direction that its slip has or takes up."""
+    slip, excluded = instant.slips[name], instant.excluded
+    if slip.is_zero():
+        is_let_go = excluded is not None and excluded[0] == name and excluded[1]
+        return [excluded[1]] if is_let_go and excluded is not None else [0, 1, -1]
+    numbers = home.numbers(slip)[indices]
+    signs = [s for s in (1, -1) if np.any(s * numbers > 0)]
+    return [*signs, 0] if np.any(numbers == 0) else signs
+
+
+def _combined(
+    home: Home, instant: PhaseStart, states: Mapping[str, list[int]]
+) -> Iterator[tuple[set[str], dict[str, int]]]:
+    """What stays closed, with the states of what rubs there. Slips that are one motion share their state."""
+    names = sorted(instant.closed)
+    kept = [(False,) if instant.excluded == (name, 0) else (True, False) for name in names]
+    for stays in itertools.product(*kept):
+        still = {name for name, is_closed in zip(names, stays, strict=True) if is_closed}
+        rubbing = [name for name in states if _touches(home, name, still)]
+        groups = slipping_together(rubbing, home.slip_rates if still >= home.closed else {})
+        choices = [
+            [
+                {name: sense * s for name, sense in group}
+                for s in states[group[0][0]]
+                if all(sense * s in states[name] for name, sense in group)
+            ]
+            for group in groups
+        ]
+        for chosen in itertools.product(*choices):
+            yield still, {name: s for part in chosen for name, s in part.items()}
 
 
 def _touches(home: Home, rub: str, closed: set[str]) -> bool:

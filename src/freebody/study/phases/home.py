@@ -25,6 +25,7 @@ from freebody.study.answering.draws import SEED, draw_parameters
 from freebody.study.phases.decide import Inequality
 from freebody.study.phases.numbers import Chosen, Sets
 from freebody.study.phases.phase import Phase, Placed, has_lines
+from freebody.study.phases.together import slip_rates
 from freebody.study.setup import Setup, held_in_blow
 from freebody.symbolic.conditions import Condition, require
 from freebody.symbolic.field import Ratio
@@ -193,6 +194,11 @@ class Home:
 
     def rubbing(self, closed: frozenset[str]) -> list[DryFriction]:
         return [rub for rub in self.system.dry_friction if not rub.of or rub.of in closed]
+
+    @cached_property
+    def slip_rates(self) -> dict[str, Ratio]:
+        """While what touches at the start keeps touching."""
+        return slip_rates(self.system, self.home.state)
 
     # -- states as starts ---------------------------------------------------------------------
     def placed(self, phase: Phase | Setup, values: dict[int, Ratio]) -> Placed:
