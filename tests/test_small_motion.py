@@ -15,6 +15,7 @@ import numpy as np
 import pytest
 
 import freebody as fb
+from freebody.language.expression import evaluate
 from freebody.symbolic.field import Field
 from freebody.symbolic.residues import ResidueField
 
@@ -432,3 +433,26 @@ loads:
     notes = " ".join(system.solve("period").answers[0].notes)
     assert "damping is left out" in notes
     assert "small oscillations" in notes
+
+
+def test_a_root_has_the_size_of_what_the_parameters_give_either_sign() -> None:
+    """A bar on a spring from below its pin, of length |a - L| where the bar hangs: J omega^2 = m g L/2 +
+    k a L (1 - l0/|a - L|), whether the spring's end is above or below the tip."""
+    system = fb.System.from_text("""
+parameters: {m: 2 kg, L: 0.5 m, k: 200 N/m, a: 0.3 m, l0: 0.15 m, g: 9.81 m/s^2}
+ground: {points: {O: [0, 0], B: [0, -a]}}
+bodies: {bar: {rod: {length: L, mass: m}}}
+connections: {O: {pin: [ground.O, bar.start]}}
+loads:
+  weight: {gravity: g}
+  s: {spring: {first: ground.B, second: bar.end, stiffness: k, length: l0}}
+measures: {theta: {angle of bar from down}}
+questions: [natural frequencies, period of small oscillations]
+""")
+    frequency, period = (answer.expression for answer in system.solve().answers)
+    m, L, k, l0, g = 2.0, 0.5, 200.0, 0.15, 9.81
+    for a in (0.3, 0.8):
+        values = {"m": m, "L": L, "k": k, "a": a, "l0": l0, "g": g}
+        omega = math.sqrt((m * g * L / 2 + k * a * L * (1 - l0 / abs(a - L))) / (m * L**2 / 3))
+        assert evaluate(frequency, values) == pytest.approx(omega)
+        assert evaluate(period, values) == pytest.approx(2 * math.pi / omega)

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from freebody.errors import CannotAnswer
+from freebody.language.expression import n_operations
 from freebody.language.notation import joined, reworded, to_text
 from freebody.language.sentences import Message, further
 from freebody.questions.reading import Question
@@ -13,8 +14,10 @@ from freebody.questions.small_motion import Equilibrium, SmallOscillations
 from freebody.study.answering.finding import Elements, Finding
 from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition, insisted
+from freebody.symbolic.decide import decide
 from freebody.symbolic.equilibrium import ClosedFormRest, equilibria, lies_in_family
 from freebody.symbolic.field import Ratio
+from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.small_motion import free_oscillations
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy
@@ -47,13 +50,27 @@ def oscillations(setup: Setup, question: Question, q: SmallOscillations) -> Find
         notes.append(Message("damping is left out of it; damped frequency and damped period have it"))
     if q.what == "period" and "small" not in question.text:
         notes.append(Message("of small oscillations; that of the motion as it starts is the period of a measure"))
+    is_negative = _turning([*resting, *swings])
     if q.what == "period":
-        element: Elements = 2 * f.pi * f.sqrt(1 / squares[0], model.samples.is_negative)
+        roots = [f.sqrt(1 / squares[0], is_negative), f.lowest_terms(1 / f.sqrt(squares[0], is_negative))]
+        element: Elements = 2 * f.pi * min(roots, key=lambda x: n_operations(tidy(x)))
     else:
-        roots = [f.sqrt(s, model.samples.is_negative) for s in squares]
+        roots = [f.sqrt(s, is_negative) for s in squares]
         element = roots[0] if len(roots) == 1 else tuple(roots)
     evidence = at_equilibrium.small_oscillations(setup, question.text, q, element, found.equilibrium, resting, swings)
     return Finding(element, evidence, [*resting, *swings], notes, may_be_complex=found.are_real_by_symmetry)
+
+
+def _turning(premises: Sequence[Condition]) -> Callable[[Ratio], bool | None]:
+    """Whether something has a sign to turn; None where the parameters decide it, so that its size is meant."""
+
+    def is_negative(x: Ratio) -> bool | None:
+        sign = sign_of(x)
+        if sign is Sign.UNKNOWN:
+            return next((turned for turned in (False, True) if decide(-x if turned else x, ">", premises)), None)
+        return sign in (Sign.NEGATIVE, Sign.NONPOSITIVE)
+
+    return is_negative
 
 
 def equilibrium(setup: Setup, question: Question, q: Equilibrium) -> Finding:
