@@ -517,6 +517,12 @@ def test_a_single_value_that_holds_is_both_ends_without_conditions(question: str
     assert not any(" < 0" in note for note in solution["q1"].notes)
 
 
+def test_a_range_of_one_value_is_that_value(agrees: Agree) -> None:
+    solution = fb.solve(fb.System.from_text(WINCH), "range of T that keeps it at rest")
+    agrees(solution, "q1", "-m*g*R")
+    assert list(solution["q1"].notes) == ["it stays at rest at this value alone"]
+
+
 def test_a_sector_is_cut_where_its_bound_is_too_large() -> None:
     """e . r / cos d is |r| on the edges of a sector and |r| / cos d in the middle."""
     sector = Sector(0.4, 0.3)

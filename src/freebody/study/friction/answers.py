@@ -211,11 +211,19 @@ class _Answerer:
         cases = [main for main in found if main is not None]
         exact = [self._exact(ends, case) for case in cases] if shown else []
         elements = tuple(case.element for case in cases)
+        if len(elements) == 2 and elements[0] == elements[1]:
+            elements, exact = elements[:1], exact[:1]
+            notes = [Message("it stays at rest at this value alone"), *(n for n in notes if n not in self._decided(limits))]
         return self._finished(ends, cases, elements, exact, notes, limits)
 
     def _exact(self, ends: Ends, case: FailureCase) -> float:
         value = ends.number(case.element, self.setup.draws[0])
         return math.nan if value is None else (0.0 if abs(value) < ROUNDED else value)
+
+    def _decided(self, limits: Sequence[HoldingLimit]) -> list[str]:
+        """What is said of ends that are the same value."""
+        told = ((limit.sign, limit.first.seen.words) for limit in limits if limit.first and limit.first.seen)
+        return [Message("{end} limit: {words}", end=END[sign], words=words) for sign, words in told]
 
     def _words(self, limits: Sequence[HoldingLimit]) -> str:
         return in_turn([limit.first.seen.words for limit in limits if limit.first and limit.first.seen])
