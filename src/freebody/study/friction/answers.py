@@ -213,7 +213,8 @@ class _Answerer:
         elements = tuple(case.element for case in cases)
         if len(elements) == 2 and elements[0] == elements[1]:
             elements, exact = elements[:1], exact[:1]
-            notes = [Message("it stays at rest at this value alone"), *(n for n in notes if n not in self._decided(limits))]
+            decided = self._decided(limits)
+            notes = [Message("it stays at rest at this value alone"), *(n for n in notes if n not in decided)]
         return self._finished(ends, cases, elements, exact, notes, limits)
 
     def _exact(self, ends: Ends, case: FailureCase) -> float:
