@@ -441,6 +441,8 @@ def test_only_the_cause_is_told_of_what_cannot_be_read(section: str, text: str, 
     ("old", "new", "said"),
     [
         ("mu: 0.4", "mu: 0,4", "a comma separates entries; write a point: 0.4"),
+        ("mu: 0.4", "mu: 0,4 m", "a comma separates entries; write a point: 0.4 m"),
+        ("{pin: [ground.A, bob]}", "pin [ground.A, bob]", "a colon belongs behind the kind: p: {pin: [ground.A, bob]}"),
         ("rectangle:", "block:", "a body has no block. Did you mean rectangle?"),
         ("[crate, floor]", "[crate, flor]", "there is no body or line flor. Did you mean floor?"),
         ("lines: {floor: {along: right}}", "{}", "ground: {lines: {floor: {along: right}}}"),

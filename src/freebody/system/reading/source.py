@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import difflib
+import re
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from itertools import pairwise
 from typing import Any, TypeVar, cast
@@ -20,6 +21,7 @@ from freebody.model.spec import Spec
 from freebody.system.unspecified import Unspecified
 
 SpecT = TypeVar("SpecT", bound=Spec)
+_DIGITS_FIRST = re.compile(r"\d+(?: .*)?")  # what a comma in a number leaves behind it
 _WANTED = {  # by the type of a fault; a text may be an expression
     "string_type": Message("a text"),
     "int_type": Message("a number"),
@@ -120,7 +122,7 @@ class Source:
         good: dict[str, Any] = {}
         entries = self.mapping(section)
         for before, name in pairwise(entries):
-            if section == "parameters" and str(name).isdigit() and isinstance(entries[before], int):
+            if section == "parameters" and _DIGITS_FIRST.fullmatch(str(name)) and isinstance(entries[before], int):
                 told = Message("a comma separates entries; write a point: {n}.{rest}", n=entries[before], rest=name)
                 self.names.problem(told, section, before)
                 self.names.broken.update((before, name))
@@ -168,6 +170,11 @@ class Source:
         if name in kinds and not isinstance(value, dict):
             return Message(
                 "give it a name of its own beside its kind, e.g. my_{name}: {{{name}: {value}}}", name=name, value=value
+            )
+        first, _space, rest = value.partition(" ") if isinstance(value, str) else ("", "", "")
+        if first in kinds and rest:
+            return Message(
+                "a colon belongs behind the kind: {name}: {{{first}: {rest}}}", name=name, first=first, rest=rest
             )
         able = [kind for kind in sorted(kinds) if self.names.space or not kinds[kind].space_only]
         return Message(
