@@ -305,3 +305,26 @@ def test_the_rope_under_the_lower_wheel_and_over_the_upper_one_is_a_tackle() -> 
     )
     m1, m2, mp, g = 20.0, 8.0, 1.0, 9.81
     assert found.value == pytest.approx((m1 + mp - 2 * m2) * g / (m1 + 3.5 * mp + 4 * m2), rel=1e-12)
+
+
+def test_a_model_without_formulas_has_the_numbers_that_are_unique() -> None:
+    """A truss between two fixed pins, its lower bars in one line: their tensions are one too many, the others follow
+    from the nodes (F/sqrt(2) of pressure in the slanted bars, F in the post)."""
+    found = fb.System.from_text("""
+parameters: {a: 2 m, F: 10 kN}
+ground: {points: {A: [0, 0], B: [2*a, 0]}}
+bodies: {n1: {particle: {mass: 0 kg}, at: [a, 0]}, n2: {particle: {mass: 0 kg}, at: [a, a]}}
+connections:
+  s1: {link: [ground.A, n1]}
+  s2: {link: [n1, ground.B]}
+  s3: {link: [ground.A, n2]}
+  s4: {link: [n2, ground.B]}
+  s5: {link: [n1, n2]}
+loads: {F: {force: {at: n1, along: down, magnitude: F}}}
+questions: [tension of s3, tension of s5, tension of s1]
+""").solve()
+    slanted, post, lower = found.answers
+    assert slanted.value == pytest.approx(-1e4 / math.sqrt(2))
+    assert post.value == pytest.approx(1e4)
+    assert lower.value is None
+    assert "not unique" in lower.reason

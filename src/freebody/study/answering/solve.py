@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from contextlib import suppress
 from dataclasses import replace
 from functools import partial
 from math import isfinite
@@ -101,8 +100,6 @@ def _in_whole(system: System, questions: Sequence[Question], setup: Setup | None
     try:
         model = setup.model
     except CannotAnswer as error:
-        if not system.space:
-            raise
         return _in_numbers(setup, questions, str(error))
     answers = with_plain_numbers(system, model, [_in_smooth_motion(setup, q) for q in questions])
     return Solution.of(system, model, answers, assumed=assumed_at_start(setup, answers))
@@ -237,7 +234,7 @@ def _without_contacts(q: Question, transition: Transition) -> Answer:
 
 
 def _in_numbers(setup: Setup, questions: Sequence[Question], reason: str) -> Solution:
-    """Where the formulas of a closed loop in space would be too long: freedoms by rank, and numbers."""
+    """Where there are no formulas, as of a long closed loop in space: freedoms by rank, and numbers."""
     system = setup.system
     dof = proof.rank_freedom(setup)
     answers: list[Answer] = []
@@ -250,9 +247,14 @@ def _in_numbers(setup: Setup, questions: Sequence[Question], reason: str) -> Sol
             answers.append(made(q, number(dof), float(dof), evidence=evidence))
             continue
         value: Value = None
-        with suppress(CannotAnswer, ArithmeticError, ValueError):
+        why_not = reason
+        try:
             value = number_of(setup, q.quantity, q.event) if setup.has_values else None
-        answers.append(refused(q, reason, value))
+        except CannotAnswer as error:  # what has no number either tells more: a reaction that is not unique
+            why_not = str(error)
+        except (ArithmeticError, ValueError):
+            pass
+        answers.append(refused(q, why_not, value))
     return Solution(system, dof, independent_measures(setup, dof), (), (), tuple(answers))
 
 
