@@ -24,7 +24,7 @@ from freebody.language.sentences import Message
 from freebody.model.elements import ConstraintRow, DryFriction, NonholonomicForm
 from freebody.numeric.engine.operations import ProgramNode
 from freebody.numeric.jets import Array
-from freebody.numeric.tangent.gradients import BY_TIME, NO_ANGLES, Angles, Gradient, Inputs, Played, gradient
+from freebody.numeric.tangent.gradients import BY_TIME, NO_ANGLES, Angles, Gradient, Inputs, Played
 from freebody.numeric.tangent.writing import TangentWriter
 from freebody.system.system import System
 
@@ -78,7 +78,7 @@ class Columns:
     def parts(self, prefix: str, results: Sequence[ProgramNode]) -> dict[str, Matrix]:
         """The derivatives of some results by q, v, u, p and t, as matrices `{prefix}q` ... `{prefix}t`."""
         w = self.writer
-        gradients = [gradient(w, node) for node in results]
+        gradients = [w.gradient(node) for node in results]
         unknowns = [*(w.acceleration(e) for e in w.entries), *self.multipliers]
         parameters = [*w.parameters, *(entry for entry, _measure in w.origins.values())]
         keys = {

@@ -48,38 +48,39 @@ def gradient(graph: OperationGraph, result: ProgramNode) -> Gradient:
         if k not in weights:
             continue
         op, i, j, c = graph.operation(k)
-        w, here = weights[k], ProgramNode(graph, k)
+        w = weights[k]
         if op == INPUT:
             found[i] = w
         elif op == TIME:
             found[BY_TIME] = w
         elif op != CONSTANT:
-            x, y = ProgramNode(graph, i), ProgramNode(graph, j)
-            for of, partial in _partials(graph, op, x, y, c, here):
-                part = w * partial
-                weights[of.at] = weights[of.at] + part if of.at in weights else part
+            for of, part in _parts(graph, op, i, j, c, k, w):
+                weights[of] = weights[of] + part if of in weights else part
     return {key: node for key, node in found.items() if graph.known(node) != 0.0}
 
 
-def _partials(
-    graph: OperationGraph, op: int, x: ProgramNode, y: ProgramNode, c: float, here: ProgramNode
-) -> Sequence[tuple[ProgramNode, ProgramNode]]:
-    """What an operation takes, each with the derivative by it."""
-    one = graph.constant(1.0)
+def _parts(
+    graph: OperationGraph, op: int, i: int, j: int, c: float, k: int, w: ProgramNode
+) -> Sequence[tuple[int, ProgramNode]]:
+    """What operation k takes, each with its part of the weight w: w times the derivative by it. Numbers get none."""
+    x, y, here = ProgramNode(graph, i), ProgramNode(graph, j), ProgramNode(graph, k)
     if op == ADD:
-        return (x, one), (y, one)
+        return (i, w), (j, w)
     if op == SUBTRACT:
-        return (x, one), (y, graph.constant(-1.0))
+        return (i, w), (j, -w)
     if op == MULTIPLY:
-        return (x, y), (y, x)
+        if graph.known(x) is not None:
+            return ((j, w * x),)
+        return ((i, w * y),) if graph.known(y) is not None else ((i, w * y), (j, w * x))
     if op == DIVIDE:
-        return (x, one / y), (y, -here / y)
+        of = w / y
+        return (i, of), (j, -(of * here))
     if op == POWER:
-        return ((x, c * graph.power(x, c - 1.0)),)
+        return ((i, w * (c * graph.power(x, c - 1.0))),)
     if op == ARGUMENT:
         square = x * x + y * y
-        return (x, -y / square), (y, x / square)
-    return ((x, graph.slope(op, x, here)),)
+        return (i, w * (-y / square)), (j, w * (x / square))
+    return ((i, w * graph.slope(op, x, here)),)
 
 
 class Played:
