@@ -31,15 +31,16 @@ from freebody.numeric.engine.course import Status, Trajectory
 from freebody.numeric.engine.engine import Engine
 from freebody.numeric.engine.operations import ProgramNode
 from freebody.numeric.jets import Array
+from freebody.numeric.kernels.playing import TURN
 from freebody.numeric.options import SimulationOptions
 from freebody.numeric.system import NumericSystem
 from freebody.numeric.tangent.collocation import N_PLACES, instants
 from freebody.numeric.tangent.crossing import crossed
 from freebody.numeric.tangent.equations import Columns, Equations, Matrices, Matrix
-from freebody.numeric.tangent.gradients import TURN, Played
 from freebody.numeric.tangent.passed import PassedPhase
 from freebody.numeric.tangent.phase import PhaseTangent
 from freebody.numeric.tangent.start import Inputs, StartTangent, independent
+from freebody.numeric.tangent.tapes import Played
 from freebody.numeric.tangent.writing import TangentWriter
 from freebody.system.modes import ContactMode, in_mode
 from freebody.system.system import System

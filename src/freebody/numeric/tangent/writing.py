@@ -34,7 +34,8 @@ class TangentWriter(Writer):
         n = self.n_coordinates
         self._first_acceleration = 2 * n + 1 + (4 * len(self._bodies) if reference.system.space else 0)
         self._n_inputs = self._first_acceleration + n
-        self._gradients: dict[int, Gradient] = {}
+        self._gradients: dict[int, Gradient] = {}  # by operation
+        self._speeds: dict[int, ProgramNode] = {}
         self.parameters = [self.new_input() for _ in names]
         self._names |= {name: self.node(INPUT, entry) for name, entry in zip(names, self.parameters, strict=True)}
         self.origins: dict[int, tuple[int, Measure]] = {}  # by number of a measure: the input that it counts from
@@ -69,6 +70,11 @@ class TangentWriter(Writer):
         return self._first_acceleration + entry
 
     def speed(self, entry: int) -> ProgramNode:
+        if entry not in self._speeds:
+            self._speeds[entry] = self._speed(entry)
+        return self._speeds[entry]
+
+    def _speed(self, entry: int) -> ProgramNode:
         n = self.n_coordinates
         if n <= entry < 2 * n:
             return self.input(self.acceleration(entry - n))
