@@ -18,7 +18,7 @@ from freebody.numeric.jets import Array
 from freebody.numeric.kernels import collocating
 
 N_PLACES = 6
-NO_SLOPES = Message("the derivatives of the motion do not settle; follow it with a smaller tolerance")
+UNSETTLED = Message("the derivatives of the motion do not settle; follow it with a smaller tolerance")
 
 
 @cache
@@ -53,7 +53,7 @@ def propagated(ends: Array, F: Array, x0: Array, least: Array) -> tuple[Array, A
     x[:f] = x0
     room, pivots, slopes = np.empty((s * f, s * f)), np.empty(s * f, dtype=np.int32), np.empty((s * f, k))
     if not collocating.collocated(ends, F, a, b, last, room, pivots, slopes, x, off):
-        raise CannotAnswer(NO_SLOPES)
+        raise CannotAnswer(UNSETTLED)
     found = x.reshape(n + 1, f, k)
     size = np.maximum(np.abs(found).max(axis=(0, 1)), least)
     return found, (off / size).max(axis=1)
