@@ -139,7 +139,7 @@ def emptied(A):
 
 @kernel
 def factor_held(W, rows, dependent, unit):
-    """The part of J by what is not free, in units of size, is factored. False where that does not follow from the rest."""
+    """Factors the part of J by what is not free, in units of size. False where that does not follow from the rest."""
     n = len(dependent)
     for r in range(n):
         for i in range(n):

@@ -51,8 +51,9 @@ def propagated(ends: Array, F: Array, x0: Array, least: Array) -> tuple[Array, A
     s = len(b)
     x, off = np.empty(((n + 1) * f, k)), np.zeros((n, k))
     x[:f] = x0
-    room, pivots, slopes = np.empty((s * f, s * f)), np.empty(s * f, dtype=np.int32), np.empty((s * f, k))
-    if not collocating.collocated(ends, F, a, b, last, room, pivots, slopes, x, off):
+    room, pivots = np.empty((s * f, s * f)), np.empty(s * f, dtype=np.int32)
+    given, slopes = np.empty((s * f, k)), np.empty((s * f, k))
+    if not collocating.collocated(ends, F, a, b, last, room, pivots, given, slopes, x, off):
         raise CannotAnswer(UNSETTLED)
     found = x.reshape(n + 1, f, k)
     size = np.maximum(np.abs(found).max(axis=(0, 1)), least)
