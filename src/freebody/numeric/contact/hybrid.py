@@ -66,10 +66,16 @@ class Hybrid:
     """One motion under way."""
 
     def __init__(
-        self, bounded: Bounded, options: SimulationOptions, blows: SuddenBlows | None = None, past: Collection[str] = ()
+        self,
+        bounded: Bounded,
+        options: SimulationOptions,
+        blows: SuddenBlows | None = None,
+        past: Collection[str] = (),
+        *,
+        keep: bool = False,
     ) -> None:
-        """past: the blows that have happened before."""
-        self.bounded, self.options, self.blows = bounded, options, blows
+        """past: the blows that have happened before; keep: the steps of all phases."""
+        self.bounded, self.options, self.blows, self.keep = bounded, options, blows, keep
         bounded.hold_past(past)
         self.struck: list[BlowRecord] = []
         self.transition = InstantTransition(bounded, options.law, jams=options.jams)
@@ -145,6 +151,7 @@ class Hybrid:
             first_step=FIRST_STEP * self.phases[-1].course.last_step if self.phases else 0.0,
             outputs=np.concatenate(([t], outputs[outputs > t])),
             progress=progress,
+            keep=self.keep,
             guarded=Guarding(
                 sizes,
                 partial(self._is_valid, engine, about),

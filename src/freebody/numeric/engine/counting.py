@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from freebody.numeric.engine.course import Tracks
+from freebody.numeric.engine.steps import between
 from freebody.numeric.kernels import stepped_run
 from freebody.numeric.kernels.arrays import Floats
 from freebody.numeric.kernels.following import follow
@@ -93,11 +94,3 @@ def bearings_at(engine: Evaluator, near: Floats, times: Floats, states: Floats) 
     engine.count_from(near)
     follow(engine.layout, engine.room, times, states, bearings)
     return bearings
-
-
-def between(old: Floats, dense: Floats, s: Floats) -> Floats:
-    """(n, n_y) the state at the part s of each of n steps; see `stages.between`."""
-    states, factors = np.zeros(old.shape), (s[:, None], 1.0 - s[:, None])
-    for k in reversed(range(dense.shape[1])):
-        states = (states + dense[:, k]) * factors[k % 2]
-    return states + old

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from freebody.numeric.engine.steps import Steps
 from freebody.numeric.kernels.arrays import Floats
 
 
@@ -166,6 +167,7 @@ class Trajectory:
     violated: int = -1  # the guard whose violation ended the motion
     contact: ContactRecord | None = None  # of a system with bounds or dry friction
     rotation: RotationHistory | None = None  # in space
+    steps: Steps | None = None  # where they are kept
 
     @property
     def t_end(self) -> float:

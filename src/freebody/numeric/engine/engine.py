@@ -31,10 +31,11 @@ class Engine(Evaluator):
         outputs: Floats | None = None,
         progress: Progress | None = None,
         guarded: Guarding | None = None,
+        keep: bool = False,
     ) -> Trajectory:
         """The motion from a state at the time `start` [s] to `until`, or to a terminal event. first_step: [s], chosen
         if it is zero. outputs: times at which the motion is wanted, besides its events and its end. guarded: what is
-        known of the guards of the mode, of which the first violation is the end."""
+        known of the guards of the mode, of which the first violation is the end. keep: the steps."""
         from freebody.numeric.engine.motion import RunningMotion  # instants need none of it
 
         began = time.perf_counter()
@@ -42,4 +43,6 @@ class Engine(Evaluator):
         motion = RunningMotion(self, y, start, until, options, first_step, wanted)
         if guarded is not None:
             motion.guard(guarded)
+        if keep:
+            motion.keep_steps()
         return motion.course(began, progress)

@@ -17,6 +17,7 @@ from freebody.numeric.engine.evaluator import Evaluator
 from freebody.numeric.engine.events import found_in_step
 from freebody.numeric.engine.integrators import integrator
 from freebody.numeric.engine.patrol import Guarding, GuardMonitor, Violation
+from freebody.numeric.engine.steps import KeptSteps
 from freebody.numeric.engine.trouble import diagnosed
 from freebody.numeric.engine.underway import MotionUnderWay
 from freebody.numeric.kernels import factoring, stepped_run, stepping
@@ -64,11 +65,17 @@ class RunningMotion(MotionUnderWay):
         self.counting: Counting | None = None
         self.patrol: GuardMonitor | None = None
         self.violation: Violation | None = None
+        self.kept: KeptSteps | None = None
         self.stiffness = ""  # when it was met, and what was done about it
 
     def guard(self, guarding: Guarding) -> None:
         """The first violation of a guard of the layout ends the motion; see `GuardMonitor`."""
         self.patrol = GuardMonitor(self, guarding)
+        self.run.count[stepped_run.IS_WATCHED] = 1
+
+    def keep_steps(self) -> None:
+        """Every step is kept with its dense output."""
+        self.kept = KeptSteps()
         self.run.count[stepped_run.IS_WATCHED] = 1
 
     # -- the loop -----------------------------------------------------------------------------
@@ -108,6 +115,8 @@ class RunningMotion(MotionUnderWay):
             if progress is not None:
                 progress(float(clock[stepped_run.NOW]), int(count[stepped_run.STEPS]))
 
+            if result == stepped_run.LOOK and self.kept is not None:
+                self.kept.add(self.run)
             if result == stepped_run.LOOK and self.counting is not None:
                 self.counting.add()
             if result == stepped_run.LOOK and self._look():
@@ -294,6 +303,7 @@ class RunningMotion(MotionUnderWay):
             near=near,
             violated=-1 if self.violation is None else self.violation.guard,
             rotation=track.rotation,
+            steps=None if self.kept is None else self.kept.all(),
         )
 
     def _unique(self, times: Floats, states: Floats, shape: tuple[int, ...]) -> Any:

@@ -138,6 +138,10 @@ class OperationGraph(ABC):
         """What is done in operation k, with which others or which entry of the state, and with which number."""
         return self._ops[k]
 
+    def takes(self, k: int) -> set[int]:
+        """The operations that operation k takes."""
+        return set(self._taken(k))
+
     @property
     def n_operations(self) -> int:
         return len(self._ops)
@@ -150,9 +154,9 @@ class OperationGraph(ABC):
                 self._rates[k] = self._rate_by_parts(k)
         return self._rates[x.at]
 
-    def below(self, x: ProgramNode) -> list[int]:
-        """The operations that a node needs, itself included, each after what it takes."""
-        needed, waiting = set[int](), [x.at]
+    def below(self, *nodes: ProgramNode) -> list[int]:
+        """The operations that nodes need, themselves included, each after what it takes."""
+        needed, waiting = set[int](), [x.at for x in nodes]
         while waiting:
             i = waiting.pop()
             if i not in needed:
@@ -245,12 +249,13 @@ class OperationGraph(ABC):
         return () if op <= INPUT else (i, j) if op <= ARGUMENT else (i,)
 
 
-@dataclass(frozen=True)
 class ProgramNode:
-    """One result in a program under way: a scalar that statements can be run over."""
+    """One result in a program under way: a scalar that statements can be run over. Thousands of them are made."""
 
-    graph: OperationGraph
-    at: int
+    __slots__ = ("at", "graph")
+
+    def __init__(self, graph: OperationGraph, at: int) -> None:
+        self.graph, self.at = graph, at
 
     def _with(self, other: Any) -> ProgramNode:
         return other if isinstance(other, ProgramNode) else self.graph.constant(float(other))

@@ -44,6 +44,8 @@ class Writer(OperationGraph):
         self._bearing_of = bearing_of
         self._functions: dict[str, Any] = {name: self._function(SQRT + k, name) for k, name in enumerate(FUNCTIONS)}
         self._poses: dict[str, Pose[ProgramNode] | SpatialPose[ProgramNode]] = {}
+        self.memory: dict[int, tuple[object, Vector[ProgramNode]]] = {}  # of points and directions (`geometry`)
+        self._written: dict[int, tuple[object, ProgramNode]] = {}  # of measures, by their identity
         moving = numbers.system.all_moving
         self._bodies = {body.name: (k, body.turns) for k, body in enumerate(moving)}
         self.width = 6 if numbers.space else 3
@@ -67,6 +69,12 @@ class Writer(OperationGraph):
         return self.derivative(self._of(measure))
 
     def _of(self, measure: Measure | Component) -> ProgramNode:
+        known = self._written.get(id(measure))
+        if known is None:
+            known = self._written[id(measure)] = measure, self._stated(measure)
+        return known[1]
+
+    def _stated(self, measure: Measure | Component) -> ProgramNode:
         if isinstance(measure, Combination):
             total = self.constant(0.0)
             for coefficient, part in measure.terms:

@@ -12,9 +12,13 @@ from functools import cache
 
 import numpy as np
 
+from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
 from freebody.numeric.jets import Array
+from freebody.numeric.kernels import collocating
 
 N_PLACES = 6
+UNSETTLED = Message("the derivatives of the motion do not settle; follow it with a smaller tolerance")
 
 
 @cache
@@ -25,7 +29,7 @@ def _places() -> tuple[Array, Array, Array, Array]:
     powers = np.arange(N_PLACES)
     V = c[:, None] ** powers  # values of 1, t, t^2 ... at the places
     a = (c[:, None] ** (powers + 1) / (powers + 1)) @ np.linalg.inv(V)
-    return c, a, b, np.ones(N_PLACES) @ np.linalg.inv(V)
+    return c, np.ascontiguousarray(a), b, np.ones(N_PLACES) @ np.linalg.inv(V)
 
 
 def instants(ends: Array) -> Array:
@@ -35,31 +39,22 @@ def instants(ends: Array) -> Array:
     return np.append(inner.ravel(), ends[-1])
 
 
-def propagated(ends: Array, A: Array, B: Array, x0: Array, least: Array) -> tuple[Array, Array]:
+def propagated(ends: Array, F: Array, x0: Array, least: Array) -> tuple[Array, Array]:
     """x at the ends of all panels (n_panels + 1, f, k), and how far off each was (n_panels,), by the size of x.
 
-    A (n, f, f), B (n, f, k) at `instants(ends)`; x0 (f, k); least (k,): sizes below which x does not count."""
-    n, f, k = len(ends) - 1, A.shape[1], B.shape[2]
-    x = np.empty((n + 1, f, k))
-    x[0] = x0
+    F (n f, f + k): A and B at `instants(ends)`, f rows each; x0 (f, k); least (k,): sizes below which x does not count.
+    Raises CannotAnswer where a panel has no solution."""
+    n, (f, k) = len(ends) - 1, x0.shape
     if not f:
-        return x, np.zeros(n)
-    c, a, b, last = _places()
-    s, h = len(c), np.diff(ends)[:, None, None]
-
-    # the slopes at the places follow from one linear system for every panel: for the motions of the equation without
-    # B that begin with each unit of x, and for the one with B that begins with zero
-    inner = (np.arange(n)[:, None] * (s + 1) + 1 + np.arange(s)).ravel()
-    Ai, Bi = A[inner].reshape(n, s, f, f), B[inner].reshape(n, s, f, k)
-    system = np.eye(s * f) - h * np.einsum("ij,nifg->nifjg", a, Ai).reshape(n, s * f, s * f)
-    given = np.concatenate((Ai, Bi), axis=3).reshape(n, s * f, f + k)
-    slopes = np.asarray(np.linalg.solve(system, given), dtype=np.float64).reshape(n, s, f, f + k)
-    step = h * np.einsum("i,nifc->nfc", b, slopes)
-    for p in range(n):
-        x[p + 1] = x[p] + step[p, :, :f] @ x[p] + step[p, :, f:]
-
-    at_end = np.einsum("i,nifc->nfc", last, slopes)
-    meant = A[s + 1 :: s + 1] @ x[1:] + B[s + 1 :: s + 1]
-    off = h * np.abs(at_end[:, :, :f] @ x[:-1] + at_end[:, :, f:] - meant)
-    size = np.maximum(np.abs(x).max(axis=(0, 1)), least)
-    return x, (off / size).max(axis=(1, 2))
+        return np.empty((n + 1, 0, k)), np.zeros(n)
+    _c, a, b, last = _places()
+    s = len(b)
+    x, off = np.empty(((n + 1) * f, k)), np.zeros((n, k))
+    x[:f] = x0
+    room, pivots = np.empty((s * f, s * f)), np.empty(s * f, dtype=np.int32)
+    given, slopes = np.empty((s * f, k)), np.empty((s * f, k))
+    if not collocating.collocated(ends, F, a, b, last, room, pivots, given, slopes, x, off):
+        raise CannotAnswer(UNSETTLED)
+    found = x.reshape(n + 1, f, k)
+    size = np.maximum(np.abs(found).max(axis=(0, 1)), least)
+    return found, (off / size).max(axis=1)

@@ -66,7 +66,7 @@ def crossed(
     fastest = np.abs(np.concatenate((v, v_after))).max(initial=0.0)
     if jump > SAME * max(fastest, 1e-12):
         v_there = Impact(motion, before, after, passed, v_after).changes(q_there, v_there)
-    a_after = phase.equations.solved(inputs, np.array([t]))[0][0, : len(w.entries)]
+    a_after = phase.equations.accelerations(inputs, t)
     return q_there - np.outer(v_after, dt), v_there - np.outer(a_after, dt)
 
 

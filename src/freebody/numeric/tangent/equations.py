@@ -24,7 +24,11 @@ from freebody.language.sentences import Message
 from freebody.model.elements import ConstraintRow, DryFriction, NonholonomicForm
 from freebody.numeric.engine.operations import ProgramNode
 from freebody.numeric.jets import Array
-from freebody.numeric.tangent.gradients import BY_TIME, NO_ANGLES, Angles, Gradient, Inputs, Played, gradient
+from freebody.numeric.kernels import linearising
+from freebody.numeric.kernels.arrays import ints, pointers
+from freebody.numeric.kernels.linearising import TangentProgram, TangentRoom
+from freebody.numeric.tangent.gradients import BY_TIME, Gradient
+from freebody.numeric.tangent.tapes import NO_ANGLES, WIDTH, Angles, Inputs, Played, Tape, taped
 from freebody.numeric.tangent.writing import TangentWriter
 from freebody.system.system import System
 
@@ -39,11 +43,10 @@ class Matrix:
         self.shape, self.cells = shape, list(cells)
 
     def filled(self, values: Array) -> Array:
-        """(n, *shape) from the values (n_cells, n) of its cells."""
-        found = np.zeros((*self.shape, values.shape[1]))
-        for (i, j, _node), x in zip(self.cells, values, strict=True):
-            found[i, j] = x
-        return np.ascontiguousarray(np.moveaxis(found, 2, 0))
+        """(n, *shape) from the values (n, n_cells) of its cells."""
+        found = np.zeros((len(values), *self.shape))
+        found[:, [i for i, _j, _node in self.cells], [j for _i, j, _node in self.cells]] = values
+        return found
 
 
 def column(nodes: Sequence[ProgramNode]) -> Matrix:
@@ -63,7 +66,7 @@ class Matrices:
         """Each by its name, (n, rows, columns); the arguments are those of `Played.at`."""
         values, first, found = self._played.at(inputs, times, angles, after), 0, dict[str, Array]()
         for name, m in self._matrices.items():
-            found[name] = m.filled(values[first : first + len(m.cells)])
+            found[name] = m.filled(values[:, first : first + len(m.cells)])
             first += len(m.cells)
         return found
 
@@ -78,7 +81,7 @@ class Columns:
     def parts(self, prefix: str, results: Sequence[ProgramNode]) -> dict[str, Matrix]:
         """The derivatives of some results by q, v, u, p and t, as matrices `{prefix}q` ... `{prefix}t`."""
         w = self.writer
-        gradients = [gradient(w, node) for node in results]
+        gradients = [w.gradient(node) for node in results]
         unknowns = [*(w.acceleration(e) for e in w.entries), *self.multipliers]
         parameters = [*w.parameters, *(entry for entry, _measure in w.origins.values())]
         keys = {
@@ -130,14 +133,11 @@ class Equations:
         self.forces = self._forces()
         residuals = [*self._balances(), *(writer.derivative(rate) for rate in self.rates)]
         self.columns = Columns(writer, self.multipliers)
-        parts = self.columns.parts("R", residuals)
-        self._linear = Matrices(writer, {"R": column(residuals), "Ru": parts["Ru"]})
-        self._all = Matrices(
-            writer,
-            {key: m for key, m in parts.items() if key != "Ru"}
-            | {"J": self._jacobian()}
-            | {f"g{of}": m for of, m in self.columns.parts("", self.values).items() if of in ("q", "p")}
-            | {f"r{of}": m for of, m in self.columns.parts("", self.rates).items() if of in ("q", "p")},
+        of_places, of_rates = (self.columns.parts("", of) for of in (self.values, self.rates))
+        held = {"J": self._jacobian(), "gp": of_places["p"], "rq": of_rates["q"], "rp": of_rates["p"]}
+        self.held = Matrices(writer, {**held, "gq": of_places["q"]})
+        self.tape, self.program = self._programmed(
+            {"R": column(residuals), **self.columns.parts("R", residuals), **held}
         )
 
     # -- statements ---------------------------------------------------------------------------
@@ -195,40 +195,71 @@ class Equations:
         cells = [(i, j, x) for i, row in enumerate(self.gradients) for j, x in enumerate(row) if x is not None]
         return Matrix((len(self.rows), len(self.writer.entries)), cells)
 
+    def _programmed(self, of: Mapping[str, Matrix]) -> tuple[Tape, TangentProgram]:
+        """All matrices as kernels take them, in the order of `linearising`; those of the first part are linear in the
+        unknowns."""
+        w = self.writer
+        unknowns = [*(w.acceleration(e) for e in w.entries), *self.multipliers]
+        speeds = [w.velocity(e) for e in w.entries]
+        matrices = [of[key] for key in ("R", "Ru", "J", "gp", "rq", "rp", "Rq", "Rv", "Rp", "Rt")]
+        parts = [[node for m in own for _i, _j, node in m.cells] for own in (matrices[:2], matrices[2:])]
+        tape = taped(w, parts, {*unknowns, *self.signs}, [*unknowns, *self.signs, *speeds])
+        row = {entry: i for i, entry in enumerate(tape.inputs)}
+        program = TangentProgram(
+            code=tape.code,
+            numbers=tape.numbers,
+            parts=tape.parts,
+            cells=ints([(i, j, tape.register[node.at]) for m in matrices for i, j, node in m.cells], 2, 3),
+            groups=pointers([m.cells for m in matrices]),
+            unknowns=ints([row[e] for e in unknowns]),
+            signs=ints([(row[e], len(w.entries) + place) for e, (place, _sign) in self.signs.items()], 2, 2),
+            speeds=ints([row[e] for e in speeds]),
+            turning=ints([i for i, e in enumerate(w.entries) if w.numbers.space and e % w.width == 3]),
+            places=ints(self.places),
+            rows=ints(range(len(self.rows))),
+        )
+        return tape, program
+
     # -- numbers ------------------------------------------------------------------------------
-    def solved(self, inputs: Inputs, times: Array, angles: Angles = NO_ANGLES) -> tuple[Array, Array]:
-        """(n, n_unknowns) accelerations and multipliers, and R_u^-1. Raises CannotAnswer where there are none."""
-        n = len(times)
-        known = {**inputs, **dict.fromkeys(self.multipliers, 0.0)}
-        known |= {self.writer.acceleration(e): 0.0 for e in self.writer.entries}
-        signs = {entry: np.full(n, float(sign)) for entry, (_place, sign) in self.signs.items()}
-        for _ in range(4):
-            found = self._linear.at({**known, **signs}, times, angles)
-            inverse = inverted(found["Ru"])
-            u = -(inverse @ found["R"])[:, :, 0]
-            off = False
-            for entry, (place, _sign) in self.signs.items():
-                new = np.where(u[:, len(self.writer.entries) + place] < 0.0, -1.0, 1.0)
-                off = off or bool((new != signs[entry]).any())
-                signs[entry] = new
-            if not off:
-                return u, inverse
+    def rows_of(self, inputs: Inputs, n: int) -> Array:
+        """What kernels read at n instants: (n_inputs, n), with room for the unknowns."""
+        signs = {entry: float(sign) for entry, (_place, sign) in self.signs.items()}
+        return self.tape.rows({**inputs, **signs}, n)
+
+    def room(self, n_columns: int) -> TangentRoom:
+        """Where kernels evaluate them. n_columns: of maps."""
+        n, n_rows = len(self.writer.entries), len(self.rows)
+        n_u = n + n_rows
+        return TangentRoom(
+            registers=self.tape.registers(),
+            factors=np.zeros((WIDTH * n_u, n_u)),
+            pivots=np.zeros(WIDTH * n_u, dtype=np.int32),
+            u=np.zeros((n_u, 1)),
+            J=np.zeros((n_rows, n)),
+            D=np.zeros((n_rows, n_rows)),
+            held_pivots=np.zeros(n_rows, dtype=np.int32),
+            held=np.zeros((n_rows, n_columns)),
+            Tq=np.zeros((n, n_columns)),
+            Tv=np.zeros((n, n_columns)),
+            U=np.zeros((n_u, n_columns)),
+        )
+
+    def accelerations(self, inputs: Inputs, t: float) -> Array:
+        """(n_coordinates,) at an instant. Raises CannotAnswer where there are none."""
+        rows = self.rows_of(inputs, 1)
+        checked(linearising.solved(self.program, self.room(0), rows, np.array([t]), self.tape.turns(NO_ANGLES, 1)))
+        return rows[self.program.unknowns[: len(self.writer.entries)], 0]
+
+
+def checked(how: int) -> int:
+    """What a kernel returned. Raises CannotAnswer where that says why there are no accelerations."""
+    if how == linearising.UNDETERMINED:
+        raise CannotAnswer(UNDETERMINED)
+    if how == linearising.NO_SIGN:
         raise CannotAnswer(
             Message("the force that presses a friction surface changes its sign: there is no derivative there")
         )
-
-    def with_unknowns(self, inputs: Inputs, u: Array) -> dict[int, Array | float]:
-        """The inputs with accelerations and multipliers."""
-        w, n = self.writer, len(self.writer.entries)
-        found: dict[int, Array | float] = {**inputs, **{w.acceleration(e): u[:, i] for i, e in enumerate(w.entries)}}
-        found |= {entry: u[:, n + k] for k, entry in enumerate(self.multipliers)}
-        for entry, (place, _sign) in self.signs.items():
-            found[entry] = np.where(u[:, n + place] < 0.0, -1.0, 1.0)
-        return found
-
-    def derivatives(self, inputs: Inputs, times: Array, angles: Angles, after: dict[int, float]) -> dict[str, Array]:
-        """R_q, R_v, R_p, R_t, J, g_q, g_p, r_q, r_p by these names, (n, rows, columns)."""
-        return self._all.at(inputs, times, angles, after)
+    return how
 
 
 def momenta(w: TangentWriter, system: System, of: Callable[[int], int]) -> list[ProgramNode]:

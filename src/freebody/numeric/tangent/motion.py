@@ -16,7 +16,6 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr
@@ -31,24 +30,27 @@ from freebody.numeric.engine.course import Status, Trajectory
 from freebody.numeric.engine.engine import Engine
 from freebody.numeric.engine.operations import ProgramNode
 from freebody.numeric.jets import Array
+from freebody.numeric.kernels.playing import TURN
 from freebody.numeric.options import SimulationOptions
 from freebody.numeric.system import NumericSystem
-from freebody.numeric.tangent.collocation import N_PLACES, instants
+from freebody.numeric.tangent.collocation import N_PLACES, UNSETTLED, instants
 from freebody.numeric.tangent.crossing import crossed
 from freebody.numeric.tangent.equations import Columns, Equations, Matrices, Matrix
-from freebody.numeric.tangent.gradients import TURN, Played
 from freebody.numeric.tangent.passed import PassedPhase
 from freebody.numeric.tangent.phase import PhaseTangent
 from freebody.numeric.tangent.start import Inputs, StartTangent, independent
+from freebody.numeric.tangent.tapes import Played
 from freebody.numeric.tangent.writing import TangentWriter
 from freebody.system.modes import ContactMode, in_mode
 from freebody.system.system import System
 
 MOST_ROUNDS = 12  # in which panels are divided
 MOST_PARTS = 8.0
-FEWEST = 4  # panels of a phase; else one for each step to begin with
-SETTLED = 3e-3  # the error of a panel goes with the square of how far off it is
+SETTLED = 0.1  # the error of a panel goes with the square of how far off it is: a hundredth of the motion's own
 TOGETHER = 1e-6  # changes of what is held that should vanish, by the size of all changes
+
+
+Followed = tuple[Trajectory, Sequence[PhaseRecord]]  # a motion, and its phases with their steps
 
 
 @dataclass(frozen=True)
@@ -126,62 +128,38 @@ class TangentMotion:
         }
 
     # -- the motion ---------------------------------------------------------------------------
-    def run(
-        self, until: float, options: SimulationOptions, times: Array, known: Trajectory | None = None
-    ) -> Trajectory:
+    def run(self, until: float, options: SimulationOptions, times: Array, known: Followed | None = None) -> Trajectory:
         """Follows the motion to `until`, and its tangents; they are looked at at the given times. known: the motion,
-        where it has been followed. Raises CannotAnswer where there is no derivative, saying why."""
-        options = replace(options, verify=False)
-        if known is None or self.bounded is not None:
-            course, records = self._followed(until, options, np.array([until]))
-        else:
-            course, records = known, [self._alone(known)]
+        where it has been followed and its steps are kept. Raises CannotAnswer where there is no derivative, saying
+        why."""
+        course, records = known or self._followed(until, replace(options, verify=False))
         if course.status not in (Status.FINISHED, Status.EVENT):
             raise CannotAnswer(Message("the motion cannot be followed: {why}", why=course.message))
-        ends = [self._panels(record.course, times) for record in records]
+        ends = [_panels(record.course, times) for record in records]
         limit = SETTLED * options.tolerance**0.5
         for _ in range(MOST_ROUNDS):
-            wanted = np.unique(np.concatenate([instants(own) for own in ends]))
-            course, records = self._followed(until, options, wanted)
             off = self._tangents(records, ends)
             if all(float(own.max(initial=0.0)) <= limit for own in off):
                 return course
             ends = [_divided(own, _too_long(bad, limit)) for own, bad in zip(ends, off, strict=True)]
-        raise CannotAnswer(Message("the derivatives of the motion do not settle; follow it with a smaller tolerance"))
+        raise CannotAnswer(UNSETTLED)
 
-    def _followed(
-        self, until: float, options: SimulationOptions, outputs: Array
-    ) -> tuple[Trajectory, list[PhaseRecord]]:
+    def _followed(self, until: float, options: SimulationOptions) -> Followed:
+        """The motion, and its phases with their steps."""
         self.free.count_from(self.near)
+        outputs = np.array([0.0, until])
         if self.bounded is None:
-            course = self.free.run(self.start.copy(), until, options, outputs=np.concatenate(([0.0], outputs)))
-            return course, [self._alone(course)]
-        hybrid = Hybrid(self.bounded, options)
-        course = hybrid.run(self.start.copy(), 0.0, until, outputs, self.near)
-        return course, hybrid.phases
-
-    def _alone(self, course: Trajectory) -> PhaseRecord:
-        """The one phase of a motion without contacts."""
-        return PhaseRecord(course, self.free, ModeOf(frozenset(), ()))
-
-    def _panels(self, course: Trajectory, times: Array) -> Array:
-        """The ends of panels of a phase: the times at which something is wanted, and between them so many that none is
-        longer than a step of the motion."""
-        first, last = float(course.times[0]), course.t_end
-        events = [e.time for e in course.events if first < e.time < last]
-        found = np.unique(np.concatenate(([first, last], times[(times > first) & (times < last)], events)))
-        apart = np.concatenate(([True], np.diff(found) > 1e-13 * max(1.0, abs(last))))
-        found = found[apart] if apart[-1] else np.append(found[apart][:-1], last)
-        longest = (last - first) / max(FEWEST, course.n_steps)
-        return _divided(found, np.maximum(1.0, np.ceil(np.diff(found) / max(longest, 1e-300) - 1e-9)))
+            course = self.free.run(self.start.copy(), until, options, outputs=outputs, keep=True)
+            return course, [PhaseRecord(course, self.free, ModeOf(frozenset(), ()))]
+        hybrid = Hybrid(self.bounded, options, keep=True)
+        return hybrid.run(self.start.copy(), 0.0, until, outputs, self.near), hybrid.phases
 
     def _tangents(self, records: Sequence[PhaseRecord], ends: Sequence[Array]) -> list[Array]:
         """The tangents of all phases; how far off the panels of each were."""
         self.phases, self.turns = [], []
         q, v, off = self.dq, self.dv, list[Array]()
         for k, (record, own) in enumerate(zip(records, ends, strict=True)):
-            course = record.course
-            states: Array = record.engine.states(course)[_places(course.times, instants(own))]
+            states = _states(record, instants(own))
             equations = self._equations_of(record.mode, states[0], own[0])
             if not k:
                 self.angles = self._angles_at_start()
@@ -280,11 +258,22 @@ def _at_once(row: ConstraintRow, t: float) -> CannotAnswer:
     )
 
 
-def _places(times: Array, wanted: Array) -> NDArray[np.intp]:
-    """Where times stand among those of a course."""
-    at = np.minimum(np.searchsorted(times, wanted), len(times) - 1)
-    nearer = np.maximum(at - 1, 0)
-    return np.where(np.abs(times[nearer] - wanted) < np.abs(times[at] - wanted), nearer, at)
+def _states(record: PhaseRecord, times: Array) -> Array:
+    """(n, n_y) at instants of a phase, the first and the last of which are its own."""
+    course, engine = record.course, record.engine
+    first, last = engine.state_at(course, 0), engine.state_at(course, -1)
+    inner = course.steps.states(times[1:-1]) if course.steps is not None else np.empty((0, len(first)))
+    return np.concatenate((first[None], inner, last[None])) if len(times) > 1 else first[None]
+
+
+def _panels(course: Trajectory, times: Array) -> Array:
+    """The ends of panels of a phase: those of the steps of the motion, and the times at which something is wanted."""
+    first, last = float(course.times[0]), course.t_end
+    steps = np.zeros(0) if course.steps is None else course.steps.begins
+    inner = np.concatenate((times, [e.time for e in course.events], steps))
+    found = np.unique(np.concatenate(([first, last], inner[(inner > first) & (inner < last)])))
+    apart = np.concatenate(([True], np.diff(found) > 1e-13 * max(1.0, abs(last))))
+    return found[apart] if apart[-1] else np.append(found[apart][:-1], last)
 
 
 def _too_long(off: Array, limit: float) -> Array:

@@ -7,7 +7,6 @@ theta along its axes, d/dt d theta = d omega - omega x d theta.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 from importlib import import_module
 from typing import Any
@@ -15,10 +14,14 @@ from typing import Any
 import numpy as np
 
 from freebody.numeric.jets import Array
+from freebody.numeric.kernels import linearising
+from freebody.numeric.kernels.arrays import ints
+from freebody.numeric.kernels.linearising import FreeCoordinates
 from freebody.numeric.tangent.collocation import N_PLACES, instants, propagated
-from freebody.numeric.tangent.equations import Equations
-from freebody.numeric.tangent.gradients import Angles, Inputs
+from freebody.numeric.tangent.equations import Equations, checked
+from freebody.numeric.tangent.tapes import Angles, Inputs
 
+STRIDE = N_PLACES + 1  # instants of a panel, one of its ends with them
 WELL_POSED = 30.0  # so much larger than at the beginning the dependent changes may get before others are chosen free
 NOTHING = 1e-6  # of the size of a system: where so little changes if a name is doubled, nothing hangs on it
 
@@ -42,15 +45,6 @@ class Tangent:
     after: Angles
 
 
-@dataclass(frozen=True)
-class _Linear:
-    """The linear equations at all instants of a phase."""
-
-    D: dict[str, Array]
-    kept: Array  # (n_places, k) changes of held measures that stay as they are
-    turning: Array  # (n, n, n) of d theta' = d omega - turning d theta
-
-
 class PhaseTangent:
     """One phase of a motion, in one mode."""
 
@@ -63,107 +57,65 @@ class PhaseTangent:
 
     def along(self, ends: Array, inputs: Inputs, angles: Angles, dq: Array, dv: Array) -> Tangent:
         """Tangents at the ends of panels. inputs: at `instants(ends)`; angles: of lines before the first of them; dq,
-        dv: (n, k) there."""
-        times = instants(ends)
-        e = self.equations
-        u, inverse = e.solved(inputs, times, angles)
-        after = dict(angles)
-        full = e.with_unknowns(inputs, u)
-        D = self._by_names(e.derivatives(full, times, angles, after)) | {"1/Ru": inverse}
-        kept = D["gq"][0] @ dq + D["gp"][0]
-        linear = _Linear(D, kept, self._turning(full, len(times)))
-        q, v, du, off = [dq[None]], [dv[None]], list[Array](), list[Array]()
-        for first, last, maps in self._parts(linear, len(ends) - 1):
-            part, own = slice(first, last + 1), slice(first * (N_PLACES + 1), last * (N_PLACES + 1) + 1)
-            Tq, Tv, U, free_q, free_v = maps
-            f = len(free_q) + len(free_v)
-            F = np.concatenate(((Tv - linear.turning[own] @ Tq)[:, free_q], U[:, free_v]), axis=1)
-            x0 = np.concatenate((q[-1][-1][free_q], v[-1][-1][free_v]))
-            x, was_off = propagated(ends[part], F[:, :, :f], F[:, :, f:], x0, self.least)
-            at = slice(None, None, N_PLACES + 1)
-
-            def of(T: Array, x: Array = x, f: int = f, at: slice = at) -> Array:
-                return T[at][:, :, :f] @ x + T[at][:, :, f:]
-
-            begin = 1 if first else 0
-            q.append(of(Tq)[1:])
-            v.append(of(Tv)[1:])
-            du.append(of(U)[begin:])
+        dv: (n, k) there. Raises CannotAnswer where there are none."""
+        times, e, n = instants(ends), self.equations, len(self.unit)
+        rows, turns = e.rows_of(inputs, len(times)), e.tape.turns(angles, len(times))
+        held = {key: x[0] for key, x in e.held.at(_at(inputs, 0), times[:1], angles).items()}
+        kept = held["gq"] @ dq + self.by_names(held["gp"])
+        parted = held["rq"] @ dq + held["J"] @ dv + self.by_names(held["rp"])
+        k = dq.shape[1]
+        maps = np.zeros((len(ends) * (2 * n + len(e.program.unknowns)), 2 * n + k + 1))
+        first, J, off, parts = 0, held["J"], list[Array](), list[Array]()
+        while first < len(ends) - 1:
+            free, begin = self._chosen(J), first * STRIDE
+            f = len(free.q) + len(free.v)
+            F = np.empty(((len(times) - begin) * f, f + k))
+            run = linearising.linearised(
+                *(e.program, e.room(f + k + 1), free, rows, times, turns, kept, self.origins, self.unit),
+                *(F, maps, begin, STRIDE, WELL_POSED),
+            )
+            done = checked(run)
+            last = len(ends) - 1 if done == len(times) else first + max(1, (done - 1 - begin) // STRIDE)
+            x, was_off = propagated(ends[first : last + 1], F, np.concatenate((dq[free.q], dv[free.v])), self.least)
+            T = maps.reshape(len(ends), -1, maps.shape[1])[first : last + 1]
+            at = np.concatenate((T[:, :, :f] @ x + T[:, :, f : f + k], T[:, :, f + k : f + k + 1]), axis=2)
+            parts.append(at if last == len(ends) - 1 else at[:-1])
             off.append(was_off)
-        at_ends = slice(None, None, N_PLACES + 1)
-        here: dict[int, Array | float] = {
-            key: x[at_ends] if isinstance(x, np.ndarray) else x for key, x in full.items()
-        }
+            dq, dv, first = at[-1, :n, :k], at[-1, n : 2 * n, :k], last
+            if first < len(ends) - 1:
+                before = dict(zip(e.tape.angles, turns[:, first * STRIDE].tolist(), strict=True))
+                J = e.held.at(_at(inputs, first * STRIDE), times[first * STRIDE :][:1], before)["J"][0]
+        changes = np.concatenate(parts)
         return Tangent(
             ends,
-            np.concatenate(q),
-            np.concatenate(v),
-            np.concatenate(du),
-            u[at_ends],
-            here,
-            self._slopes({key: x[at_ends] for key, x in D.items()}, here, u[at_ends]),
+            changes[:, :n, :-1],
+            changes[:, n : 2 * n, :-1],
+            changes[:, 2 * n :, :-1],
+            np.ascontiguousarray(rows[e.program.unknowns, ::STRIDE].T),
+            _at(inputs, slice(None, None, STRIDE)) | dict(zip(e.tape.inputs, rows[:, ::STRIDE], strict=True)),
+            changes[:, 2 * n :, -1],
             np.concatenate(off),
             kept,
-            D["rq"][0] @ dq + D["J"][0] @ dv + D["rp"][0],
+            parted,
             angles,
-            after,
+            dict(zip(e.tape.angles, turns[:, -1].tolist(), strict=True)),
         )
-
-    def _slopes(self, D: dict[str, Array], inputs: Inputs, u: Array) -> Array:
-        """u' from R_u u' + R_q v + R_v a + R_t = 0."""
-        w = self.equations.writer
-        v = np.column_stack([np.broadcast_to(inputs[w.velocity(e)], len(u)) for e in w.entries])[:, :, None]
-        a = u[:, : len(w.entries), None]
-        return -(D["1/Ru"] @ (D["Rq"] @ v + D["Rv"] @ a + D["Rt"]))[:, :, 0]
 
     def by_names(self, of: Array) -> Array:
         """Derivatives by parameters and by where measures count from, as derivatives by the names alone."""
         k = self.origins.shape[1]
         return of[..., :k] + of[..., k:] @ self.origins[: of.shape[-1] - k]
 
-    def _by_names(self, D: dict[str, Array]) -> dict[str, Array]:
-        return {key: self.by_names(x) if key in ("Rp", "gp", "rp") else x for key, x in D.items()}
-
-    def _turning(self, inputs: Inputs, n: int) -> Array:
-        """omega x of every body in space that turns."""
-        w = self.equations.writer
-        found = np.zeros((n, len(w.entries), len(w.entries)))
-        if not w.numbers.space:
-            return found
-        firsts = [i for i, entry in enumerate(w.entries) if entry % 6 == 3]
-        for i in firsts:
-            x, y, z = (np.broadcast_to(inputs[w.velocity(w.entries[i + j])], n) for j in range(3))
-            found[:, i, i + 1], found[:, i, i + 2] = -z, y
-            found[:, i + 1, i], found[:, i + 1, i + 2] = z, -x
-            found[:, i + 2, i], found[:, i + 2, i + 1] = -y, x
-        return found
-
-    # -- what depends on what is free ---------------------------------------------------------
-    def _parts(
-        self, linear: _Linear, n_panels: int
-    ) -> Iterator[tuple[int, int, tuple[Array, Array, Array, list[int], list[int]]]]:
-        """Panels in a row with the same free coordinates: the first and the last end, and the maps from (dq_I, dv_I,
-        names) to dq, dv and du at all instants of them."""
-        first = 0
-        while first < n_panels:
-            own = slice(first * (N_PLACES + 1), None)
-            places = self.equations.places
-            free_q = self._free(linear.D["J"][own.start][places])
-            free_v = self._free(linear.D["J"][own.start])
-            inverse = self._inverse(linear.D["J"][own][:, places], free_q)
-            inverse_v = (
-                inverse if len(places) == len(self.equations.rows) else self._inverse(linear.D["J"][own], free_v)
-            )
-            sizes = np.maximum(*(np.abs(x).max(axis=(1, 2), initial=0.0) for x in (inverse, inverse_v)))
-            bad = np.flatnonzero(sizes > WELL_POSED * max(1.0, float(sizes[: N_PLACES + 2].max())))
-            last = n_panels if not len(bad) else first + max(1, int(bad[0] - 1) // (N_PLACES + 1))
-            part = slice(own.start, last * (N_PLACES + 1) + 1)
-            n = part.stop - part.start
-            yield first, last, self._maps(linear, part, inverse[:n], inverse_v[:n], free_q, free_v)
-            first = last
+    # -- what is free -------------------------------------------------------------------------
+    def _chosen(self, J: Array) -> FreeCoordinates:
+        """The coordinates that are left free: those by which the others are determined best."""
+        every = range(len(self.unit))
+        q, v = self._free(J[self.equations.places]), self._free(J)
+        return FreeCoordinates(
+            ints(q), ints(v), ints([i for i in every if i not in q]), ints([i for i in every if i not in v])
+        )
 
     def _free(self, J: Array) -> list[int]:
-        """The coordinates that are left free: those by which the others are determined best."""
         linalg: Any = import_module("scipy.linalg")
         n = len(self.unit)
         if not len(J):
@@ -171,38 +123,7 @@ class PhaseTangent:
         order = linalg.qr(J * self.unit, mode="r", pivoting=True)[1].tolist()
         return sorted(order[len(J) :])
 
-    def _inverse(self, J: Array, free: list[int]) -> Array:
-        """(n, n, n) dq from the changes of what is held and of the free coordinates, both in units of size."""
-        picked = np.broadcast_to(np.eye(len(self.unit))[free], (len(J), len(free), len(self.unit)))
-        scaled = np.concatenate((J * self.unit, picked), axis=1)
-        try:
-            return np.asarray(np.linalg.inv(scaled), dtype=np.float64)
-        except np.linalg.LinAlgError:  # in one of them others have to be free
-            return np.array([_inverse_or_endless(one) for one in scaled])
 
-    def _maps(
-        self, linear: _Linear, part: slice, inverse: Array, inverse_v: Array, free_q: list[int], free_v: list[int]
-    ) -> tuple[Array, Array, Array, list[int], list[int]]:
-        D = {key: x[part] for key, x in linear.D.items()}
-        n, k = len(inverse), linear.kept.shape[1]
-        n_q, n_v, unit = len(free_q), len(free_v), self.unit
-        held = np.zeros((n, len(unit), n_q + n_v + k))
-        held[:, : len(unit) - n_q, n_q + n_v :] = linear.kept - D["gp"]
-        held[:, len(unit) - n_q :, :n_q] = np.diag(1.0 / unit[free_q])
-        Tq = unit[:, None] * (inverse @ held)
-        held = np.zeros((n, len(unit), n_q + n_v + k))
-        names = np.zeros((n, len(unit) - n_v, n_q + n_v + k))
-        names[:, :, n_q + n_v :] = D["rp"]
-        held[:, : len(unit) - n_v] = -(D["rq"] @ Tq + names)
-        held[:, len(unit) - n_v :, n_q : n_q + n_v] = np.diag(1.0 / unit[free_v])
-        Tv = unit[:, None] * (inverse_v @ held)
-        right = D["Rq"] @ Tq + D["Rv"] @ Tv
-        right[:, :, n_q + n_v :] += D["Rp"]
-        return Tq, Tv, -(D["1/Ru"] @ right), free_q, free_v
-
-
-def _inverse_or_endless(A: Array) -> Array:
-    try:
-        return np.asarray(np.linalg.inv(A), dtype=np.float64)
-    except np.linalg.LinAlgError:
-        return np.full_like(A, np.inf)
+def _at(inputs: Inputs, of: Any) -> dict[int, Array | float]:
+    """Inputs at some of the instants."""
+    return {key: x[of] if isinstance(x, np.ndarray) else x for key, x in inputs.items()}

@@ -238,15 +238,12 @@ class StartTangent:
         w, n = self.writer, self.n
         nodes = list(self._wanted())
         parts = Columns(w, ()).parts("", nodes)
-        rates = Matrices(w, {"v": parts["v"]}).at(self.inputs, np.zeros(1))["v"][0]
-        kept = independent(rates * self.unit)
-        nodes = [nodes[i] for i in kept]
+        D = Matrices(w, {key: parts[key] for key in ("q", "v", "p")}).at(self.inputs, np.zeros(1))
+        kept = independent(D["v"][0] * self.unit)
         if len(kept) == n:
-            parts = Columns(w, ()).parts("", nodes)
-            D = Matrices(w, {key: parts[key] for key in ("q", "v", "p")}).at(self.inputs, np.zeros(1))
             right = D["q"][0] @ self.q + self._with_origins(D["p"][0])
-            return -_solved(D["v"][0], right)
-        return self._of_least_energy(nodes)
+            return -_solved(D["v"][0][kept], right[kept])
+        return self._of_least_energy([nodes[i] for i in kept])
 
     def _of_least_energy(self, nodes: Sequence[ProgramNode]) -> Array:
         """From M v - J^T mu = 0 and the wanted rates, in v and mu."""
@@ -340,6 +337,8 @@ def independent(J: Array) -> list[int]:
     kept: list[int] = []
     rank = 0
     tol = DEPENDENT * max(1.0, float(np.abs(J).max(initial=0.0)))
+    if not len(J) or int(np.linalg.matrix_rank(J, tol=tol)) == len(J):
+        return list(range(len(J)))
     for i in range(len(J)):
         if int(np.linalg.matrix_rank(J[[*kept, i]], tol=tol)) > rank:
             kept.append(i)

@@ -34,6 +34,8 @@ class TangentWriter(Writer):
         n = self.n_coordinates
         self._first_acceleration = 2 * n + 1 + (4 * len(self._bodies) if reference.system.space else 0)
         self._n_inputs = self._first_acceleration + n
+        self._gradients: dict[int, Gradient] = {}  # by operation
+        self._speeds: dict[int, ProgramNode] = {}
         self.parameters = [self.new_input() for _ in names]
         self._names |= {name: self.node(INPUT, entry) for name, entry in zip(names, self.parameters, strict=True)}
         self.origins: dict[int, tuple[int, Measure]] = {}  # by number of a measure: the input that it counts from
@@ -68,14 +70,26 @@ class TangentWriter(Writer):
         return self._first_acceleration + entry
 
     def speed(self, entry: int) -> ProgramNode:
+        if entry not in self._speeds:
+            self._speeds[entry] = self._speed(entry)
+        return self._speeds[entry]
+
+    def _speed(self, entry: int) -> ProgramNode:
         n = self.n_coordinates
         if n <= entry < 2 * n:
             return self.input(self.acceleration(entry - n))
         return self.constant(0.0) if entry >= self._first_acceleration else super().speed(entry)
 
+    def gradient(self, node: ProgramNode) -> Gradient:
+        """The derivatives of a node by all inputs that are in it."""
+        known = self._gradients.get(node.at)
+        if known is None:
+            known = self._gradients[node.at] = gradient(self, node)
+        return known
+
     def by_velocities(self, node: ProgramNode) -> list[ProgramNode | None]:
         """The derivatives by the velocities of all coordinates; None: zero."""
-        found = gradient(self, node)
+        found = self.gradient(node)
         return [found.get(self.velocity(entry)) for entry in self.entries]
 
     def by_place(self, found: Gradient, entry: int) -> ProgramNode | None:
@@ -84,18 +98,12 @@ class TangentWriter(Writer):
         if not self.numbers.space or place < 3:
             return found.get(entry)
         first = 2 * self.n_coordinates + 1 + 4 * (entry // self.width)
-        along = {self.velocity(entry): 1.0}
         total: ProgramNode | None = None
         for i in range(4):
             if first + i in found:
-                part = found[first + i] * self._with_speeds(first + i, along)
+                part = found[first + i] * self.gradient(self.speed(first + i))[self.velocity(entry)]
                 total = part if total is None else total + part
         return total
-
-    def _with_speeds(self, entry: int, speeds: Mapping[int, float]) -> ProgramNode:
-        """The rate of an entry of a quaternion for a unit turn: its derivative by that velocity."""
-        (own,) = speeds
-        return gradient(self, self.speed(entry)).get(own, self.constant(0.0))
 
     def axes(self, body: str) -> tuple[Vector[ProgramNode], ...]:
         """The axes along which the angular velocity of a body in space is given, by components of the ground."""

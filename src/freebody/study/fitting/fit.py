@@ -26,7 +26,7 @@ from freebody.study.fitting.estimate import estimated
 from freebody.study.fitting.result import Fit, Residuals
 from freebody.study.fitting.unknowns import Unknown, unknowns
 from freebody.study.simulation.recorded import series_units
-from freebody.study.simulation.simulate import simulate
+from freebody.study.simulation.simulate import with_steps
 from freebody.study.simulation.tangents import MotionTangents
 from freebody.study.sweeps.records.base import Followed
 from freebody.study.worded import FAILED, in_words
@@ -191,7 +191,8 @@ class _Problem:
             return self._last[k][1]
         until = max(run.end, 1e-9)
         self.n_motions += 1
-        result = simulate(self.system, until, options=replace(self.options, every=until), values=own, at=run.times)
+        options = replace(self.options, every=until)
+        result = with_steps(self.system, until, options, values=own, at=run.times)
         if not result.is_complete:
             raise CannotAnswer(
                 Message("the motion of {file} cannot be followed: {why}", file=run.file, why=result.message)

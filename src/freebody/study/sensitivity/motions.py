@@ -9,7 +9,7 @@ import numpy as np
 from freebody.errors import FreebodyError
 from freebody.numeric.options import SimulationOptions
 from freebody.study.sensitivity.derivatives import AnswerGradient, Derivative
-from freebody.study.simulation.simulate import simulate
+from freebody.study.simulation.simulate import with_steps
 from freebody.study.simulation.tangents import MotionTangents
 from freebody.study.sweeps.records import read_record
 from freebody.study.sweeps.records.base import Followed, Record
@@ -28,7 +28,7 @@ def of_motion(
     records = [read_record(seen, text) for text in record]
     events = tuple(dict.fromkeys(e for r in records for e in r.events))
     at = sorted({t for r in records for t in r.times if t <= until})
-    motion = Followed(simulate(seen, until, options=options, events=events, at=at))
+    motion = Followed(with_steps(seen, until, options, events=events, at=at))
     try:
         times = [t for r in records for t in r.instants(motion) if np.isfinite(t)]
         tangents = MotionTangents(motion.result, [v.parameter for v in wanted], until, options, times)

@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from freebody.model.elements import ConstraintRow
+from freebody.numeric.contact.record import PhaseRecord
 from freebody.numeric.engine.course import Event, Status, Trajectory
 from freebody.numeric.options import SimulationOptions
 from freebody.study.simulation.simulator import Simulator
@@ -25,6 +26,7 @@ class SimulatedMotion:
     options: SimulationOptions
     trusted_until: float | None = None  # with `verify`: from here on two tolerances disagree
     steps: Stepped | None = field(default=None, repr=False)  # of time stepping: what the contacts did
+    phases: tuple[PhaseRecord, ...] = field(default=(), repr=False)  # with their steps, where these are kept
 
     @property
     def rows(self) -> tuple[ConstraintRow, ...]:

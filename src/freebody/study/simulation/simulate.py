@@ -13,6 +13,7 @@ import numpy as np
 from freebody.errors import InputError
 from freebody.language.expression import free_symbols
 from freebody.language.sentences import Message
+from freebody.numeric.contact.record import PhaseRecord
 from freebody.numeric.engine.course import Trajectory
 from freebody.numeric.jets import Array
 from freebody.numeric.options import SimulationOptions
@@ -134,6 +135,34 @@ def simulate(
     later is a status of the result, which keeps the motion up to there.
     """
     options = replace(options or SimulationOptions(), **given)
+    return _simulated(system, until, options, values, events, at, progress, from_result)
+
+
+def with_steps(
+    system: System,
+    until: float,
+    options: SimulationOptions,
+    *,
+    values: Mapping[str, float] | None = None,
+    events: Sequence[str] = (),
+    at: Sequence[float] = (),
+) -> Simulation:
+    """As `simulate`; the phases of the motion are kept with all their steps, of which its derivatives are made."""
+    return _simulated(system, until, options, values, events, at, keep=True)
+
+
+def _simulated(
+    system: System,
+    until: float,
+    options: SimulationOptions,
+    values: Mapping[str, float] | None,
+    events: Sequence[str],
+    at: Sequence[float],
+    progress: Progress | None = None,
+    before: Simulation | None = None,
+    *,
+    keep: bool = False,
+) -> Simulation:
     options.check_asked(until)
     if options.by_steps and events:
         raise InputError(
@@ -153,7 +182,6 @@ def simulate(
                 "leave out the method"
             )
         )
-    before = from_result
     simulator = Simulator(system, values, events, by_steps=options.by_steps) if before is None else before.simulator
     start = 0.0 if before is None else before.t_end
     state, near = (None, None) if before is None else (_last_state(before), before.course.near)
@@ -175,12 +203,13 @@ def simulate(
         here = (*zero, *(replace(h, kind="zero") for h in zero))
         return Simulation(system, simulator, staying(first, outputs, here), options)
     going_on: dict[str, Any] = {"outputs": outputs, "state": state, "start": start, "near": near, "past": past}
-    course = simulator.run(until, options, progress=progress, **going_on)
+    phases: list[PhaseRecord] = []
+    course = simulator.run(until, options, progress=progress, phases=phases if keep else None, **going_on)
     trusted = None
     if options.verify:
         finer = simulator.run(until, options.finer, **going_on)
         trusted = _trusted_until(simulator, course, finer)
-    return Simulation(system, simulator, course, options, trusted)
+    return Simulation(system, simulator, course, options, trusted, phases=tuple(phases))
 
 
 def _output_times(start: float, until: float, every: float | None, at: Sequence[float]) -> Array:

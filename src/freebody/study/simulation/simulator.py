@@ -16,6 +16,8 @@ from freebody.model.noting import did_you_mean
 from freebody.numeric.blow import checked_blow
 from freebody.numeric.contact.bounded import Bounded
 from freebody.numeric.contact.hybrid import Hybrid
+from freebody.numeric.contact.record import PhaseRecord
+from freebody.numeric.contact.rows import ModeOf
 from freebody.numeric.contact.start import assembled_touching, start_velocities
 from freebody.numeric.contact.sudden import SuddenBlows
 from freebody.numeric.engine.course import Trajectory
@@ -120,11 +122,12 @@ class Simulator:
         near: Array | None = None,
         first_step: float = 0.0,
         past: Collection[str] = (),
+        phases: list[PhaseRecord] | None = None,
         **given: Any,
     ) -> Trajectory:
         """The motion to `until` [s] as arrays. outputs: times at which it is wanted [s]. state, start, near: of a
         motion that goes on, from its `Trajectory`; past: the blows that have happened in it. first_step: [s], chosen if
-        it is zero. given: of the options."""
+        it is zero. phases: gets those of the motion, with all their steps. given: of the options."""
         options = replace(options or SimulationOptions(), **given)
         near = self._near if near is None else near
         self.engine.count_from(near)
@@ -132,10 +135,16 @@ class Simulator:
         if self.bounded is not None:
             wanted = np.array([until]) if outputs is None else outputs
             blows = SuddenBlows(self.reference) if self.system.blows else None
-            return Hybrid(self.bounded, options, blows, past).run(y, start, until, wanted, near, progress)
-        return self.engine.run(
-            y, until, options, start=start, first_step=first_step, outputs=outputs, progress=progress
-        )
+            hybrid = Hybrid(self.bounded, options, blows, past, keep=phases is not None)
+            course = hybrid.run(y, start, until, wanted, near, progress)
+            if phases is not None:
+                phases += hybrid.phases
+            return course
+        given = {"start": start, "first_step": first_step, "outputs": outputs, "progress": progress}
+        course = self.engine.run(y, until, options, keep=phases is not None, **given)
+        if phases is not None:
+            phases.append(PhaseRecord(course, self.engine, ModeOf(frozenset(), ())))
+        return course
 
 
 def has_phases(system: System) -> bool:

@@ -52,7 +52,8 @@ class MotionTangents:
         self._motion = result.simulator.tangents(names)
         events = [e.time for e in result.events if 0.0 < e.time < result.t_end]
         looked_at = np.array([t for t in (*times, *events) if 0.0 <= t <= result.t_end])
-        known = result.course if result.tolerance == options.tolerance else None
+        is_known = bool(result.phases) and result.tolerance <= options.tolerance
+        known = (result.course, result.phases) if is_known else None
         self.course = self._motion.run(until, options, looked_at, known)
         self._seen: dict[tuple[str, int], Seen] = {}
 

@@ -93,6 +93,7 @@ class Implicit:
         t, h = float(solver.t), float(solver.t) - before
         Q = solver.dense_output().Q
         run.states[stepped_run.OLD] = y_before
+        run.dense[3:] = 0.0  # what is left of explicit steps before
         run.dense[2] = -Q[:, 2]
         run.dense[1] = -Q[:, 2] - Q[:, 1]
         run.dense[0] = Q[:, 0] + Q[:, 1] + Q[:, 2]
