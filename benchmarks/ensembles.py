@@ -1,13 +1,15 @@
 """Thousands of copies of one small system: a double pendulum from many starts, beside diffrax, MuJoCo and a kernel
 written by hand.
 
-    pip install "freebody[sweep,jit]" diffrax mujoco        (a peer that is missing is said to be)
+    pip install "freebody[sweep,ensemble]" diffrax mujoco   (a peer that is missing is said to be)
     python benchmarks/ensembles.py [side]                    (side * side starts; 16 if nothing is said)
+    python benchmarks/ensembles.py cpu|gpu [N]               (a whole sweep of N starts by the clock; 100,000, 1e6)
 
 Every engine follows the same starts (two point masses on massless rods, both angles from 10 to 60 degrees, at rest) for
 5 s. Its error is that of both angles at the end, the largest of all starts, against SciPy's DOP853 at 1e-13; of the
 settings tried the cheapest is told whose error is at most the one wanted. Times are of the processor, all threads
-together, for a case; what an engine does once (compiling, reading the model) is left out by a run before.
+together, for a case; what an engine does once (compiling, reading the model, four cases beside the engine) is left out
+by a run before. A whole sweep has all of it.
 """
 
 from __future__ import annotations
@@ -27,6 +29,7 @@ import freebody as fb
 
 M1, M2, L1, L2, G, UNTIL = 1.0, 2.0, 1.0, 0.5, 9.81, 5.0
 WANTED = (1e-4, 1e-6, 1e-8)
+TOLERANCES = (1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11)
 Run = Callable[[Any], Any]  # of starts (n, 2), gives ends (n, 2)
 
 
@@ -57,9 +60,13 @@ def exact(begun: Any) -> Any:
     return np.array([end(start) for start in begun])
 
 
+def double_pendulum() -> fb.System:
+    return fb.System.load(Path(__file__).parents[1] / "examples" / "double_pendulum.yaml")
+
+
 # -- engines ----------------------------------------------------------------------------------
 def of_freebody() -> list[tuple[str, Run]]:
-    system = fb.System.load(Path(__file__).parents[1] / "examples" / "double_pendulum.yaml")
+    system = double_pendulum()
 
     def at(tolerance: float) -> Run:
         def run(begun: Any) -> Any:
@@ -71,7 +78,56 @@ def of_freebody() -> list[tuple[str, Run]]:
 
         return run
 
-    return [(f"tolerance {x:.0e}", at(x)) for x in (1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11)]
+    return [(f"tolerance {x:.0e}", at(x)) for x in TOLERANCES]
+
+
+def of_compiled() -> list[tuple[str, Run]]:
+    """The equations that freebody writes and compiles itself."""
+    from freebody.numeric.options import SimulationOptions
+    from freebody.study.sweeps.ensembles.evaluator import EnsembleEvaluator
+    from freebody.study.sweeps.varied import varied
+
+    system, names = varied(double_pendulum(), ["theta1", "theta2"])
+    parameters = [v.parameter for v in names]
+    record, options = ["final theta1", "final theta2"], SimulationOptions()
+    copies = EnsembleEvaluator(system, record, UNTIL, options, None, parameters, "cpu", 1)
+
+    def at(tolerance: float) -> Run:
+        def run(begun: Any) -> Any:
+            copies.options = SimulationOptions(tolerance=tolerance)
+            return copies.together(dict(zip(parameters, begun.T.copy(), strict=True)), len(begun))[0]
+
+        return run
+
+    return [(f"tolerance {x:.0e}", at(x)) for x in TOLERANCES]
+
+
+def of_hand_in_the_same_steps() -> list[tuple[str, Run]]:
+    """Lagrange's equations by hand, in the steps of order 8 that freebody writes."""
+    from freebody.numeric.engine.integrators import integrator
+    from freebody.numeric.engine.operations import ProgramNode
+    from freebody.numeric.ensemble.copies import Copies, CopyGraph
+    from freebody.numeric.ensemble.devices import Compiled
+    from freebody.numeric.ensemble.source import source_of
+    from freebody.numeric.kernels.operations import COS, SIN
+
+    graph = CopyGraph(4, 2)
+
+    def sin(x: ProgramNode) -> ProgramNode:
+        return graph.function(SIN, x)
+
+    def cos(x: ProgramNode) -> ProgramNode:
+        return graph.function(COS, x)
+
+    y, zero = graph.states, graph.constant(0.0)
+    start, is_speed = [*graph.parameters, zero, zero], [False, False, True, True]
+    copies = Copies(graph, start, rates(y, sin, cos), [1.0] * 4, is_speed, y[:2])
+    compiled = Compiled(source_of(copies, integrator("dop853").tableau), 2, 0)
+
+    def at(tolerance: float) -> Run:
+        return lambda begun: compiled.follow(begun, np.array([UNTIL]), tolerance).watched[:, 0]
+
+    return [(f"tolerance {x:.0e}", at(x)) for x in TOLERANCES]
 
 
 def of_numba() -> list[tuple[str, Run]]:
@@ -135,7 +191,7 @@ def of_numba() -> list[tuple[str, Run]]:
 
         return run
 
-    return [(f"tolerance {x:.0e}", at(x)) for x in (1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11)]
+    return [(f"tolerance {x:.0e}", at(x)) for x in TOLERANCES]
 
 
 def of_diffrax() -> list[tuple[str, Run]]:
@@ -193,13 +249,36 @@ def of_mujoco() -> list[tuple[str, Run]]:
 
 ENGINES: Sequence[tuple[str, str, Callable[[], list[tuple[str, Run]]]]] = (
     ("freebody, a sweep", "freebody", of_freebody),
-    ("written by hand, numba", "numba", of_numba),
+    ("freebody, --device cpu", "numba", of_compiled),
+    ("by hand, order 8", "numba", of_hand_in_the_same_steps),
+    ("by hand, order 5", "numba", of_numba),
     ("diffrax", "diffrax", of_diffrax),
     ("MuJoCo rollout", "mujoco", of_mujoco),
 )
 
 
+def whole_sweep(device: str, n: int) -> None:
+    """A sweep of n starts by the clock, twice: the second time nothing is compiled."""
+    angles = np.radians(np.random.default_rng(1).uniform(10.0, 60.0, (64, 2)))
+    asked: dict[str, Any] = {"record": ["final theta1", "final theta2"], "until": UNTIL, "tolerance": 3e-10}
+    for what in ("with compiling", "compiled before"):
+        began = time.perf_counter()
+        found = double_pendulum().sweep(
+            {"theta1": "10..60 deg", "theta2": "10..60 deg"}, sample=f"random:{n}", device=device, **asked
+        )
+        took = time.perf_counter() - began
+        print(f"{n} starts, device {device}, {what}: {took:.2f} s, {n / took:.0f} /s; {found.counts}", flush=True)
+    own = {name: angles[:, k] for k, name in enumerate(("theta1", "theta2"))}
+    ends = double_pendulum().sweep({"theta1": own["theta1"], "theta2": own["theta2"][:1]}, device=device, **asked)
+    begun = np.stack((own["theta1"], np.full(64, own["theta2"][0])), axis=-1)
+    error = np.abs(np.stack([ends.values(c).ravel() for c in asked["record"]], axis=-1) - exact(begun)).max()
+    print(f"largest error of 64 starts at this tolerance: {error:.1e} rad; load {os.getloadavg()[0]:.1f}")
+
+
 def main() -> None:
+    if sys.argv[1:] and sys.argv[1] in ("cpu", "gpu"):
+        whole_sweep(sys.argv[1], int(float(sys.argv[2])) if len(sys.argv) > 2 else 100_000)
+        return
     side = int(sys.argv[1]) if len(sys.argv) > 1 else 16
     begun = starts(side)
     truth = exact(begun)

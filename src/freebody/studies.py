@@ -250,6 +250,7 @@ class Studies:
         options: SimulationOptions | None = None,
         threads: int | None = None,
         cluster: str | None = None,
+        device: str = "engine",
         out: str | Path | Sequence[str | Path] = (),
         resume: bool = False,
         **given: Any,
@@ -259,7 +260,8 @@ class Studies:
         vary: by name, a text as "1..3 kg:50" or numbers in SI; over: what every case is gone over; sample:
         "sobol:4096", a grid if nothing is said; find: questions; record: of the motion up to `until` [s], as
         "maximum of x"; options: how it is followed; cluster: "local:8",
-        "tcp://scheduler:8786" or "slurm:job.sh"; out: files to write."""
+        "tcp://scheduler:8786" or "slurm:job.sh"; device: "cpu" or "gpu" for smooth motions by equations of their own;
+        out: files to write."""
         ...
 
     @study("freebody.study.sensitivity.local")

@@ -18,6 +18,8 @@ _EXTRAS = {
     "report": ("typst", "reports as .pdf"),
     "data": ("xarray", "motions as .nc and as datasets"),
     "parquet": ("pyarrow", "motions as .parquet"),
+    "ensemble": ("numba", "sweeps by compiled equations"),
+    "gpu": ("numba_cuda", "the same on graphics cards"),
     "jit": ("numba", "kernels translated anew"),
 }
 _CHECK = """

@@ -68,7 +68,14 @@ def sweep(
             "--cluster", help="Look at cases by local:8 (processes), tcp://scheduler:8786 (dask) or slurm:job.sh."
         ),
     ] = None,
-    block: Annotated[int, typer.Option("--block", help="Cases that are in memory at once.")] = 4096,
+    device: Annotated[
+        str,
+        typer.Option(
+            "--device",
+            help="engine, or cpu or gpu: smooth motions by equations of the model's own, compiled, all together.",
+        ),
+    ] = "engine",
+    block: Annotated[int | None, typer.Option("--block", help="Cases that are in memory at once.")] = None,
     out: Annotated[
         list[Path] | None,
         typer.Option(
@@ -120,6 +127,7 @@ def sweep(
             options=options,
             threads=threads,
             cluster=cluster,
+            device=device,
             block=block,
             out=out or (),
             resume=resume,

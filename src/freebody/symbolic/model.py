@@ -24,6 +24,7 @@ import copy
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
+from freebody.language.expression import Expr
 from freebody.measures.base import Measure
 from freebody.model.elements import ConstraintRow, NonholonomicForm
 from freebody.symbolic.bodies import Bodies, Parts, PlanarBodies
@@ -106,6 +107,11 @@ class SymbolicModel:
     def parameters(self) -> dict[str, Ratio]:
         """The generators of the parameters, and time as t."""
         return self._unknowns.parameters
+
+    @property
+    def functions_of_time(self) -> Mapping[int, Expr]:
+        """The generators that are given functions of time, and their rates: what they are in parameters."""
+        return self._unknowns.functions
 
     @property
     def constants(self) -> dict[str, Ratio]:

@@ -52,7 +52,7 @@ class Failure:
 @dataclass(frozen=True, repr=False)
 class Sweep(Result):
     """Many cases. system: as it was given; plan: which cases; evaluators: what of each; seconds: how long it took;
-    threads: on how many, of this process or of a cluster."""
+    threads: on how many, of this process or of a cluster; device: by what motions were followed."""
 
     system: System
     plan: Plan
@@ -61,6 +61,7 @@ class Sweep(Result):
     seconds: float
     threads: int
     cluster: str | None = None
+    device: str = "engine"
     files: tuple[Path, ...] = ()
 
     @property
@@ -251,6 +252,7 @@ class Sweep(Result):
             "seconds": self.seconds,
             "threads": self.threads,
             "cluster": self.cluster,
+            "device": self.device,
             "found": {
                 name: {**about, **self.statistics[name].to_plain(is_random=self.plan.sampled.is_random)}
                 for e in self.evaluators

@@ -13,11 +13,14 @@ from typing import Any
 
 from freebody.errors import InputError
 from freebody.language.sentences import Message
+from freebody.numeric.ensemble.devices import GPU
 from freebody.numeric.options import SimulationOptions
 from freebody.questions.reading import Question
 from freebody.study.sweeps import remote, running
 from freebody.study.sweeps.answers import AnswerEvaluator
 from freebody.study.sweeps.clusters import check_cluster, connected
+from freebody.study.sweeps.ensembles.beside import check_beside
+from freebody.study.sweeps.ensembles.evaluator import EnsembleEvaluator
 from freebody.study.sweeps.evaluators import Evaluator, not_admissible, refused_by_reader
 from freebody.study.sweeps.formats import check_data_path, formats
 from freebody.study.sweeps.motions import MotionEvaluator
@@ -29,6 +32,8 @@ from freebody.study.worded import in_words
 from freebody.system.system import System
 
 MOST_IN_MEMORY = 2_000_000_000  # bytes
+ENGINE = "engine"  # the device that follows every motion, one case by itself
+BLOCK_OF_CARD = 1 << 20  # cases that a graphics card gets at once
 
 
 @in_words
@@ -46,7 +51,8 @@ def sweep(
     options: SimulationOptions | None = None,
     threads: int | None = None,
     cluster: str | None = None,
-    block: int = BLOCK,
+    device: str = ENGINE,
+    block: int | None = None,
     out: str | Path | Sequence[str | Path] = (),
     resume: bool = False,
     progress: Progress | None = None,
@@ -59,21 +65,27 @@ def sweep(
     seed: of what is drawn. find: questions, by id or in words; without `find` and `record` those of the model. record:
     what is recorded of the motion up to `until` [s]; events: as of `simulate`; options, given: how it is followed.
     threads: for what is computed case by case, as many as there are processors if nothing is said; cluster: where cases
-    are looked at instead, as "local:8", "tcp://scheduler:8786" or "slurm:job.sh" (extra `sweep`); block: cases that are
-    in memory at once. out: files to write; the first data file has a folder beside it until all is done, from which
+    are looked at instead, as "local:8", "tcp://scheduler:8786" or "slurm:job.sh" (extra `sweep`). device: "engine", or
+    "cpu" or "gpu" for smooth motions by compiled equations of the model's own (extras `ensemble`, `gpu`); some cases
+    are followed by the engine as well. block: cases that are in memory at once, 4096 if nothing is said, a million on a
+    graphics card. out: files to write; the first data file has a folder beside it until all is done, from which
     `resume` goes on.
 
     Raises InputError for what cannot be read, for files that cannot be written and for a cluster that is not there,
-    CannotAnswer where it loses all its workers. A case that fails is a status of the
-    result. After Ctrl-C the result has what was done."""
+    CannotAnswer where it loses all its workers and for what a device does not follow, RoutesDisagree where the engine
+    comes to other numbers than it. A case that fails is a status of the result. After Ctrl-C the result has what was
+    done."""
     began = time.perf_counter()
     threads = running.n_threads(threads)
+    block = (BLOCK_OF_CARD if device == GPU else BLOCK) if block is None else block
     running.check(threads, block)
     if cluster is not None:
+        if device != ENGINE:
+            raise InputError(Message("choose --cluster or --device, not both"))
         check_cluster(cluster)
     cases = plan(system, vary or {}, over or {}, sample, seed)
     followed = replace(options or SimulationOptions(), **given)
-    evaluators = _evaluators(system, cases, find, record, until, events, followed)
+    evaluators = _evaluators(system, cases, find, record, until, events, followed, device, threads)
     names = [v.name for v in cases.names] + [c.name for e in evaluators for c in e.columns]
     for name in names:
         if names.count(name) > 1:
@@ -81,14 +93,18 @@ def sweep(
     paths = [Path(path) for path in ([out] if isinstance(out, str | Path) else out)]
     for path in paths:
         _check(path)
-    store = _store(system, cases, evaluators, (seed, until, events, followed), paths, resume=resume)
+    for evaluator in evaluators:
+        if isinstance(evaluator, EnsembleEvaluator):
+            check_beside(evaluator, cases)
+    settings = (seed, until, events, followed, *([] if device == ENGINE else [device]))
+    store = _store(system, cases, evaluators, settings, paths, resume=resume)
     if cluster is None:
         is_over = running.run(cases, evaluators, store, threads=threads, block=block, progress=progress)
     else:
         with connected(cluster) as client:
             is_over = remote.run(client, cases, evaluators, store, block=block, progress=progress)
             threads = sum(client.nthreads().values())
-    found = Sweep(system, cases, evaluators, store, time.perf_counter() - began, threads, cluster)
+    found = Sweep(system, cases, evaluators, store, time.perf_counter() - began, threads, cluster, device)
     if not is_over:
         return found
     try:
@@ -108,6 +124,8 @@ def _evaluators(
     until: float | None,
     events: Sequence[str],
     options: SimulationOptions,
+    device: str,
+    threads: int,
 ) -> tuple[Evaluator, ...]:
     """What is asked of every case."""
     system = cases.system
@@ -116,7 +134,14 @@ def _evaluators(
     found: list[Evaluator] = [AnswerEvaluator(system, q, read) for q in questions]
     if record and until is None:
         raise InputError(Message("how long is the motion? Say until when it is followed, as --until '5 s'"))
-    if until is not None:
+    if device != ENGINE:
+        if until is None:
+            raise InputError(Message("--device is for motions: say what to record, and until when"))
+        if events:
+            raise InputError(Message("only the engine looks for events: leave out --device"))
+        varied = [v.parameter for v in cases.names]
+        found.append(EnsembleEvaluator(system, record, until, options, read, varied, device, threads))
+    elif until is not None:
         found.append(MotionEvaluator(system, record, until, options, events, read))
     if not found:
         raise InputError(Message("nothing is asked: the model has no questions; say what to find or to record"))

@@ -11,7 +11,7 @@ import numpy as np
 from freebody.errors import InputError
 from freebody.numeric.jets import Array
 from freebody.study.given import seconds
-from freebody.study.sweeps.records.base import Followed, Record, Units
+from freebody.study.sweeps.records.base import Followed, Record, Seen, Units
 
 if TYPE_CHECKING:
     from freebody.study.simulation.tangents import MotionTangents
@@ -29,6 +29,10 @@ class AtTime(Record):
     @property
     def times(self) -> tuple[float, ...]:  # type: ignore[override]
         return (self.time,)
+
+    @property
+    def seen(self) -> Seen:  # type: ignore[override]
+        return Seen(self.series, self.time)
 
     def value(self, motion: Followed) -> float:
         k = int(np.searchsorted(motion.times, self.time))

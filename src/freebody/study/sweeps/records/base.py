@@ -6,7 +6,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, ClassVar
 
 import numpy as np
 
@@ -22,6 +22,21 @@ Units = Mapping[str, str]  # of the series of a motion
 
 
 @dataclass(frozen=True)
+class Seen:
+    """What has to be seen of a motion for a record: a series at a time [s], at the end where that is None, or, with a
+    side, its greatest (+1) or least (-1) value."""
+
+    series: str
+    time: float | None = None
+    side: int = 0
+
+
+def rate_of(series: str) -> str:
+    """The series that is the rate of another one."""
+    return f"{series.removesuffix('_rate')}_acceleration" if series.endswith("_rate") else f"{series}_rate"
+
+
+@dataclass(frozen=True)
 class Record(ABC):
     """text: as it was asked for; unit: of the number."""
 
@@ -32,6 +47,7 @@ class Record(ABC):
     named = ""  # what happens to a contact, in the words of a simulation
     times = tuple[float, ...]()  # at which the motion is looked at [s]
     needs_course = False  # the motion is looked at all along
+    seen: ClassVar[Seen | None] = None  # what tells it, where that is a single number of a smooth motion
 
     @abstractmethod
     def value(self, motion: Followed) -> float:

@@ -18,7 +18,7 @@ import numpy as np
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.numeric.jets import Array
-from freebody.study.sweeps.records.base import Followed, Record, Units
+from freebody.study.sweeps.records.base import Followed, Record, Seen, Units, rate_of
 
 if TYPE_CHECKING:
     from freebody.study.simulation.tangents import MotionTangents
@@ -34,6 +34,10 @@ class Extreme(Record):
     side: int
 
     needs_course = True
+
+    @property
+    def seen(self) -> Seen:  # type: ignore[override]
+        return Seen(self.series, side=self.side)
 
     def value(self, motion: Followed) -> float:
         return self._found(motion)[0]
@@ -55,7 +59,7 @@ class Extreme(Record):
         if turn is not None:
             before = tangents.at(self.series, t, before=True)
             return before.by + before.rate * turn
-        rates = _rate_of(self.series)
+        rates = rate_of(self.series)
         if rates not in motion.measures or self.series.endswith("_acceleration"):
             raise CannotAnswer(
                 Message(
@@ -78,16 +82,12 @@ class Extreme(Record):
             return math.nan, math.nan
         k = int(np.nanargmax(x))
         best, when = float(x[k]), float(motion.times[k])
-        rates = motion.measures.get(_rate_of(self.series))
+        rates = motion.measures.get(rate_of(self.series))
         if rates is not None and len(x) > 1:
             inside, at = _between(motion, x, self.side * rates)
             if inside > best:
                 best, when = inside, at
         return self.side * best, when
-
-
-def _rate_of(series: str) -> str:
-    return f"{series.removesuffix('_rate')}_acceleration" if series.endswith("_rate") else f"{series}_rate"
 
 
 def _between(motion: Followed, x: Array, rates: Array) -> tuple[float, float]:

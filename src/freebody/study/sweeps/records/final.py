@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from freebody.numeric.jets import Array
-from freebody.study.sweeps.records.base import Followed, Record, Units
+from freebody.study.sweeps.records.base import Followed, Record, Seen, Units
 
 if TYPE_CHECKING:
     from freebody.study.simulation.tangents import MotionTangents
@@ -20,6 +20,10 @@ class Final(Record):
     """The last value; none of a motion that did not get to its end."""
 
     series: str
+
+    @property
+    def seen(self) -> Seen:  # type: ignore[override]
+        return Seen(self.series)
 
     def value(self, motion: Followed) -> float:
         return float(motion.series(self.series)[-1]) if motion.is_complete else math.nan
