@@ -149,6 +149,7 @@ class GuardMonitor:
         self._is_force = ~self._is_gap & (self._kinds != GUARD_RATE)
         self._is_counted = self._is_gap | (self._kinds == GUARD_RATE)
         self._is_counted[list(guarding.asleep)] = False
+        self._turns = (self._kinds == GUARD_RATE) & (motion.engine.layout.guard[:, 2] >= 0)  # slip in a plane
         self._gaps: Gaps | None = None
         self._side = np.zeros(n)  # of gaps and rates: the sign met last
         self._floor: Floats | None = None
@@ -205,6 +206,9 @@ class GuardMonitor:
         t0, h = float(run.clock[stepped_run.BEFORE]), float(run.clock[stepped_run.DONE_STEP])
         if s == 0.0:
             return Violation(g, t0, run.states[stepped_run.OLD].copy(), at_start=True)
+        if self._turns[g]:  # a step that ends where the slip does has no direction there
+            self._at(s)
+            return Violation(g, t0 + s * h, self._y.copy())
         t, state = self._mended(g, t0, s, h)
         return Violation(g, t, state)
 
