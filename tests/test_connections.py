@@ -12,14 +12,15 @@ import freebody as fb
 import freebody.connections  # registers the kinds
 from freebody.connections.base import Connection
 from freebody.language.expression import free_symbols
-from freebody.testing.conformance import CONNECTION_CHECKS
+from freebody.testing.conformance import CONNECTION_CHECKS, names_of
 
 Agree = Callable[[fb.Solution, str, str | list[str]], None]
 KINDS = sorted(k for k, c in Connection.kinds.items() if c.__module__.startswith("freebody."))
+NAMES = [name for kind in KINDS for name in names_of(kind)]
 
 
 @pytest.mark.parametrize("check", CONNECTION_CHECKS)
-@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("kind", NAMES)
 def test_connection_passes_the_conformance_suite(kind: str, check: str) -> None:
     CONNECTION_CHECKS[check](kind)
 

@@ -746,7 +746,7 @@ MISTAKES = {
         + BOX
         + "\nconnections:\n  j: {rolling: {body: b, on: ground.floor}}\n",
         6,
-        "b is not round; make it a disk, ring, cylinder, sphere or cone",
+        "b is not round; make it a disk, ring, cylinder, sphere, ellipsoid or cone",
     ),
     "one number as an angular velocity": (
         BODY + "    angular_velocity: 3 rad/s\n",

@@ -32,6 +32,8 @@ class Connection(Spec):
     kinds: ClassVar[Kinds[type[Connection]]] = Kinds("freebody.connections")
     # the smallest model that uses it: the rest of the file, for documentation and the conformance tests
     example: ClassVar[str] = ""
+    # further ones for the conformance tests, by name: where the same words state other measures, as in space
+    more_examples: ClassVar[dict[str, str]] = {}
     # in space it joins only bodies that a planar joint keeps in the plane of x and y
     in_plane: ClassVar[bool] = False
     # it keeps its bodies as one; it leaves free how they turn; a body that only such hold hangs on them

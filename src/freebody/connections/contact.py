@@ -5,9 +5,10 @@ from __future__ import annotations
 import difflib
 import itertools
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from freebody.connections.base import Connection
+from freebody.connections.contact_in_space import OnPlane, SurfaceInSpace
 from freebody.connections.outlines import KINDS, Outline, read_outline
 from freebody.connections.pairs import ContactSurface, OutlinePair
 from freebody.connections.sites import sites
@@ -16,12 +17,21 @@ from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, LENGTH
 from freebody.measures.geometry import GROUND
 from freebody.model import glyphs
+from freebody.model.elements import DryFriction, UnilateralConstraint
 from freebody.model.friction import read_friction, read_restitution
 from freebody.model.glyphs import Glyph
 from freebody.model.spec import Formula
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
+
+
+_IN_SPACE = """
+space: true
+ground: {{planes: {{floor: {{normal: up}}}}}}
+bodies: {{stone: {{{body}}}}}
+connections: {{it: {{contact: {{between: [{touching}, ground.floor], friction: 0.3, restitution: 0.5}}}}}}
+"""
 
 
 class Contact(Connection, kind="contact"):
@@ -40,6 +50,7 @@ class Contact(Connection, kind="contact"):
     friction: Formula | dict[str, Any] = 0
     restitution: Formula = 0
     rolling_resistance: Formula = 0
+    spinning_resistance: Formula = 0
     touching: bool | None = None
     below: bool = False
 
@@ -55,9 +66,70 @@ ground: {lines: {floor: {along: right}}}
 bodies: {ball: {sphere: {mass: 1 kg, radius: 0.1 m}}}
 connections: {it: {contact: {between: [ball, floor], friction: 0.3, restitution: 0.5}}}
 """
+    more_examples: ClassVar[dict[str, str]] = {
+        name: _IN_SPACE.format(body=body, touching=touching)
+        for name, touching, body in (
+            ("ball in space", "stone", "sphere: {mass: 1 kg, radius: 0.1 m}"),
+            ("rim in space", "stone", "disk: {mass: 1 kg, radius: 0.1 m}, turned: [p about y, l about x, s about z]"),
+            (
+                "ellipsoid in space",
+                "stone",
+                "ellipsoid: {mass: 1 kg, semi_axes: [0.1 m, 0.1 m, 0.2 m]}, turned: [p about z, l about x, s about z]",
+            ),
+            ("point in space", "stone.tip", "box: {mass: 1 kg, size: [1 m, 2 m, 3 m]}, points: {tip: [1 m, -1 m, 0]}"),
+        )
+    }
+
+    def is_in_plane(self, names: Names) -> bool:
+        return not self._planes(names)
+
+    def _planes(self, names: Names) -> list[str]:
+        """In space: the planes among what may touch."""
+        texts = self.between or (self.among if isinstance(self.among, list) else [])
+        return [text for text in texts if names.space and names.plane(text) is not None]
+
+    def bounds(self, names: Names, connection: str) -> tuple[list[UnilateralConstraint], list[DryFriction]]:
+        """Of contacts with planes in space."""
+        planes = self._planes(names)
+        found: tuple[list[UnilateralConstraint], list[DryFriction]] = [], []
+        for pair in self._on_planes(names, connection, planes) if planes else ():
+            for whole, part in zip(found, pair.elements(names), strict=True):
+                whole.extend(part)  # type: ignore[arg-type]
+        return found
+
+    def _on_planes(self, names: Names, connection: str, planes: list[str]) -> list[OnPlane]:
+        field = "between" if self.among is None else "among"
+        texts = self.between or self.among
+        assert isinstance(texts, list)
+        solids = [text for text in texts if text not in planes and names.body(text.partition(".")[0], field)]
+        if (self.between is not None and len(texts) != 2) or not solids:
+            names.problem(Message("between takes a body, or a point of one, and a plane; write among for more"), field)
+            return []
+        surface = SurfaceInSpace(
+            read_friction(names, self.friction, DIMENSIONLESS),
+            read_restitution(names, self.restitution),
+            names.positive(self, "rolling_resistance", LENGTH),
+            names.positive(self, "spinning_resistance", LENGTH),
+        )
+        found: list[OnPlane] = []
+        for solid, text in itertools.product(solids, planes):
+            plane = names.plane(text)
+            assert plane is not None
+            bodies = solid.partition(".")[0], plane.normal.body
+            if bodies[0] == bodies[1] or all(names.known(body).fixed for body in bodies):
+                continue
+            starts = self._start_closed(names, *bodies)
+            is_alone = len(solids) * len(planes) == 1
+            found.append(OnPlane(connection, solid, plane, plane.name or text, surface, starts, is_alone))
+        return found
 
     def pairs(self, names: Names, connection: str) -> list[OutlinePair]:
         """The pairs of outlines that may touch."""
+        if self._planes(names):
+            return []
+        if self.spinning_resistance not in (0, "0"):
+            told = Message("spinning_resistance is for contacts with planes in space")
+            names.problem(told, "spinning_resistance")
         surface = ContactSurface(
             read_friction(names, self.friction, DIMENSIONLESS),
             read_restitution(names, self.restitution),
@@ -90,7 +162,8 @@ connections: {it: {contact: {between: [ball, floor], friction: 0.3, restitution:
                         "between",
                     )
                 continue
-            found.append(OutlinePair(connection, a, b, surface, self._starts_closed(names, a, b), len(joined) == 1))
+            starts = self._start_closed(names, a.body, b.body)
+            found.append(OutlinePair(connection, a, b, surface, starts, len(joined) == 1))
         return found
 
     def _outlines(self, names: Names) -> list[Outline]:
@@ -115,10 +188,10 @@ connections: {it: {contact: {between: [ball, floor], friction: 0.3, restitution:
         found = [read_outline(names, text, field, k, below=self.below) for k, text in enumerate(texts)]
         return [outline for outline in found if outline is not None]
 
-    def _starts_closed(self, names: Names, a: Outline, b: Outline) -> bool:
+    def _start_closed(self, names: Names, *bodies: str) -> bool:
         if self.touching is not None:
             return self.touching
-        moving = [body for body in (names.known(a.body), names.known(b.body)) if not body.fixed]
+        moving = [names.known(body) for body in bodies if not names.known(body).fixed]
         return self.between is not None and all(body.start.at is None for body in moving)
 
     def mentions(self, names: Names) -> set[str]:
@@ -128,6 +201,9 @@ connections: {it: {contact: {between: [ball, floor], friction: 0.3, restitution:
         )
 
     def glyphs(self, names: Names) -> Iterable[Glyph]:
+        for pair in self._on_planes(names, "", self._planes(names)) if self._planes(names) else ():
+            body = names.known(pair.solid.partition(".")[0])
+            yield glyphs.Face(pair.plane.through, body.center, pair.plane.normal, "rolls")
         pairs = self.pairs(names, "")
         is_rough = self.friction not in (0, "0")
         ordered = [*((p.first, p.second) for p in pairs), *((p.second, p.first) for p in pairs)]

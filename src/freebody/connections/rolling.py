@@ -34,7 +34,7 @@ class Rolling(Connection, kind="rolling"):
 
     On a line, with s the travel of the centre along it: slip = d(s + R theta)/dt.
 
-    In space: `on` a plane, of the rim of a disk, a sphere or a cone (3 rows; a cone 5)."""
+    In space: `on` a plane, of the rim of a disk, a sphere, an ellipsoid or a cone (3 rows; a cone 5)."""
 
     body: str
     on: str | None = None

@@ -1,9 +1,10 @@
-"""Rolling without slip on a plane in space: the rim of a disk, a sphere, a cone.
+"""Rolling without slip on a plane in space: the rim of a disk, a sphere, an ellipsoid, a cone.
 
 With n the normal of the plane and C the centre, what touches the plane is lowest:
 
     rim of a disk with axis a    at C - R u,  u = (n - (n.a) a)/|n x a|,  which is h - R |n x a| above the plane,
-    sphere                       at C - R n,  h - R above it.
+    sphere                       at C - R n,  h - R above it,
+    ellipsoid                    see `places_on_planes`.
 
 Its material point has no velocity in the plane (2 nonholonomic rows); for a rim along the way it rolls, t = n x a/|n x
 a|, and across it, n x t. A cone touches along a line from its apex: the apex keeps its place, the axis its angle to the
@@ -16,6 +17,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from freebody.connections.joints import across_names
+from freebody.connections.places_on_planes import Arm, along_plane, ellipsoid_on_plane, sphere_arm
 from freebody.language.expression import Call, Expr, Symbol
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, LENGTH
@@ -26,7 +28,8 @@ from freebody.measures.geometry import ONE, Direction
 from freebody.measures.turn import Alignment
 from freebody.model.elements import BodyPlane, ConstraintRow, NonholonomicForm, RigidBody
 from freebody.model.rotations import perpendiculars
-from freebody.model.spins import body_axes, spin, velocity_of_place
+from freebody.model.solids import ELLIPSOID
+from freebody.model.spins import spin, velocity_of_place
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -39,21 +42,22 @@ def rolling_rows(names: Names, body: RigidBody, radius: Expr | None, plane: Body
         return []
     if body.round == "cone":
         return _cone(body, plane)
+    if body.solid == ELLIPSOID:
+        place = ellipsoid_on_plane(body, plane)
+        assert place.arm is not None
+        return [ConstraintRow("contact", "normal force", place.gap, unilateral=True), *_slips(body, place.arm, plane)]
     if body.round not in ("disk", "sphere") or radius is None:
-        names.problem(
-            Message("{body} is not round; make it a disk, ring, cylinder, sphere or cone", body=body.name), "body"
-        )
+        told = Message("{body} is not round; make it a disk, ring, cylinder, sphere, ellipsoid or cone", body=body.name)
+        names.problem(told, "body")
         return []
     return _sphere(body, radius, plane) if body.round == "sphere" else _rim(body, radius, plane)
 
 
 def _along(plane: BodyPlane) -> list[tuple[str, Direction]]:
-    owner = plane.normal.body
-    directions = [Direction(owner, v) for v in perpendiculars(plane.normal.components)]
-    return list(zip(across_names(plane.normal), directions, strict=True))
+    return list(zip(across_names(plane.normal), along_plane(plane), strict=True))
 
 
-def _slips(body: RigidBody, arm: list[tuple[Measure, Direction]], plane: BodyPlane) -> list[ConstraintRow]:
+def _slips(body: RigidBody, arm: Arm, plane: BodyPlane) -> list[ConstraintRow]:
     return [
         ConstraintRow(
             f"no slip {name}",
@@ -93,10 +97,8 @@ def _rim(body: RigidBody, radius: Expr, plane: BodyPlane) -> list[ConstraintRow]
 
 def _sphere(body: RigidBody, radius: Expr, plane: BodyPlane) -> list[ConstraintRow]:
     height = Displacement(body.center, plane.through, plane.normal)
-    arm: list[tuple[Measure, Direction]] = [
-        (Composed(-radius * Symbol("n"), (("n", Alignment(b, plane.normal)),), LENGTH), b) for b in body_axes(body.name)
-    ]
-    return [ConstraintRow("contact", "normal force", height, radius, unilateral=True), *_slips(body, arm, plane)]
+    slips = _slips(body, sphere_arm(body, radius, plane), plane)
+    return [ConstraintRow("contact", "normal force", height, radius, unilateral=True), *slips]
 
 
 def _cone(body: RigidBody, plane: BodyPlane) -> list[ConstraintRow]:

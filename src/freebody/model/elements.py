@@ -277,7 +277,11 @@ class DryFriction:
     The load is the size of the resultant of the multipliers named in `load` (one or two); without any, `static` and
     `kinetic` are the limits themselves, laws of time and of `measures`. `of` is the bound without which there is no
     friction. Where the friction that resists a growing measure differs from the one that resists a falling one, the
-    second is given by `static_back` and `kinetic_back` (a belt round a drum)."""
+    second is given by `static_back` and `kinetic_back` (a belt round a drum).
+
+    In space it acts in a plane, with a second row `across` the first, at right angles to it: while it does not run both
+    are held, as long as the resultant of their multipliers stays within static * load (a circular cone); while it runs,
+    the force is kinetic * load against the slip (rate of `row`, rate of `across`)."""
 
     row: ConstraintRow
     static: Expr
@@ -287,10 +291,16 @@ class DryFriction:
     static_back: Expr | None = None
     kinetic_back: Expr | None = None
     measures: tuple[tuple[str, Measure], ...] = ()
+    across: ConstraintRow | None = None
 
     @property
     def name(self) -> str:
         return self.row.name
+
+    @property
+    def rows(self) -> tuple[ConstraintRow, ...]:
+        """The row that it holds, or both."""
+        return (self.row,) if self.across is None else (self.row, self.across)
 
     def coefficient(self, direction: int, *, at_rest: bool = False) -> Expr:
         """What multiplies the load: direction +1 where the measure grows (or would), -1 where it falls."""

@@ -34,6 +34,7 @@ NO_SOLID = SolidKind()
 DISK = SolidKind("disk", is_round=True, has_flat_end=True, has_lengths=False)  # sizes [m]: radius
 RING = SolidKind("ring", is_round=True, is_hoop=True, has_lengths=False)  # radius
 SPHERE = SolidKind("sphere", is_ball=True, is_thick=True, has_lengths=False)  # radius
+ELLIPSOID = SolidKind("ellipsoid", is_thick=True, has_lengths=False)  # semi-axes along x, y, z; about its middle
 CYLINDER = SolidKind("cylinder", is_round=True, is_shaft=True, has_flat_end=True, is_thick=True)  # radius, length
 CONE = SolidKind("cone", is_round=True, is_tapered=True)  # radius, height
 FRUSTUM = SolidKind("frustum", is_round=True)  # radius of the base, of the top, height; from its reference point

@@ -4,20 +4,23 @@ With J the gradients of all rows (held ones, closed bounds, slips of dry frictio
 
     Q + J^T lambda = 0,    N >= 0 of what cannot pull,    -forward L <= T <= backward L of dry friction,
 
-T the multiplier of a slip, L its load. How far this is from failing is one more unknown, the margin t:
+T the multiplier of a slip, L its load. In a plane T has two components and |T| <= c L: that is u.T <= c L for all unit
+vectors u, of which those are added, one after another, that the forces found break (Kelley's cutting planes). How far
+this is from failing is one more unknown, the margin t:
 
     maximize t    so that    N >= t,    T + forward L >= t,    backward L - T >= t.
 
 By Farkas' lemma the multipliers v of the equilibrium equations are a motion. It does no work on held rows, opens
 contacts, or slips where the friction constraint is active, and at t < 0 the loads do positive work along it: that
 motion is how the system fails. The same v belongs to the largest parameter that can be borne (limit analysis).
-Sources: Dantzig & Thapa, Linear Programming 2, 2003, ch. 2; Drucker, Coulomb friction, plasticity, and limit loads,
-J. Appl. Mech. 21, 1954, 71-74.
+Sources: Kelley, J. SIAM 8 (1960) 703-712; Dantzig & Thapa, Linear Programming 2, 2003, ch. 2; Drucker, Coulomb
+friction, plasticity, and limit loads, J. Appl. Mech. 21, 1954, 71-74.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import math
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -37,6 +40,7 @@ from freebody.tolerances import ROUND_OFF, ROUNDED
 
 _FREE = ROUND_OFF  # a load along a direction in which nothing resists, of the largest load
 _RCOND, _POLISH = 1e-11, 1e-5  # of the constraints that decide, solved once more; a step that is larger is no polish
+_N_PLANES, _MOST_CUTS, _BROKEN = 8, 60, 1e-12  # of a circular cone; a force outside it by more is moved inside
 _ACTIVE = 1e-7  # a dual variable above this part of the largest marks a constraint that decides
 
 
@@ -44,7 +48,8 @@ _ACTIVE = 1e-7  # a dual variable above this part of the largest marks a constra
 class FrictionCone:
     """Dry friction at one row: -(forward L + limit) <= T <= backward L + limit, each with its own `limits`.
 
-    L = sum of sign * multiplier over `load`, or the size of the multipliers in `size`, whose signs are open."""
+    L = sum of sign * multiplier over `load`, or the size of the multipliers in `size`, whose signs are open. In a plane
+    T has a second component, in the row `across`, and the size of both is forward L at most."""
 
     name: str
     row: int
@@ -53,6 +58,11 @@ class FrictionCone:
     load: tuple[tuple[int, float], ...] = ()
     size: tuple[int, ...] = ()
     limits: tuple[float, float] = (0.0, 0.0)
+    across: int = -1
+
+    def size_of(self, rates: Array) -> float:
+        """The size of its components, of what is given by row."""
+        return abs(float(rates[self.row])) if self.across < 0 else math.hypot(rates[self.row], rates[self.across])
 
 
 @dataclass(frozen=True)
@@ -88,12 +98,18 @@ class Optimum:
 def rest_problem(reference: Reference, q: Array, dry_friction: Sequence[DryFriction]) -> RestProblem:
     """The reference's system at rest at q: its held rows (those that are unilateral cannot pull) and dry friction."""
     held: Sequence[ConstraintRow] = reference.system.constraint_rows
-    rows = [*held, *(rub.row for rub in dry_friction)]
+    rows = [*held, *(rub.row for rub in dry_friction), *(rub.across for rub in dry_friction if rub.across is not None)]
     n = len(q)
     g = reference.geometry(q, np.zeros(n), 0.0)
     J = stack([reference.jet(g, row.measure, row.name).row(n) for row in rows], n)
     names = tuple(row.name for row in rows)
-    cones = tuple(_cone(reference, g, rub, len(held) + k, held) for k, rub in enumerate(dry_friction))
+    cones = tuple(
+        replace(
+            _cone(reference, g, rub, len(held) + k, held),
+            across=-1 if rub.across is None else names.index(rub.across.name),
+        )
+        for k, rub in enumerate(dry_friction)
+    )
     normals = tuple((k, row.sign) for k, row in enumerate(held) if row.unilateral)
     return RestProblem(names, J, forces(reference, g), normals, cones, reference.sizes.unit_moves)
 
@@ -138,11 +154,23 @@ class _Program:
     G: list[Array] = field(default_factory=list[Array])
     h: list[float] = field(default_factory=list[float])
     shares: list[float] = field(default_factory=list[float])
+    cones: list[tuple[Array, Array, Array]] = field(default_factory=list[tuple[Array, Array, Array]])  # T_1, T_2, c L
+    limit_of: dict[tuple[int, int], int] = field(default_factory=dict[tuple[int, int], int])  # by cone and side
 
     def add(self, row: Array, bound: float, share: float) -> None:
         self.G.append(row)
         self.h.append(bound)
         self.shares.append(share)
+
+    def broken(self, x: Array, margin: float = 0.0) -> list[Array]:
+        """Of every circular cone outside of which forces are, the row of the plane that keeps them inside there."""
+        found: list[Array] = []
+        for one, other, load in self.cones:
+            first, second = float(one @ x), float(other @ x)
+            size = math.hypot(first, second)
+            if size + margin > float(load @ x) + _BROKEN * max(1.0, size):
+                found.append((first * one + second * other) / size - load)
+        return found
 
 
 class Scaled:
@@ -167,8 +195,14 @@ class Scaled:
             line = np.zeros(m)
             line[row] = -sign
             program.add(line, 0.0, 1.0)
-        for cone in p.cones:
-            for direction, coefficient, limit in zip((1, -1), (cone.forward, cone.backward), cone.limits, strict=True):
+        for k, cone in enumerate(p.cones):
+            if cone.across >= 0:
+                self._add_circle(program, cone)
+                continue
+            for side, (direction, coefficient, limit) in enumerate(
+                zip((1, -1), (cone.forward, cone.backward), cone.limits, strict=True)
+            ):
+                program.limit_of[k, side] = len(program.G)
                 # -T - forward L <= limit, and T - backward L <= limit, in units of T
                 line = np.zeros(m)
                 line[cone.row] = -direction
@@ -181,6 +215,18 @@ class Scaled:
                 line[row] = -coefficient * self.row_scale[row]
             program.add(line / (float(np.abs(line).max()) or 1.0), 0.0, 0.0)
         return program
+
+    def _add_circle(self, program: _Program, cone: FrictionCone) -> None:
+        """A circular cone, by the first of the planes that touch it."""
+        one, other, load = (np.zeros(len(self.row_scale)) for _ in range(3))
+        one[cone.row] = 1.0
+        other[cone.across] = self.row_scale[cone.across] / self.row_scale[cone.row]
+        for row, sign in cone.load:
+            load[row] += cone.forward * sign * self.row_scale[row] / self.row_scale[cone.row]
+        program.cones.append((one, other, load))
+        for k in range(_N_PLANES):
+            angle = 2.0 * math.pi * k / _N_PLANES
+            program.add(math.cos(angle) * one + math.sin(angle) * other - load, 0.0, 1.0)
 
     def forces(self, x: Array) -> Array:
         return x * self.row_scale * self.unit
@@ -200,7 +246,11 @@ def margin(problem: RestProblem) -> Optimum | None:
     cost = np.zeros(columns.shape[1])
     cost[-1] = -1.0
     bounds: list[tuple[float | None, float | None]] = [*[(None, None)] * (len(cost) - 1), (None, 1.0)]
-    found = _solved(cost, columns, program.b, G, np.array(program.h), bounds)
+
+    def broken(x: Array) -> list[Array]:
+        return [np.append(row, 1.0) for row in program.broken(x[:-1], float(x[-1]))]
+
+    found = _solved(cost, columns, program.b, G, np.array(program.h), bounds, broken)
     if found is None:
         return None
     x, duals, value = found
@@ -259,10 +309,15 @@ def extreme(ray: Ray, sign: int, *, unit: float = 1.0) -> Optimum | None:
     G = np.array([np.append(row, 0.0) for row in program.G]).reshape(len(program.G), columns.shape[1])
     for k, (cone, rates) in enumerate(zip(p0.cones, ray.limits, strict=True)):
         for j, rate in enumerate(rates):
-            G[len(p0.normals) + 2 * k + j, -1] = -rate * unit / (scaled.unit * scaled.row_scale[cone.row])
+            if (k, j) in program.limit_of:
+                G[program.limit_of[k, j], -1] = -rate * unit / (scaled.unit * scaled.row_scale[cone.row])
     cost = np.zeros(columns.shape[1])
     cost[-1] = -float(sign)
-    found = _solved(cost, columns, program.b, G, np.array(program.h), [(None, None)] * len(cost))
+
+    def broken(x: Array) -> list[Array]:
+        return [np.append(row, 0.0) for row in program.broken(x[:-1])]
+
+    found = _solved(cost, columns, program.b, G, np.array(program.h), [(None, None)] * len(cost), broken)
     if found is None:
         if _is_possible(columns, program.b, G, np.array(program.h)):
             return Optimum(sign * np.inf, np.full(len(p0.names), np.nan), np.zeros(len(p0.Q)))
@@ -281,7 +336,7 @@ def spread(problem: RestProblem, row: int) -> tuple[Optimum, Optimum] | None:
         cost = np.zeros(program.A.shape[1])
         cost[row] = sign
         G, h = np.array(program.G).reshape(-1, len(cost)), np.array(program.h)
-        found = _solved(cost, program.A, program.b, G, h, [(None, None)] * len(cost))
+        found = _solved(cost, program.A, program.b, G, h, [(None, None)] * len(cost), program.broken)
         if found is None:
             if not _is_possible(program.A, program.b, G, h):
                 return None
@@ -296,7 +351,21 @@ def spread(problem: RestProblem, row: int) -> tuple[Optimum, Optimum] | None:
 Bounds = Sequence[tuple[float | None, float | None]]
 
 
-def _solved(cost: Array, A: Array, b: Array, G: Array, h: Array, bounds: Bounds) -> tuple[Array, Array, float] | None:
+def _solved(
+    cost: Array, A: Array, b: Array, G: Array, h: Array, bounds: Bounds, broken: Callable[[Array], list[Array]]
+) -> tuple[Array, Array, float] | None:
+    """The optimum of a program with circular cones: planes are added where it is outside of them, until it is not."""
+    found = _linear(cost, A, b, G, h, bounds)
+    for _ in range(_MOST_CUTS):
+        planes = [] if found is None else broken(found[0])
+        if not planes:
+            break
+        G, h = np.vstack([G, *planes]), np.append(h, np.zeros(len(planes)))
+        found = _linear(cost, A, b, G, h, bounds)
+    return found
+
+
+def _linear(cost: Array, A: Array, b: Array, G: Array, h: Array, bounds: Bounds) -> tuple[Array, Array, float] | None:
     """(x, multipliers of A x = b, least cost) of one linear program, polished; None if it has no optimum.
 
     The simplex method is exact up to its own tolerance of 1e-7 only. What it says is which constraints decide: with

@@ -172,7 +172,7 @@ class SystemDescription:
 
     @cached_property
     def _rows(self) -> tuple[ConstraintRow, ...]:
-        bounded = (*(bound.row for bound in self.bounds), *(rub.row for rub in self.dry_friction))
+        bounded = (*(bound.row for bound in self.bounds), *(row for rub in self.dry_friction for row in rub.rows))
         return (*self.constraint_rows, *bounded, *(row for blow in self.blows for row in blow.rows))
 
     @cached_property

@@ -33,7 +33,7 @@ from freebody.measures.geometry import GROUND, Components, Direction, Point
 from freebody.model.elements import BodyPlane, ConstraintRow, Line, NonholonomicForm, Parameter, RigidBody
 from freebody.model.names import Names
 from freebody.model.rotations import dot
-from freebody.system.modes import sticking_row
+from freebody.system.modes import sticking_rows
 from freebody.system.reading.bodies import BodySections
 from freebody.system.reading.connections import CLOSES, read_bounds
 from freebody.system.reading.head import read_space
@@ -253,7 +253,7 @@ class _GenericReader:
             more_bounds, more_rubs = pair.elements()
             bounds += more_bounds
             dry_friction += more_rubs
-        rows = [bound.row for bound in bounds] + [sticking_row(rub) for rub in dry_friction]
+        rows = [bound.row for bound in bounds] + [row for rub in dry_friction for row in sticking_rows(rub)]
         return [row for row in rows if row.name in wanted]
 
     # -- rows ---------------------------------------------------------------------------------

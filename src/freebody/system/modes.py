@@ -55,12 +55,15 @@ def is_held_in(row: ConstraintRow, mode: ContactMode) -> bool:
     return not row.needs or f"{row.connection}.{row.needs}" in mode.closed
 
 
-def sticking_row(rub: DryFriction) -> ConstraintRow:
-    """The row that holds a slip where it is."""
-    measure = rub.row.measure
-    if isinstance(measure, NonholonomicForm) or measure.incremental:
-        return rub.row
-    return replace(rub.row, measure=kept(measure))
+def sticking_rows(rub: DryFriction) -> list[ConstraintRow]:
+    """The rows that hold a slip where it is."""
+    return [_sticking(row) for row in rub.rows]
+
+
+def _sticking(row: ConstraintRow) -> ConstraintRow:
+    if isinstance(row.measure, NonholonomicForm) or row.measure.incremental:
+        return row
+    return replace(row, measure=kept(row.measure))
 
 
 def kept(measure: Measure) -> Measure:
@@ -85,7 +88,7 @@ def in_mode(system: System, mode: ContactMode) -> tuple[System, dict[str, DryFri
     for rub in system.dry_friction:
         state = states.get(rub.name)
         if state == 0:
-            held.append(sticking_row(rub))
+            held += sticking_rows(rub)
         elif state is not None:
             law: Expr = number(-state) * rub.coefficient(state)
             if rub.load:

@@ -18,7 +18,7 @@ class ImpactRecord:
 
     time: float
     impulses: dict[int, float]
-    friction: dict[int, float]  # by drag
+    friction: dict[int, float]  # by place
     before: dict[int, float]
     after: dict[int, float]
     energy_change: float

@@ -7,6 +7,7 @@ the inequalities that the mode needs.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
@@ -102,6 +103,8 @@ class Bounded:
                 self._packing.dry_friction[k].sign,
                 rub,
                 k,
+                self.written.across_of_friction(k),
+                self._packing.dry_friction[k].keeps_across,
             )
             for k, rub in sorted(enumerate(system.dry_friction), key=lambda numbered: numbered[1].name)
         ]
@@ -207,12 +210,15 @@ class Bounded:
             places.add(self.barriers[k].place)
             places.update(self.barriers[k].grips)
         followers = mode.followers
-        places.update(self.drags[k].keeps for k, state in enumerate(mode.drags) if state == 0 and k not in followers)
+        sticking = [self.drags[k] for k, state in enumerate(mode.drags) if state == 0 and k not in followers]
+        places.update(drag.keeps for drag in sticking)
+        places.update(drag.keeps_across for drag in sticking if drag.across >= 0)
         return tuple(sorted(places))
 
     def engine(self, mode: ModeOf) -> tuple[Engine, tuple[Guard, ...], list[tuple[str, int]]]:
         """The engine of a mode, its guards, and what each of them guards: ("gap", barrier), ("press", barrier),
-        ("foot", barrier), ("slip", drag), ("grip", drag)."""
+        ("foot", barrier), ("slip", drag), ("grip", drag). Slip in a plane is pointed before each phase (`point`)."""
+        mode = replace(mode, ways=())
         if mode not in self._engines:
             guards: list[Guard] = []
             about: list[tuple[str, int]] = []
@@ -239,7 +245,7 @@ class Bounded:
                 elif state == 0:
                     continue
                 elif state is not None:
-                    guards.append(Guard(OF_RATE, self.drags[k].row, sign=float(state)))
+                    guards.append(Guard(OF_RATE, self.drags[k].row, sign=float(state), row_across=self.drags[k].across))
                     about.append(("slip", k))
             sliding = tuple((drag.packed, state) for drag, state in zip(self.drags, mode.drags, strict=True) if state)
             rows = EngineRows(self.written, self.held_in(mode), sliding, tuple(guards))
@@ -247,6 +253,16 @@ class Bounded:
             engine = Engine(self.numbers, (*self.watches, *to_come), self.tracked, rows)
             self._engines[mode] = engine, tuple(guards), about
         return self._engines[mode]
+
+    def point(self, mode: ModeOf, small: float) -> None:
+        """The engine of a mode gets the directions in which it slides in planes. small: the speed [m/s] below which a
+        slip has the direction that is known of it."""
+        engine, _guards, about = self.engine(mode)
+        for k, angle in mode.ways:
+            drag = self.drags[k]
+            small_of = small / self.numbers.length if self.is_angle(drag.rub.row) else small
+            rows = {drag.row: math.cos(angle), drag.across: math.sin(angle)}
+            engine.point(rows, small_of, about.index(("slip", k)))
 
     # -- instants -----------------------------------------------------------------------------
     def instant(self, y: Floats, t: float, near: Floats) -> ContactInstant:
@@ -312,6 +328,8 @@ class Bounded:
             if state != 0:
                 continue
             row = now.gradients[self.drags[k].keeps]
+            if self.drags[k].across >= 0:
+                continue
             for group in groups:
                 if np.abs(now.gradients[self.drags[group[0]].keeps] - row).max() <= _SAME_SLIP * np.abs(row).max():
                     group.append(k)
@@ -331,22 +349,47 @@ class Bounded:
         or in rates."""
         held = [*self.always, *(grip for k in closed for grip in self.barriers[k].grips)]
         places = [*held, *(self.barriers[k].place for k in closed), *(self.drags[k].keeps for k in drags)]
+        across: dict[int, int] = {}
+        for k, sliding in drags.items():
+            if self.drags[k].across >= 0 and not sliding:
+                across[k] = len(places)
+                places.append(self.drags[k].keeps_across)
         signs = np.ones(len(places))
         normals = range(len(held), len(held) + len(closed))
         for row, k in zip(normals, closed, strict=True):
             signs[row] = self.barriers[k].sign
         at = {place: row for row, place in enumerate(places)}
         J = now.gradients[places] * signs[:, None]
+        rates, biases = signs * now.rates[places], signs * now.biases[places]
+        # what slides in a plane has the row of its direction
+        ways: dict[int, float] = {}
+        for row, (k, sliding) in enumerate(drags.items(), len(held) + len(closed)):
+            if self.drags[k].across >= 0 and sliding:
+                both, ways[k] = [self.drags[k].keeps, self.drags[k].keeps_across], self.way(k, now)
+                unit = np.array((math.cos(ways[k]), math.sin(ways[k])))
+                J[row], rates[row], biases[row] = (unit @ each[both] for each in (now.gradients, now.rates, now.biases))
         weighted = J * self.inverse_mass
         A = weighted @ J.T
-        b = signs * now.rates[places] if of_rates else weighted @ now.force + signs * now.biases[places]
+        b = rates if of_rates else weighted @ now.force + biases
         dry_friction = tuple(
-            self._rub(k, sliding, at, len(held) + len(closed) + n, now.t)
+            replace(self._rub(k, sliding, at, len(held) + len(closed) + n, now.t), across=across.get(k, -1))
             for n, (k, sliding) in enumerate(drags.items())
         )
         lengths = np.array([1.0 if self.is_angle(self.rows[k]) else self.numbers.length for k in places])
         matrices = ContactProblem(A, b, tuple(normals), dry_friction, lengths)
-        return RowProblem(matrices, tuple(closed), tuple(drags), weighted, len(held), tuple(places))
+        return RowProblem(matrices, tuple(closed), tuple(drags), weighted, len(held), tuple(places), across, ways)
+
+    def way(self, k: int, now: ContactInstant) -> float:
+        """The angle from its row of a slip in a plane."""
+        return math.atan2(now.rates[self.drags[k].keeps_across], now.rates[self.drags[k].keeps])
+
+    def slip_gradient(self, k: int, sign: int, now: ContactInstant) -> Floats:
+        """(n,) of the slip rate of what slides, in the direction in which it does."""
+        drag = self.drags[k]
+        if drag.across < 0:
+            return sign * now.gradients[drag.keeps]
+        angle = self.way(k, now)
+        return math.cos(angle) * now.gradients[drag.keeps] + math.sin(angle) * now.gradients[drag.keeps_across]
 
     def _rub(self, k: int, sliding: int, at: dict[int, int], row: int, t: float) -> FrictionProblemRow:
         drag, number = self.drags[k], self.numbers.number
@@ -373,7 +416,10 @@ class Bounded:
 
     def keep(self, drag: int, now: ContactInstant) -> None:
         """The slip of a drag is kept from now on where it is."""
-        self.written.keep(self.drags[drag].packed, float(self.free.room.rows[self.drags[drag].row, kinematics.VALUE]))
+        d, rows = self.drags[drag], self.free.room.rows
+        self.written.keep(d.packed, float(rows[d.row, kinematics.VALUE]))
+        if d.across >= 0:
+            self.written.keep_across(d.packed, float(rows[d.across, kinematics.VALUE]))
 
 
 def _grips(system: SystemDescription, bound: UnilateralConstraint) -> tuple[int, ...]:

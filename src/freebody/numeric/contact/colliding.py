@@ -60,9 +60,10 @@ class Collisions:
             closed = [k for k in closed if k not in loose]
 
     def _law(self, closed: list[int], drags: dict[int, int]) -> ImpactLaw:
-        """The law of an impact: Keller's follows one contact with the one friction that it loads, Poisson's takes over
-        elsewhere."""
-        is_single = len(closed) == 1 and len(drags) < 2 and all(self.bounded.drags[k].of in closed for k in drags)
+        """The law of an impact: Keller's follows one contact with the one friction along a line that it loads,
+        Poisson's takes over elsewhere."""
+        followed = [self.bounded.drags[k] for k in drags]
+        is_single = len(closed) == 1 and len(drags) < 2 and all(d.of in closed and d.across < 0 for d in followed)
         if self.law is not ImpactLaw.KELLER or is_single:
             return self.law
         self.is_replaced = True
@@ -113,7 +114,7 @@ def recorded(
     return ImpactRecord(
         t,
         {k: float(outcome.impulses[row]) for k, row in rows.items()},
-        {k: float(outcome.impulses[problem.row_of_drag(k)]) for k in problem.drags},
+        {problem.places[row]: float(outcome.impulses[row]) for row in problem.rows_of_friction},
         {k: rates[k] for k in rows},
         {k: float(outcome.velocities[row]) for k, row in rows.items()},
         change,

@@ -50,6 +50,7 @@ def decide(
             continue
         break
     states: list[int | None] = [None] * len(b.drags)
+    directions, ways = dict(outcome.directions), dict(problem.ways)
     for k in drags:
         state = outcome.mode[problem.row_of_drag(k)]
         is_on = b.drags[k].of < 0 or b.drags[k].of in still
@@ -57,7 +58,10 @@ def decide(
         states[k] = known.get(state) if is_on else None
         if is_on and states[k] is None and b.drags[k].of < 0:
             states[k] = drags[k] or 1  # nothing presses it: it slides without force
-    result.mode = ModeOf(frozenset(still), tuple(states))
+        if states[k] and k in problem.across:
+            ways[k] = directions[problem.row_of_drag(k)]
+    chosen = tuple((k, ways[k]) for k in drags if states[k] and k in ways)
+    result.mode = ModeOf(frozenset(still), tuple(states), ways=chosen)
     return outcome
 
 
@@ -79,6 +83,8 @@ def _previous(problem: RowProblem, mode: ModeOf | None) -> tuple[RowState, ...] 
     known = {0: RowState.STICKING, 1: RowState.FORWARD, -1: RowState.BACKWARD, None: RowState.ABSENT}
     for k in problem.drags:
         states[problem.row_of_drag(k)] = known[mode.drags[k]]
+        if k in problem.across:
+            states[problem.across[k]] = known[0 if mode.drags[k] is not None else None]
     return tuple(states)
 
 

@@ -16,6 +16,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from freebody.numeric.contact.cones import is_flat, pointed
 from freebody.numeric.contact.coulomb import lemke_guess
 from freebody.numeric.contact.modes import (
     ModeSolution,
@@ -67,8 +68,10 @@ def contact_forces(
     taken, and not proven to be the only one. Never raises for lack of a solution: see `status`. Held rows that
     contradict each other have none. Parts of a problem that have nothing to do with each other are solved one by one.
     """
-    parts = separate(problem)
     forbidden = tuple(forbidden)
+    if not is_flat(problem):
+        return pointed(problem, forbidden)
+    parts = separate(problem)
     if len(parts) < 2:
         return _together(problem, previous, forbidden, most_others if check_others else 0)
     outcomes: list[ForceOutcome] = []

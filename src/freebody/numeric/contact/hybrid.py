@@ -26,6 +26,7 @@ from freebody.numeric.contact.problem import OutcomeCount as Consistency
 from freebody.numeric.contact.record import PhaseRecord, merged
 from freebody.numeric.contact.rows import ContactInstant, ModeOf, within
 from freebody.numeric.contact.sharing import SharedReactions
+from freebody.numeric.contact.stillness import STILL
 from freebody.numeric.contact.sudden import SuddenBlows
 from freebody.numeric.contact.transition import InstantTransition
 from freebody.numeric.contact.trouble import advised, contradiction, jammed
@@ -135,6 +136,7 @@ class Hybrid:
         mode = self.bounded.grouped(replace(mode, past=self.bounded.past), now)
         engine, guards, about = self.bounded.engine(mode)
         self._keep(mode, now)
+        self.bounded.point(mode, STILL * self.transition.still.speed(y, now))
         engine.count_from(at.near)
         sizes = self._sizes(engine, guards, y, t)
         is_open = engine.is_shared or engine.room.info[factoring.N_LEFT_OUT] > 0.0
@@ -326,7 +328,7 @@ class Hybrid:
                 Collision(
                     t,
                     {names[k]: x for k, x in impact.impulses.items()},
-                    {self.bounded.drags[k].name: x for k, x in impact.friction.items()},
+                    {b.rows[place].name: x for place, x in impact.friction.items()},
                     {names[k]: x for k, x in impact.before.items()},
                     {names[k]: x for k, x in impact.after.items()},
                     impact.energy_change,

@@ -27,7 +27,8 @@ def separate(problem: ContactProblem) -> list[Part]:
     # which rows are coupled, (n, n), and the connected components of that graph
     joined = problem.A != 0.0
     for rub in problem.dry_friction:
-        for row in (*rub.normals, *(row for group in rub.magnitudes for row in group)):
+        across = () if rub.across < 0 else (rub.across,)
+        for row in (*rub.normals, *(row for group in rub.magnitudes for row in group), *across):
             joined[rub.row, row] = True
     groups = _connected(joined | joined.T)
     if len(groups) < 2:
@@ -40,6 +41,7 @@ def separate(problem: ContactProblem) -> list[Part]:
             replace(
                 rub,
                 row=place[rub.row],
+                across=place.get(rub.across, -1),
                 normals=tuple(place[row] for row in rub.normals),
                 magnitudes=tuple(tuple(place[row] for row in group) for group in rub.magnitudes),
             )

@@ -46,9 +46,11 @@ class FrictionProblemRow:
         slipping forward   T = -kinetic[0] L          sticking  -static[0] L <= T <= static[1] L
         slipping backward  T = +kinetic[1] L
 
-    `sliding` is the sign of the slip rate, 0 at rest. A brake has a constant load, a dry slider the magnitude of one
-    held row, a pin that of two. `normals` may name a held row (a taut string) whose force must not be negative: a mode
-    in which it is counts as inconsistent. Raises ValueError unless 0 <= kinetic <= static and constant >= 0.
+    `sliding` is the sign of the slip rate, 0 at rest. At rest in a plane `across` is the row at right angles to
+    `row`: then the resultant of both stays within static L, and slip begins against it (`cones`). A brake has a
+    constant load, a dry slider the magnitude of one held row, a pin that of two. `normals` may name a held row (a
+    taut string) whose force must not be negative: a mode in which it is counts as inconsistent. Raises ValueError
+    unless 0 <= kinetic <= static and constant >= 0.
     """
 
     row: int
@@ -58,6 +60,7 @@ class FrictionProblemRow:
     normals: tuple[int, ...] = ()
     magnitudes: tuple[tuple[int, ...], ...] = ()
     sliding: int = 0
+    across: int = -1
 
     def __post_init__(self) -> None:
         if not (0.0 <= self.kinetic[0] <= self.static[0] and 0.0 <= self.kinetic[1] <= self.static[1]):
@@ -97,7 +100,8 @@ class ContactProblem:
     @property
     def free_rows(self) -> tuple[int, ...]:
         """Normals, then the rows of rubs."""
-        return (*self.normals, *(rub.row for rub in self.dry_friction))
+        across = (rub.across for rub in self.dry_friction if rub.across >= 0)
+        return (*self.normals, *(rub.row for rub in self.dry_friction), *across)
 
     @property
     def held_rows(self) -> tuple[int, ...]:
@@ -127,6 +131,7 @@ class ForceOutcome:
     accelerations: Array
     alternatives: tuple[Mode, ...] = ()
     is_proven: bool = True
+    directions: tuple[tuple[int, float], ...] = ()  # of rubs in a plane, by row: the angle of their slip, from the row
 
     @property
     def is_found(self) -> bool:

@@ -81,7 +81,8 @@ def _hold(
     b = still.bounded
     kept = [k for k in touching if k in settled or abs(rates[k]) <= STILL * speed]
     drags = {k: slip for k, slip in still.drags_on(now, kept, speed).items() if b.drags[k].of >= 0}
-    held = [*b.bilateral, *(b.drags[k].keeps for k, slip in drags.items() if slip == 0)]
+    sticking = [b.drags[k] for k, slip in drags.items() if slip == 0]
+    held = [*b.bilateral, *(d.keeps for d in sticking), *(d.keeps_across for d in sticking if d.across >= 0)]
     places = [*held, *(b.barriers[k].place for k in kept)]
     J = now.gradients[places]
     along = J.copy()
@@ -89,7 +90,7 @@ def _hold(
         if slip:
             c = b.numbers.number(b.drags[k].rub.coefficient(slip))
             row = len(held) + kept.index(b.drags[k].of)
-            along[row] -= slip * c * b.barriers[b.drags[k].of].sign * now.gradients[b.drags[k].keeps]
+            along[row] -= c * b.barriers[b.drags[k].of].sign * b.slip_gradient(k, slip, now)
     weighted = along * b.inverse_mass
     impulse = np.asarray(np.linalg.lstsq(J @ weighted.T, -now.rates[places], rcond=ROUNDED)[0], dtype=np.float64)
     result.settled += (change := push(b, result.y, weighted, impulse))

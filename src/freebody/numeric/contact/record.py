@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, fields
 
 import numpy as np
 
 from freebody.numeric.contact.bounded import Bounded
 from freebody.numeric.contact.rows import FrictionRow, ModeOf
+from freebody.numeric.contact.stillness import STILL
 from freebody.numeric.engine.course import (
     BlowRecord,
     Collision,
@@ -19,7 +21,7 @@ from freebody.numeric.engine.course import (
     Trajectory,
 )
 from freebody.numeric.engine.engine import Engine
-from freebody.numeric.kernels import stepping
+from freebody.numeric.kernels import kinematics, stepping
 from freebody.numeric.kernels.arrays import Floats
 
 ABSENT = 2  # in `ContactRecord.slips`: no friction
@@ -136,11 +138,31 @@ def _rows(bounded: Bounded, phase: PhaseRecord) -> tuple[Floats, Floats, Floats,
             continue
         if state:
             load = _load(bounded, phase, drag, state, multipliers)
-            multipliers[:, drag.keeps] = -state * load
-            unique[:, drag.keeps] = unique[:, list(drag.loads)].min(axis=1, initial=1.0)
+            is_unique = unique[:, list(drag.loads)].min(axis=1, initial=1.0)
+            for place, share in _components(bounded, phase, k, state):
+                multipliers[:, place], unique[:, place] = -share * load, is_unique
     for group in mode.groups:
         _share(bounded, group, multipliers, unique)
     return multipliers, unique, states, slips
+
+
+def _components(bounded: Bounded, phase: PhaseRecord, k: int, state: int) -> list[tuple[int, Floats | float]]:
+    """Of the direction of a slip: its components, each with the place of its row."""
+    drag = bounded.drags[k]
+    if drag.across < 0:
+        return [(drag.keeps, float(state))]
+    course, engine = phase.course, phase.engine
+    angle = dict(phase.mode.ways)[k]
+    last = np.array((math.cos(angle), math.sin(angle)))
+    rates, out = np.zeros((len(course.times), 2)), np.zeros(engine.n_y)
+    for i, t in enumerate(course.times):
+        stepping.visit(engine.layout, engine.room, engine.idle, -1.0, engine.state_at(course, i), float(t), out, 1)
+        rates[i] = engine.room.rows[[drag.row, drag.across], kinematics.RATE]
+    speeds = np.linalg.norm(rates, axis=1)
+    goes = speeds > STILL * speeds.max(initial=0.0)
+    ahead = np.where(rates @ last < 0.0, -1.0, 1.0)[:, None]
+    found = np.where(goes[:, None], ahead * rates / np.where(goes, speeds, 1.0)[:, None], last)
+    return [(drag.keeps, found[:, 0]), (drag.keeps_across, found[:, 1])]
 
 
 def _share(bounded: Bounded, group: tuple[int, ...], multipliers: Floats, unique: Floats) -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -52,6 +52,8 @@ class FrictionRow:
     load_sign: int
     rub: RubElement
     packed: int  # its number in the packing
+    across: int = -1  # in a plane: the row of its slip across, and the place of the row that keeps that
+    keeps_across: int = -1
 
 
 @dataclass(frozen=True)
@@ -74,6 +76,7 @@ class ModeOf:
     drags: tuple[int | None, ...]
     groups: tuple[tuple[int, ...], ...] = ()  # drags that stick along the same slip: one row holds all of a group
     past: frozenset[int] = frozenset()  # the blows that have happened
+    ways: tuple[tuple[int, float], ...] = ()  # of drags that slide in a plane: the angle of their slip from its row
 
     @property
     def followers(self) -> frozenset[int]:
@@ -104,12 +107,18 @@ class RowProblem:
     weighted: Floats
     n_held: int
     places: tuple[int, ...] = ()  # of its rows, among those that may be held
+    across: dict[int, int] = field(default_factory=dict[int, int])  # by drag at rest in a plane: its second row
+    ways: dict[int, float] = field(default_factory=dict[int, float])  # by drag sliding in one: the angle of its row
 
     def row_of_barrier(self, k: int) -> int:
         return self.n_held + self.closed.index(k)
 
     def row_of_drag(self, k: int) -> int:
         return self.n_held + len(self.closed) + self.drags.index(k)
+
+    @property
+    def rows_of_friction(self) -> list[int]:
+        return [*map(self.row_of_drag, self.drags), *self.across.values()]
 
     def with_rates(self, b: Floats) -> RowProblem:
         return replace(self, matrices=replace(self.matrices, b=b))

@@ -6,6 +6,7 @@ bodies and the size L of the system, made small.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable
 
 import numpy as np
@@ -43,6 +44,8 @@ class MotionSpeeds:
         for k, drag in enumerate(b.drags):
             if drag.of in closed or drag.of < 0:
                 rate = float(now.rates[drag.keeps])
+                if drag.across >= 0:
+                    rate = math.hypot(rate, float(now.rates[drag.keeps_across]))
                 size = speed if not b.is_angle(drag.rub.row) else speed / self.length
                 is_still = abs(rate) <= STILL * size or (k in self.stopped and abs(rate) <= 1e-6 * size)
                 found[k] = 0 if is_still else (1 if rate > 0.0 else -1)

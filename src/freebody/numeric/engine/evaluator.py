@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
@@ -212,6 +212,17 @@ class Evaluator(Packed):
     def guard_programs(self) -> GuardPrograms:
         """What is guarded as programs."""
         return GuardPrograms(self.layout, self.written)
+
+    def point(self, directions: Mapping[int, float], small: float, guard: int) -> None:
+        """Slip in a plane goes in a direction, given by its components along its two rows. small: the speed below which
+        it has that direction; guard: that of the slip."""
+        layout = self.layout
+        for k, row in enumerate(layout.slide[:, 0].tolist()):
+            if row in directions:
+                layout.slide_factor[k, 2:] = directions[row], small
+        row, across = layout.guard[guard, 1:3].tolist()
+        layout.guard_factor[guard, 0], layout.guard_factor[guard, 2] = directions[row], directions[across]
+        self.__dict__.pop("guard_programs", None)
 
     def evaluate(self, y: Floats, t: float, n_times: int = 1) -> tuple[Floats, Floats]:
         """Accelerations (n_bodies + 1, 3), in space (n_bodies + 1, 6), and multipliers (n_held,) of a state as it is.

@@ -19,8 +19,9 @@ class GuardPrograms:
         self.each: list[Program] = []
         for g in self.guards.tolist():
             order = int(kinds[g] == guarding.GUARD_RATE)
-            program = written.program(int(layout.guard[g, 1]), order, float(layout.guard_factor[g, 0]))
-            self.each.append(program)
+            row, across = (int(layout.guard[g, k]) for k in (1, 2))
+            sign, sign_across = (float(layout.guard_factor[g, k]) for k in (0, 2))
+            self.each.append(written.program(row, order, sign, across, sign_across))
         codes = [program.code for program in self.each]
         self.inputs = ints(np.unique(np.concatenate([p.inputs for p in self.each])) if codes else [])
         self.ptr = pointers([code.tolist() for code in codes])

@@ -46,6 +46,8 @@ class Slide:
     keeps: int
     loads: tuple[int, ...]
     sign: int
+    across: Where | None = None  # in a plane: the row of its slip across, and the place that keeps that
+    keeps_across: int = -1
 
 
 @dataclass

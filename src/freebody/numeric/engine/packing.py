@@ -249,17 +249,21 @@ class Packing:
     def friction(self, friction: DryFriction, loads: tuple[int, ...], sign: int) -> int:
         """Enters dry friction, and gives the place of the row that keeps it where it is; what that is, `Written.keep`
         says. loads: places of the rows whose multipliers press; sign: of a single one that can only push."""
-        where = self.row(friction.row.measure)
-        if where[0] == "base":  # a row of its own, which can be held at any value
-            self.bases.append(self.bases[where[1]])
-            keeps = self._hold(("base", len(self.bases) - 1), None, friction.row)
-        else:
-            keeps = self._hold(where, None, friction.row, is_place=False)
+        where, keeps = self._kept(friction.row)
+        across, keeps_across = (None, -1) if friction.across is None else self._kept(friction.across)
         for _name, measure in friction.measures:
             self.row(measure)
-        self.watched.append(where)
-        self.dry_friction.append(Slide(where, friction, keeps, loads, sign))
+        self.watched += [where] if across is None else [where, across]
+        self.dry_friction.append(Slide(where, friction, keeps, loads, sign, across, keeps_across))
         return keeps
+
+    def _kept(self, row: ConstraintRow) -> tuple[Where, int]:
+        """A row that may be held where it is."""
+        where = self.row(row.measure)
+        if where[0] == "base":  # a row of its own, which can be held at any value
+            self.bases.append(self.bases[where[1]])
+            return where, self._hold(("base", len(self.bases) - 1), None, row)
+        return where, self._hold(where, None, row, is_place=False)
 
     def closing(self, row: ConstraintRow) -> int:
         """Enters a row that is held from some instant on, and gives its place; one of which only changes mean something

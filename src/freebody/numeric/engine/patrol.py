@@ -34,6 +34,7 @@ from freebody.numeric.engine.search import ProgramSearch
 from freebody.numeric.kernels import enclosures, stepped_run, stepping
 from freebody.numeric.kernels.arrays import Floats
 from freebody.numeric.kernels.guarding import GUARD_RATE, GUARD_VALUE
+from freebody.numeric.kernels.kinematics import RATE
 from freebody.tolerances import RESOLUTION, WATCHED_ZERO
 
 if TYPE_CHECKING:
@@ -149,6 +150,8 @@ class GuardMonitor:
         self._is_force = ~self._is_gap & (self._kinds != GUARD_RATE)
         self._is_counted = self._is_gap | (self._kinds == GUARD_RATE)
         self._is_counted[list(guarding.asleep)] = False
+        self._turns = (self._kinds == GUARD_RATE) & (motion.engine.layout.guard[:, 2] >= 0)  # slip in a plane
+        self._started = np.zeros(n, dtype=bool)  # whether that has been fast enough to have a direction
         self._gaps: Gaps | None = None
         self._side = np.zeros(n)  # of gaps and rates: the sign met last
         self._floor: Floats | None = None
@@ -199,14 +202,35 @@ class GuardMonitor:
             soft = self._end_of_forces(self._is_force, zero, 1.0 if found is None else found[0])
             if soft is not None:
                 return soft
+        if found is None and (slow := self._slow()) is not None:
+            found = 1.0, slow
         if found is None:
             return None
         s, g = found
         t0, h = float(run.clock[stepped_run.BEFORE]), float(run.clock[stepped_run.DONE_STEP])
         if s == 0.0:
             return Violation(g, t0, run.states[stepped_run.OLD].copy(), at_start=True)
+        if self._turns[g]:  # a step that ends where the slip does has no direction there
+            self._at(s)
+            return Violation(g, t0 + s * h, self._y.copy())
         t, state = self._mended(g, t0, s, h)
         return Violation(g, t, state)
+
+    def _slow(self) -> int | None:
+        """The guard of a slip in a plane that is slower at the end of the step than what tells its direction. It comes
+        to rest in ever shorter steps where its direction turns meanwhile."""
+        if not self._turns.any():
+            return None
+        self._at(1.0)
+        e = self.motion.engine
+        small = dict(zip(e.layout.slide[:, 0].tolist(), e.layout.slide_factor[:, 3].tolist(), strict=True))
+        for g in np.flatnonzero(self._turns).tolist():
+            one, other = e.layout.guard[g, 1:3].tolist()
+            speed = math.hypot(e.room.rows[one, RATE], e.room.rows[other, RATE])
+            if speed <= small[one] and self._started[g]:
+                return g
+            self._started[g] = self._started[g] or speed > small[one]
+        return None
 
     # -- gaps and slip rates ------------------------------------------------------------------
     def _of_gaps(self, begin: Floats, zero: Floats) -> tuple[float, int] | None:

@@ -9,7 +9,7 @@ Programs are evaluated over whole parts of a step (`enclosures`), which kernels 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
@@ -55,10 +55,13 @@ class Writer(OperationGraph):
         self._place = -1
 
     # -- programs -----------------------------------------------------------------------------
-    def program(self, measure: Measure | NonholonomicForm, order: int, sign: float = 1.0) -> Program:
-        """The value of a measure (order 0) or its rate (order 1), by a sign."""
-        node = self._rate_of(measure) if order or isinstance(measure, NonholonomicForm) else self._of(measure)
-        return self.written(sign * node)
+    def program(self, order: int, parts: Sequence[tuple[Measure | NonholonomicForm, float]]) -> Program:
+        """The values of measures (order 0) or their rates (order 1), each by a factor, added."""
+        total = self.constant(0.0)
+        for measure, factor in parts:
+            node = self._rate_of(measure) if order or isinstance(measure, NonholonomicForm) else self._of(measure)
+            total = total + factor * node
+        return self.written(total)
 
     def _rate_of(self, measure: Measure | NonholonomicForm) -> ProgramNode:
         if isinstance(measure, NonholonomicForm):

@@ -34,7 +34,8 @@ OF_VALUE, OF_RATE, OF_MULTIPLIER, OF_RESERVE, OF_SHARE = range(5)
 
 @dataclass(frozen=True)
 class Guard:
-    """Something that a mode needs to be positive. of_value: sign (row - offset); of_rate: sign times the rate of a row;
+    """Something that a mode needs to be positive. of_value: sign (row - offset); of_rate: sign times the rate of a row,
+    of slip in a plane that along a direction, sign times the rate of row + sign_across times that of row_across;
     of_multiplier: sign times that of a held row; of_reserve: what dry friction can carry beyond what it does, with the
     shares that follow: friction along the same slip, held by one row."""
 
@@ -44,6 +45,8 @@ class Guard:
     sign: float = 1.0
     offset: float = 0.0
     n_shares: int = 0
+    row_across: int = -1
+    sign_across: float = 0.0
 
 
 class ArrayBuilder:
@@ -55,7 +58,7 @@ class ArrayBuilder:
         self.width = packing.measures.width
         self._tapes = Tapes(packing.numbers.values)
         self._writer = Writer(packing.numbers, packing.bearing_of)
-        self._programs: dict[tuple[int, int, float], Program] = {}
+        self._programs: dict[tuple[int, int, float, int, float], Program] = {}
         self._places = MeasurePlaces(packing)
         self._write()
 
@@ -229,7 +232,8 @@ class ArrayBuilder:
         guards: Sequence[Guard] = (),
     ) -> tuple[ModelArrays, list[int]]:
         """The layout with the chosen rows held (all of them if nothing is said), friction sliding along (friction,
-        direction), and the given guards; and the order of the held rows, places among the chosen ones."""
+        direction), and the given guards; and the order of the held rows, places among the chosen ones. Friction in a
+        plane is pointed afterwards (`point`)."""
         held = list(range(len(self._held))) if chosen is None else list(chosen)
         sequence = elimination_order([frozenset(c // self.width for c, _o in self._held_slots[k]) for k in held])
         sorted_held = [held[k] for k in sequence]
@@ -239,7 +243,9 @@ class ArrayBuilder:
             for k in sorted_held
         ]
         rows = [self._held[k] for k in sorted_held]
-        slides = [self._slide(friction, direction, place) for friction, direction in sliding]
+        slides: list[tuple[tuple[int, ...], tuple[float, ...]]] = []
+        for friction, direction in sliding:
+            slides += self._slides(friction, direction, place, len(slides))
         watched = [self._guard(guard, place) for guard in guards]
         layout = ModelArrays(
             **self._fixed,
@@ -247,9 +253,9 @@ class ArrayBuilder:
             held_scale=floats([h["scale"] for h in rows]),
             held_ptr=pointers(entries),
             held_slots=ints([(c, o) for slots in entries for c, o, _fixed in slots], 2),
-            slide=ints([slide[0] for slide in slides], 2, 6),
-            slide_factor=floats(np.array([slide[1] for slide in slides]).reshape(-1, 2)),
-            guard=ints([guard[0] for guard in watched], 2, 6),
+            slide=ints([slide[0] for slide in slides], 2, 7),
+            slide_factor=floats(np.array([slide[1] for slide in slides]).reshape(-1, 4)),
+            guard=ints([guard[0] for guard in watched], 2, 7),
             guard_factor=floats(np.array([guard[1] for guard in watched]).reshape(-1, 4)),
             **schur_complement(entries, self._masses["inverse_mass"]),
         )
@@ -258,6 +264,10 @@ class ArrayBuilder:
     def keep(self, friction: int, value: float) -> None:
         """What a sticking friction keeps its measure at from now on, in all layouts."""
         self.keep_at(self.packing.dry_friction[friction].keeps, value)
+
+    def keep_across(self, friction: int, value: float) -> None:
+        """The same of its row across."""
+        self.keep_at(self.packing.dry_friction[friction].keeps_across, value)
 
     def keep_at(self, place: int, value: float) -> None:
         """What a row at a place among those that may be held keeps its measure at from now on, in all layouts."""
@@ -269,11 +279,19 @@ class ArrayBuilder:
         """The row of the slip of dry friction."""
         return self._number[self.packing.dry_friction[friction].where]
 
-    def program(self, row: int, order: int, sign: float = 1.0) -> Program:
-        """The value (order 0) or the rate (order 1) of a row, up to a constant, by a sign."""
-        key = row, order, sign
+    def across_of_friction(self, friction: int) -> int:
+        """The row of its slip across, or -1."""
+        across = self.packing.dry_friction[friction].across
+        return -1 if across is None else self._number[across]
+
+    def program(self, row: int, order: int, sign: float = 1.0, across: int = -1, sign_across: float = 0.0) -> Program:
+        """The value (order 0) or the rate (order 1) of a row, up to a constant, by a sign; with another row by another
+        sign."""
+        key = row, order, sign, across, sign_across
         if key not in self._programs:
-            self._programs[key] = self._writer.program(self._measures[row], order, sign)
+            parts = [(self._measures[row], sign)]
+            parts += [(self._measures[across], sign_across)] if across >= 0 else []
+            self._programs[key] = self._writer.program(order, parts)
         return self._programs[key]
 
     def row_of_held(self, k: int) -> int:
@@ -289,22 +307,26 @@ class ArrayBuilder:
         a, b = (*(place.get(k, -1) for k in slide.loads), -1, -1)[:2]
         return (BY_LAW if not slide.loads else BY_SIZE if len(slide.loads) > 1 else BY_ONE), a, b
 
-    def _slide(
-        self, friction: int, direction: int, place: Mapping[int, int]
-    ) -> tuple[tuple[int, ...], tuple[float, ...]]:
+    def _slides(
+        self, friction: int, direction: int, place: Mapping[int, int], n_before: int
+    ) -> list[tuple[tuple[int, ...], tuple[float, ...]]]:
+        """The rows along which a friction slides; two of one in a plane."""
         slide = self.packing.dry_friction[friction]
         kind, a, b = self._loads(friction, place)
         c = 1.0 if kind == BY_LAW else self.packing.numbers.number(slide.friction.coefficient(direction))
-        return (self.row_of_friction(friction), kind, a, b, self._limits[friction][1], 1), (
-            -direction * c,
-            float(slide.sign),
-        )
+        across, tape = self.across_of_friction(friction), self._limits[friction][1]
+        factors = -direction * c, float(slide.sign), 0.0, 0.0
+        rows = [(self.row_of_friction(friction), -1)]
+        if across >= 0:
+            rows = [(rows[0][0], n_before + 1), (across, n_before)]
+        return [((row, kind, a, b, tape, 1, other), factors) for row, other in rows]
 
     def _guard(self, guard: Guard, place: Mapping[int, int]) -> tuple[tuple[int, ...], tuple[float, ...]]:
         if guard.kind == OF_MULTIPLIER:
-            return (guard.kind, place[guard.row], -1, -1, -1, 0), (guard.sign, 0.0, 0.0, 0.0)
+            return (guard.kind, place[guard.row], -1, -1, -1, 0, -1), (guard.sign, 0.0, 0.0, 0.0)
         if guard.kind in (OF_VALUE, OF_RATE):
-            return (guard.kind, guard.row, -1, -1, -1, 0), (guard.sign, guard.offset, 0.0, 0.0)
+            factors = guard.sign, guard.offset, guard.sign_across, 0.0
+            return (guard.kind, guard.row, guard.row_across, -1, -1, 0, -1), factors
         slide = self.packing.dry_friction[guard.friction]
         kind, a, b = self._loads(guard.friction, place)
         # a positive multiplier resists a falling measure
@@ -313,7 +335,8 @@ class ArrayBuilder:
             for d in (-1, 1)
         )
         at = -1 if guard.kind == OF_SHARE else place[slide.keeps]
-        return (guard.kind, at, a, b, self._limits[guard.friction][0], guard.n_shares), (
+        across = -1 if guard.kind == OF_SHARE or slide.across is None else place[slide.keeps_across]
+        return (guard.kind, at, a, b, self._limits[guard.friction][0], guard.n_shares, across), (
             float(slide.sign),
             down,
             up,

@@ -67,10 +67,15 @@ class ModelArrays(NamedTuple):
     held_ptr: Ints
     held_slots: Ints2  # (n, 2): coordinate (3 cell + 0, 1, 2) and entry; those that are always zero are left out
 
-    slide: Ints2  # (n, 6): row of the slip, what presses (`sliding.PRESSED_*`), held a, held b, tape, works
-    slide_factor: Floats2  # (n, 2): force = [0] * load; sign of the load of one held row
+    # (n, 7): row of the slip, what presses (`sliding.PRESSED_*`), held a, held b, tape, works, the slide across or -1
+    slide: Ints2
+    # (n, 4): force = [0] * load; sign of the load of one held row; of slip in a plane: the component of the direction
+    # in which it went last, and the speed below which it has that
+    slide_factor: Floats2
 
-    guard: Ints2  # (n, 6): kind (`guarding.GUARD_*`), row or held, held a, held b, tape, shares that follow
+    # (n, 7): kind (`guarding.GUARD_*`), row or held, held a or row across, held b, tape, shares that follow, and held
+    # across
+    guard: Ints2
     guard_factor: Floats2  # (n, 4): see `guarding.guarded`
 
     load: Ints2  # (n, 3): row, tape of its law (-1: a linear one), its work is integrated: it has no potential

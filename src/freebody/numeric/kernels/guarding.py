@@ -4,6 +4,8 @@
 
 from __future__ import annotations
 
+import math
+
 from freebody.numeric.kernels.declaring import kernel
 from freebody.numeric.kernels.kinematics import RATE, VALUE
 from freebody.numeric.kernels.sliding import load_of
@@ -25,12 +27,16 @@ def guarded(L, S, t, values, rates, sizes):
             rates[g] = sign * S.rows[r, RATE]
         elif kind == GUARD_RATE:
             values[g] = sign * S.rows[r, RATE]
+            if L.guard[g, 2] >= 0:  # slip in a plane, along a direction
+                values[g] += L.guard_factor[g, 2] * S.rows[L.guard[g, 2], RATE]
         elif kind == GUARD_MULTIPLIER:
             values[g] = sign * S.multiplier[r]
         elif kind == GUARD_SHARE:
             values[g] = 1.0
         else:
             carried, limit = S.multiplier[r], 0.0
+            if L.guard[g, 6] >= 0:  # the resultant of both components
+                carried = math.hypot(carried, S.multiplier[L.guard[g, 6]])
             for k in range(g, g + 1 + L.guard[g, 5]):
                 kind_of_load, up = int(L.guard_factor[k, 3]), L.guard_factor[k, 0]
                 size = load_of(L, S, kind_of_load, L.guard[k, 2], L.guard[k, 3], L.guard[k, 4], up, t)

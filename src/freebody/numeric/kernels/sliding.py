@@ -2,6 +2,10 @@
 
 The forces phi_k = -s_k c_k N_k(lambda) and the multipliers lambda = lambda_0 + sum of phi_j Lambda_j, Lambda_j those by
 a unit force along slip j alone, are solved for together.
+
+Slip in a plane has two rates, (v_k, v_l), and its friction both components, s_k = v_k/|v|. Near v = 0, and where the
+slip has just turned round, s follows the direction d in which it went last: the force stays smooth through the instant
+at which the slip stops, which is where the guard v.d > 0 is violated.
 """
 
 # pyright: basic
@@ -33,6 +37,21 @@ def load_of(L, S, kind, a, b, tape, sign, t):
     if kind == PRESSED_BY_ONE:
         return sign * S.multiplier[a] if sign != 0.0 else abs(S.multiplier[a])
     return math.hypot(S.multiplier[a], S.multiplier[b])
+
+
+@kernel
+def direction_of(L, S, k):
+    """s_k of a sliding friction, by which its factor is multiplied; 1 along a line."""
+    other = L.slide[k, 6]
+    if other < 0:
+        return 1.0
+    r, q = L.slide[k, 0], L.slide[other, 0]
+    own, across = S.rows[r, RATE], S.rows[q, RATE]
+    speed = math.hypot(own, across)
+    if speed <= L.slide_factor[k, 3]:
+        return L.slide_factor[k, 2]
+    along = own * L.slide_factor[k, 2] + across * L.slide_factor[other, 2]
+    return own / speed if along >= 0.0 else -own / speed
 
 
 @kernel
@@ -73,7 +92,7 @@ def slid(L, S, n_passes, t):
                 L.slide[k, 1],
                 L.slide[k, 2],
                 L.slide[k, 3],
-                L.slide_factor[k, 0],
+                L.slide_factor[k, 0] * direction_of(L, S, k),
                 L.slide_factor[k, 1],
             )
             size = load_of(L, S, kind, a, b, L.slide[k, 4], sign, t)

@@ -70,6 +70,12 @@ def _dome(form: Figure, u: float) -> Solid:
     return turned_on_axis((*profile, (0.02 * radius, radius))).moved(basis((1.0, 0.0, 0.0)), form.center.at)
 
 
+def _ellipsoid(form: Figure, u: float) -> Solid:
+    heights = np.linspace(-0.5 * np.pi, 0.5 * np.pi, 2 * _N_RINGS + 1)
+    unit = turned_on_axis(tuple((max(float(np.cos(a)), 0.02), float(np.sin(a))) for a in heights))
+    return unit.moved(np.diag(form.sizes), form.center.at)
+
+
 def _disk(form: Figure, u: float) -> Solid:
     """Thin; with teeth where it is a gear wheel."""
     (radius,) = form.sizes
@@ -92,6 +98,7 @@ _CONVEX: dict[SolidKind, Callable[[Figure, float], Solid | None]] = {
     solids.CONE: _cone,
     solids.FRUSTUM: _frustum,
     solids.DOME: _dome,
+    solids.ELLIPSOID: _ellipsoid,
     solids.DISK: _disk,
     solids.ROD: _rod,
 }

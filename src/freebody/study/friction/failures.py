@@ -61,7 +61,7 @@ def seen(
         own = [cone for cone in problem.cones if cone.load and cone.load[0][0] == row]
         if any(cone.name == asked for cone in own) and sign * optimum.forces[row] > _STILL * problem.force:
             continue  # it is pressed, and friction that is asked for is at its limit
-        sliding = sum((c.forward if raw[c.row] > 0 else c.backward) * abs(raw[c.row]) for c in own)
+        sliding = sum((c.forward if raw[c.row] > 0 else c.backward) * c.size_of(raw) for c in own)
         if opening - sliding > still * sizes[row] and opening > still * sizes[row]:
             opens.add(problem.names[row])
     for cone in problem.cones:
@@ -72,8 +72,8 @@ def seen(
             if any(sign * scaled[j] > still for j, sign in cone.load):
                 slips[cone.name] = -1 if optimum.forces[cone.row] > 0 else 1
             continue
-        if abs(scaled[cone.row]) > still:
-            slips[cone.name] = 1 if raw[cone.row] > 0 else -1
+        if cone.size_of(scaled) > still:
+            slips[cone.name] = 1 if raw[cone.row] > 0 or cone.across >= 0 else -1
     signs = {
         problem.names[cone.size[0]]: 1 if optimum.forces[cone.size[0]] >= 0 else -1
         for cone in problem.cones
@@ -98,11 +98,15 @@ def touching_most(touching: TouchingAtRest, problem: RestProblem, v: Array) -> s
     relative = np.abs(v) / problem.moves
     k, best, most = 0, "", -1.0
     for body in touching.held.moving:
-        n = 3 if body.turns else 2
+        n = _n_coordinates(touching, turns=body.turns)
         if float(relative[k : k + n].max()) > most:
             best, most = body.name, float(relative[k : k + n].max())
         k += n
     return best
+
+
+def _n_coordinates(touching: TouchingAtRest, *, turns: bool) -> int:
+    return (6 if turns else 3) if touching.system.space else (3 if turns else 2)
 
 
 # -- words ------------------------------------------------------------------------------------
@@ -203,7 +207,9 @@ def _opening(touching: TouchingAtRest, name: str) -> str:
 
 
 def _heading(touching: TouchingAtRest, problem: RestProblem, row: ConstraintRow, direction: int) -> str:
-    """Which way the first body slips along the other one."""
+    """Which way the first body slips along the other one, in the plane."""
+    if touching.system.space:
+        return ""
     body = next((end for end in row.ends if end in touching.held.bodies), "")
     columns: list[int] = []
     k = 0

@@ -204,6 +204,11 @@ def _used(problem: RestProblem, cone: FrictionCone, force: float) -> float | Non
         load = math.hypot(*parts)
     else:
         load = sum(sign * part for (_j, sign), part in zip(cone.load, parts, strict=True))
+    if cone.across >= 0:
+        ends = spread(problem, cone.across)
+        if ends is None or abs(ends[1].value - ends[0].value) > _UNIQUE * problem.force:
+            return None
+        force = math.hypot(force, ends[0].value)
     can = cone.forward * load + cone.limits[0] if force < 0 else cone.backward * load + cone.limits[1]
     return None if can <= _UNIQUE * problem.force else abs(force) / can
 

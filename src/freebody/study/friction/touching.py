@@ -41,7 +41,8 @@ class TouchingAtRest:
     @property
     def rows(self) -> tuple[ConstraintRow, ...]:
         """Everything that transmits a force."""
-        return (*self.held.constraint_rows, *(rub.row for rub in self.dry_friction))
+        across = (rub.across for rub in self.dry_friction if rub.across is not None)
+        return (*self.held.constraint_rows, *(rub.row for rub in self.dry_friction), *across)
 
     def is_admissible(self, reference: Reference, q: Array) -> bool:
         """Whether nothing else penetrates in a pose, and what touches does so where it is meant to."""
@@ -100,8 +101,12 @@ def touching(system: System) -> TouchingAtRest:
 
 
 def _starting(system: System) -> list[list[UnilateralConstraint]]:
-    """The sites of every pair of outlines that starts closed."""
-    return [pair.elements()[0] for pair in system.contacts if pair.starts_closed]
+    """The sites of every pair of outlines, or of a body and a plane in space, that starts closed."""
+    in_space: dict[str, list[UnilateralConstraint]] = {}
+    for bound in system.limits:
+        if bound.starts_closed:
+            in_space.setdefault(bound.family, []).append(bound)
+    return [*(pair.elements()[0] for pair in system.contacts if pair.starts_closed), *in_space.values()]
 
 
 def _first(

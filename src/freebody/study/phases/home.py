@@ -31,7 +31,7 @@ from freebody.symbolic.conditions import Condition, require
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.relations import parted
 from freebody.symbolic.state import SymbolicState
-from freebody.system.modes import ContactMode, depends_on_time, ideal_bounds, in_mode, sticking_row
+from freebody.system.modes import ContactMode, depends_on_time, ideal_bounds, in_mode, sticking_rows
 from freebody.system.system import System
 from freebody.tolerances import ROUND_OFF, ROUNDED, TOUCHES
 
@@ -41,10 +41,24 @@ _LONG_ANGLE, _LONG_TIME = 3, 12  # operations: what is longer gets a symbol
 _N_STARTS = 3  # numbers of the parameters at which the rates of the start are looked at
 
 
+def _refuse_slip_in_planes(system: System) -> None:
+    """Phases are told apart by the signs of slips along lines; a slip in a plane has a direction instead."""
+    turning = [rub for rub in system.dry_friction if rub.across is not None]
+    if turning:
+        raise CannotAnswer(
+            Message(
+                "I cannot solve this in closed form, because the friction of {names} acts in a plane, and its "
+                "direction follows the slip; freebody simulate follows the motion in numbers",
+                names=", ".join(dict.fromkeys(rub.row.connection for rub in turning)),
+            )
+        )
+
+
 class Home:
     """A system at its start, without friction: conditions, times and values of all phases are elements of its field."""
 
     def __init__(self, system: System) -> None:
+        _refuse_slip_in_planes(system)
         touching = closed_at_start(system)
         self.moving = parted_at_start(system, touching)  # touch, with a gap that grows or shrinks at the start
         self.closed = touching - self.moving
@@ -119,7 +133,7 @@ class Home:
         """Start values of the measures that are held where they are, by the symbols that stand for them."""
         rows: list[ConstraintRow] = [
             *self.system.constraint_rows,
-            *(sticking_row(rub) for rub in self.system.dry_friction),
+            *(row for rub in self.system.dry_friction for row in sticking_rows(rub)),
         ]
         for row in rows:
             measure: Any = row.measure

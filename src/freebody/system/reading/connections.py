@@ -172,4 +172,4 @@ def rows_to_ask_for(
         more_bounds, more_rubs = pair.elements()
         bounds += more_bounds
         dry_friction += more_rubs
-    return [item.row for item in (*bounds, *dry_friction)]
+    return [*(bound.row for bound in bounds), *(row for rub in dry_friction for row in rub.rows)]

@@ -1,0 +1,128 @@
+"""Where a body in space can touch a plane: at a point of its own, at its corners, its rim, its curved surface.
+
+With n the normal of the plane and C the centre, what is lowest is
+
+    a sphere                       C - R n,                                          h - R above the plane,
+    the rim of a disk with axis a  C - R (n - (n.a) a)/|n x a|,                      h - R |n x a|,
+    an ellipsoid of semi-axes D    C - D^2 n/sqrt(n.D^2 n), components in its axes,  h - sqrt(n.D^2 n),
+
+with h the height of C. The material point there slips in the plane by its velocity, of which the two components along
+the plane are rates of no measure; a point that is always the same one slips by the rates of its place. Source: Neimark
+& Fufaev, Dynamics of Nonholonomic Systems, 1972, ch. I sec. 2; Kane & Levinson, Int. J. Non-Linear Mech. 17 (1982).
+"""
+
+from __future__ import annotations
+
+import itertools
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from freebody.language.expression import ZERO, Call, Expr, Symbol, divide, number
+from freebody.language.units import LENGTH
+from freebody.measures.base import Measure
+from freebody.measures.combination import Composed
+from freebody.measures.displacement import Displacement
+from freebody.measures.geometry import Direction, Point
+from freebody.measures.turn import Alignment
+from freebody.model.elements import BodyPlane, NonholonomicForm, RigidBody
+from freebody.model.rotations import perpendiculars
+from freebody.model.solids import BOX, CYLINDER, ELLIPSOID
+from freebody.model.spins import body_axes, velocity_of_place
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+Arm = list[tuple[Measure, Direction]]  # of a place from the centre: components along directions of the body
+
+
+@dataclass(frozen=True)
+class PlaceOnPlane:
+    """A place at which a body can touch a plane. arm: None where it is always the same point of the body."""
+
+    label: str
+    center: Point
+    gap: Measure
+    target: Expr | None
+    arm: Arm | None
+
+    def slip(self, along: Direction, plane: BodyPlane) -> Measure | NonholonomicForm:
+        """What slips along a direction of the plane."""
+        if self.arm is None:
+            return Displacement(self.center, plane.through, along)
+        return velocity_of_place(self.center, self.arm, along, plane.through)
+
+
+def along_plane(plane: BodyPlane) -> tuple[Direction, Direction]:
+    """Two directions of a plane, at right angles: with its normal they are right-handed."""
+    b, c = perpendiculars(plane.normal.components)
+    return Direction(plane.normal.body, b), Direction(plane.normal.body, c)
+
+
+def places_on_plane(names: Names, text: str, plane: BodyPlane) -> list[PlaceOnPlane]:
+    """The places at which a body, or a point of one, can touch a plane; none where it has no form that could."""
+    owner, dot, _point = text.partition(".")
+    body = names.known(owner)
+    if dot or not body.turns:
+        return [_point_of(names.point(text, "between"), text, plane)]
+    if body.solid == BOX:
+        return [_point_of(corner, corner.name, plane) for corner in corners_of_box(body)]
+    if body.solid == ELLIPSOID:
+        return [ellipsoid_on_plane(body, plane)]
+    if body.round == "sphere" and body.radius is not None:
+        arm = sphere_arm(body, body.radius, plane)
+        return [PlaceOnPlane(body.name, body.center, _height(body.center, plane), body.radius, arm)]
+    if body.solid == CYLINDER:
+        return [_rim(body, body.point(end), f"{body.name}.{end}", body.sizes[0], plane) for end in ("start", "end")]
+    if body.round == "disk" and body.radius is not None:
+        return [_rim(body, body.center, body.name, body.radius, plane)]
+    return []
+
+
+def _height(point: Point, plane: BodyPlane) -> Displacement:
+    return Displacement(point, plane.through, plane.normal)
+
+
+def _point_of(point: Point, label: str, plane: BodyPlane) -> PlaceOnPlane:
+    return PlaceOnPlane(label, point, _height(point, plane), None, None)
+
+
+def corners_of_box(body: RigidBody) -> list[Point]:
+    """The eight corners, by the signs of their places along x, y and z."""
+    halves = [divide(size, number(2)) for size in body.sizes]
+    found: list[Point] = []
+    for k, signs in enumerate(itertools.product((-1, 1), repeat=3), 1):
+        place = tuple(number(sign) * half for sign, half in zip(signs, halves, strict=True))
+        found.append(Point(body.name, place, f"{body.name}.corner{k}"))
+    return found
+
+
+def sphere_arm(body: RigidBody, radius: Expr, plane: BodyPlane) -> Arm:
+    """-R n."""
+    return [
+        (Composed(-radius * Symbol("n"), (("n", Alignment(b, plane.normal)),), LENGTH), b) for b in body_axes(body.name)
+    ]
+
+
+def _rim(body: RigidBody, center: Point, label: str, radius: Expr, plane: BodyPlane) -> PlaceOnPlane:
+    across = [Direction(body.name, v) for v in perpendiculars(body.axis)]
+    n = tuple((f"n{j}", Alignment(b, plane.normal)) for j, b in enumerate(across, 1))
+    size = Call("sqrt", Symbol("n1") * Symbol("n1") + Symbol("n2") * Symbol("n2"))
+    gap = Composed(Symbol("h") - radius * size, (("h", _height(center, plane)), *n), LENGTH)
+    arm: Arm = [(Composed(-radius * Symbol(name) / size, n, LENGTH), b) for (name, _), b in zip(n, across, strict=True)]
+    return PlaceOnPlane(label, center, gap, None, arm)
+
+
+def ellipsoid_on_plane(body: RigidBody, plane: BodyPlane) -> PlaceOnPlane:
+    """The lowest place of an ellipsoid."""
+    axes = body_axes(body.name)
+    n = tuple((f"n{j}", Alignment(b, plane.normal)) for j, b in enumerate(axes, 1))
+    reach: Expr = ZERO
+    for half_axis, (name, _) in zip(body.sizes, n, strict=True):
+        reach = reach + half_axis * half_axis * Symbol(name) * Symbol(name)
+    size = Call("sqrt", reach)
+    gap = Composed(Symbol("h") - size, (("h", _height(body.center, plane)), *n), LENGTH)
+    arm: Arm = [
+        (Composed(-half_axis * half_axis * Symbol(name) / size, n, LENGTH), b)
+        for half_axis, (name, _), b in zip(body.sizes, n, axes, strict=True)
+    ]
+    return PlaceOnPlane(body.name, body.center, gap, None, arm)
