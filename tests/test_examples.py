@@ -228,6 +228,7 @@ _LANDAU = "sqrt((m1 + m2)*((m1 + m2)*(L1 + L2)**2 - 4*m1*L1*L2))"
 _LIFTED = "(W/((1 - mu**2)*cos(alpha) - 2*mu*sin(alpha)))"  # what the inclined face of a wedge carries
 _LEANS, _ROLLS = "(k*theta + c*rate(theta))", "(3*m/2 + M)"
 _BEAM = "(k - J*g*c_x/c)"
+_HELICAL = "((T - m_1*(T - M*z_1/z_2)/(m_1 + m_2))/r)"  # tangential force
 _ROPE = "m_2 - m_1 + rho*y - rho*(L - pi*R - y)"  # what drives, over g
 _DELAY = ("(4*k/(J*tau**2))", "(4*c/(J*tau**2))", "(4/tau**2 + 4*c/(J*tau))", "(4/tau + c/J)")
 TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
@@ -823,6 +824,14 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
         "tension": "M/2*m*g*x/(L*(m + M/2))",
         "turning": "-sqrt(m*g*(L**2 - b**2)/(L*(m + M/2)))/R",
         "time": "sqrt(L*(m + M/2)/(m*g))*log(L/b + sqrt((L/b)**2 - 1))",
+    },
+    # m_1 r^2/2 w_1' = T - r F, m_2 r_2^2/2 w_2' = M - r_2 F with w_2 = -w_1 z_1/z_2; F tan(beta), F tan(alpha)/cos(beta)
+    "helical_gears": {
+        "acceleration": "2*(T - M*z_1/z_2)/((m_1 + m_2)*r**2)",
+        "tangential": _HELICAL,
+        "axial": f"{_HELICAL}*tan(beta)",
+        "radial": f"{_HELICAL}*tan(alpha)/cos(beta)",
+        "thrust": [f"-{_HELICAL}*tan(beta)", f"{_HELICAL}*tan(alpha)/cos(beta)", _HELICAL],
     },
     "throw_at_target": {
         "angles": [
