@@ -825,13 +825,20 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
         "turning": "-sqrt(m*g*(L**2 - b**2)/(L*(m + M/2)))/R",
         "time": "sqrt(L*(m + M/2)/(m*g))*log(L/b + sqrt((L/b)**2 - 1))",
     },
-    # m_1 r^2/2 w_1' = T - r F, m_2 r_2^2/2 w_2' = M - r_2 F with w_2 = -w_1 z_1/z_2; F tan(beta), F tan(alpha)/cos(beta)
+    # m_1 r^2/2 w_1' = T - r F, m_2 r_2^2/2 w_2' = M - r_2 F with w_2 = -w_1 z_1/z_2
     "helical_gears": {
         "acceleration": "2*(T - M*z_1/z_2)/((m_1 + m_2)*r**2)",
         "tangential": _HELICAL,
         "axial": f"{_HELICAL}*tan(beta)",
         "radial": f"{_HELICAL}*tan(alpha)/cos(beta)",
         "thrust": [f"-{_HELICAL}*tan(beta)", f"{_HELICAL}*tan(alpha)/cos(beta)", _HELICAL],
+    },
+    # m x'' = F - F_0 - k x with x'' = -h Omega^2/2 where the valve is highest
+    "valve_spring": {"force": "F_0 + k*h - m*h*Omega**2/2", "lifts": "sqrt((2*k*h + 2*F_0)/(m*h))"},
+    # R |F - W| = mu r (F + W), the force in the axle being F + W
+    "journal_friction": {
+        "range": ["W*(R - mu*r)/(R + mu*r)", "W*(R + mu*r)/(R - mu*r)"],
+        "least": "R*(F - W)/(r*(F + W))",
     },
     "throw_at_target": {
         "angles": [
