@@ -717,6 +717,43 @@ start: {phi: 0, psi: 0}
 """,
         {"acceleration of phi": "M/(I + 4*J)", "acceleration of psi": "-2*M/(I + 4*J)"},
     ),
+    # rope, bodies and the rim of the disk run with the same speed; both sides are alike where y is (L - pi R)/2
+    "rope with mass over a disk": (
+        "heavy_rope",
+        """
+parameters: {rho: 2 kg/m, L: 4 m, R: 0.1 m, M: 3 kg, m: 1 kg, g: 9.81 m/s^2}
+bodies:
+  wheel: {disk: {mass: M, radius: R}}
+  rope: {rope: {mass_per_length: rho, length: L}}
+  a: {particle: {mass: m}}
+  b: {particle: {mass: m}}
+connections:
+  p: {pin: [ground.O, wheel]}
+  it: {heavy_rope: {rope: rope, over: [wheel], leads: [up, down], from: a, to: b}}
+loads: {weight: {gravity: g}}
+measures: {y: drop of rope}
+start: {y: 1.3 m, rate(y): 0}
+""",
+        {"acceleration of y": "2*rho*g*(y - (L - pi*R)/2)/(rho*L + 2*m + M/2)"},
+    ),
+    # the helix pushes along the shafts, which do not give way: r_2 = 2 r_1
+    "helical gears": (
+        "helical_gears",
+        """
+space: true
+parameters: {I: 0.1 kg m^2, J: 0.3 kg m^2, M: 5 N m, r: 0.2 m}
+ground: {points: {A: [0, 0, 0], B: [0, 0, 3*r]}}
+bodies: {a: {body: {inertia: I}}, b: {body: {inertia: J}}}
+connections:
+  p: {revolute: {first: ground.A, second: a, about: x}}
+  q: {revolute: {first: ground.B, second: b, about: x}}
+  it: {helical_gears: {first: a, second: b, teeth: [20, 40], radius: r, helix_angle: 20 deg}}
+loads: {drive: {torque: {on: a, about: x, magnitude: M}}}
+measures: {phi: angle of a about x, psi: angle of b about x}
+start: {phi: 0, psi: 0}
+""",
+        {"acceleration of phi": "M/(I + J/4)", "acceleration of psi": "-M/(2*I + J/2)"},
+    ),
     # a turn of the worm moves the wheel by one of its 30 teeth
     "worm without friction": (
         "worm_gear",

@@ -177,7 +177,7 @@ def test_the_json_document_has_the_documented_shape(name: str) -> None:
 def test_a_condition_says_the_same_in_words_and_to_machines(name: str) -> None:
     """The words of a comparison are read by the parser of model files, which knows no Python."""
     for condition in (c for a in solved(name).to_plain()["answers"] for c in a["conditions"]):
-        words = re.sub(r"^at every .* with | \([^()+*/·]*\)$", "", condition["text"])
+        words = re.sub(r"^at every .* with |^from the start to the event | \([^()+*/·]*\)$", "", condition["text"])
         words = re.sub(r"\|(.*)\|", r"abs(\1)", words)
         found = re.fullmatch("([^<>≤≥≠=]+) ([<>≤≥≠=]) ([^<>≤≥≠=]+)", words)
         if found is None or "°" in found[3] or found[1].startswith(("conserved", "stable", "steady", "for all")):
@@ -228,6 +228,8 @@ _LANDAU = "sqrt((m1 + m2)*((m1 + m2)*(L1 + L2)**2 - 4*m1*L1*L2))"
 _LIFTED = "(W/((1 - mu**2)*cos(alpha) - 2*mu*sin(alpha)))"  # what the inclined face of a wedge carries
 _LEANS, _ROLLS = "(k*theta + c*rate(theta))", "(3*m/2 + M)"
 _BEAM = "(k - J*g*c_x/c)"
+_HELICAL = "((T - m_1*(T - M*z_1/z_2)/(m_1 + m_2))/r)"  # tangential force
+_ROPE = "m_2 - m_1 + rho*y - rho*(L - pi*R - y)"  # what drives, over g
 _DELAY = ("(4*k/(J*tau**2))", "(4*c/(J*tau**2))", "(4/tau**2 + 4*c/(J*tau))", "(4/tau + c/J)")
 TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
     # m v' = -m g - k v |v|, separated: upwards a tangent of the time, back by the energy that the resistance leaves
@@ -795,6 +797,48 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
     # T = m g r tan(lambda +- rho) with tan(lambda) = p/(2 pi r), tan(rho) = mu
     "screw_jack": {
         "torque": ["m*g*r*(p - 2*pi*r*mu)/(2*pi*r + mu*p)", "m*g*r*(p + 2*pi*r*mu)/(2*pi*r - mu*p)"],
+    },
+    # rho L x'' = rho g x, x = b cosh(sqrt(g/L) t); T accelerates what is still on the table: rho (L - x) x''
+    "chain_off_a_table": {
+        "acceleration": "g*x/L",
+        "tension": "rho*(L - x)*g*x/L",
+        "velocity": "sqrt(g*(L**2 - b**2)/L)",
+        "time": "sqrt(L/g)*log(L/b + sqrt((L/b)**2 - 1))",
+    },
+    # m x'' = m g (x - mu (L - x))/L: from u_0 = b - mu L/(1 + mu) to u = L/(1 + mu), u'' = (1 + mu) g u/L
+    "chain_on_rough_table": {
+        "rest": "mu*L/(1 + mu)",
+        "velocity": "sqrt((1 + mu)*g/L*((L/(1 + mu))**2 - (b - mu*L/(1 + mu))**2))",
+    },
+    # energy, with the left side L - pi R - y long; before the pulley T carries and lifts m_1 and that side
+    "rope_with_mass_over_a_pulley": {
+        "acceleration": f"({_ROPE})*g/(m_1 + m_2 + rho*L + M/2)",
+        "left": f"m_1*g*(1 + ({_ROPE})/(m_1 + m_2 + rho*L + M/2))",
+        "before": f"(m_1 + rho*(L - pi*R - y))*g*(1 + ({_ROPE})/(m_1 + m_2 + rho*L + M/2))",
+        "equilibrium": "(m_1 - m_2)/(2*rho) + (L - pi*R)/2",
+        "speed": "sqrt(2*g*h*(m_2 - m_1 + rho*(2*y_0 + h - (L - pi*R)))/(m_1 + m_2 + rho*L + M/2))",
+    },
+    # (m + M/2) x'' = m g x/L; R times the tension turns the drum, M R^2/2 x''/R
+    "rope_off_a_drum": {
+        "acceleration": "m*g*x/(L*(m + M/2))",
+        "tension": "M/2*m*g*x/(L*(m + M/2))",
+        "turning": "-sqrt(m*g*(L**2 - b**2)/(L*(m + M/2)))/R",
+        "time": "sqrt(L*(m + M/2)/(m*g))*log(L/b + sqrt((L/b)**2 - 1))",
+    },
+    # m_1 r^2/2 w_1' = T - r F, m_2 r_2^2/2 w_2' = M - r_2 F with w_2 = -w_1 z_1/z_2
+    "helical_gears": {
+        "acceleration": "2*(T - M*z_1/z_2)/((m_1 + m_2)*r**2)",
+        "tangential": _HELICAL,
+        "axial": f"{_HELICAL}*tan(beta)",
+        "radial": f"{_HELICAL}*tan(alpha)/cos(beta)",
+        "thrust": [f"-{_HELICAL}*tan(beta)", f"{_HELICAL}*tan(alpha)/cos(beta)", _HELICAL],
+    },
+    # m x'' = F - F_0 - k x with x'' = -h Omega^2/2 where the valve is highest
+    "valve_spring": {"force": "F_0 + k*h - m*h*Omega**2/2", "lifts": "sqrt((2*k*h + 2*F_0)/(m*h))"},
+    # R |F - W| = mu r (F + W), the force in the axle being F + W
+    "journal_friction": {
+        "range": ["W*(R - mu*r)/(R + mu*r)", "W*(R + mu*r)/(R - mu*r)"],
+        "least": "R*(F - W)/(r*(F + W))",
     },
     "throw_at_target": {
         "angles": [

@@ -664,3 +664,39 @@ loads: {weight: {gravity: g}, push: {force: {at: ladder.start, along: right, mag
     answer = system.solve("least alpha so that it stays at rest").answers[0]
     assert answer.value == pytest.approx(math.atan((12 * 9.81 - 2 * 0.4 * 30) / 60))
     assert any("m·g ≥ 2·μ·P" in c for c in answer.conditions)
+
+
+def test_a_wedge_holds_itself_up_to_twice_the_angle_of_friction(agrees: Agree) -> None:
+    """Both faces at the angle of friction phi: the wedge is a body with two forces, so alpha = 2 phi whatever the load.
+    Source: Meriam & Kraige, Statics, sec. 6/4."""
+    solution = fb.System.from_text("""
+parameters: {W: 800 N, L: 0.4 m, alpha: 12 deg, mu: 0.2, g: 9.81 m/s^2}
+ground: {lines: {floor: {along: right}, wall: {along: up, through: [L/2, 0]}}}
+bodies:
+  wedge: {polygon: {corners: [[0, 0], [L, 0], [0, L*tan(alpha)]]}, at: [0, 0], angle: 0}
+  load: {particle: {mass: W/g}, at: [L/2, L*tan(alpha)/2]}
+connections:
+  floor: {contact: {between: [wedge, ground.floor], friction: mu, touching: true}}
+  face: {contact: {between: [load, wedge], friction: mu, touching: true}}
+  wall: {contact: {between: [load, ground.wall], touching: true}}
+loads: {weight: {gravity: g}}
+questions: {friction: least mu so that it stays at rest, angle: largest alpha so that it stays at rest}
+""").solve()
+    agrees(solution, "friction", "tan(alpha/2)")
+    agrees(solution, "angle", "2*atan(mu)")
+
+
+@pytest.mark.parametrize("side", ["up", "down"])
+def test_a_force_of_one_direction_touches_the_friction_circle_of_a_journal(side: str, agrees: Agree) -> None:
+    """R |F - W| = mu r (F + W), whichever way both pull. Source: Meriam & Kraige, Statics, sec. 6/6."""
+    solution = fb.System.from_text(f"""
+parameters: {{W: 500 N, F: 500 N, R: 0.1 m, r: 10 mm, mu: 0.2}}
+bodies: {{lever: {{rod: {{length: 2*R}}, angle: 0}}}}
+connections: {{axle: {{pin: {{first: ground.axle, second: lever, friction: mu, radius: r}}}}}}
+loads:
+  one: {{force: {{at: lever.start, along: {side}, magnitude: W}}}}
+  two: {{force: {{at: lever.end, along: {side}, magnitude: F}}}}
+questions: {{range: range of F that keeps it at rest}}
+""").explain()
+    assert not solution.derivations[0].reason
+    agrees(solution.solution, "range", ["W*(R - mu*r)/(R + mu*r)", "W*(R + mu*r)/(R - mu*r)"])

@@ -1,4 +1,4 @@
-"""Bevel and worm gears: what turns, what the teeth do to the bearings, and what friction holds."""
+"""Bevel, helical and worm gears: what turns, what the teeth do to the bearings, and what friction holds."""
 
 from __future__ import annotations
 
@@ -129,3 +129,42 @@ def test_a_steep_worm_is_driven_by_its_wheel() -> None:
 def test_a_worm_that_does_not_reach_its_wheel_is_refused_with_the_distance() -> None:
     with pytest.raises(fb.ModelError, match=r"0\.075 m apart, and the teeth need 0\.055 m"):
         fb.System.from_text(WORM.format(gamma=5, mu=0.1, off=" - 20 mm", more="", motor=MOTOR))
+
+
+HELICAL = """
+space: true
+parameters: {{T: 5 N m, r: 0.1 m, beta: 25 deg, alpha: 20 deg}}
+ground: {{points: {{A: [0, 0, 0], B: [0, 3*r, 0]}}}}
+bodies:
+  pinion: {{disk: {{mass: 1 kg, radius: r, axis: x}}}}
+  wheel: {{disk: {{mass: 4 kg, radius: 2*r, axis: x}}}}
+connections:
+  shaft: {{revolute: {{first: ground.A, second: pinion, about: x}}}}
+  output: {{revolute: {{first: ground.B, second: wheel, about: x}}}}
+  mesh: {{helical_gears: {{first: pinion, second: wheel, teeth: [20, 40], radius: r, helix_angle: beta,
+    pressure_angle: alpha{more}}}}}
+loads: {{drive: {{torque: {{on: pinion, about: x, magnitude: {sign}T}}}}}}
+measures: {{phi: angle of pinion about x}}
+start: {{phi: 0}}
+questions:
+  {{force: reaction of shaft on pinion, moment: moment of shaft on pinion, teeth: tangential tooth force of mesh}}
+"""
+
+
+@pytest.mark.parametrize("is_left", [False, True])
+@pytest.mark.parametrize("sign", [1, -1])
+def test_the_thrust_on_a_helical_driver_follows_the_hand_of_its_teeth(sign: int, *, is_left: bool) -> None:
+    """Curl the hand of the helix with the turn of the driver: the thumb points along the thrust. The bearing holds it,
+    and the moment r F_a by which it tilts the wheel. Source: Shigley, Mechanical Engineering Design, sec. 13-16."""
+    more = (", left_handed: true" if is_left else "") + (", other_flank: true" if sign < 0 else "")
+    text = HELICAL.format(more=more, sign="" if sign > 0 else "-")
+    solution = fb.System.from_text(text).solve()
+    force, moment = solution["force"].value, solution["moment"].value
+    tangential = solution["teeth"].value
+    assert isinstance(tangential, float)
+    assert math.copysign(1, tangential) == sign
+    thrust = sign * (-1 if is_left else 1) * abs(tangential) * math.tan(math.radians(25))
+    radial = abs(tangential) * math.tan(math.radians(20)) / math.cos(math.radians(25))
+    assert force == pytest.approx([-thrust, radial, tangential], rel=1e-9)
+    # on the wheel r y x thrust x = -r thrust z
+    assert moment == pytest.approx([0, 0, 0.1 * thrust], rel=1e-9, abs=1e-12)

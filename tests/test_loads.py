@@ -506,3 +506,24 @@ def test_how_far_a_satellite_gets_is_derived_where_it_gets_farther() -> None:
     model = (Path(__file__).parents[1] / "examples" / "planet_orbit.yaml").read_text()
     (derivation,) = fb.explain(fb.System.from_text(model), "greatest r").derivations
     assert not derivation.reason
+
+
+def test_a_preloaded_spring_keeps_a_load_down_until_the_preload_is_overcome() -> None:
+    """It pulls with F_0 + k x, x from the start: the force that holds a block there is F_0, and m x'' = F - F_0 - k x."""
+    system = fb.System.from_text("""
+parameters: {m: 2 kg, k: 100 N/m, F_0: 30 N, F: 50 N}
+bodies: {block: {particle: {mass: m}, at: [0.5 m, 0]}}
+connections: {rail: {slider: {body: block, along: right}}}
+loads:
+  spring: {spring: {first: ground.A, second: block, stiffness: k, preload: F_0}}
+  pull: {force: {at: block, along: right, magnitude: F}}
+measures: {x: travel of block along right}
+start: {rate(x): 0}
+""")
+    assert system.solve("acceleration of x at start")["q1"].value == pytest.approx((50 - 30) / 2)
+    assert system.solve("force in spring at start")["q1"].value == pytest.approx(30)
+    with pytest.raises(fb.ModelError, match="preload"):
+        fb.System.from_text("""
+bodies: {block: {particle: {mass: 1 kg}, at: [0.5 m, 0]}}
+loads: {it: {spring: {first: ground.A, second: block, stiffness: 1 N/m, preload: 1 N, length: 1 m}}}
+""")

@@ -16,11 +16,11 @@ from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, RIGHT, UP, Direction, Point
-from freebody.model.elements import AppliedLoad, Attitude, ConstraintRow, DryFriction, UnilateralConstraint
+from freebody.model.elements import AppliedLoad, Attitude, ConstraintRow, DryFriction, UnilateralConstraint, Validity
 from freebody.model.glyphs import Glyph, Relation
 from freebody.model.kinds import Kinds
 from freebody.model.spec import Spec
-from freebody.model.transmitted import Transmitted
+from freebody.model.transmitted import CutTension, Transmitted
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -119,6 +119,23 @@ class Connection(Spec):
     def transmitted(self, names: Names) -> Mapping[str, Transmitted]:
         """What it can be asked for beside its reactions, by the words that ask for it."""
         return {}
+
+    def tensions(self, names: Names) -> Mapping[str, CutTension]:
+        """Of what has mass and is laid over places: the tension at each, by the words for it."""
+        return {}
+
+    def weighs(self, names: Names, body: str, along: Direction) -> tuple[Measure, Expr] | None:
+        """Of a body whose weight does not act at one point: what it pushes, and the law of that for a field of strength
+        1 along a direction of the ground. None where gravity acts at the mass centre."""
+        return None
+
+    def loads_bearings(self, names: Names) -> set[str]:
+        """The bodies whose bearings carry forces of it that it does not tell."""
+        return set()
+
+    def valid_where(self, names: Names) -> list[Validity]:
+        """What it takes for granted of where the bodies are."""
+        return []
 
     def brings(self, names: Names) -> dict[str, AppliedLoad]:
         """Loads that belong to it, by their names: the pull of a pretension."""

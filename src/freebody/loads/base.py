@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Sequence
 from typing import TYPE_CHECKING, Any, ClassVar
 
-from freebody.model.elements import AppliedLoad
+from freebody.model.elements import AppliedLoad, Validity
 from freebody.model.glyphs import Glyph
 from freebody.model.kinds import Kinds
 from freebody.model.spec import Spec
@@ -46,6 +46,10 @@ class Load(Spec):
 
     def impulses(self, names: Names) -> list[AppliedLoad]:
         """The measures it pushes at once, at the start or when an event happens: by an impulse in the parameters."""
+        return []
+
+    def valid_where(self, names: Names) -> list[Validity]:
+        """What it takes for granted of where the bodies are."""
         return []
 
     def pulls_with(self, laws: Sequence[Any], sqrt: Callable[[Any], Any]) -> Any:

@@ -17,9 +17,9 @@ from freebody.language.sentences import Message
 from freebody.language.units import ACCELERATION, AREA, DENSITY, LENGTH, VOLUME
 from freebody.loads.base import Load
 from freebody.measures.displacement import Displacement
-from freebody.measures.geometry import Direction, Point
+from freebody.measures.geometry import ZERO, Direction, Point
 from freebody.model import glyphs
-from freebody.model.elements import VALUE, AppliedLoad
+from freebody.model.elements import VALUE, AppliedLoad, Validity
 from freebody.model.glyphs import Glyph
 from freebody.model.spec import Formula
 
@@ -58,8 +58,7 @@ loads: {it: {buoyancy: {at: buoy.bottom, density: 1000 kg/m^3, strength: 9.81 m/
                 names.problem(Message("height goes with area; a volume is wholly immersed"), "height")
             lifted = multiply(weight, names.positive(self, "volume", VOLUME))
             return [AppliedLoad("", Displacement(point, names.ground_origin, self._up(names)), lifted)]
-        surface = names.ground_origin if self.surface is None else names.point(self.surface, "surface")
-        height = Displacement(point, surface, self._up(names))
+        height = self._height(names, point)
         by_depth = multiply(weight, names.positive(self, "area", AREA))
         if self.height is None:
             names.assumptions.append(self._assumed(names, point))
@@ -69,11 +68,24 @@ loads: {it: {buoyancy: {at: buoy.bottom, density: 1000 kg/m^3, strength: 9.81 m/
         within = divide(Call("abs", VALUE) - Call("abs", VALUE + h) + h, number(2))
         return [AppliedLoad("", height, by_depth * within)]
 
+    def valid_where(self, names: Names) -> list[Validity]:
+        """Without a height it is partly immersed; with one it is where it is, and what is wholly immersed stays so."""
+        if self.area is None or self.height is not None:
+            return []
+        point = names.point(self.at, "at")
+        in_water = Message("{point} is in the water", point=self.at)
+        return [Validity(self._height(names, point), ZERO, -1, in_water)]
+
+    def _height(self, names: Names, point: Point) -> Displacement:
+        """Of a point above the surface."""
+        surface = names.ground_origin if self.surface is None else names.point(self.surface, "surface")
+        return Displacement(point, surface, self._up(names))
+
     def _up(self, names: Names) -> Direction:
         return names.compass["up"]
 
     def _assumed(self, names: Names, point: Point) -> Message:
-        return Message("{body} floats upright: it neither dives nor leaves the water", body=point.body)
+        return Message("{body} floats upright and does not dive", body=point.body)
 
     def glyphs(self, names: Names) -> Iterable[Glyph]:
         yield glyphs.ForceArrow(names.point(self.at), self._up(names))

@@ -24,7 +24,7 @@ from freebody.measures.combination import Combination, Composed
 from freebody.measures.distance import Distance
 from freebody.measures.geometry import ONE, ZERO, Point
 from freebody.model import glyphs
-from freebody.model.elements import VALUE, AppliedLoad
+from freebody.model.elements import VALUE, AppliedLoad, Validity
 from freebody.model.glyphs import Glyph
 from freebody.model.spec import Formula
 
@@ -71,6 +71,14 @@ class ElasticString(_OverPoints, kind="elastic_string"):
 bodies: {ball: {particle: {mass: 1 kg}, at: [2 m, 0]}}
 loads: {it: {elastic_string: {from: ground.A, to: ball, stiffness: 5 N/m, length: 1 m}}}
 """
+
+    def valid_where(self, names: Names) -> list[Validity]:
+        natural = names.length_or(self, "length")
+        if not self.taut or natural is None:
+            return []
+        parts = self._length(names)
+        length = Composed(_sum(parts), parts, LENGTH)
+        return [Validity(length, natural, 1, Message("the elastic string from {start} is taut", start=self.start))]
 
     def applied_loads(self, names: Names) -> list[AppliedLoad]:
         parts = self._length(names)

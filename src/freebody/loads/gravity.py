@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, ClassVar
 
-from freebody.language.expression import multiply
+from freebody.language.expression import Expr, multiply
 from freebody.language.units import ACCELERATION
 from freebody.loads.base import Load
 from freebody.measures.displacement import Displacement
-from freebody.measures.geometry import ZERO
+from freebody.measures.geometry import ZERO, Direction
 from freebody.model import glyphs
-from freebody.model.elements import AppliedLoad
+from freebody.model.elements import AppliedLoad, RigidBody
 from freebody.model.glyphs import Glyph
 from freebody.model.spec import Formula, Heading
 
@@ -36,12 +36,22 @@ loads: {it: {gravity: 9.81 m/s^2}}
     def applied_loads(self, names: Names) -> list[AppliedLoad]:
         g = names.positive(self, "strength", ACCELERATION)
         along = names.direction(self.along, "along")
-        origin = names.ground_origin
+        names.fields.add((along, g))
         return [
-            AppliedLoad(body.name, Displacement(body.mass_center, origin, along), multiply(body.mass, g))
+            self._weight(names, body, along, g)
             for body in names.bodies.values()
             if body.mass != ZERO and not body.fixed
         ]
+
+    def _weight(self, names: Names, body: RigidBody, along: Direction, g: Expr) -> AppliedLoad:
+        """At the mass centre, or as what lays the body along its way says."""
+        laid = (connection.weighs(names, body.name, along) for connection in names.connections.values())
+        spread = next((found for found in laid if found is not None), None)
+        if spread is not None:
+            return AppliedLoad(body.name, spread[0], multiply(g, spread[1]))
+        return AppliedLoad(
+            body.name, Displacement(body.mass_center, names.ground_origin, along), multiply(body.mass, g)
+        )
 
     def glyphs(self, names: Names) -> Iterable[Glyph]:
         yield glyphs.Field(names.direction(self.along, "along"))

@@ -10,6 +10,7 @@ from freebody.language.sentences import Message
 from freebody.language.units import (
     DAMPING,
     DIMENSIONLESS,
+    FORCE,
     LENGTH,
     ROTARY_DAMPING,
     ROTARY_STIFFNESS,
@@ -35,12 +36,14 @@ if TYPE_CHECKING:
 
 class Spring(Load, kind="spring"):
     """`spring: {first: ground.A, second: block, stiffness: k, length: l0}`: pulls with k (l - l0); without a
-    natural length it is relaxed at the start. One of length 0 pulls with k r, also through the point itself."""
+    natural length it is relaxed at the start. One of length 0 pulls with k r, also through the point itself.
+    `preload: F0` in place of a length: it pulls with F0 at the start, or pushes where that is negative."""
 
     first: str
     second: str
     stiffness: Formula
     length: Formula | None = None
+    preload: Formula | None = None
 
     pulling_sign = -1
     stores_energy = True
@@ -53,6 +56,8 @@ loads: {it: {spring: {first: ground.A, second: ball, stiffness: 5 N/m, length: 1
         first, second = names.point(self.first, "first"), names.point(self.second, "second")
         k = names.positive(self, "stiffness", STIFFNESS)
         natural = names.length_or(self, "length")
+        if natural is not None and self.preload is not None:
+            names.problem(Message("a spring with a preload at the start has no length of its own to give"), "preload")
         if natural == ZERO:
             # -k (r_B - r_A) along each axis: where the points meet a distance has no direction, this force is zero
             axes = zip("xyz" if names.space else "xy", AXES, strict=False)
@@ -60,7 +65,8 @@ loads: {it: {spring: {first: ground.A, second: ball, stiffness: 5 N/m, length: 1
         distance = Distance(first, second)
         if natural is None:
             stretch = Combination(((ONE, distance),), LENGTH)
-            return [AppliedLoad("", stretch, negate(multiply(k, VALUE)))]
+            pull = ZERO if self.preload is None else names.formula(self.preload, FORCE, "preload")
+            return [AppliedLoad("", stretch, negate(multiply(k, VALUE) + pull))]
         stretch = Composed(Symbol("length") - natural, (("length", distance),), LENGTH)
         return [AppliedLoad("", stretch, negate(multiply(k, VALUE)))]
 

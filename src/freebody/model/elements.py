@@ -11,7 +11,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from typing import Generic, Literal, TypeVar
 
-from freebody.language.expression import Expr, Symbol
+from freebody.language.expression import Expr, Symbol, replace_rates, substitute
+from freebody.language.sentences import Message
 from freebody.language.units import Dimension
 from freebody.measures.base import Measure
 from freebody.measures.geometry import GROUND, ZERO, Components, Direction, Geometry, Point, Scalar, Vector, unit
@@ -310,6 +311,22 @@ class DryFriction:
 
 
 @dataclass(frozen=True)
+class Validity:
+    """What the law of a load, or a connection, takes for granted of where the bodies are: sign (measure - limit) >= 0.
+    Nothing stops there; what is found beyond is not true. purpose: what is so, in words."""
+
+    measure: Measure
+    limit: Expr
+    sign: int
+    purpose: str
+
+    @property
+    def left(self) -> str:
+        """The event at which a motion goes beyond it."""
+        return Message("limit of validity: {purpose}", purpose=self.purpose)
+
+
+@dataclass(frozen=True)
 class AppliedLoad:
     """A load: a measure pushed by a law of it (`VALUE`), its rate (`RATE`), time and other measures. The law is
     the generalized force in the direction in which the measure grows."""
@@ -325,6 +342,14 @@ class AppliedLoad:
     def in_symbols(self) -> Expr:
         """The law as formulas have it."""
         return self.law if self.general is None else self.general
+
+    def in_own_measure(self) -> AppliedLoad:
+        """A law in a named measure that is the one it pushes as a law of its own measure."""
+        own = [name for name, measure in self.measures if measure == self.measure]
+        law = self.law
+        for name in own:
+            law = substitute(replace_rates(law, {name: RATE}), {name: VALUE})
+        return replace(self, law=law, measures=tuple(item for item in self.measures if item[0] not in own))
 
     @property
     def name(self) -> str:

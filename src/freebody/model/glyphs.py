@@ -171,12 +171,14 @@ class Lead(Generic[D]):
 @dataclass(frozen=True)
 class Rope(Generic[P, D, N]):
     """A string on its way, with one lead less than nodes. hanging: bodies that hang on it, whose place aside nothing
-    else states."""
+    else states. With a free first end it comes to the first node along `comes`, as long as is left of the `whole`."""
 
     nodes: tuple[Node[P, N], ...]
     leads: tuple[Lead[D], ...]
     hanging: tuple[str, ...] = ()
     is_closed: bool = False
+    comes: D | None = None
+    whole: N | None = None
 
 
 # -- contact ------------------------------------------------------------------------------------

@@ -23,7 +23,7 @@ from freebody.model.formulas import Formulas
 from freebody.model.noting import did_you_mean
 from freebody.model.rotations import UNIT, Columns, applied
 from freebody.model.states import ControllerState
-from freebody.model.transmitted import Transmitted
+from freebody.model.transmitted import CutTension, Transmitted
 from freebody.tolerances import LEAST
 
 
@@ -77,6 +77,18 @@ class Joining(Protocol):
         """Of a joint of space in which one body does nothing but turn against the other: points and axes of both."""
         ...
 
+    def tensions(self, names: Names) -> Mapping[str, CutTension]:
+        """Of what has mass and is laid over places: the tension at each."""
+        ...
+
+    def weighs(self, names: Names, body: str, along: Direction) -> tuple[Measure, Expr] | None:
+        """Of a body whose weight does not act at one point: what it pushes, and the law for a field of strength 1."""
+        ...
+
+    def loads_bearings(self, names: Names) -> set[str]:
+        """The bodies whose bearings carry forces of it that it does not tell."""
+        ...
+
     def brings(self, names: Names) -> dict[str, AppliedLoad]:
         """Loads that belong to it, by their names."""
         ...
@@ -115,6 +127,7 @@ class Names(Formulas):
         self.applied_loads: list[
             AppliedLoad
         ] = []  # what the loads push, known before the connections say what they hold
+        self.fields: set[tuple[Direction, Expr]] = set()  # of gravity: along which direction, and how strong
         self.free_ground_points: dict[str, tuple[str | int, ...]] = {}
         self.laying: list[Joining] = []  # strings whose way is being found, which place nothing yet
         self.up: Components = (ZERO, ONE)

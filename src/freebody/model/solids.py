@@ -22,6 +22,7 @@ class SolidKind:
     is_tapered: bool = False  # its reference point is its tip: arms begin at its mass centre
     has_flat_end: bool = False  # on which its radius is drawn
     has_lengths: bool = True  # lengths between its points are drawn along it
+    is_end: bool = False  # its place is that of an end of it: the rest of it is drawn by a sign
     is_thick: bool = False  # what turns about its middle keeps outside its radius
 
     @property
@@ -42,3 +43,4 @@ DOME = SolidKind("dome")  # radius; half a ball about its own x from its referen
 ROD = SolidKind("rod")  # length
 BOX = SolidKind("box")  # along x, y, z
 PLATE = SolidKind("plate", is_sheet=True)  # none: it has corners or a curved edge
+ROPE = SolidKind("rope", is_end=True)  # length

@@ -19,3 +19,19 @@ class Transmitted:
     of_force: Expr = ZERO
     way: Measure | None = None
     of_square: Expr = ZERO
+
+
+@dataclass(frozen=True)
+class CutTension:
+    """The tension where a heavy rope is cut, by the momentum of what is behind the cut, from there to its last end:
+
+        T = F + weight + weight_by_way x - (mass + mass_by_way x) x''
+
+    with F the sum of the reactions of rows, x the way of the last end, and `weight` what drives that part onwards."""
+
+    rows: tuple[str, ...]
+    way: Measure
+    weight: Expr
+    weight_by_way: Expr
+    mass: Expr
+    mass_by_way: Expr

@@ -93,6 +93,7 @@ class Figure:
     is_toothed: bool = False
     path: tuple[Place, ...] = ()  # through which it is drawn as a bent bar
     scale: float = 1.0  # how many times as large as others a point mass is drawn
+    solid: SolidKind = NO_SOLID
     # in the plane
     radius: float | None = None
     hubs: tuple[float, ...] = ()
@@ -100,7 +101,6 @@ class Figure:
     outside: tuple[str, ...] = ()  # what may touch it, by name: its rim from outside, its corners, its points
     inside: tuple[str, ...] = ()  # what may touch its rim from inside
     # in space
-    solid: SolidKind = NO_SOLID
     sizes: tuple[float, ...] = ()
     axis: Triple | None = None
 

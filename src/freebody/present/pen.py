@@ -45,6 +45,7 @@ from freebody.present.symbols import (
 )
 
 _RAIL = 6.0  # half of a rail at least, in sizes of symbols
+_END = 0.16  # the end of a rope, in sizes of symbols
 _ROLLED_ON = 2.6  # half of a line on which a wheel rolls, by the radius of the wheel
 
 
@@ -275,7 +276,10 @@ class Pen:
                 yield Path(center, figure.index, points, "rim", False, figure.number)
 
     def _dot(self, figure: Figure, fill: str) -> Path:
-        """A point mass as a dot; as a block on its rail, on rough ground, or at the end of a straight string."""
+        """A point mass as a dot; as a block on its rail, on rough ground, or at the end of a straight string. Of a rope
+        its end as a small dot."""
+        if figure.solid.is_end:
+            return Path(figure.mass_center, figure.index, circle(_END * self.u), fill, True, figure.number)
         rails = (rail for rail in self.scene.rails if rail.point.body == figure.index != GROUND)
         along, size = next(((rail.along, (1.5, 0.8)) for rail in rails if rail.turning == "not"), (None, (1.1, 0.7)))
         if along is None:

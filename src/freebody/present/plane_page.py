@@ -80,6 +80,8 @@ class _Strokes:
                     for n in rope.nodes
                 ]
                 own = {"nodes": nodes, "lead": lead, "n_leads": len(rope.leads), "closed": rope.is_closed, "owner": -1}
+                if rope.comes is not None and rope.whole is not None:
+                    own |= {"comes": round(rope.comes.angle, 6), "whole": round(rope.whole, self.digits)}
                 return {"shape": "strand", "style": style, **own}
             case Stretch(first, second, points, style, is_closed):
                 ends = {"first": self.place(first), "second": self.place(second)}

@@ -139,7 +139,7 @@ const shapes = {
   strand(stroke, f) {
     const n = stroke.n_leads, lead = (k) => column(stride * n_moving + stroke.lead + k, f), points = [];
     stroke.nodes.forEach(({ place, arm, drum }, k) => {
-      const before = k > 0 ? lead(k - 1) : stroke.closed ? lead(n - 1) : null;
+      const before = k > 0 ? lead(k - 1) : stroke.closed ? lead(n - 1) : stroke.comes ?? null;
       const after = k < n ? lead(k) : stroke.closed ? lead(0) : null;
       const sense = Math.sign(arm), wound = drum ? sense * 1.5 * Math.PI : 0;
       const into = before !== null ? before : after - wound, out = after !== null ? after : before + wound;
@@ -152,7 +152,11 @@ const shapes = {
         points.push([cx + arm * Math.sin(a), cy - arm * Math.cos(a), 0]);
       }
     });
-    return points;
+    if (stroke.whole === undefined) return points;
+    // a free first end: as long as is left of the whole
+    const laid = points.slice(1).reduce((sum, p, k) => sum + Math.hypot(p[0] - points[k][0], p[1] - points[k][1]), 0);
+    const [x, y] = points[0], left = Math.max(0, stroke.whole - laid);
+    return [[x - left * Math.cos(stroke.comes), y - left * Math.sin(stroke.comes), 0], ...points];
   },
 };
 function flat(stroke, f) {

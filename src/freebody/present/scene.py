@@ -232,6 +232,7 @@ class _Reader:
             ),
             path=tuple(points[name] for name in self.system.looks.paths.get(body.name, ())),
             scale=self.system.looks.scale.get(body.name, 1.0),
+            solid=body.solid,
         )
         if self.system.space:
             return self._solid(plain, body)
@@ -245,7 +246,6 @@ class _Reader:
                 toothed |= figures.owners(sign)
         return replace(
             plain,
-            solid=body.solid,
             sizes=tuple(self.number(size) for size in body.sizes),
             axis=self.places.vector(body.axis) if body.axis else None,
             is_toothed=plain.index in toothed,

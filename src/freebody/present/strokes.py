@@ -86,7 +86,7 @@ def _strand_points(strand: Strand, pose: Array, every: Array) -> Array:
     lead = every[strand.lead : strand.lead + n_leads]
     points: list[Array] = []
     for k, node in enumerate(rope.nodes):
-        before = lead[k - 1] if k > 0 else lead[-1] if rope.is_closed else None
+        before = lead[k - 1] if k > 0 else lead[-1] if rope.is_closed else rope.comes and rope.comes.angle
         after = lead[k] if k < n_leads else lead[0] if rope.is_closed else None
         wound = np.sign(node.arm) * 1.5 * np.pi if node.is_drum else 0.0
         into = before if before is not None else float(after or 0.0) - wound
@@ -95,4 +95,8 @@ def _strand_points(strand: Strand, pose: Array, every: Array) -> Array:
         course = into + np.linspace(0.0, turn, max(2, round(_FINE * abs(turn) / 1.5708) + 1) if node.arm else 1)
         center = positions(pose, node.place)[0]
         points.append(center - node.arm * turned(course + np.pi / 2, 1.0, 0.0))
-    return np.concatenate(points)
+    found = np.concatenate(points)
+    if rope.comes is None or rope.whole is None:
+        return found
+    left = rope.whole - float(np.hypot(*np.diff(found, axis=0).T).sum())
+    return np.concatenate([found[:1] - max(left, 0.0) * turned(rope.comes.angle, 1.0, 0.0), found])

@@ -222,7 +222,8 @@ def _reaction(names: Names, found: Found, path: Path) -> Quantity | None:
 
 def read_wrench(names: Names, found: Found, path: Path, kind: type[Wrench] = Wrench) -> Wrench | None:
     """The force of a connection, or a component of it: `of`, `part`, `on`, `along` and `basis` of what was found."""
-    return _wrench(names, found, path, kind) if has_connection(names, str(found["of"]), path) else None
+    of = str(found["of"])
+    return _wrench(names, found, path, kind) if has_connection(names, of, path) and is_told(names, of, path) else None
 
 
 def _wrench(names: Names, found: Found, path: Path, kind: type[Wrench]) -> Wrench:
@@ -266,6 +267,28 @@ def read_moment(names: Names, found: Found, path: Path, kind: type[Wrench] = Wre
         names.problem(Message("in the plane a moment has no direction; leave it out"), *path)
     basis = read_basis(names, found["basis"], path)
     return kind(of, on, along, found["size"] is not None, moment=True, about=about, basis=basis)
+
+
+def is_told(names: Names, name: str, path: Path) -> bool:
+    """Whether the force of a connection is known. A bearing of a wheel over which a heavy rope runs also carries the
+    weight of that and the turning of its momentum, which no row of it has."""
+    own = names.connections[name]
+    for other in names.connections.values():
+        with names.quietly():
+            loaded = other.loads_bearings(names) if other is not own else set[str]()
+            kept = [
+                b for b in sorted(loaded) if own.keeps_at(names, names.known(b).center, RIGHT, frozenset()) is not None
+            ]
+        if kept:
+            told = Message(
+                "the force in {connection} is not known: a rope with mass runs over {wheel}, and its weight and the "
+                "change of its momentum act on this bearing as well",
+                connection=name,
+                wheel=kept[0],
+            )
+            names.problem(told, *path)
+            return False
+    return True
 
 
 def has_connection(names: Names, name: str, path: Path) -> bool:

@@ -18,7 +18,7 @@ from freebody.model.elements import ConstraintRow, NonholonomicForm, StringStret
 from freebody.model.noting import did_you_mean
 from freebody.model.state import State
 from freebody.questions.base import FORMS, NAME, PLACE, Described, Found, Path, Quantity, asked
-from freebody.questions.reactions import has_connection
+from freebody.questions.reactions import has_connection, is_told
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -104,9 +104,12 @@ questions: {it: tension of rod}
     rf"(?: (?:at|on) (?P<at>{PLACE})| between (?P<a>{PLACE}) and (?P<b>{PLACE}))?",
     rank=0,  # any word of any name: after all others
 )
-def _multiplier(names: Names, found: Found, path: Path) -> Quantity | None:
+def read_component(names: Names, found: Found, path: Path) -> Quantity | None:
+    """What one row of a connection transmits, or a stretch of it: `what`, `of`, and the places `at` or `a` and `b`."""
     of, what = str(found["of"]), str(found["what"])
     if of in names.broken or _is_misnamed(names, what, of, path) or not has_connection(names, of, path):
+        return None
+    if not is_told(names, of, path):
         return None
 
     # the rows of the connection that have this name

@@ -208,7 +208,12 @@ class Setup:
             if row.unilateral and with_contacts:
                 with suppress(CannotAnswer):
                     found += _open(row.sign * state.multiplier(row), ">=", closed(row.connection, row.reaction))
-        return found + self.reserves(state) if with_contacts else found
+        if not with_contacts:
+            return found
+        for v in self.system.validities:
+            away = state.value(v.measure) - state.scalar(v.limit)
+            found += _open(v.sign * away, ">=", v.purpose)
+        return found + self.reserves(state)
 
     def flanks(self, state: SymbolicState) -> list[Condition]:
         """Conditions under which teeth bear on the flank that the model says."""

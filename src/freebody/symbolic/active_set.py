@@ -19,7 +19,7 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 from freebody.model.elements import DryFriction
@@ -65,10 +65,26 @@ class RestEquations:
         self.system = state.model.system
         self.dry_friction = {rub.name: rub for rub in dry_friction}
         self.rows = {row.name: row for row in (*self.system.constraint_rows, *(rub.row for rub in dry_friction))}
+        self.sized: list[str] = []
+        self._number_columns()
+        self.dry_friction = {rub.name: self._along_one(rub) for rub in dry_friction}
         # the load of friction that a force with two components makes has a column of its own
-        self.sized = [rub.name for rub in dry_friction if len(rub.load) > 1]
+        self.sized = [rub.name for rub in self.dry_friction.values() if len(rub.load) > 1]
+        self._number_columns()
+
+    def _number_columns(self) -> None:
         self.names = [*self.rows, *map(_size_of, self.sized)]
         self.columns = {name: k for k, name in enumerate(self.names)}
+
+    def _along_one(self, rub: DryFriction) -> DryFriction:
+        """A friction whose load has two components, one of which equilibrium alone makes vanish: the other is its size
+        up to the sign, and the equations stay linear (a vertical force in a journal)."""
+        if len(rub.load) < 2:
+            return rub
+        reduced = eliminate(self.field, self.equilibrium(), list(self.columns.values()))
+        forces = {name: self.reaction(reduced, name) for name in rub.load}
+        left = tuple(name for name, force in forces.items() if force is None or not force.is_zero())
+        return replace(rub, load=left) if len(left) == 1 else rub
 
     # -- what the model says ------------------------------------------------------------------
     @cached_property

@@ -24,6 +24,7 @@ from freebody.model.elements import (
     Parameter,
     RigidBody,
     UnilateralConstraint,
+    Validity,
 )
 from freebody.model.glyphs import ShownGlyph
 from freebody.model.looks import Looks
@@ -71,6 +72,7 @@ class SystemDescription:
     names: Names = field(default_factory=Names, repr=False)  # what the words of the model mean
     impulses: tuple[AppliedLoad, ...] = ()  # of the blows at the start: measures pushed by an impulse, their law
     blows: tuple[BlowEvent, ...] = ()  # what closes and strikes in mid-motion
+    validities: tuple[Validity, ...] = ()  # where the bodies have to be for the model to be true
     looks: Looks = field(default_factory=Looks)  # what its author wants otherwise in pictures
     style: HouseStyle = field(default_factory=HouseStyle)  # and in worked solutions
     states: Mapping[str, ControllerState] = field(default_factory=dict[str, ControllerState])  # of controllers

@@ -96,7 +96,8 @@ def in_mode(system: System, mode: ContactMode) -> tuple[System, dict[str, DryFri
                 parameters[name] = Parameter(name, FORCE, None, "nonnegative")
                 law = law * Symbol(name)
                 loads[name] = rub
-            applied_loads.append(AppliedLoad("", rub.row.measure, law, rub.measures, load=rub.name))
+            push = AppliedLoad("", rub.row.measure, law, rub.measures, load=rub.name)
+            applied_loads.append(push.in_own_measure())
     alone = replace(
         system,
         constraint_rows=tuple(held),

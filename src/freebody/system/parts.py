@@ -45,5 +45,6 @@ def cut_out(system: System, group: frozenset[str]) -> System:
         contacts=tuple(pair for pair in system.contacts if pair.connection not in gone),
         limits=tuple(bound for bound in system.limits if stays(bound.row.measure.bodies())),
         brakes=tuple(rub for rub in system.brakes if stays(rub.row.measure.bodies())),
+        validities=tuple(v for v in system.validities if stays(v.measure.bodies())),
         attitudes=tuple(a for a in system.attitudes if stays((a.first, a.second))),
     )

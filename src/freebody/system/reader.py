@@ -34,6 +34,7 @@ from freebody.system.reading.source import Source
 from freebody.system.reading.start import read_mode, read_start
 from freebody.system.reading.states import read_states
 from freebody.system.reading.style import read_style
+from freebody.system.reading.validity import read_validities
 
 
 def read_system(document: Document, file: str | None) -> SystemDescription:
@@ -61,6 +62,7 @@ def read_system(document: Document, file: str | None) -> SystemDescription:
     held = [*held, *(row for state in states for row in state.rows())]
     blows = gathered(closing, striking, later, list(impulses))
     contacts, limits, brakes = read_bounds(names, connections, closing)
+    validities = read_validities(names, connections, loads)
     start, rates = read_start(source, measures)
     names.placed_at_start = dict(start)
     names.started_at_zero = {name for name, value in start.items() if value == ZERO}
@@ -106,6 +108,7 @@ def read_system(document: Document, file: str | None) -> SystemDescription:
         names=names,
         impulses=tuple(push for push in impulses if push.load not in striking),
         blows=blows,
+        validities=validities,
         attitudes=read_attitudes(names, connections),
         looks=looks,
         style=style,

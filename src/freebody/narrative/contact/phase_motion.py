@@ -8,9 +8,9 @@ from functools import partial
 from typing import Literal
 
 from freebody.errors import CannotAnswer, RoutesDisagree
-from freebody.language.expression import Call, Expr, Symbol, add, multiply, number, power
+from freebody.language.expression import Call, Expr, Symbol, add, free_symbols, multiply, number, power
 from freebody.language.sentences import Message
-from freebody.model.elements import AppliedLoad
+from freebody.model.elements import VALUE, AppliedLoad
 from freebody.narrative.contact.phase_way import PhaseSegment, PhaseSequence, on_the_way
 from freebody.narrative.context import Context
 from freebody.narrative.lines.glossary import Meaning, World
@@ -211,7 +211,9 @@ def _energy_integral(
             momenta = tell_momenta(script, course.integrals, c, lines, "always", show, opens=False)
         told.velocities |= dict(zip((k.name for k in course.cyclic), momenta, strict=True))
         work = _work(leg, [*frictions, *others])
-        script.say("motion.no_work" if not frictions else "motion.friction_work")
+        is_varying = any(VALUE.name in free_symbols(p.law) or p.measures for p in frictions)
+        kind = "no_work" if not frictions else "friction_work_over_way" if is_varying else "friction_work"
+        script.say(f"motion.{kind}")
         if others:
             script.say("motion.other_work", loads=tuple(dict.fromkeys(p.load for p in others)))
         with on_the_way(script, leg.course):

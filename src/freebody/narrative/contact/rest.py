@@ -105,8 +105,9 @@ class _RestTelling:
             place = place_of(rub.row)
             if rub.static_back is not None:
                 found.append(Sentence("rest.string", {"connection": rub.row.connection, "drum": rub.row.ends[0]}))
-            elif len(rub.load) == 1:
-                limit = tidy(ends.equations.coefficient(rub, 1)) * Symbol(symbols[rub.load[0]].name)
+            elif len(rub.load) <= 1:
+                limit = tidy(ends.equations.coefficient(rub, 1))
+                limit = limit * Symbol(symbols[rub.load[0]].name) if rub.load else limit
                 found.append(Sentence("rest.friction", {"place": place, "force": Call("abs", symbol), "limit": limit}))
         with self.script.stage("stage.touching", "hint.touching"):
             self.script.say("rest.laws")

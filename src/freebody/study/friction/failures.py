@@ -74,11 +74,14 @@ def seen(
             continue
         if cone.size_of(scaled) > still:
             slips[cone.name] = 1 if raw[cone.row] > 0 or cone.across >= 0 else -1
-    signs = {
-        problem.names[cone.size[0]]: 1 if optimum.forces[cone.size[0]] >= 0 else -1
-        for cone in problem.cones
-        if len(cone.size) == 1
-    }
+    signs: dict[str, int] = {}
+    for cone in problem.cones:
+        # of two components the one that there is, where the other vanishes
+        sizes_of = [abs(optimum.forces[j]) for j in cone.size]
+        there = [j for j, size in zip(cone.size, sizes_of, strict=True) if size > _STILL * max(sizes_of)]
+        if len(cone.size) == 1 or len(there) == 1:
+            j = (there or cone.size)[0]
+            signs[problem.names[j]] = 1 if optimum.forces[j] >= 0 else -1
     failure = Failure(frozenset(opens), tuple(sorted(slips.items())), tuple(sorted(signs.items())))
     rates = dict(zip(problem.names, map(float, raw), strict=True))
     return SeenFailure(failure, draw, rates, words(touching, problem, failure))

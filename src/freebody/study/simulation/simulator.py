@@ -72,7 +72,7 @@ class Simulator:
                 *rates_not_given(self.reference, q, v if self.blow is None else self.blow.before),
             )
         self.numbers = self.reference.numbers()
-        watches, tracked = _watches(self, events), list(system.measures.values())
+        watches, tracked = [*_watches(self, events), *_limits_of_validity(self)], list(system.measures.values())
         self.bounded = None if by_steps or not has_phases(system) else Bounded(self.numbers, watches, tracked)
         self.engine = Engine(self.numbers, watches, tracked) if self.bounded is None else self.bounded.free
         self.start = self.engine.state(*self.reference.by_body(q, v))
@@ -147,6 +147,9 @@ class Simulator:
         return course
 
 
+_TOUCHES = 1e-8  # of the size of a measure
+
+
 def has_phases(system: System) -> bool:
     """Whether a motion may change its law on the way: something can part, touch, stick or slip."""
     return bool(system.contacts or system.limits or system.brakes or system.blows) or any(
@@ -172,6 +175,16 @@ def _watches(simulator: Simulator, events: Sequence[str]) -> list[EngineWatch]:
                 size=size,
             )
         )
+    return found
+
+
+def _limits_of_validity(simulator: Simulator) -> list[EngineWatch]:
+    """Where the motion leaves what the model takes for granted; what touches a limit has not left it."""
+    found: list[EngineWatch] = []
+    for v in simulator.system.validities:
+        limit = simulator.reference.number(v.limit)
+        size = max(abs(limit), _size(simulator, v.measure))
+        found.append(EngineWatch(v.left, v.measure, 0, limit - v.sign * _TOUCHES * size, -v.sign, size=size))
     return found
 
 

@@ -50,6 +50,8 @@ def _said(result: MeasuredMotion, summary: dict[str, Any]) -> Iterator[Entry]:
         yield entry("not unique", f"{', '.join(open_)}: connections hold the same thing more than once")
     for mesh, time in result.other_flanks:
         yield entry("teeth", f"from {time:.4g} s {mesh} bears on its other flank: there its radial force is reversed")
+    for purpose, time in result.not_valid:
+        yield entry("validity", f"from {time:.4g} s on it is not so that {purpose}: there the model is not true")
     if course.contact is not None and (course.contact.bounds or course.contact.dry_friction):
         yield entry("contact", *_contacts(result, summary, open_))
     if result.trusted_until is not None:

@@ -6,11 +6,11 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from freebody.connections.base import Connection
-from freebody.language.expression import free_symbols, replace_rates, substitute
+from freebody.language.expression import free_symbols, substitute
 from freebody.language.notation import to_text
 from freebody.loads.base import Load
 from freebody.loads.law import Law
-from freebody.model.elements import RATE, VALUE, AppliedLoad
+from freebody.model.elements import AppliedLoad
 from freebody.model.names import Names
 from freebody.questions.event import AskedEvent, read_event
 from freebody.system.reading.parameters import forms
@@ -21,7 +21,8 @@ def read_loads(names: Names, loads: Mapping[str, Load]) -> list[AppliedLoad]:
     by_form = forms(names)
     for name, load in loads.items():
         with names.reading("loads", name, load.kind):
-            for push in map(_in_own_measure, load.applied_loads(names)):
+            for given in load.applied_loads(names):
+                push = given.in_own_measure()
                 if free_symbols(push.law) & by_form.keys():
                     push = replace(push, law=substitute(push.law, by_form), general=push.law)
                 found.append(replace(push, load=name))
@@ -80,14 +81,3 @@ def read_impulses(names: Names, loads: Mapping[str, Load]) -> tuple[AppliedLoad,
         with names.reading("loads", name, load.kind):
             found += [replace(push, load=name) for push in load.impulses(names)]
     return tuple(found)
-
-
-def _in_own_measure(push: AppliedLoad) -> AppliedLoad:
-    """A law in a named measure that is the one it pushes is a law of its own measure."""
-    own = [name for name, measure in push.measures if measure == push.measure]
-    if not own:
-        return push
-    law = push.law
-    for name in own:
-        law = substitute(replace_rates(law, {name: RATE}), {name: VALUE})
-    return replace(push, law=law, measures=tuple(item for item in push.measures if item[0] not in own))
