@@ -5,7 +5,7 @@ from __future__ import annotations
 from itertools import product
 from typing import TYPE_CHECKING
 
-from freebody.questions.spoken import dimensions, lookup, losing, poses
+from freebody.questions.spoken import dimensions, joining, lookup, losing, poses
 from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.events import GOES_ON, conditions
 from freebody.questions.spoken.lexicon import Word
@@ -49,7 +49,7 @@ def time(names: Names, sentence: Sentence) -> Groups:
         return
     if main.has("ask", "long") and not sentence.others and set(head.all("verb")) == {"hold"}:
         of = [name for _, name in head.names]  # how long does it stick
-        if head.only("verb", "name", "pronoun") and len(of) <= 1 and lookup.rough(names, next(iter(of), "")):
+        if head.only("verb", "name", "pronoun") and len(of) <= 1 and joining.rough(names, next(iter(of), "")):
             yield [f"time when {of[0]} begins to slip" if of else "time when slipping begins"]
         return
     rises = "rise" in head.all("verb") and set(head.all("verb")) <= {"rise", *GOES_ON} and not head.has("value")
@@ -120,7 +120,7 @@ def lost(names: Names, sentence: Sentence) -> Groups:
         return  # of one body: what the others get is no loss
     is_blow = not main.has("instant") and losing.only_loses_in_the_blow(names)
     if (main.has("instant", "in the impact", "at the impact") or is_blow) and not sentence.others:
-        yield ["energy lost in the blow" if lookup.is_struck_at_start_alone(names) else "energy lost in the impact"]
+        yield ["energy lost in the blow" if joining.is_struck_at_start_alone(names) else "energy lost in the impact"]
     elif asked[0].startswith("kinetic") and len(sentence.others) == 1:
         of = "".join(f" of {name}" for _, name in main.names)
         for end in ends(names, sentence):
@@ -135,7 +135,7 @@ def _fraction_lost(names: Names, sentence: Sentence, asked: list[str]) -> Groups
     blows = ("in the impact", "at the impact")
     if is_lost and not sentence.others and main.has("instant", *blows):
         if main.only("quantity", "ask", "instant", *SILENT):
-            blow = "blow" if lookup.is_struck_at_start_alone(names) else "impact"
+            blow = "blow" if joining.is_struck_at_start_alone(names) else "impact"
             yield [f"ratio of energy lost in the {blow} to (kinetic energy before the {blow})"]
         return
     if is_lost and is_all and losing.has_kinetic_energy_alone(names) and main.only("quantity", "ask", "name", *SILENT):
@@ -202,7 +202,7 @@ def _heads_counted(names: Names, sentence: Sentence) -> Groups:
     elif len(asked) == 1 == len(of) and asked[0] == "work" and who in names.loads:
         yield [f"work of {who}"]
     elif asked == ["work of friction"]:
-        yield [f"work of {joint}" for joint in lookup.rough(names, who)]
+        yield [f"work of {joint}" for joint in joining.rough(names, who)]
     elif asked == ["change"] and not verbs and who in names.measures:
         yield [f"change of {who}"]
 

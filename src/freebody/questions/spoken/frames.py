@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from freebody.questions.spoken import lookup
+from freebody.questions.spoken import joining, lookup
 from freebody.questions.spoken.lexicon import Word
 from freebody.questions.spoken.words import Clause
 
@@ -131,7 +131,7 @@ def _with_quantity(names: Names, quantity: str, words: list[Word]) -> Clause:
     """Words with the quantity of a frame, as what is named has it."""
     of = [word.what for word in words if word.kind == "name"]
     if quantity == "acceleration":
-        is_turned = Word("part", "angular") in words or any(lookup.axle_of(names, name) == "center" for name in of)
+        is_turned = Word("part", "angular") in words or any(joining.axle_of(names, name) == "center" for name in of)
         words = [word for word in words if word != Word("part", "angular")]
         quantity = "angular acceleration" if is_turned else quantity
     elif quantity == "force":

@@ -6,7 +6,7 @@ from itertools import pairwise, product
 from typing import TYPE_CHECKING
 
 from freebody.measures.geometry import GROUND
-from freebody.questions.spoken import dimensions, lookup, poses
+from freebody.questions.spoken import dimensions, joining, lookup, poses
 from freebody.questions.spoken.asking import quantities
 from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.counting import COUNTED
@@ -48,7 +48,7 @@ _TIMED = {text: f" {text}" for text in ("in steady motion", "when t grows", "at 
 def timed(names: Names, sentence: Sentence) -> Groups:
     """A quantity, and when it is meant."""
     main, others = sentence.main, [one for one in sentence.others if not is_throughout(names, *one)]
-    if main.has("instant", "over the motion") and not main.has("degree") and lookup.goes_on(names):
+    if main.has("instant", "over the motion") and not main.has("degree") and joining.goes_on(names):
         main = main.without("instant", "over the motion")
     if main.has("quantity", "deflection") and main.all("instant") == ["in equilibrium"] and not others:
         if main.only("ask", "quantity", "instant", "name", "verb", *SILENT):
@@ -62,7 +62,7 @@ def timed(names: Names, sentence: Sentence) -> Groups:
     if (
         main.has("ask", "high")
         and main.all("instant") == ["after the impact"]
-        and lookup.is_struck_at_start_alone(names)
+        and joining.is_struck_at_start_alone(names)
     ):
         main = main.without("instant")
     if main.has("ask", "high") and not others and main.has("verb") and main.only("ask", "verb", "name", "pronoun"):
@@ -77,7 +77,7 @@ def timed(names: Names, sentence: Sentence) -> Groups:
         main = Clause([Word("quantity", "equilibrium"), *main.without("ask").without("verb").without("instant").words])
     if main.has("verb", "accelerate") and main.has("verb", "start"):  # how fast does it start to accelerate
         main = Clause([*main.without("verb", "start").words, Word("instant", "at start")])
-    if others and main.has("quantity") and not lookup.strikes(names):  # with what speed does it arrive after 3 m
+    if others and main.has("quantity") and not joining.strikes(names):  # with what speed does it arrive after 3 m
         main = main.without("verb", "hit", "reach")
     accelerates = main.has("quantity", "acceleration", "angular acceleration") and main.has("verb", "start")
     if (
@@ -159,7 +159,7 @@ def _how_far(names: Names, main: Clause) -> Groups:
     elif (
         set(main.all("verb")) == {"move"}
         and lookup.rests(names)
-        and lookup.goes_on(names)
+        and joining.goes_on(names)
         and not names.struck_at_start
     ):
         yield [f"{way} when rate({way}) = 0" for way in lookup.ways(names, who) if who and lookup.springs(names)]
@@ -182,7 +182,7 @@ def _tails(names: Names, main: Clause) -> tuple[list[list[str]], Clause]:
         elif instant in _TIMED:
             tails.append([_TIMED[instant]])
         elif instant in _BLOWS:
-            struck = lookup.is_struck_at_start_alone(names)
+            struck = joining.is_struck_at_start_alone(names)
             tails.append([" at start" if struck and instant[0] == "a" else f" {instant}"])
         elif instant in _PLACES:
             of = next((name for _, name in main.names if name in names.bodies or name in names.measures), "")
@@ -274,13 +274,13 @@ def _at(names: Names, mark: str, clause: Clause) -> Groups:
         if time is not None:
             yield [f" after {time}"]
             return
-        if clause.has("verb", "hit", "bounce") and lookup.is_struck_at_start_alone(names):
+        if clause.has("verb", "hit", "bounce") and joining.is_struck_at_start_alone(names):
             yield [" at start"]
             return
         if clause.has("verb", "hit", "bounce"):
             yield (
                 [" after the impact"]
-                if clause.only("verb", "name", "pronoun", "preposition") and lookup.strikes(names)
+                if clause.only("verb", "name", "pronoun", "preposition") and joining.strikes(names)
                 else []
             )
             return
@@ -359,4 +359,4 @@ def is_throughout(names: Names, mark: str, clause: Clause) -> bool:
     """Whether a clause is of all of the motion: while it rolls, where nothing else can come."""
     lasts = {"move", "roll", "turn", "fly", "fall", "rise", "accelerate", "exert"}
     goes_on = set(clause.all("verb")) <= lasts and clause.has("verb")
-    return mark in ("while", "when") and goes_on and lookup.goes_on(names) and clause.only("verb", "pronoun", "name")
+    return mark in ("while", "when") and goes_on and joining.goes_on(names) and clause.only("verb", "pronoun", "name")

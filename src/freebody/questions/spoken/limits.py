@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from freebody.questions.spoken import given, lookup
+from freebody.questions.spoken import given, joining, lookup
 from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.lexicon import Word
 from freebody.questions.spoken.words import Clause
@@ -88,13 +88,13 @@ def _lasting(names: Names, head: Clause, state: Clause, modal: set[str]) -> str 
         is_bounded = head.has("degree", "least", "greatest", "range") or head.has(
             "ask", "steep", "flat", "heavy", "rough"
         )
-        return _REST if modal and is_bounded and not state.words and lookup.is_rough(names) else None
+        return _REST if modal and is_bounded and not state.words and joining.is_rough(names) else None
     if not ends:
         return None
     if "tip" in ends:
         return _NO_TIP if ends <= {"tip", "start", "move"} and len(lookup.massive(names)) == 1 else None
     if "slide" in ends:
-        return _NO_SLIP if all(lookup.is_all_that_slips(names, body) for body in bodies) else None
+        return _NO_SLIP if all(joining.is_all_that_slips(names, body) for body in bodies) else None
     return _REST if not bodies or ("rise" in ends and not is_denied) else None
 
 

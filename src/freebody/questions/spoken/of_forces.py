@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from freebody.language.units import TORQUE
 from freebody.measures.geometry import GROUND
-from freebody.questions.spoken import lookup, strings
+from freebody.questions.spoken import joining, lookup, strings
 from freebody.questions.spoken.composing import SILENT, Groups, said_of, without_owners
 from freebody.questions.spoken.words import Clause
 
@@ -69,7 +69,7 @@ def _of_joint(names: Names, kind: str, rest: Clause) -> Groups:
     of = rest.names
     bearings: list[str] = []
     if kind == "bearing reaction":
-        kind, bearings = "reaction", lookup.axles(names)
+        kind, bearings = "reaction", joining.axles(names)
     joints = [name for _, name in of if name in names.connections]
     loads = [name for _, name in of if name in names.loads]
     things = [(before, name) for before, name in of if name not in names.connections and name not in names.loads]
@@ -146,20 +146,20 @@ def _at_joint(names: Names, kind: str, head: str, joint: str, things: list[tuple
         return  # a rope over a pulley is not that which ends at it
     of = without_owners([name for _, name in things])
     on = next((name for before, name in things if before == "on"), None)
-    if len(of) == 2 and all(lookup.touches(names, joint, name) for name in of) and kind != "tension":
+    if len(of) == 2 and all(joining.touches(names, joint, name) for name in of) and kind != "tension":
         has_side = kind in ("reaction", "moment", "impulse") and on is not None
         yield [f"{head} of {joint}{f' on {on}' if has_side else ''}{ends}"]
     elif len(of) == 2 and kind == "tension":
         yield [f"{head} of {joint} between {of[0]} and {of[1]}{ends}"]
-    elif len(of) == 2 and not all(lookup.touches(names, joint, name) for name in of):
+    elif len(of) == 2 and not all(joining.touches(names, joint, name) for name in of):
         return
     elif kind in ("reaction", "moment", "impulse", "angular impulse"):
         if things[0][0] == "on":
             yield [f"{head} of {joint} on {of[0]}{ends}"]
         else:
-            yield [f"{head} of {joint}{ends}"] if lookup.touches(names, joint, of[0]) else []
+            yield [f"{head} of {joint}{ends}"] if joining.touches(names, joint, of[0]) else []
     else:
-        plain = [f"{head} of {joint}{ends}"] if lookup.touches(names, joint, of[0]) else []
+        plain = [f"{head} of {joint}{ends}"] if joining.touches(names, joint, of[0]) else []
         placed = [f"{head} of {joint} at {of[0]}{ends}"]
         yield from (placed, plain) if kind == "tension" else (plain, placed)  # a string has a tension on each side
 
@@ -182,13 +182,13 @@ def _between(
         yield [f"{head} of {strange[0]}"]
         return
     first, second = (*of, "", "")[:2]
-    joints = lookup.joints(names, first, second, "tooth force" if kind.endswith(" tooth force") else kind)
+    joints = joining.joints(names, first, second, "tooth force" if kind.endswith(" tooth force") else kind)
     joints = [joint for joint in joints if joint in only] or ([] if only else joints)
     if kind == "moment" and not ends:  # no pin is clamped
         joints = [
             row.connection for row in names.constraint_rows if row.reaction == "moment" and row.connection in joints
         ]
-    joints = [joint for joint in joints if all(lookup.may_act_at(names, joint, name) for name in of)]
+    joints = [joint for joint in joints if all(joining.may_act_at(names, joint, name) for name in of)]
     if kind in ("impulse", "angular impulse"):  # what closes or strikes has an impulse of its own
         closing = {row.connection for row in names.constraint_rows if row.closes} | names.struck_at_start
         joints = [joint for joint in joints if joint in closing] or joints
@@ -218,7 +218,7 @@ def _of_friction(names: Names, quantity: str, rest: Clause) -> Groups:
     """What the only dry friction does, or that of something that is named."""
     of = [name for _, name in rest.names]
     if rest.only("name", *SILENT) and len(of) <= 1:
-        yield [f"work of {joint}" for joint in lookup.rough(names, next(iter(of), ""))]
+        yield [f"work of {joint}" for joint in joining.rough(names, next(iter(of), ""))]
 
 
 @said_of("power", "work")

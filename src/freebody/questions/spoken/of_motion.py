@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from freebody.measures.geometry import GROUND
-from freebody.questions.spoken import lookup
+from freebody.questions.spoken import joining, lookup
 from freebody.questions.spoken.composing import ALONG, SILENT, Groups, said_of, without_owners
 from freebody.questions.spoken.lexicon import Word
 from freebody.questions.spoken.words import Clause
@@ -55,7 +55,7 @@ def motion(names: Names, quantity: str, rest: Clause) -> Groups:
         yield [f"{quantity} of {name}{end}" for name in moving]
         return
     [name] = of
-    axle = lookup.axle_of(names, name) if not end and not quantity.startswith("angular") else ""
+    axle = joining.axle_of(names, name) if not end and not quantity.startswith("angular") else ""
     if quantity == "speed" and axle:  # what turns about its centre has no other speed
         yield [f"angular velocity of {name}", *([f"speed of {name}"] if axle == "beside" else [])]
         return
@@ -77,9 +77,9 @@ def _other_way(names: Names, rest: Clause) -> Clause | None:
         other = {"up": "down", "down": "up"}[ways[0]]
         turned = Clause([Word("updown", other) if word.kind == "updown" else word for word in rest.words])
         return turned if _directed(names, turned) is not None else None
-    line = lookup.sloping(names)
+    line = joining.sloping(names)
     said = [part for part in rest.all("part") if part in _SLOPES]
-    if len(said) != 1 or not line or lookup.points(names, line, _SLOPES[said[0]]):
+    if len(said) != 1 or not line or joining.points(names, line, _SLOPES[said[0]]):
         return None
     other = {"uphill": "downhill", "downhill": "uphill"}[said[0]]
     return Clause([Word("part", other) if word == Word("part", said[0]) else word for word in rest.words])
@@ -90,7 +90,7 @@ def _directed(names: Names, rest: Clause) -> tuple[list[str], str, str] | None:
     of: list[str] = []
     relative, along = "", ""
     for before, name in rest.names:
-        line = lookup.direction(names, name)
+        line = joining.direction(names, name)
         is_line = line is not None
         if before == "relative" and not is_line and not relative:
             relative = f" relative to {name}"
@@ -101,7 +101,7 @@ def _directed(names: Names, rest: Clause) -> tuple[list[str], str, str] | None:
         elif before in ("along", "up", "down") or (
             is_line and before in ("on", "in", "of", "from", "over") and not along
         ):
-            if along or (before in ("up", "down") and not lookup.points(names, line or name, before)):
+            if along or (before in ("up", "down") and not joining.points(names, line or name, before)):
                 return None
             along = f" along {line or name}"
         else:
@@ -109,8 +109,8 @@ def _directed(names: Names, rest: Clause) -> tuple[list[str], str, str] | None:
     named = [before for before, _ in rest.names]
     dangling = [way for way in rest.all("updown") if way not in named]  # it moves up
     for part in (part for part in rest.all("part") if part in _SLOPES):
-        line = lookup.sloping(names)
-        if along or not line or not lookup.points(names, line, _SLOPES[part]):
+        line = joining.sloping(names)
+        if along or not line or not joining.points(names, line, _SLOPES[part]):
             return None
         along = f" along {line}"
     for part in (*rest.all("part"), *dangling):
@@ -118,7 +118,7 @@ def _directed(names: Names, rest: Clause) -> tuple[list[str], str, str] | None:
             if along:
                 return None
             along = f" along {ALONG[part]}"
-    of = [lookup.joined_at(names, name) for name in without_owners(of)]
+    of = [joining.joined_at(names, name) for name in without_owners(of)]
     owned = {body for name in of if name in names.measures for body in names.measures[name].bodies()}
     of = [name for name in of if name not in owned]
     return of, relative, along
@@ -137,7 +137,7 @@ def _slowing(names: Names, quantity: str, rest: Clause) -> Groups:
     """How strongly something is slowed down: the size of its acceleration."""
     of = [name for _, name in rest.names]
     who = next(iter(of), "")
-    turns = quantity.startswith("angular") or lookup.axle_of(names, who) == "center"
+    turns = quantity.startswith("angular") or joining.axle_of(names, who) == "center"
     if rest.only("name", *SILENT) and len(of) <= 1:
         measures = lookup.angles(names, who) if turns else lookup.places(names, who)
         yield [f"|acceleration of {measure}|" for measure in measures]
@@ -166,7 +166,7 @@ def _of_flight(names: Names, quantity: str, rest: Clause) -> Groups:
     if rest.only("name", *SILENT) and len(named) <= 1 and (not of or of in lookup.moving(names)):
         heads = lookup.level(names, of) if quantity == "horizontal range" else ["time"]
         heads = heads if lookup.flies(names, of) else []
-        yield [f"{head} when it lands" for head in heads] if lookup.strikes(names) else []
+        yield [f"{head} when it lands" for head in heads] if joining.strikes(names) else []
         yield [f"{head} when {height} = 0" for head in heads for height in lookup.falling(names, of)]
 
 
@@ -188,7 +188,7 @@ def _centripetal(names: Names, quantity: str, rest: Clause) -> Groups:
     """v^2/l towards the point of the ground about which a link leads a body."""
     of = [name for _, name in rest.names]
     if rest.only("name", *SILENT) and len(of) <= 1:
-        led = [(body, length) for body, length in lookup.led_round(names) if not of or body == of[0]]
+        led = [(body, length) for body, length in joining.led_round(names) if not of or body == of[0]]
         divisors = [(body, length if length.isidentifier() else f"({length})") for body, length in led]
         yield [f"(speed of {body})^2/{length}" for body, length in divisors]
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from freebody.questions.spoken import lookup
+from freebody.questions.spoken import joining, lookup
 from freebody.questions.spoken.composing import ALONG, SILENT, Groups, said_of
 from freebody.questions.spoken.of_motion import motion
 from freebody.questions.spoken.words import Clause
@@ -26,7 +26,7 @@ def _energy(names: Names, quantity: str, rest: Clause) -> Groups:
 def _rotational(names: Names, quantity: str, rest: Clause) -> Groups:
     """The kinetic energy of what turns about its centre, which has no other."""
     of = [name for _, name in rest.names]
-    if all(lookup.axle_of(names, name) == "center" for name in of or lookup.massive(names)):
+    if all(joining.axle_of(names, name) == "center" for name in of or lookup.massive(names)):
         yield from _energy(names, "kinetic energy", rest)
 
 
@@ -37,7 +37,7 @@ def _whole_energy(names: Names, quantity: str, rest: Clause) -> Groups:
 
 @said_of("linear momentum", "angular momentum")
 def _momentum(names: Names, quantity: str, rest: Clause) -> Groups:
-    about = [lookup.pinned_at(names, name) for before, name in rest.names if before in ("about", "relative")]
+    about = [joining.pinned_at(names, name) for before, name in rest.names if before in ("about", "relative")]
     along = [name for before, name in rest.names if before in ("along", "up", "down")]
     along += [ALONG[part] for part in rest.all("part") if part in ALONG]
     of = [name for before, name in rest.names if before not in ("about", "relative", "along", "up", "down")]
@@ -86,9 +86,9 @@ def _of_coordinate(names: Names, quantity: str, rest: Clause) -> Groups:
         yield [f"{quantity} of {name}" for name in lookup.places(names, "")]
     if len(of) == 1 and rest.only("name", "instant", *SILENT):
         measures = lookup.places(names, of[0]) or lookup.angles(names, of[0])
-        measures = measures or ([f"angle of {of[0]}"] if lookup.axle_of(names, of[0]) else [])
+        measures = measures or ([f"angle of {of[0]}"] if joining.axle_of(names, of[0]) else [])
         yield [f"{quantity} of {name}" for name in measures]
-        guides = [] if measures else lookup.guides(names, of[0])
+        guides = [] if measures else joining.guides(names, of[0])
         yield [f"{quantity} of position of {of[0]} along {guide}" for guide in guides]
 
 
@@ -113,7 +113,7 @@ def _transmissibility(names: Names, quantity: str, rest: Clause) -> Groups:
 @said_of("terminal velocity")
 def _terminal(names: Names, quantity: str, rest: Clause) -> Groups:
     """To what a velocity tends; what turns about its centre has no other than that of turning."""
-    turns = any(lookup.axle_of(names, name) == "center" for _, name in rest.names)
+    turns = any(joining.axle_of(names, name) == "center" for _, name in rest.names)
     for group in motion(names, "angular velocity" if turns else "velocity", rest):
         yield [f"{text} when t grows" for text in group]
 

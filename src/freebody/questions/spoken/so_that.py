@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from freebody.questions.spoken import dimensions, lookup
+from freebody.questions.spoken import dimensions, joining, lookup
 from freebody.questions.spoken.asking import quantities
 from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.lexicon import Word
@@ -61,7 +61,7 @@ def so(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
         negated
         and "slide" in verbs
         and verbs <= {"slide", "start", "move"}
-        and all(lookup.is_all_that_slips(names, name) for name in of)
+        and all(joining.is_all_that_slips(names, name) for name in of)
     ):
         yield ["it does not slip"]
     elif negated and verbs and verbs <= {"slide", "start", "move", "fall", "tip"} and everything:
@@ -163,7 +163,7 @@ def _happening(names: Names, verbs: set[str], negated: bool, who: str, of: list[
         yield [f"{who or 'it'} rolls without slipping"]
     elif verbs == {"leave"} and not negated:
         yield [f"{who or 'it'} leaves {other}".strip() if who or other else "contact is lost"]
-        yield [f"{joint} opens" for joint in lookup.joints(names, who, other, "normal force")] if who else []
+        yield [f"{joint} opens" for joint in joining.joints(names, who, other, "normal force")] if who else []
     elif verbs == {"leave"} and negated:
         yield [f"{who or 'it'} never leaves {other}".strip() if other else f"{who or 'it'} stays on"]
     elif (verbs == {"slack"} and negated) or (verbs <= {"taut", "hold"} and "taut" in verbs and not negated):
@@ -215,7 +215,7 @@ def _sides(names: Names, clause: Clause) -> tuple[Clause, str, str | Clause, str
     if _is_negated_motion(clause):
         left = [w for w in words if w.kind in ("name", "part")]
         of = [word.what for word in left if word.kind == "name"][:1] or lookup.massive(names)
-        kind = "angular acceleration" if all(lookup.axle_of(names, body) for body in of) else "acceleration"
+        kind = "angular acceleration" if all(joining.axle_of(names, body) for body in of) else "acceleration"
         return Clause([Word("quantity", kind), *left]), "=", "0", tail
     words = [_as_sign(word, words[k + 1 : k + 2]) for k, word in enumerate(words)]
     signs = [k for k, word in enumerate(words) if word.kind == "relation"]
