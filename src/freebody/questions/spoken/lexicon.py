@@ -25,6 +25,7 @@ MARKED = rf"{OPEN}[^{OPEN}{CLOSE}]+{CLOSE}"
 GAP = "_"
 _NO_WORDS = (
     "spelling",
+    "several",
     "nouns",
     "endings",
     "compounds",
@@ -194,6 +195,19 @@ def spelt(text: str, language: str) -> str:
     for pattern, replacement in _spelling(language):
         text = pattern.sub(replacement, text)
     return " ".join(text.split())
+
+
+@cache
+def several(language: str, what: str) -> re.Pattern[str]:
+    """A pattern for what parts several questions in one, or for what stands for several things."""
+    return re.compile(_file(language)["several"][what], re.IGNORECASE)
+
+
+@cache
+def counted_by(language: str) -> dict[str, int]:
+    """Words that say how many things are meant."""
+    table = _file(language)["several"]
+    return {word: n for n, what in ((2, "two"), (3, "three"), (4, "four")) for word in table[what]}
 
 
 def is_adjective(token: str, language: str) -> bool:

@@ -58,6 +58,7 @@ def elements_of(names: Names) -> Elements:
     for name, body in names.bodies.items():
         if name != GROUND:
             found.add(name, (*_kinds(name, names.called.get(name, ())), *_BODY_WORDS))
+            found.bodies |= set() if body.fixed else {name}
             mass = names.numeric(body.mass)
             if mass is not None:
                 found.masses[name] = mass
