@@ -273,16 +273,44 @@ def test_what_the_model_lacks_is_said(said: str, told: str) -> None:
     ("name", "said", "meant"),
     [
         ("atwood_machine", "tension in the rope", ["tension of rope at left", "tension of rope at right"]),
-        ("atwood_machine", "greatest tension in the rope", [f"greatest tension of rope at {x}" for x in ("left", "right")]),
+        (
+            "atwood_machine",
+            "greatest tension in the rope",
+            [f"greatest tension of rope at {x}" for x in ("left", "right")],
+        ),
         ("compound_atwood", "accelerations of all three masses", [f"acceleration of {x}" for x in "ABC"]),
-        ("belt_drive", "angular acceleration of both pulleys", [f"angular acceleration of {x}" for x in ("motor", "drum")]),
-        ("incline_with_pulley", "x and y component of the reaction at the axle", [f"{x} of reaction of axle" for x in ("x component", "y component")]),
-        ("slider_crank", "velocity and acceleration of the piston when theta = 90 deg", [f"{x} of piston when theta = 90 deg" for x in ("velocity", "acceleration")]),
-        ("block_on_rough_incline", "How long does it take until the block stops, and how far does it get in this time?", ["time when block stops", "change of x until block stops"]),
-        ("simple_pendulum", "(a) the period of small oscillations, (b) the tension in the rod at the lowest point", ["period of small oscillations", "tension of rod when theta = 0"]),
-        ("slider_crank", "Wie groß sind Geschwindigkeit und Beschleunigung des Kolbens bei theta = 90 Grad?", [f"{x} of piston when theta = 90 deg" for x in ("velocity", "acceleration")]),
+        (
+            "belt_drive",
+            "angular acceleration of both pulleys",
+            [f"angular acceleration of {x}" for x in ("motor", "drum")],
+        ),
+        (
+            "incline_with_pulley",
+            "x and y component of the reaction at the axle",
+            [f"{x} of reaction of axle" for x in ("x component", "y component")],
+        ),
+        (
+            "slider_crank",
+            "velocity and acceleration of the piston when theta = 90 deg",
+            [f"{x} of piston when theta = 90 deg" for x in ("velocity", "acceleration")],
+        ),
+        (
+            "block_on_rough_incline",
+            "How long does it take until the block stops, and how far does it get in this time?",
+            ["time when block stops", "change of x until block stops"],
+        ),
+        (
+            "simple_pendulum",
+            "(a) the period of small oscillations, (b) the tension in the rod at the lowest point",
+            ["period of small oscillations", "tension of rod when theta = 0"],
+        ),
+        (
+            "slider_crank",
+            "Wie groß sind Geschwindigkeit und Beschleunigung des Kolbens bei theta = 90 Grad?",
+            [f"{x} of piston when theta = 90 deg" for x in ("velocity", "acceleration")],
+        ),
     ],
-)  # fmt: skip
+)
 def test_several_questions_in_one_are_each_answered(name: str, said: str, meant: list[str]) -> None:
     system = example(name)
     found = system.asked(said)

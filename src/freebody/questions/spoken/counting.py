@@ -228,9 +228,9 @@ def ends(names: Names, sentence: Sentence) -> Groups:
         if sentence.main.has("quantity", *COUNTED) and sentence.main.only(*_TO_THE_END):  # how many turns are left
             who = [name for _, name in sentence.main.names if name in names.bodies]
             clutches = losing.clutches(names)
-            yield [f"slipping of {name} ends" for name in clutches] or [
-                f"{name} stops" for name in losing.runs_down(names) if not who or who == [name]
-            ]
+            stopping = [f"{name} stops" for name in losing.runs_down(names) if not who or who == [name]]
+            yield [f"slipping of {name} ends" for name in clutches] or stopping
+            yield ["rolling begins"] if losing.comes_to_roll(names) else []
         within = [value for before, value in sentence.main.values if before in ("in", "of")]
         within += [value for before, value in sentence.main.values if before in ("on", "along", "through", "over")]
         if len(within) == 1 == len(sentence.main.values):

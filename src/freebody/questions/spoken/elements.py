@@ -52,6 +52,7 @@ class Elements:
         written = said or name
         apart = re.sub(r"(?<=[a-z])(?=[A-Z])", " ", written)
         keys = {(written.lower(),), tuple(re.split(r"[\s_.]+", apart.lower()))}
+        keys |= {(written.lower().replace("_", ""),)} if "." not in written else set()  # v0 for v_0
         keys |= {tuple(_OTHERWISE.get(word, word) for word in key) for key in keys}
         for key in keys:
             self.spoken.setdefault(key, []).append((element, written, distance))

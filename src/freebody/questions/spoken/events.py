@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 from freebody.language.notation import to_python
 from freebody.measures.geometry import GROUND, ZERO
-from freebody.questions.spoken import dimensions, joining, lookup, poses
+from freebody.questions.spoken import dimensions, joining, lookup, losing, poses
 from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.words import Clause
 
@@ -34,6 +34,7 @@ HAPPENS = (  # verbs of what comes at an instant; the others are of what goes on
         "top",
         "bottom",
         "begin_roll",
+        "engage",
     ),
 )
 _WAYS = ("distance", "displacement", "distance travelled", "angle", "height")
@@ -82,6 +83,8 @@ def _instants(names: Names, clause: Clause) -> Groups:
             yield (poses.level if instant == "level" else poses.upright)(names, of)
         elif instant in ("at the impact", "in the impact"):
             yield [f"{of or 'it'} hits"]
+        elif instant == "after engagement":
+            yield from _engages(names, "", "")
 
 
 # -- what is equal to something ---------------------------------------------------------------
@@ -352,6 +355,11 @@ def _tightens(names: Names, who: str, other: str) -> Groups:
     yield [f"{who or 'it'} goes taut"] if not other else []
 
 
+def _engages(names: Names, who: str, other: str) -> Groups:
+    """What a clutch joins turns alike where it no longer slips."""
+    yield [f"slipping of {name} ends" for name in losing.clutches(names)]
+
+
 _TOLD: dict[frozenset[str], Callable[..., Groups]] = {
     frozenset(doing.split()): told
     for doing, told in (
@@ -380,6 +388,9 @@ _TOLD: dict[frozenset[str], Callable[..., Groups]] = {
         ("vanish", _passes_zero),
         ("top", _at_top),
         ("bottom", _at_bottom),
+        ("engage", _engages),
+        ("engage turn", _engages),
+        ("engage move", _engages),
         ("slack", _slackens),
         ("taut", _tightens),
     )

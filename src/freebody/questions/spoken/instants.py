@@ -6,9 +6,9 @@ from itertools import pairwise, product
 from typing import TYPE_CHECKING
 
 from freebody.measures.geometry import GROUND
-from freebody.questions.spoken import dimensions, joining, lookup, poses
+from freebody.questions.spoken import dimensions, joining, lookup, losing, poses
 from freebody.questions.spoken.asking import quantities
-from freebody.questions.spoken.composing import SILENT, Groups
+from freebody.questions.spoken.composing import SILENT, Groups, ended
 from freebody.questions.spoken.counting import COUNTED
 from freebody.questions.spoken.events import GOES_ON, HAPPENS, conditions
 from freebody.questions.spoken.lexicon import Word
@@ -40,6 +40,7 @@ _PLACES = {
     "turning point": poses.turning,
     "level": poses.level,
     "upright pose": poses.upright,
+    "after engagement": lambda names, _: [f"slipping of {name} ends" for name in losing.clutches(names)],
 }
 _BLOWS = ("after the impact", "before the impact")
 _TIMED = {text: f" {text}" for text in ("in steady motion", "when t grows", "at the dead points")}
@@ -88,10 +89,16 @@ def timed(names: Names, sentence: Sentence) -> Groups:
         main = Clause(
             [Word("quantity", "speed") if w == Word("quantity", "terminal velocity") else w for w in main.words]
         )
+    is_steady = main.all("instant") == ["in steady motion"] and main.all("quantity") == ["angular velocity"]
+    if is_steady and names.space and not main.names:  # of what goes round
+        main = Clause([Word("quantity", "precession rate") if w.kind == "quantity" else w for w in main.words])
     tails, main = _tails(names, main)
     if main.has("quantity", "impact speed"):
         main = Clause([Word("quantity", "speed") if w == Word("quantity", "impact speed") else w for w in main.words])
         tails = tails or ([] if others else [[" when it hits"]])
+    if main.has("quantity", "common speed") and not others:
+        tails = tails or [[f" when slipping of {name} ends"] for name in losing.clutches(names)]
+        tails = tails or ([[" at start"]] if joining.is_struck_at_start_alone(names) else [])
     if main.has("quantity", "precession rate"):  # of a top that does not nod, unless another instant is said
         tails = tails or ([] if others else [[" in steady motion"]])
     if any(word.kind == "part" and word.what == "initial" for word in main.words) and not tails:
@@ -112,14 +119,14 @@ def timed(names: Names, sentence: Sentence) -> Groups:
         head, conditions_ = event
         for group, when in product(list(quantities(names, head)), conditions_):
             pairs = product(group, when)
-            yield [f"{text} when {condition}" for text, condition in pairs if not condition.startswith(f"{text} = ")]
+            yield [ended(text, f" when {end}") for text, end in pairs if not end.startswith(f"{text} = ")]
         return
     if not tails:
         yield from quantities(names, main)
         return
     for tail in _at(names, *others[0]) if len(others) == 1 else iter(tails[:1]):
         for group in quantities(names, main):
-            yield [f"{text}{end}" for text, end in product(group, tail) if not end.startswith(f" when {text} = ")]
+            yield [ended(text, end) for text, end in product(group, tail) if not end.startswith(f" when {text} = ")]
 
 
 def _is_of_state(mark: str, clause: Clause) -> bool:
@@ -301,6 +308,8 @@ def _at(names: Names, mark: str, clause: Clause) -> Groups:
 def _event_within(names: Names, main: Clause) -> tuple[Clause, list[list[str]]] | None:
     """A main clause that tells an event with the quantity there: with what speed does the ball hit the floor."""
     verbs = main.all("verb")
+    if main.has("degree", "least", "greatest"):  # the least spin with which it comes back
+        return None
     if main.has("not") or (main.has("ask", "large", "much") and set(verbs) == {"taut"}):  # how taut is it
         return None
     if main.has("ask", "with", "where") and (found_at := _where_it_is(names, main)) is not None:

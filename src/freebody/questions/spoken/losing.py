@@ -34,6 +34,13 @@ def runs_down(names: Names) -> list[str]:
     return lookup.started(names) if brakes and not names.loads else []
 
 
+def comes_to_roll(names: Names) -> bool:
+    """Whether what moves is one round body that slips on the one rough thing there is, and is not driven."""
+    one = len(lookup.massive(names)) == 1 and len(joining.rough(names, "")) == 1
+    driven = [name for name in names.loads if "gravity" not in names.called.get(name, ())]
+    return one and joining.rolls(names) and not lookup.rests(names) and not driven and not joining.goes_on(names)
+
+
 def clutches(names: Names) -> list[str]:
     """Brakes between two bodies that move."""
     brakes = [name for name in names.connections if "brake" in names.called.get(name, ())]
@@ -43,6 +50,8 @@ def clutches(names: Names) -> list[str]:
 
 def has_kinetic_energy_alone(names: Names) -> bool:
     """Whether no load but weight acts, and all ways that are measured are level."""
+    if not names.loads and not lookup.places(names, ""):
+        return True
     weights = {name for name in names.loads if "gravity" in names.called.get(name, ())}
     measures = lookup.places(names, "")
     return bool(measures) and weights == set(names.loads) and set(lookup.level(names, "")) == set(measures)

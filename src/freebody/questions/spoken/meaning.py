@@ -50,6 +50,8 @@ def meanings(names: Names, words: list[Word]) -> Groups:
     said = _bounded(_without_auxiliary(said))
     if said and said[-1].kind == "preposition" and said[-1].what in _LEADS_ON:
         return
+    if any(_leads_nowhere(said, k) for k in range(len(said) - 1)):
+        return
     said = _by_friction(_needed_to_roll(names, _in_doing(said)))
     said = _unaccelerated(_not_slipping(names, _carrying(names, said, modal)))
     words = [_AS_LARGE.get(word, word) for word in said]
@@ -65,6 +67,12 @@ def meanings(names: Names, words: list[Word]) -> Groups:
             yield from told(names, sentence)
     yield from stated(names, words)
     yield from limits(names, lasting, modal)
+
+
+def _leads_nowhere(words: list[Word], k: int) -> bool:
+    """Whether behind a preposition there is no thing, where one has to be: relative to, but to nothing."""
+    leads = words[k].kind == "preposition" and words[k].what in ("relative", "between")
+    return leads and words[k + 1].kind not in ("name", "pronoun", "value", "quantity", "part", "preposition", "other")
 
 
 def _at_free_ends(names: Names, words: list[Word]) -> list[Word]:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from freebody.language.units import TORQUE
 from freebody.measures.geometry import GROUND
 from freebody.questions.spoken import joining, lookup, strings
-from freebody.questions.spoken.composing import SILENT, Groups, said_of, without_owners
+from freebody.questions.spoken.composing import JOINT, SILENT, Groups, said_of, without_owners
 from freebody.questions.spoken.words import Clause
 
 if TYPE_CHECKING:
@@ -24,6 +24,7 @@ _KINDS = {  # kinds of what is said so, by how likely they are meant
     "torque": ("driving torque", "torque", "moment"),
     "moment": ("moment", "torque"),
     "driving force": ("driving force", "force"),
+    "tooth force": ("tooth force", "belt force", "chain force"),
     "axial force": ("tension", "reaction"),
     "bearing reaction": ("bearing reaction", "reaction"),
 }
@@ -40,22 +41,25 @@ def _transmitted(names: Names, quantity: str, rest: Clause) -> Groups:
         return
     own = {row.reaction for row in names.constraint_rows}
     kinds = _KINDS.get(quantity, (quantity,))
+    if quantity == "tension" and (belts := _tightened(names, rest)):
+        yield [JOINT.join(f"{run} tension of {belt}" for run in ("tight", "slack")) for belt in belts]
+        return
     if quantity == "tension" and quantity not in own:
         kinds = tuple(
             kind
             for kind in sorted(own)
-            if kind.endswith(" force") and kind.split()[0] in ("belt", "chain", "rope", "cable")
+            if kind == "chain force"  # its slack run carries nothing; of a belt both runs pull
         )
         if not kinds and any(name in names.connections for _, name in rest.names):
             kinds = (quantity,)  # the grammar says that it has none
     joints = {name for _, name in rest.names if name in names.connections}
-    driving = [
+    driving = [  # what a motor or a clutch gives
         row.reaction
         for row in names.constraint_rows
-        if row.connection in joints and row.reaction.startswith("driving ")
+        if row.connection in joints and row.reaction.startswith(("driving ", "friction torque"))
     ]
     if driving and quantity in ("force", "torque", "moment", "driving force", "driving torque"):
-        kinds = tuple(dict.fromkeys((*driving, *kinds)))  # what a motor gives
+        kinds = tuple(dict.fromkeys((*driving, *kinds)))
     if quantity == "torque" and not joints:  # no bearing is asked for its reaction so
         kinds = ("driving torque", "torque")
     pulling = {row.connection for row in names.constraint_rows if row.reaction == "tension"}
@@ -232,17 +236,50 @@ def _work(names: Names, quantity: str, rest: Clause) -> Groups:
         yield [f"{quantity} of {of[0]}"]
 
 
+def _tightened(names: Names, rest: Clause) -> list[str]:
+    """Belts with a pretension that words may mean: the tensions of both runs are known."""
+    of = [name for _, name in rest.names]
+    belts = having(names, "tight tension")
+    return [name for name in belts if not of or of == [name]] if rest.only("name", *SILENT) else []
+
+
+@said_of("belt force")
+def _of_belt(names: Names, quantity: str, rest: Clause) -> Groups:
+    """The difference of the tensions of both runs, of the belt that is named or the only one."""
+    of = [name for _, name in rest.names if name in names.connections]
+    belts = dict.fromkeys(row.connection for row in names.constraint_rows if row.reaction == "belt force")
+    if belts and rest.only("name", *SILENT):
+        yield [f"belt force of {name}" for name in of or belts]
+    elif quantity == "belt force":  # the force round a wheel is that of its teeth
+        yield from _transmitted(names, "tooth force", rest)
+
+
+@said_of("tooth force components")
+def _of_teeth(names: Names, quantity: str, rest: Clause) -> Groups:
+    """All parts of the force between the teeth that are named, or of the only ones."""
+    of = [name for _, name in rest.names if name in names.connections]
+    kinds = [f"{kind} tooth force" for kind in ("tangential", "radial", "axial")]
+    meshes = [(name, [kind for kind in kinds if kind in _transmits(names, name)]) for name in of or names.connections]
+    if rest.only("name", *SILENT):
+        yield [JOINT.join(f"{kind} of {name}" for kind in own) for name, own in meshes if own]
+
+
 @said_of("tight tension", "slack tension")
 def _of_runs(names: Names, quantity: str, rest: Clause) -> Groups:
     """A tension of a belt with pretension, which is named or the only one."""
     of = [name for _, name in rest.names]
     if rest.only("name", *SILENT) and len(of) <= 1:
-        yield [f"{quantity} of {name}" for name in of or _having(names, quantity)]
+        yield [f"{quantity} of {name}" for name in of or having(names, quantity)]
 
 
-def _having(names: Names, quantity: str) -> list[str]:
+def having(names: Names, quantity: str) -> list[str]:
+    """Connections of which something is asked that they transmit."""
+    return [name for name in names.connections if quantity in _transmits(names, name)]
+
+
+def _transmits(names: Names, connection: str) -> list[str]:
     with names.quietly():
-        return [name for name, spec in names.connections.items() if quantity in spec.transmitted(names)]
+        return [*names.connections[connection].transmitted(names)]
 
 
 @said_of("pressure angle")

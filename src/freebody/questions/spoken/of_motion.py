@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from freebody.measures.geometry import GROUND
-from freebody.questions.spoken import joining, lookup
+from freebody.questions.spoken import joining, lookup, losing
 from freebody.questions.spoken.composing import ALONG, SILENT, Groups, said_of, without_owners
 from freebody.questions.spoken.lexicon import Word
 from freebody.questions.spoken.words import Clause
@@ -62,6 +62,9 @@ def motion(names: Names, quantity: str, rest: Clause) -> Groups:
     if quantity.startswith("angular") and name in names.bodies and not names.bodies[name].turns and not end:
         yield [f"{quantity.removeprefix('angular ')} of {angle}" for angle in lookup.hung(names, name)]
     yield [f"{quantity} of {name}{end}"]
+    if relative and not along and quantity in ("velocity", "acceleration"):  # of measures along the same line
+        other = relative.removeprefix(" relative to ")
+        yield [f"{quantity} of {a} - {quantity} of {b}" for a, b in lookup.alike(names, name, other)]
     if quantity == "speed":
         yield [f"|velocity of {name}|"] if not end else []
     if quantity.startswith("angular "):
@@ -132,6 +135,25 @@ def _relative(names: Names, quantity: str, rest: Clause) -> Groups:
         yield [f"(velocity of {one} - velocity of {other})" for one, other in lookup.alike(names, of[0], of[1])]
 
 
+@said_of("common speed")
+def _common(names: Names, quantity: str, rest: Clause) -> Groups:
+    """The speed of what a clutch, or a blow, has joined: of one of the bodies, for it is that of all."""
+    if not rest.only("name", *SILENT):
+        return
+    joints = losing.clutches(names)
+    if joints and len(joints) == 1:
+        taken = sorted(names.connections[joints[0]].mentions(names) & {*lookup.turning(names)})
+        yield [f"angular velocity of {taken[-1]}"] if taken else []
+        return
+    struck = [name for name in names.struck_at_start if name in names.connections]
+    bodies = [body for joint in struck for body in lookup.massive(names) if joining.touches(names, joint, body)]
+    led = [body for body in bodies if any(body in own for own, _ in joining.led_round(names))]
+    measured = [*motion(names, "velocity", rest)]
+    yield from (group for group in measured if len(group) == 1)
+    yield [f"speed of {body}" for body in (led or bodies)[:1]]
+    yield from measured
+
+
 @said_of("deceleration", "angular deceleration")
 def _slowing(names: Names, quantity: str, rest: Clause) -> Groups:
     """How strongly something is slowed down: the size of its acceleration."""
@@ -181,6 +203,16 @@ def _equation_of_motion(names: Names, quantity: str, rest: Clause) -> Groups:
         yield [f"acceleration of {name}" for name in started or own]
         turning = [name for name in ([of] if of else lookup.moving(names)) if name in lookup.turning(names)]
         yield [f"angular acceleration of {name}" for name in turning]
+
+
+@said_of("bounce height")
+def _bounce(names: Names, quantity: str, rest: Clause) -> Groups:
+    """How high it comes when it turns back after it has struck for the first time."""
+    of = [name for _, name in rest.names if name in lookup.moving(names)]
+    if rest.only("name", "degree", *SILENT) and joining.strikes(names) and len(of) <= 1:
+        falls = [name for name, sense in lookup.heights(names, next(iter(of), "")) if sense > 0]
+        falls = [name for name in falls if not lookup.rises(names, name, 1)]
+        yield [f"{name} when rate({name}) = 0" for name in falls]
 
 
 @said_of("centripetal acceleration")

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from freebody.questions.spoken import joining, lookup
+from freebody.measures.distance import Distance
+from freebody.questions.spoken import given, joining, lookup
 from freebody.questions.spoken.composing import ALONG, SILENT, Groups, said_of
 from freebody.questions.spoken.of_motion import motion
 from freebody.questions.spoken.words import Clause
@@ -120,15 +121,32 @@ def _terminal(names: Names, quantity: str, rest: Clause) -> Groups:
 
 @said_of("gear ratio")
 def _gear_ratio(names: Names, quantity: str, rest: Clause) -> Groups:
-    """How fast one body turns for another: of the two that are named, or of the only two."""
-    of = [name for _, name in rest.names]
+    """How fast one body turns for another: of the two that are named; of the only two both ways, for which is meant
+    custom leaves open."""
+    of = [name for _, name in rest.names if name not in names.connections]
     if not rest.only("name", *SILENT):
         return
-    two = lookup.turning(names) if not of else []
     for first, second in [of] if len(of) == 2 else []:
         yield [f"ratio of angular velocity of {first} to angular velocity of {second}"]
+    two = [name for name in lookup.turning(names) if joining.axle_of(names, name) or names.space] if not of else []
     if len(two) == 2:
         yield [f"ratio of angular velocity of {a} to angular velocity of {b}" for a, b in (two, two[::-1])]
+
+
+@said_of("escape velocity", "circular orbit speed")
+def _orbit(names: Names, quantity: str, rest: Clause) -> Groups:
+    """The speed at the start with which it never comes back, or goes round in a circle: no energy, no acceleration
+    outwards."""
+    drawn = [name for name in names.loads if "attraction" in names.called.get(name, ())]
+    if not rest.only("name", *SILENT) or len(drawn) != 1 or {*names.loads} - {*drawn}:
+        return
+    found = given.started_with(names, [*lookup.moving(names), *names.start_rates])
+    named = [name for _, name in rest.names if name in names.parameters]
+    found = [name for name in named or found if name in found]
+    outward = [name for name, measure in names.measures.items() if isinstance(measure, Distance)]
+    if len(found) == 1:
+        what = ["total energy"] if quantity == "escape velocity" else [f"acceleration of {name}" for name in outward]
+        yield [f"value of {found[0]} for which {text} = 0 at start" for text in what]
 
 
 @said_of("precession rate", "nutation rate")
@@ -141,4 +159,6 @@ def _precession(names: Names, quantity: str, rest: Clause) -> Groups:
     k = 0 if quantity == "precession rate" else 1
     chains = [names.bodies[body].chain for body in (of or lookup.moving(names)) if body in names.bodies]
     angles = named or [chain[k].name for chain in chains if len(chain) == _EULER and chain[0].axis == names.up]
+    if not angles and k == 0:  # of what carries the rest round
+        angles = [chain[0].name for chain in chains if chain and chain[0].axis == names.up]
     yield [f"velocity of {angle}" for angle in angles]

@@ -1,9 +1,9 @@
 """Several questions in one: velocity and acceleration of the piston, the tension on both sides, how far and how fast.
 
-A text is parted at its conjunctions, and a part that is not complete takes what it lacks from the others: the first ones
-the noun of the last (horizontal and vertical reaction at A), the later ones the quantity of the first (acceleration of A
-and B). What is said of when behind the last part is meant of all that say nothing of it themselves. Here are the texts
-that can be meant; which of them asks for something says whoever reads them.
+A text is parted at its conjunctions, and a part that is not complete takes what it lacks from the others: the first
+ones the noun of the last (horizontal and vertical reaction at A), the later ones the quantity of the first
+(acceleration of A and B). What is said of when behind the last part is meant of all that say nothing of it themselves.
+Here are the texts that can be meant; which of them asks for something says whoever reads them.
 """
 
 from __future__ import annotations
@@ -23,7 +23,6 @@ from freebody.questions.spoken.words import Unknown, words_of
 if TYPE_CHECKING:
     from freebody.model.names import Names
 
-JOINT = "; "  # between several questions, in the words of the grammar
 MOST = 6  # questions in one
 _BORROWED = 6  # words that a part may take from another
 _MASSES = ("mass", "masses", "weight", "weights", "body", "bodies", "block", "blocks")
@@ -31,8 +30,8 @@ _MASSES = ("mass", "masses", "weight", "weights", "body", "bodies", "block", "bl
 
 @dataclass(frozen=True)
 class Part:
-    """One question of several: the texts that can be meant by it, the likeliest first; and what is said of it where it is
-    to be asked at the event of the first (how far does it get in this time)."""
+    """One question of several: the texts that can be meant by it, the likeliest first; and what is said of it where it
+    is to be asked at the event of the first (how far does it get in this time)."""
 
     said: str
     texts: tuple[str, ...]

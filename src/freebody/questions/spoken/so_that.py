@@ -30,7 +30,7 @@ def so(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
     if (
         verbs
         and verbs <= {"reach", "rise", "move", "turn"}
-        and len(of) >= 1
+        and (len(of) >= 1 or clause.has("pronoun"))
         and not clause.has("quantity")
         and not negated
     ):
@@ -79,6 +79,13 @@ def so(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
         yield (
             ["it does not slip"] if "slide" in verbs else ["it stays at rest"]
         )  # the end of rest is where motion begins
+    is_one = verbs and verbs <= {"hold", "stop", "move"} and not negated and len(of) == 1 and not everything
+    if is_one and not joining.is_rough(names) and not _is_held(clause):  # one of several bodies stays where it is
+        yield [f"acceleration of {place} = 0" for place in lookup.places(names, who) or lookup.angles(names, who)]
+    if verbs == {"leave"} and not negated and who:  # what cannot lift off by itself
+        held = joining.joints(names, who, next(iter(of[1:]), ""), "normal force")
+        bound = {row.connection for row in names.constraint_rows if row.unilateral}
+        yield [f"normal force of {joint} = 0" for joint in held if joint not in bound]
     at_once = " at once" if clause.has("instant", "at once") else ""
     for group in _happening(names, verbs, negated, who, of):
         yield [f"{text}{at_once}" for text in group]
@@ -105,6 +112,7 @@ def _reaching(names: Names, clause: Clause, of: list[str]) -> Groups:
         clause = Clause([w for w in clause.words if w.kind != "name" or w.what in of])
     if not values and len(of) == 2 and of[1] in names.parameters:
         values = [of[1]]
+    of = of or [""]
     if (
         len(values) == 1
         and clause.only("verb", "name", "value", "part", *SILENT)

@@ -42,6 +42,7 @@ def _asked(parameter: str, text: str, end: str) -> Groups:
         yield [f"{end} {parameter} so that {text}" if end else f"range of {parameter} that keeps it at rest"]
     elif end:
         yield [f"{end} {parameter} so that {text}"]
+        yield [f"value of {parameter} for which {text}"] if " = " in text else []
     elif any(sign in text for sign in (" > ", " < ", " >= ", " <= ")):
         yield [f"range of {parameter} for which {text}"]
     elif " just reaches " in text or " = " in text or text.endswith((" is largest", " is least")):

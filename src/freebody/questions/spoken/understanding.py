@@ -11,11 +11,12 @@ from typing import TYPE_CHECKING, Protocol, TypeVar
 from freebody.errors import Problem
 from freebody.language.sentences import Message
 from freebody.questions.spoken import strings
+from freebody.questions.spoken.composing import JOINT
 from freebody.questions.spoken.compounds import in_english_nouns
 from freebody.questions.spoken.lexicon import Word, languages
 from freebody.questions.spoken.meaning import meanings
 from freebody.questions.spoken.naming import Elements, elements_of, linked
-from freebody.questions.spoken.several import JOINT, each_of, parts
+from freebody.questions.spoken.several import each_of, parts
 from freebody.questions.spoken.suggesting import MOST, suggestions
 from freebody.questions.spoken.words import Unknown, respelt, words_of
 
