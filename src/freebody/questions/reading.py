@@ -167,8 +167,6 @@ def _asks(
     if quantity.scope == "every motion" and (condition is not None or at_start):
         names.problem(Message("what is conserved is so at every instant; leave out 'at start' and 'when'"), "find")
         return None
-    if isinstance(quantity, Counted) and condition is None:
-        names.problem(Message("say until when: {phrase} until {until}", phrase=text, until=quantity.until), "find")
     options: Any = entry.get("options") or {}
     if isinstance(options, list):
         letters = "abcdefghijklmnopqrstuvwxyz"
@@ -207,8 +205,18 @@ def _points(names: Names, given: object) -> float | None:
 
 def _understood(names: Names, text: str, when: object) -> list[tuple[Meant, str]]:
     """What a text asks for, and the words of the grammar in which it does."""
-    found = understood(names, text, lambda words: _asked(names, as_condition(names, words.rstrip(" ?!")), when))
+    found = understood(names, text, lambda words: _complete(names, as_condition(names, words.rstrip(" ?!")), when))
     return [(meant, as_condition(names, words)) for meant, words in found]
+
+
+def _complete(names: Names, phrase: str, when: object) -> Meant | None:
+    """What a phrase asks for, if it says all of it: what is counted, until when."""
+    meant = _asked(names, phrase, when)
+    if meant is None or not isinstance(meant.quantity, Counted) or meant.event or meant.transition:
+        return meant
+    until = meant.quantity.until
+    names.problem(Message("say until when: {phrase} until {until}", phrase=phrase, until=until), "find")
+    return None
 
 
 def _asked(names: Names, phrase: str, when: object) -> Meant | None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from itertools import product
 from typing import TYPE_CHECKING
 
-from freebody.questions.spoken import dimensions, joining, lookup, losing, poses
+from freebody.questions.spoken import dimensions, given, joining, lookup, losing, poses
 from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.events import GOES_ON, conditions
 from freebody.questions.spoken.lexicon import Word
@@ -30,6 +30,8 @@ def time(names: Names, sentence: Sentence) -> Groups:
     if main.has("quantity", "flight time") and (sentence.others or main.has("verb") or main.has("value")):
         main = Clause([Word("quantity", "time") if w == Word("quantity", "flight time") else w for w in main.words])
     asks = main.has("ask", "when", "soon", "long") or main.has("quantity", "time")
+    if asks and main.has("verb", "leave") and not sentence.others and main.only("ask", "verb", "name", *SILENT):
+        yield from _lifting(names, main)
     if not asks or len(main.all("quantity")) > main.has("quantity", "time") + _is_of_event(main):
         return
     head = main.without("ask").without("quantity", "time")
@@ -38,6 +40,7 @@ def time(names: Names, sentence: Sentence) -> Groups:
         and not head.has("verb", "rise")
         and not sentence.others
         and not head.has("value")
+        and not head.has("instant", "after engagement")
         and not any(name in names.parameters for _, name in head.names)
         and set(head.all("verb")) <= set(GOES_ON)
     ):
@@ -72,6 +75,15 @@ def time(names: Names, sentence: Sentence) -> Groups:
         return
     for group in conditions(names, clause):
         yield [f"time when {condition}" for condition in group]
+
+
+def _lifting(names: Names, main: Clause) -> Groups:
+    """When do the wheels lift off that nothing lets go: with which push, where there is one alone."""
+    bound = {row.connection for row in names.constraint_rows if row.unilateral}
+    own = [name for _, name in main.names if name in names.connections and name not in bound]
+    pushes = [name for kind in ("force", "torque") for name in given.chosen(names, given.KIND_OF[kind], [])]
+    if len(pushes) == 1:
+        yield [f"value of {pushes[0]} for which normal force of {name} = 0" for name in own]
 
 
 def _until_struck(main: Clause) -> Clause:
@@ -182,6 +194,7 @@ def _heads_counted(names: Names, sentence: Sentence) -> Groups:
     elif (asked == ["energy lost"] and verbs <= {"lost", *GOES_ON}) or (asked == ["energy"] and verbs == {"lost"}):
         if who in names.connections or who in names.loads:
             yield [] if main.has("instant", "in the impact") else [f"energy lost in {who}"]
+            yield ["energy lost"] if losing.is_all_that_rubs(names, who) else []
         else:
             is_all = not of or lookup.is_all_that_moves(names, who) or losing.is_all_that_rubs(names, who)
             yield ["energy lost"] if is_all else []

@@ -103,6 +103,9 @@ def timed(names: Names, sentence: Sentence) -> Groups:
         tails = tails or ([] if others else [[" in steady motion"]])
     if any(word.kind == "part" and word.what == "initial" for word in main.words) and not tails:
         main, tails = main.without("part", "initial"), [[" at start"]]
+    slides = [clause for mark, clause in others if mark == "while" and clause.all("verb") == ["slide"]]
+    if slides and len(others) == 1 and losing.comes_to_roll(names) and not _is_continuous(names, main):
+        others, tails = [], [*tails, [" at start"]]  # its first phase, of which forces and accelerations do not change
     if any(_is_of_state(mark, clause) for mark, clause in others) and not _is_continuous(names, main):
         return
     for mark, clause in others:

@@ -291,3 +291,9 @@ def compared() -> dict[str, str]:
 def things_alike() -> tuple[frozenset[str], ...]:
     """Words for things of one kind."""
     return tuple(frozenset(cast("list[str]", words)) for words in _file(ENGLISH)["things"]["alike"])
+
+
+@cache
+def leading() -> frozenset[str]:
+    """Words for what leads something round: a track, which a file may describe as a link."""
+    return frozenset(cast("list[str]", _file(ENGLISH)["things"]["leading"]))

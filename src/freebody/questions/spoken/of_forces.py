@@ -8,6 +8,7 @@ from freebody.language.units import TORQUE
 from freebody.measures.geometry import GROUND
 from freebody.questions.spoken import joining, lookup, strings
 from freebody.questions.spoken.composing import JOINT, SILENT, Groups, said_of, without_owners
+from freebody.questions.spoken.lexicon import leading
 from freebody.questions.spoken.words import Clause
 
 if TYPE_CHECKING:
@@ -44,6 +45,9 @@ def _transmitted(names: Names, quantity: str, rest: Clause) -> Groups:
     if quantity == "tension" and (belts := _tightened(names, rest)):
         yield [JOINT.join(f"{run} tension of {belt}" for run in ("tight", "slack")) for belt in belts]
         return
+    tracks = [name for name in names.connections if name in leading() and "link" in names.called.get(name, ())]
+    if quantity in ("normal force", "contact force") and tracks and "normal force" not in own:
+        kinds = ("tension",)  # of what leads round, and presses as a link would pull
     if quantity == "tension" and quantity not in own:
         kinds = tuple(
             kind
@@ -252,6 +256,14 @@ def _of_belt(names: Names, quantity: str, rest: Clause) -> Groups:
         yield [f"belt force of {name}" for name in of or belts]
     elif quantity == "belt force":  # the force round a wheel is that of its teeth
         yield from _transmitted(names, "tooth force", rest)
+
+
+@said_of("links")
+def _links(names: Names, quantity: str, rest: Clause) -> Groups:
+    """Of a chain that is named, or of the only one."""
+    of = [name for _, name in rest.names if name in names.connections]
+    if rest.only("name", *SILENT) and len(rest.names) <= 1:
+        yield [f"links of {name}" for name in of or having(names, "links")]
 
 
 @said_of("tooth force components")

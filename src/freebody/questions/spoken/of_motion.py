@@ -55,6 +55,10 @@ def motion(names: Names, quantity: str, rest: Clause) -> Groups:
         yield [f"{quantity} of {name}{end}" for name in moving]
         return
     [name] = of
+    if name in names.loads and quantity.split()[-1] in ("velocity", "speed"):  # of the motor: of what it drives
+        acted = {body for p in names.applied_loads if p.load == name for body in p.measure.bodies()} - {GROUND}
+        name = next(iter(acted)) if len(acted) == 1 else name
+        quantity = "angular velocity" if joining.axle_of(names, name) == "center" else quantity
     axle = joining.axle_of(names, name) if not end and not quantity.startswith("angular") else ""
     if quantity == "speed" and axle:  # what turns about its centre has no other speed
         yield [f"angular velocity of {name}", *([f"speed of {name}"] if axle == "beside" else [])]
@@ -203,6 +207,14 @@ def _equation_of_motion(names: Names, quantity: str, rest: Clause) -> Groups:
         yield [f"acceleration of {name}" for name in started or own]
         turning = [name for name in ([of] if of else lookup.moving(names)) if name in lookup.turning(names)]
         yield [f"angular acceleration of {name}" for name in turning]
+
+
+@said_of("farthest place")
+def _farthest(names: Names, quantity: str, rest: Clause) -> Groups:
+    """Where what moves along a line turns back."""
+    of = [name for _, name in rest.names if name in lookup.moving(names) or name in names.measures]
+    if rest.only("name", *SILENT) and len(of) <= 1 and not lookup.rests(names):
+        yield [f"{way} when rate({way}) = 0" for way in lookup.ways(names, next(iter(of), ""))]
 
 
 @said_of("bounce height")

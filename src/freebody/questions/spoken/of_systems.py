@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from freebody.measures.distance import Distance
 from freebody.questions.spoken import given, joining, lookup
-from freebody.questions.spoken.composing import ALONG, SILENT, Groups, said_of
+from freebody.questions.spoken.composing import ALONG, JOINT, SILENT, Groups, said_of
 from freebody.questions.spoken.of_motion import motion
 from freebody.questions.spoken.words import Clause
 
@@ -130,7 +130,18 @@ def _gear_ratio(names: Names, quantity: str, rest: Clause) -> Groups:
         yield [f"ratio of angular velocity of {first} to angular velocity of {second}"]
     two = [name for name in lookup.turning(names) if joining.axle_of(names, name) or names.space] if not of else []
     if len(two) == 2:
-        yield [f"ratio of angular velocity of {a} to angular velocity of {b}" for a, b in (two, two[::-1])]
+        both = (f"ratio of angular velocity of {a} to angular velocity of {b}" for a, b in (two, two[::-1]))
+        yield [JOINT.join(both)]
+
+
+@said_of("conserved quantities")
+def _conserved(names: Names, quantity: str, rest: Clause) -> Groups:
+    """What of energy and momentum stays as it is."""
+    if rest.only("pronoun", *SILENT):
+        momenta = ("along right", "along up") if not names.space else ()
+        about = "" if not names.space else " along up"
+        asked = ["total energy", *(f"linear momentum {way}" for way in momenta), f"angular momentum{about}"]
+        yield [JOINT.join(f"is {text} conserved" for text in asked)]
 
 
 @said_of("escape velocity", "circular orbit speed")

@@ -165,7 +165,7 @@ def _happening(names: Names, verbs: set[str], negated: bool, who: str, of: list[
         return
     if verbs == {"stay_on"}:
         verbs, negated = {"leave"}, not negated
-    if verbs == {"roll", "start"} and not negated:
+    if verbs in ({"roll", "start"}, {"begin_roll"}) and not negated:
         yield [f"{who} begins to roll" if who else "rolling begins"]
     elif (verbs == {"roll"} and not negated) or (verbs == {"roll", "slide"} and negated):
         yield [f"{who or 'it'} rolls without slipping"]
@@ -179,7 +179,8 @@ def _happening(names: Names, verbs: set[str], negated: bool, who: str, of: list[
     elif verbs == {"turn_fully"} and not negated and who:
         yield [f"{who} turns fully"]
     elif verbs == {"stable"} and not negated:
-        yield ["the equilibrium is stable"]
+        yield ["the equilibrium is stable"] if not names.states else []
+        yield ["the steady motion is stable"]
     elif verbs <= {"hit", "reach"} and verbs and not negated and who and not other:
         yield [f"it hits {who}"]
     elif verbs <= {"hit", "reach"} and verbs and not negated and other:

@@ -4,16 +4,18 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator
+from contextlib import suppress
 from dataclasses import dataclass
 from itertools import islice
 from typing import TYPE_CHECKING, Protocol, TypeVar
 
-from freebody.errors import Problem
+from freebody.errors import Problem, UnitError
 from freebody.language.sentences import Message
+from freebody.language.units.quantity import parse_quantity
 from freebody.questions.spoken import strings
 from freebody.questions.spoken.composing import JOINT
 from freebody.questions.spoken.compounds import in_english_nouns
-from freebody.questions.spoken.lexicon import Word, languages
+from freebody.questions.spoken.lexicon import Word, languages, several
 from freebody.questions.spoken.meaning import meanings
 from freebody.questions.spoken.naming import Elements, elements_of, linked
 from freebody.questions.spoken.several import each_of, parts
@@ -38,7 +40,7 @@ AskedT = TypeVar("AskedT", bound=Asked)
 
 _APOSTROPHE = re.compile(r"(?<=\w)['’](?=(?:s|t|d|re|ll|m|ve)\b)|(?<=s)['’](?=\s)")
 _IN_PASSING = re.compile(  # a parameter and a value behind a word that says for what
-    r"\b(?:if|for|with|when|where|wenn|falls|für|mit|bei) (?P<name>\w+)(?: ?=| is| equals| was| of| ist| von|) ?"
+    r"\b(?:if|for|with|when|where|at|wenn|falls|für|mit|bei) (?P<name>\w+)(?: ?= ?| is| equals| was| of| ist| von|) ?"
     r"(?P<value>\d+(?:\.\d+)?(?: ?[A-Za-z°][A-Za-z0-9/^]*)?)(?=[ ,.?!]|$)",
     re.IGNORECASE,
 )
@@ -83,16 +85,20 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
     told = names.problems[n_before:]
     del names.problems[n_before:]
     nearest, instead = _nearest(names, text, read)
-    if len(nearest) != 1 and (several := _several(names, text, read)):
-        return several
+    if len(nearest) != 1 and (each := _several(names, text, read)):
+        return each
     if not nearest and not instead:
         instead = _lacking(names, text, read)
     if not nearest and not instead:
         right = {language: _respelt(names, text, language) for language in languages()}
         for said in dict.fromkeys(other for other in right.values() if other != text):
             nearest = nearest or _nearest(names, said, read)[0]
+    if len(nearest) > 1 and len(nearest) <= ONE_BY_ONE and _is_plural(text, nearest):
+        return [(asked[0], words) for words, asked in nearest.items()]
     if len(nearest) == 1:
         return next([*zip(asked, words.split(JOINT), strict=True)] for words, asked in nearest.items())
+    if not nearest and (passing := _same_value(names, text)) is not None:
+        return understood(names, passing, read)
     if nearest:
         ways = "\n    ".join(islice(nearest, MOST))
         several_ways = Message("'{text}' can be meant in several ways. Ask for\n    {ways}", text=text, ways=ways)
@@ -169,6 +175,24 @@ def _there(names: Names, text: str, first: str, read: Callable[[str], AskedT | N
         return []
     said = (f"{text} {mark} {event[1]}" for mark in ("when", "until"))
     return next((found for one in said if (found := _one(names, one, read))), [])
+
+
+def _is_plural(text: str, ways: dict[str, tuple[AskedT, ...]]) -> bool:
+    """Whether a text asks for several things of a kind, and the ways to mean it are these."""
+    heads = {words.partition(" of ")[0].removeprefix("angular ") for words in ways}
+    said = any(several(language, "quantities").search(text) for language in languages())
+    return said and len(heads) == 1 and not any(JOINT in words for words in ways)
+
+
+def _same_value(names: Names, text: str) -> str | None:
+    """The text without the value of a parameter that the file gives as well; not zero, which may change what holds."""
+    for found in _IN_PASSING.finditer(text):
+        parameter = names.parameters.get(found["name"])
+        if parameter is not None and parameter.value is not None:
+            with suppress(UnitError, ValueError):
+                if parse_quantity(found["value"]).value == parameter.value != 0.0:
+                    return " ".join((text[: found.start()] + text[found.end() :]).split()).strip(" ,")
+    return None
 
 
 def _other_value(names: Names, text: str) -> Message | None:
