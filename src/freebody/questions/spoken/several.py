@@ -61,6 +61,8 @@ def _pieces(text: str, language: str) -> Iterator[list[str]]:
 
 def _leads_on(text: str, language: str) -> bool:
     """Whether a text begins with what says when, or for which: no question of its own."""
+    if re.match(r"\S+ ?[=<>]", text):  # when x = 1 m and y = 0
+        return True
     return _kind_at(text.lower().split(), 0, language) in ("mark", "instant", "not")
 
 
