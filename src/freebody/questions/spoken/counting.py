@@ -145,7 +145,7 @@ def _fraction_lost(names: Names, sentence: Sentence, asked: list[str]) -> Groups
     is_lost = asked in (["energy lost"], ["kinetic energy lost"])
     is_all = all(lookup.is_all_that_moves(names, name) for _, name in main.names)
     blows = ("in the impact", "at the impact")
-    if is_lost and not sentence.others and main.has("instant", *blows):
+    if is_lost and not sentence.others and (main.has("instant", *blows) or losing.only_loses_in_the_blow(names)):
         if main.only("quantity", "ask", "instant", *SILENT):
             blow = "blow" if joining.is_struck_at_start_alone(names) else "impact"
             yield [f"ratio of energy lost in the {blow} to (kinetic energy before the {blow})"]

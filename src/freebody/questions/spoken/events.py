@@ -83,6 +83,8 @@ def _instants(names: Names, clause: Clause) -> Groups:
             yield (poses.level if instant == "level" else poses.upright)(names, of)
         elif instant in ("at the impact", "in the impact"):
             yield [f"{of or 'it'} hits"]
+        elif instant == "at separation":
+            yield ["contact is lost"]
         elif instant == "after engagement":
             yield from _engages(names, "", "")
 

@@ -40,6 +40,7 @@ _PLACES = {
     "turning point": poses.turning,
     "level": poses.level,
     "upright pose": poses.upright,
+    "at separation": lambda names, _: ["contact is lost"] if joining.strikes(names) else [],
     "after engagement": lambda names, _: [f"slipping of {name} ends" for name in losing.clutches(names)],
 }
 _BLOWS = ("after the impact", "before the impact")
@@ -104,7 +105,8 @@ def timed(names: Names, sentence: Sentence) -> Groups:
     if any(word.kind == "part" and word.what == "initial" for word in main.words) and not tails:
         main, tails = main.without("part", "initial"), [[" at start"]]
     slides = [clause for mark, clause in others if mark == "while" and clause.all("verb") == ["slide"]]
-    if slides and len(others) == 1 and losing.comes_to_roll(names) and not _is_continuous(names, main):
+    is_first = losing.comes_to_roll(names) or (losing.clutches(names) and not lookup.rests(names))
+    if slides and len(others) == 1 and is_first and not _is_continuous(names, main):
         others, tails = [], [*tails, [" at start"]]  # its first phase, of which forces and accelerations do not change
     if any(_is_of_state(mark, clause) for mark, clause in others) and not _is_continuous(names, main):
         return

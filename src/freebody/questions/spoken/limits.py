@@ -90,6 +90,8 @@ def _lasting(names: Names, head: Clause, state: Clause, modal: set[str]) -> str 
     if state.has("quantity") and set(state.all("quantity")) != {"equilibrium"}:
         return None
     bodies = [name for _, name in state.names if name in names.bodies and not lookup.is_all_that_moves(names, name)]
+    if any(names.bodies[name].fixed for name in bodies):
+        return None  # what is held already
     if bodies and not joining.is_rough(names) and _is_subject(state):
         return None  # that one of several bodies stays where it is
     holds = verbs & {"hold", "stop"} or state.has("instant", "in equilibrium") or state.has("quantity", "equilibrium")

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 _TRANSMITTED = (
     *("tension", "normal force", "friction force", "contact force", "axial force", "tooth force", "driving torque"),
-    *("radial tooth force", "tangential tooth force", "axial tooth force"),
+    *("radial tooth force", "tangential tooth force", "axial tooth force", "normal tooth force"),
     *("driving force", "reaction", "bearing reaction", "force", "moment", "torque", "impulse", "angular impulse"),
 )
 _KINDS = {  # kinds of what is said so, by how likely they are meant
@@ -200,8 +200,9 @@ def _between(
     if kind in ("impulse", "angular impulse"):  # what closes or strikes has an impulse of its own
         closing = {row.connection for row in names.constraint_rows if row.closes} | names.struck_at_start
         joints = [joint for joint in joints if joint in closing] or joints
-    if not of and kind == "tension" and len(joints) > 1:
-        return  # of several strings one has to be named, though not all may have one tension
+    if not of and kind == "tension" and len(joints) > 1:  # of several strings one has to be named, or all are meant
+        yield [JOINT.join(f"tension of {joint}{end}" for end in _ends_of(names, joint)) for joint in joints]
+        return
     has_sides = kind in ("reaction", "moment", "impulse")
     if has_sides and len(of) == 1 and not ends and on and len(joints) != 1:
         return
@@ -211,6 +212,12 @@ def _between(
     yield [f"{head} of {joint}{f' on {target}' if target else ''}{ends}" for joint in joints]
     if len(of) == 1 and kind == "tension":
         yield [f"tension of {joint} at {of[0]}" for joint in joints]
+
+
+def _ends_of(names: Names, joint: str) -> list[str]:
+    """Where the tensions of a string are, if it has several."""
+    found = strings.spans(names, joint)
+    return [f" {span}" for span in found] if len(found) > 1 else [""]
 
 
 @said_of("spring force")
@@ -234,6 +241,10 @@ def _work(names: Names, quantity: str, rest: Clause) -> Groups:
     of = [name for _, name in rest.names]
     loads = [name for name in of if name in names.loads]
     of = loads if len(loads) == 1 else of  # whose load it is
+    bodies = [name for name in of if name in names.bodies]
+    if len(of) == 1 == len(bodies):  # what drives the body that is named
+        own = {p.load for p in names.applied_loads if bodies[0] in p.measure.bodies()}
+        of = [name for name in lookup.driving(names) if name in own] or of
     if not of and len(driving := lookup.driving(names)) == 1:
         of = driving
     if rest.only("name", *SILENT) and len(of) == 1:
@@ -276,7 +287,7 @@ def _of_teeth(names: Names, quantity: str, rest: Clause) -> Groups:
         yield [JOINT.join(f"{kind} of {name}" for kind in own) for name, own in meshes if own]
 
 
-@said_of("tight tension", "slack tension")
+@said_of("tight tension", "slack tension", "speed of greatest power")
 def _of_runs(names: Names, quantity: str, rest: Clause) -> Groups:
     """A tension of a belt with pretension, which is named or the only one."""
     of = [name for _, name in rest.names]

@@ -53,6 +53,8 @@ def so(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
         return
     if set(clause.all("instant")) - {"in equilibrium", "at start", "at once"} and verbs & {"hold"}:
         return  # it stays at the top
+    if any(names.bodies[name].fixed for name in of if name in names.bodies) and verbs & {"hold", "stop"}:
+        return  # what is held already
     if (verbs & {"hold"} and not negated and verbs <= {"hold", "move"}) or clause.all("quantity") == ["equilibrium"]:
         yield ["it stays at rest"] if everything or _is_held(clause) else []
     elif clause.all("instant") == ["in equilibrium"] and not verbs:

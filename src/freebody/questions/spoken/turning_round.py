@@ -15,6 +15,7 @@ from freebody.questions.spoken.words import Clause
 if TYPE_CHECKING:
     from freebody.model.names import Names
 
+_RESTS = ("it stays at rest", "it does not slip", "nothing slips")
 _FOR = (Word("ask", "from"), Word("ask", "for"), Word("ask", "up_to"))
 
 
@@ -31,18 +32,20 @@ def parameters(names: Names, words: list[Word], whole: Callable[..., Groups]) ->
     if relation.has("verb", "unstable") and end in ("", "least") and words[0] == Word("ask", "from"):
         end, kept = "largest", [Word("verb", "stable") if w == Word("verb", "unstable") else w for w in relation.words]
         relation = Clause(kept)
+    is_begun = relation.has("verb", "start") and not relation.has("not") and not relation.has("mark", "until")
     relation = relation.without("verb", "become") if relation.has("verb", "stable") else relation
     for parameter in chosen:
         for group in so(names, relation, whole):
             for text in group:
                 if text.partition(" = ")[0] in names.measures:
                     continue  # of a place that changes it is to be said when
-                yield from _asked(parameter, text, end)
+                # the least force with which it starts is the largest with which it does not
+                yield from _asked(parameter, text, "largest" if is_begun and end and text in _RESTS else end)
 
 
 def _asked(parameter: str, text: str, end: str) -> Groups:
     """The values of a parameter for which a text holds, or one end of them."""
-    if text in ("it stays at rest", "it does not slip", "nothing slips"):
+    if text in _RESTS:
         yield [f"{end} {parameter} so that {text}" if end else f"range of {parameter} that keeps it at rest"]
     elif end:
         yield [f"{end} {parameter} so that {text}"]

@@ -94,7 +94,7 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
         for said in dict.fromkeys(other for other in right.values() if other != text):
             nearest = nearest or _nearest(names, said, read)[0]
     if len(nearest) > 1 and len(nearest) <= ONE_BY_ONE and _is_plural(text, nearest):
-        return [(asked[0], words) for words, asked in nearest.items()]
+        return [one for words, asked in nearest.items() for one in zip(asked, words.split(JOINT), strict=True)]
     if len(nearest) == 1:
         return next([*zip(asked, words.split(JOINT), strict=True)] for words, asked in nearest.items())
     if not nearest and (passing := _same_value(names, text)) is not None:
@@ -181,7 +181,7 @@ def _is_plural(text: str, ways: dict[str, tuple[AskedT, ...]]) -> bool:
     """Whether a text asks for several things of a kind, and the ways to mean it are these."""
     heads = {words.partition(" of ")[0].removeprefix("angular ") for words in ways}
     said = any(several(language, "quantities").search(text) for language in languages())
-    return said and len(heads) == 1 and not any(JOINT in words for words in ways)
+    return said and len(heads) == 1
 
 
 def _same_value(names: Names, text: str) -> str | None:
