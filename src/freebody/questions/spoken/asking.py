@@ -36,6 +36,8 @@ def quantities(names: Names, clause: Clause) -> Groups:
     if place and clause.has("degree") and clause.has("verb", "move"):
         return  # at which height does it move fastest: the place is not what is greatest
     clause = framed(names, clause)
+    if clause.words and clause.words[-1] == Word("preposition", "and"):  # or what was behind it is taken for a verb
+        return
     if clause.has("verb", "exert", "act"):
         clause = clause.without("verb", "exert", "act")
     degrees = [degree for degree in clause.all("degree") if degree != "value"]

@@ -57,6 +57,10 @@ def timed(names: Names, sentence: Sentence) -> Groups:
             of = next((name for _, name in main.names), "")
             yield [f"equilibrium of {measure}" for measure in lookup.deflections(names, of)]
         return
+    if main.all("quantity") == ["depth"] and main.all("instant") == ["in equilibrium"] and not others:
+        for group in quantities(names, main.without("instant").without("ask")):
+            yield [f"equilibrium of {measure}" for measure in group]
+        return
     if main.has("quantity", "deflection", "displacement"):  # how far until something happens is how far when it does
         others = [("when" if mark == "until" else mark, clause) for mark, clause in others]
     if main.has("ask", "when", "soon", "long", "for", "from", "up_to") or main.has("quantity", *COUNTED):

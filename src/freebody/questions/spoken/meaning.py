@@ -50,7 +50,7 @@ def meanings(names: Names, words: list[Word]) -> Groups:
     said = _bounded(_without_auxiliary(said))
     if said and said[-1].kind == "preposition" and said[-1].what in _LEADS_ON:
         return
-    if any(_leads_nowhere(said, k) for k in range(len(said) - 1)):
+    if any(_leads_nowhere(said, k) or _asks_more(said, k) for k in range(len(said) - 1)):
         return
     said = _by_friction(_needed_to_roll(names, _in_doing(said)))
     said = _unaccelerated(_not_slipping(names, _carrying(names, said, modal)))
@@ -73,6 +73,12 @@ def _leads_nowhere(words: list[Word], k: int) -> bool:
     """Whether behind a preposition there is no thing, where one has to be: relative to, but to nothing."""
     leads = words[k].kind == "preposition" and words[k].what in ("relative", "between")
     return leads and words[k + 1].kind not in ("name", "pronoun", "value", "quantity", "part", "preposition", "other")
+
+
+def _asks_more(words: list[Word], k: int) -> bool:
+    """Whether a second question begins: how long does it take, and how far does it get."""
+    begins = words[k] == Word("preposition", "and") and words[k + 1].kind == "ask"
+    return begins and any(word.kind == "ask" for word in words[:k])
 
 
 def _at_free_ends(names: Names, words: list[Word]) -> list[Word]:

@@ -200,6 +200,10 @@ def _between(
     if kind in ("impulse", "angular impulse"):  # what closes or strikes has an impulse of its own
         closing = {row.connection for row in names.constraint_rows if row.closes} | names.struck_at_start
         joints = [joint for joint in joints if joint in closing] or joints
+    pulling = {row.connection for row in names.constraint_rows if row.reaction == "tension" and len(row.ends) > 1}
+    if kind == "reaction" and of and "." in of[0] and joints and set(joints) <= pulling:  # where a string ends
+        yield [f"tension of {joint} at {of[0].partition('.')[0]}" for joint in joints]
+        return
     if not of and kind == "tension" and len(joints) > 1:  # of several strings one has to be named, or all are meant
         yield [JOINT.join(f"tension of {joint}{end}" for end in _ends_of(names, joint)) for joint in joints]
         return

@@ -273,6 +273,14 @@ def _height(names: Names, quantity: str, rest: Clause) -> Groups:
         yield [height for height, sense in lookup.heights(names, name) if sense > 0]
 
 
+@said_of("depth")
+def _depth(names: Names, quantity: str, rest: Clause) -> Groups:
+    """How far something is below, by what measures it downwards."""
+    of = [name for _, name in rest.names if name != GROUND]
+    if rest.only("name", *SILENT) and len(of) <= 1:
+        yield [name for name, sense in lookup.heights(names, next(iter(of), "")) if sense < 0]
+
+
 @said_of("highest place", "lowest place")
 def _extreme_place(names: Names, quantity: str, rest: Clause) -> Groups:
     """How high or how low something comes, by the height that is measured."""

@@ -111,7 +111,7 @@ def _tail(text: str, language: str) -> str:
         return ""
     for k in range(1, len(words)):
         line, start = " ".join(words), sum(len(word) + 1 for word in words[:k])
-        meant = [word for word, _ in phrases_at(line, start, language)[:1]]
+        meant = [word for word, _ in phrases_at(line, start, language)]
         is_time = any(w == Word("mark", what) for w in meant for what in ("when", "after"))
         if is_time or any(w.kind == "instant" for w in meant) or several(language, "place").match(line, start):
             asks_time = any(w == Word("quantity", "time") for j in range(k) for w, _ in _first_at(words, j, language))

@@ -133,11 +133,13 @@ def _several(names: Names, text: str, read: Callable[[str], AskedT | None]) -> l
         found_here: list[tuple[AskedT, str]] = []
         for part in way:
             every = (_one_or_each(names, elements, said, read) for said in part.texts)
-            some = next((one for one in every if one and all(_fits_event(asked) for asked, _ in one)), [])
+            before = [asked for asked, _ in found_here]
+            fitting = (one for one in every if one and all(_fits_event(asked) for asked, _ in one))
+            some = next((one for one in fitting if all(asked not in before for asked, _ in one)), [])
             some = some or (_there(names, part.there, found_here[0][1], read) if found_here and part.there else [])
-            if not some:
+            if not some or any(asked in before for asked, _ in some):  # nothing that is said is dropped
                 break
-            found_here += [(asked, words) for asked, words in some if asked not in [a for a, _ in found_here]]
+            found_here += some
         else:
             return found_here
     return []
