@@ -249,10 +249,10 @@ def test_a_question_in_ones_own_words_is_that_of_the_grammar_or_none(name: str, 
     system = example(name)
     if not meant:
         with pytest.raises(ModelError):
-            system.question(said)
+            system.asked(said)
         return
-    found, expected = system.question(said), system.question(meant)
-    assert meaning(found) == meaning(expected), found.understood
+    found, expected = system.asked(said), system.asked(meant)
+    assert [*map(meaning, found)] == [*map(meaning, expected)], [question.understood for question in found]
 
 
 @pytest.mark.parametrize(
@@ -261,12 +261,74 @@ def test_a_question_in_ones_own_words_is_that_of_the_grammar_or_none(name: str, 
         ("What is the angular velocity of the carrier?", "there is no body carrier"),
         ("tension of the ropee", "there is no connection ropee. Did you mean rope?"),
         ("friction in the axle", "axle has no friction force"),
-        ("tension in the rope", "rope has several values of tension; say which: at BODY"),
+        ("tension of the rope at the pulley", "rope has several values of tension at pulley; say which: at BODY"),
     ],
 )
 def test_what_the_model_lacks_is_said(said: str, told: str) -> None:
     with pytest.raises(ModelError, match=told):
         example("atwood_machine").question(said)
+
+
+@pytest.mark.parametrize(
+    ("name", "said", "meant"),
+    [
+        ("atwood_machine", "tension in the rope", ["tension of rope at left", "tension of rope at right"]),
+        (
+            "atwood_machine",
+            "greatest tension in the rope",
+            [f"greatest tension of rope at {x}" for x in ("left", "right")],
+        ),
+        ("compound_atwood", "accelerations of all three masses", [f"acceleration of {x}" for x in "ABC"]),
+        (
+            "belt_drive",
+            "angular acceleration of both pulleys",
+            [f"angular acceleration of {x}" for x in ("motor", "drum")],
+        ),
+        (
+            "incline_with_pulley",
+            "x and y component of the reaction at the axle",
+            [f"{x} of reaction of axle" for x in ("x component", "y component")],
+        ),
+        (
+            "slider_crank",
+            "velocity and acceleration of the piston when theta = 90 deg",
+            [f"{x} of piston when theta = 90 deg" for x in ("velocity", "acceleration")],
+        ),
+        (
+            "block_on_rough_incline",
+            "How long does it take until the block stops, and how far does it get in this time?",
+            ["time when block stops", "change of x until block stops"],
+        ),
+        (
+            "simple_pendulum",
+            "(a) the period of small oscillations, (b) the tension in the rod at the lowest point",
+            ["period of small oscillations", "tension of rod when theta = 0"],
+        ),
+        (
+            "slider_crank",
+            "Wie groß sind Geschwindigkeit und Beschleunigung des Kolbens bei theta = 90 Grad?",
+            [f"{x} of piston when theta = 90 deg" for x in ("velocity", "acceleration")],
+        ),
+    ],
+)
+def test_several_questions_in_one_are_each_answered(name: str, said: str, meant: list[str]) -> None:
+    system = example(name)
+    found = system.asked(said)
+    assert [*map(meaning, found)] == [meaning(system.question(one)) for one in meant], [q.text for q in found]
+    with pytest.raises(InputError, match="asks for several things"):
+        system.question(said)
+
+
+def test_several_questions_in_one_have_ids_and_no_options(tmp_path: Path) -> None:
+    text = re.sub(r"\nquestions:.*\Z", "\n", path_of("atwood_machine").read_text("utf-8"), flags=re.DOTALL)
+    asked = f"{text}questions: [{{id: T, find: tension in the rope on both sides}}]\n"
+    found = fb.solve(fb.System.from_text(asked)).answers
+    assert [(a.id, a.question) for a in found] == [
+        ("T_1", "tension of rope at left"),
+        ("T_2", "tension of rope at right"),
+    ]
+    with pytest.raises(ModelError, match="options are of one quantity"):
+        fb.System.from_text(asked.replace("sides}", "sides, options: {a: m1*g}}"))
 
 
 def test_what_cannot_be_read_is_answered_with_questions_of_this_model() -> None:
@@ -385,7 +447,7 @@ def test_a_force_that_a_connection_has_not_is_told_so(said: str) -> None:
 def test_no_two_suggestions_ask_for_the_same() -> None:
     system = example("cart_and_pendulum")
     with pytest.raises(ModelError) as error:
-        system.question("what about the force in hinge and track")
+        system.question("what about the force in hinge against track")
     suggested = [line.strip() for line in str(error.value).splitlines()[1:]]
     assert "reaction of hinge" in suggested
     assert "force of hinge" not in suggested

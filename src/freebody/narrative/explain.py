@@ -89,7 +89,9 @@ def explain(
                 hint=did_you_mean(question, known),
             )
         )
-    asked = system.questions if question is None else (known.get(question) or system.question(question),)
+    asked = system.questions
+    if question is not None:
+        asked = (known[question],) if question in known else system.asked(question)
     asked = tuple(placed(system, asked, solve)[0])
     system = system if asked == system.questions else replace(system, questions=asked)
     context = Context(system)

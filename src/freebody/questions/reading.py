@@ -118,15 +118,16 @@ def read_questions(names: Names, given: Any) -> tuple[Question, ...]:
     for k, (name, value) in enumerate(pairs):
         place = name if isinstance(given, dict) else k
         with names.at("questions", place):
-            question = _question(names, name, value)
-        if question is not None:
+            read = _questions(names, name, value)
+        for question in read:
             if any(other.id == question.id for other in found):
                 names.problem(Message("two questions have the id {id}", id=question.id), "questions", place, "id")
             found.append(question)
     return tuple(found)
 
 
-def _question(names: Names, name: str, value: Any) -> Question | None:
+def _questions(names: Names, name: str, value: Any) -> list[Question]:
+    """What one entry asks: one question, or several where its words ask for several things."""
     known = ("find", "id", "when", "options", "key", "text", "points")
     phrased = phrase_text(value)
     entry: dict[str, Any] = {}
@@ -136,22 +137,36 @@ def _question(names: Names, name: str, value: Any) -> Question | None:
         entry = cast("dict[str, Any]", value)
     if not isinstance(entry.get("find"), str):
         names.problem(Message("a question needs find, e.g. {{find: acceleration of x}}"))
-        return None
+        return []
     for key in entry:
         if key not in known:
             names.problem(Message("a question has no {key}.{hint}", key=key, hint=did_you_mean(key, known)), key)
     text = " ".join(str(entry["find"]).split())
-    understood = _understood(names, text, entry.get("when"))
-    if understood is None:
-        return None
-    found, canonical = understood
-    quantity, event, at_start, transition = found.quantity, found.event, found.at_start, found.transition
+    found = _understood(names, text, entry.get("when"))
+    own = plain(str(entry.get("id", name)))
+    if len(found) > 1:
+        if entry.get("options") or entry.get("key") is not None:
+            several = "\n    ".join(words for _, words in found)
+            told = Message(
+                "options are of one quantity, and '{text}' asks for\n    {several}", text=text, several=several
+            )
+            names.problem(told, "find")
+        points = _points(names, entry.get("points"))
+        read = [_asks(names, f"{own}_{k}", words, meant, entry) for k, (meant, words) in enumerate(found, 1)]
+        asked = [question for question in read if question is not None]
+        return [replace(question, points=None if points is None else points / len(found)) for question in asked]
+    return [question for meant, words in found if (question := _asks(names, own, text, meant, entry, words))]
+
+
+def _asks(
+    names: Names, own: str, text: str, meant: Meant, entry: Mapping[str, Any], canonical: str = ""
+) -> Question | None:
+    """One question. own: its id; canonical: in the words of the grammar, where its text is not."""
+    quantity, event, at_start, transition = meant.quantity, meant.event, meant.at_start, meant.transition
     condition = event or transition
     if quantity.scope == "every motion" and (condition is not None or at_start):
         names.problem(Message("what is conserved is so at every instant; leave out 'at start' and 'when'"), "find")
         return None
-    if isinstance(quantity, Counted) and condition is None:
-        names.problem(Message("say until when: {phrase} until {until}", phrase=text, until=quantity.until), "find")
     options: Any = entry.get("options") or {}
     if isinstance(options, list):
         letters = "abcdefghijklmnopqrstuvwxyz"
@@ -164,7 +179,7 @@ def _question(names: Names, name: str, value: Any) -> Question | None:
     if key is not None and str(key) not in shown:
         names.problem(Message("key {key} is not among the options {shown}", key=key, shown=", ".join(shown)), "key")
     return Question(
-        plain(str(entry.get("id", name))),
+        own,
         plain(text),
         quantity,
         event,
@@ -172,7 +187,7 @@ def _question(names: Names, name: str, value: Any) -> Question | None:
         shown,
         None if key is None else str(key),
         transition,
-        plain(canonical),
+        plain(canonical or text),
         plain(" ".join(str(entry.get("text", "")).split())),
         _points(names, entry.get("points")),
     )
@@ -188,10 +203,20 @@ def _points(names: Names, given: object) -> float | None:
     return float(given)
 
 
-def _understood(names: Names, text: str, when: object) -> tuple[Meant, str] | None:
+def _understood(names: Names, text: str, when: object) -> list[tuple[Meant, str]]:
     """What a text asks for, and the words of the grammar in which it does."""
-    found = understood(names, text, lambda words: _asked(names, as_condition(names, words.rstrip(" ?!")), when))
-    return None if found is None else (found[0], as_condition(names, found[1]))
+    found = understood(names, text, lambda words: _complete(names, as_condition(names, words.rstrip(" ?!")), when))
+    return [(meant, as_condition(names, words)) for meant, words in found]
+
+
+def _complete(names: Names, phrase: str, when: object) -> Meant | None:
+    """What a phrase asks for, if it says all of it: what is counted, until when."""
+    meant = _asked(names, phrase, when)
+    if meant is None or not isinstance(meant.quantity, Counted) or meant.event or meant.transition:
+        return meant
+    until = meant.quantity.until
+    names.problem(Message("say until when: {phrase} until {until}", phrase=phrase, until=until), "find")
+    return None
 
 
 def _asked(names: Names, phrase: str, when: object) -> Meant | None:

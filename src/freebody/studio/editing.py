@@ -63,8 +63,7 @@ def suggest(request: SuggestRequest) -> SuggestAnswer:
     understood, message = "", ""
     if request.question.strip():
         try:
-            question = system.question(request.question)
-            understood = question.understood or question.text
+            understood = "; ".join(asked.understood or asked.text for asked in system.asked(request.question))
         except ModelError as error:
             message = told(error.problems[0].message, request.language)
         except InputError as error:

@@ -81,13 +81,24 @@ class System(SystemDescription):
 
     # -- asking -------------------------------------------------------------------------------
     def question(self, text: str) -> Question:
-        """A question given in words. Raises InputError if it cannot be read."""
+        """A question given in words. Raises InputError if it cannot be read, or asks for several things."""
+        found = self.asked(text)
+        if len(found) > 1:
+            several = "\n    ".join(question.text for question in found)
+            told = Message(
+                "'{text}' asks for several things; ask for one of\n    {several}", text=text, several=several
+            )
+            raise InputError(told)
+        return found[0]
+
+    def asked(self, text: str) -> tuple[Question, ...]:
+        """What a text asks for: one question, or several. Raises InputError if it cannot be read."""
         if len(text) > LONGEST:
             raise InputError(
                 Message("a question has at most {most} characters, this one {n}", most=LONGEST, n=len(text))
             )
         document = self.document.with_value(("questions",), [{"find": text}])
-        return self._read(document, self.file).questions[0]
+        return self._read(document, self.file).questions
 
     def to_yaml(self) -> str:
         """The model file, with its comments."""

@@ -12,7 +12,7 @@ verb ask for together says frames.py), at an instant
 (instants.py), up to an event (counting.py), or a question turned round (turning_round.py, and what is to be so in
 so_that.py). Where an equation says when, what else is said of that instant describes it (stated.py); up to which value
 of a parameter rest lasts is put in many ways (limits.py). What a model has for words that name nothing stands in
-lookup.py, poses.py (what hangs, stands, lies level), strings.py, losing.py (what takes energy away) and given.py
-(parameters by what they are of). Nothing that is said
+lookup.py, joining.py (connections), poses.py (what hangs, stands, lies level), strings.py, losing.py (what takes energy
+away) and given.py (parameters by what they are of). Nothing that is said
 is dropped, but words that lead to a question, adjectives that tell no thing from another, and adverbs of manner.
 """

@@ -8,7 +8,7 @@ from itertools import product
 from typing import TYPE_CHECKING
 
 from freebody.questions.spoken import given, lookup, of_forces, of_motion, of_systems, poses
-from freebody.questions.spoken.composing import SILENT, Groups, composed
+from freebody.questions.spoken.composing import JOINT, SILENT, Groups, composed
 from freebody.questions.spoken.frames import framed
 from freebody.questions.spoken.lexicon import Word
 from freebody.questions.spoken.words import Clause
@@ -36,6 +36,8 @@ def quantities(names: Names, clause: Clause) -> Groups:
     if place and clause.has("degree") and clause.has("verb", "move"):
         return  # at which height does it move fastest: the place is not what is greatest
     clause = framed(names, clause)
+    if clause.words and clause.words[-1] == Word("preposition", "and"):  # or what was behind it is taken for a verb
+        return
     if clause.has("verb", "exert", "act"):
         clause = clause.without("verb", "exert", "act")
     degrees = [degree for degree in clause.all("degree") if degree != "value"]
@@ -96,8 +98,10 @@ def _extreme(names: Names, clause: Clause, degrees: list[str]) -> Groups:
         for group in _plain(names, clause) if len(angles) == 1 else ():
             yield [f"{end} {text} over {angles[0]}" for text in group]
         return
+    if degree == "greatest" and clause.has("quantity", "power") and not clause.names:
+        yield [f"greatest power of {belt}" for belt in of_forces.having(names, "greatest power")]
     for group in _plain(names, clause):
-        yield [f"{degree} {text}{whole}" for text in group]
+        yield [f"{degree} {text}{whole}" for text in group if JOINT not in text]
 
 
 def _of_two(names: Names, clause: Clause) -> Groups:

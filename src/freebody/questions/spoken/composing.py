@@ -19,6 +19,7 @@ Groups = Iterator[list[str]]
 Compose = Callable[["Names", str, Clause], Groups]
 SILENT = ("filler", "pronoun", "preposition", "updown")  # kinds of words that ask for nothing by themselves
 ALONG = {"horizontal": "right", "vertical": "up", "upward": "up", "downward": "down", "up": "up", "down": "down"}
+JOINT = "; "  # between several questions, in the words of the grammar
 _ROOMS: dict[str, Compose] = {}
 
 
@@ -47,6 +48,11 @@ def _written(names: Names, quantity: str, rest: Clause) -> Groups:
         yield [f"{quantity} of {of[0]}{relative}"]
     if not relative:
         yield [quantity]
+
+
+def ended(text: str, end: str) -> str:
+    """A question, or each of several, with what is said of when."""
+    return JOINT.join(f"{one}{end}" for one in text.split(JOINT))
 
 
 def without_owners(of: list[str]) -> list[str]:

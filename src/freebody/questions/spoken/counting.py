@@ -5,7 +5,7 @@ from __future__ import annotations
 from itertools import product
 from typing import TYPE_CHECKING
 
-from freebody.questions.spoken import dimensions, lookup, losing, poses
+from freebody.questions.spoken import dimensions, given, joining, lookup, losing, poses
 from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.events import GOES_ON, conditions
 from freebody.questions.spoken.lexicon import Word
@@ -30,6 +30,8 @@ def time(names: Names, sentence: Sentence) -> Groups:
     if main.has("quantity", "flight time") and (sentence.others or main.has("verb") or main.has("value")):
         main = Clause([Word("quantity", "time") if w == Word("quantity", "flight time") else w for w in main.words])
     asks = main.has("ask", "when", "soon", "long") or main.has("quantity", "time")
+    if asks and main.has("verb", "leave") and not sentence.others and main.only("ask", "verb", "name", *SILENT):
+        yield from _lifting(names, main)
     if not asks or len(main.all("quantity")) > main.has("quantity", "time") + _is_of_event(main):
         return
     head = main.without("ask").without("quantity", "time")
@@ -38,6 +40,7 @@ def time(names: Names, sentence: Sentence) -> Groups:
         and not head.has("verb", "rise")
         and not sentence.others
         and not head.has("value")
+        and not head.has("instant", "after engagement")
         and not any(name in names.parameters for _, name in head.names)
         and set(head.all("verb")) <= set(GOES_ON)
     ):
@@ -49,7 +52,7 @@ def time(names: Names, sentence: Sentence) -> Groups:
         return
     if main.has("ask", "long") and not sentence.others and set(head.all("verb")) == {"hold"}:
         of = [name for _, name in head.names]  # how long does it stick
-        if head.only("verb", "name", "pronoun") and len(of) <= 1 and lookup.rough(names, next(iter(of), "")):
+        if head.only("verb", "name", "pronoun") and len(of) <= 1 and joining.rough(names, next(iter(of), "")):
             yield [f"time when {of[0]} begins to slip" if of else "time when slipping begins"]
         return
     rises = "rise" in head.all("verb") and set(head.all("verb")) <= {"rise", *GOES_ON} and not head.has("value")
@@ -72,6 +75,15 @@ def time(names: Names, sentence: Sentence) -> Groups:
         return
     for group in conditions(names, clause):
         yield [f"time when {condition}" for condition in group]
+
+
+def _lifting(names: Names, main: Clause) -> Groups:
+    """When do the wheels lift off that nothing lets go: with which push, where there is one alone."""
+    bound = {row.connection for row in names.constraint_rows if row.unilateral}
+    own = [name for _, name in main.names if name in names.connections and name not in bound]
+    pushes = [name for kind in ("force", "torque") for name in given.chosen(names, given.KIND_OF[kind], [])]
+    if len(pushes) == 1:
+        yield [f"value of {pushes[0]} for which normal force of {name} = 0" for name in own]
 
 
 def _until_struck(main: Clause) -> Clause:
@@ -120,7 +132,7 @@ def lost(names: Names, sentence: Sentence) -> Groups:
         return  # of one body: what the others get is no loss
     is_blow = not main.has("instant") and losing.only_loses_in_the_blow(names)
     if (main.has("instant", "in the impact", "at the impact") or is_blow) and not sentence.others:
-        yield ["energy lost in the blow" if lookup.is_struck_at_start_alone(names) else "energy lost in the impact"]
+        yield ["energy lost in the blow" if joining.is_struck_at_start_alone(names) else "energy lost in the impact"]
     elif asked[0].startswith("kinetic") and len(sentence.others) == 1:
         of = "".join(f" of {name}" for _, name in main.names)
         for end in ends(names, sentence):
@@ -133,9 +145,9 @@ def _fraction_lost(names: Names, sentence: Sentence, asked: list[str]) -> Groups
     is_lost = asked in (["energy lost"], ["kinetic energy lost"])
     is_all = all(lookup.is_all_that_moves(names, name) for _, name in main.names)
     blows = ("in the impact", "at the impact")
-    if is_lost and not sentence.others and main.has("instant", *blows):
+    if is_lost and not sentence.others and (main.has("instant", *blows) or losing.only_loses_in_the_blow(names)):
         if main.only("quantity", "ask", "instant", *SILENT):
-            blow = "blow" if lookup.is_struck_at_start_alone(names) else "impact"
+            blow = "blow" if joining.is_struck_at_start_alone(names) else "impact"
             yield [f"ratio of energy lost in the {blow} to (kinetic energy before the {blow})"]
         return
     if is_lost and is_all and losing.has_kinetic_energy_alone(names) and main.only("quantity", "ask", "name", *SILENT):
@@ -182,6 +194,7 @@ def _heads_counted(names: Names, sentence: Sentence) -> Groups:
     elif (asked == ["energy lost"] and verbs <= {"lost", *GOES_ON}) or (asked == ["energy"] and verbs == {"lost"}):
         if who in names.connections or who in names.loads:
             yield [] if main.has("instant", "in the impact") else [f"energy lost in {who}"]
+            yield ["energy lost"] if losing.is_all_that_rubs(names, who) else []
         else:
             is_all = not of or lookup.is_all_that_moves(names, who) or losing.is_all_that_rubs(names, who)
             yield ["energy lost"] if is_all else []
@@ -202,7 +215,7 @@ def _heads_counted(names: Names, sentence: Sentence) -> Groups:
     elif len(asked) == 1 == len(of) and asked[0] == "work" and who in names.loads:
         yield [f"work of {who}"]
     elif asked == ["work of friction"]:
-        yield [f"work of {joint}" for joint in lookup.rough(names, who)]
+        yield [f"work of {joint}" for joint in joining.rough(names, who)]
     elif asked == ["change"] and not verbs and who in names.measures:
         yield [f"change of {who}"]
 
@@ -228,9 +241,9 @@ def ends(names: Names, sentence: Sentence) -> Groups:
         if sentence.main.has("quantity", *COUNTED) and sentence.main.only(*_TO_THE_END):  # how many turns are left
             who = [name for _, name in sentence.main.names if name in names.bodies]
             clutches = losing.clutches(names)
-            yield [f"slipping of {name} ends" for name in clutches] or [
-                f"{name} stops" for name in losing.runs_down(names) if not who or who == [name]
-            ]
+            stopping = [f"{name} stops" for name in losing.runs_down(names) if not who or who == [name]]
+            yield [f"slipping of {name} ends" for name in clutches] or stopping
+            yield ["rolling begins"] if losing.comes_to_roll(names) else []
         within = [value for before, value in sentence.main.values if before in ("in", "of")]
         within += [value for before, value in sentence.main.values if before in ("on", "along", "through", "over")]
         if len(within) == 1 == len(sentence.main.values):

@@ -31,6 +31,7 @@ class Elements:
         default_factory=dict[tuple[str, ...], list[tuple[Element, str, int]]]
     )
 
+    bodies: set[str] = field(default_factory=set[str])  # that move
     touching: dict[str, frozenset[str]] = field(default_factory=dict[str, frozenset[str]])  # bodies, by connection
     hanging: frozenset[str] = frozenset()  # bodies that strings alone hold, straight below them
     # of bodies, so far as they are numbers
@@ -51,6 +52,7 @@ class Elements:
         written = said or name
         apart = re.sub(r"(?<=[a-z])(?=[A-Z])", " ", written)
         keys = {(written.lower(),), tuple(re.split(r"[\s_.]+", apart.lower()))}
+        keys |= {(written.lower().replace("_", ""),)} if "." not in written else set()  # v0 for v_0
         keys |= {tuple(_OTHERWISE.get(word, word) for word in key) for key in keys}
         for key in keys:
             self.spoken.setdefault(key, []).append((element, written, distance))

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 from freebody.language.notation import to_python
 from freebody.measures.geometry import GROUND, ZERO
-from freebody.questions.spoken import dimensions, lookup, poses
+from freebody.questions.spoken import dimensions, joining, lookup, losing, poses
 from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.words import Clause
 
@@ -34,6 +34,7 @@ HAPPENS = (  # verbs of what comes at an instant; the others are of what goes on
         "top",
         "bottom",
         "begin_roll",
+        "engage",
     ),
 )
 _WAYS = ("distance", "displacement", "distance travelled", "angle", "height")
@@ -75,13 +76,17 @@ def _instants(names: Names, clause: Clause) -> Groups:
         elif instant == "at the top of the loop":
             yield poses.uppermost(names, of)
         elif instant == "at the bottom":
-            yield poses.lowermost(names, of) or ([f"{of or 'it'} hits"] if lookup.strikes(names) else [])
+            yield poses.lowermost(names, of) or ([f"{of or 'it'} hits"] if joining.strikes(names) else [])
         elif instant == "turning point":
             yield poses.turning(names, of)
         elif instant in ("level", "upright pose"):
             yield (poses.level if instant == "level" else poses.upright)(names, of)
         elif instant in ("at the impact", "in the impact"):
             yield [f"{of or 'it'} hits"]
+        elif instant == "at separation":
+            yield ["contact is lost"]
+        elif instant == "after engagement":
+            yield from _engages(names, "", "")
 
 
 # -- what is equal to something ---------------------------------------------------------------
@@ -134,7 +139,7 @@ def _halved(names: Names, clause: Clause) -> Groups:
     turning = clause.has("quantity", "angular velocity")
     if clause.has("quantity", "angular velocity", "velocity", "speed") and len(clause.names) <= 1:
         measures = lookup.angles(names, of) if turning else lookup.places(names, of)
-        measures = measures or (lookup.angles(names, of) if lookup.axle_of(names, of) == "center" or not of else [])
+        measures = measures or (lookup.angles(names, of) if joining.axle_of(names, of) == "center" or not of else [])
         moving = [(name, names.start_rates.get(name, ZERO)) for name in measures]
         yield [f"rate({name}) = {to_python(rate / 2).replace('**', '^')}" for name, rate in moving if rate != ZERO]
 
@@ -175,9 +180,9 @@ def _quantity_is(names: Names, clause: Clause, value: str) -> Groups:
             kinds = lookup.angles if quantity.startswith("angular") else lookup.places
             yield [f"rate({measure}) = {value}" for measure in ([of] if of else kinds(names, ""))]
         elif quantity == "tension" and is_zero:
-            yield [f"{joint} goes slack" for joint in lookup.joints(names, of, "", "tension")]
+            yield [f"{joint} goes slack" for joint in joining.joints(names, of, "", "tension")]
         elif quantity in ("normal force", "contact force") and is_zero:
-            yield [f"{joint} opens" for joint in lookup.joints(names, of, "", "normal force")]
+            yield [f"{joint} opens" for joint in joining.joints(names, of, "", "normal force")]
 
 
 def _grows(names: Names, measure: str) -> bool:
@@ -199,7 +204,7 @@ def _with_value(names: Names, clause: Clause, verbs: list[str]) -> Groups:
     if len(values) != 1 or len(of) > 3:
         return
     lines = [
-        name for before, name in clause.names if before in ("along", "up", "down") and lookup.direction(names, name)
+        name for before, name in clause.names if before in ("along", "up", "down") and joining.direction(names, name)
     ]
     acting = [name for name in of if name in names.loads] if len(of) > 1 else []  # the motor lifts the crate by 2 m
     [value], of = values, [name for name in of if name not in (*lines, *acting)]
@@ -219,7 +224,7 @@ def _with_value(names: Names, clause: Clause, verbs: list[str]) -> Groups:
     if not doing and dimensions.is_angle(value) and who not in names.measures:
         yield [f"{angle} = {value}" for angle in lookup.angles(names, who)]
     elif turns or doing == {"turn"}:
-        yield [f"{angle} = {value}" for angle in lookup.turned(names, who)]
+        yield [f"{angle} = {value}" for angle in joining.turned(names, who)]
     elif doing == {"fall"}:
         yield lookup.climbed(names, who, value, -1)
     elif doing == {"rise"}:
@@ -238,7 +243,7 @@ def _happening(names: Names, clause: Clause, verbs: list[str]) -> Groups:
     doing = frozenset(verbs) - ({"move", "reach"} if len(set(verbs)) > 1 else set())
     doing = frozenset(doing & {"top", "bottom"}) or doing  # it swings through the lowest point
     lines = names.bodies[GROUND].lines
-    if not doing and len(clause.names) == 1 and clause.names[0][1] in lines and lookup.strikes(names):
+    if not doing and len(clause.names) == 1 and clause.names[0][1] in lines and joining.strikes(names):
         yield [f"it hits {clause.names[0][1]}"]  # the time of fall to the floor
         return
     told = _TOLD.get(doing)
@@ -269,7 +274,7 @@ def _hits(names: Names, who: str, other: str) -> Groups:
     """What can strike nothing lands where it is as low as at the start, or as zero of its height if it starts above."""
     if other in names.loads:
         return
-    if not lookup.strikes(names) and other in ("", GROUND):
+    if not joining.strikes(names) and other in ("", GROUND):
         yield [f"{height} = 0" for height in (lookup.rising(names, who) or lookup.falling(names, who))]
         return
     yield [f"{who or 'it'} hits {other}".strip()]
@@ -278,6 +283,9 @@ def _hits(names: Names, who: str, other: str) -> Groups:
 def _leaves(names: Names, who: str, other: str) -> Groups:
     if other in names.loads:
         return  # nothing is said of where a spring no longer pushes
+    free = {row.connection for row in names.constraint_rows if row.unilateral or row.reaction == "tension"}
+    if who in names.connections and who not in free:
+        return  # it holds on both sides
     if who or other:
         yield [f"{who or 'it'} leaves {other}".strip()]
         yield [f"{who or other} opens"]
@@ -302,8 +310,8 @@ def _is_rough_to(names: Names, who: str, other: str) -> bool:
     if not other:
         return True
     rough = {row.connection for row in names.constraint_rows if row.reaction == "friction force"}
-    own = [joint for joint in rough if not who or lookup.touches(names, joint, who)]
-    return len(own) == 1 and lookup.touches(names, own[0], other)
+    own = [joint for joint in rough if not who or joining.touches(names, joint, who)]
+    return len(own) == 1 and joining.touches(names, own[0], other)
 
 
 def _stops(names: Names, who: str, other: str) -> Groups:
@@ -352,6 +360,11 @@ def _tightens(names: Names, who: str, other: str) -> Groups:
     yield [f"{who or 'it'} goes taut"] if not other else []
 
 
+def _engages(names: Names, who: str, other: str) -> Groups:
+    """What a clutch joins turns alike where it no longer slips."""
+    yield [f"slipping of {name} ends" for name in losing.clutches(names)]
+
+
 _TOLD: dict[frozenset[str], Callable[..., Groups]] = {
     frozenset(doing.split()): told
     for doing, told in (
@@ -380,6 +393,9 @@ _TOLD: dict[frozenset[str], Callable[..., Groups]] = {
         ("vanish", _passes_zero),
         ("top", _at_top),
         ("bottom", _at_bottom),
+        ("engage", _engages),
+        ("engage turn", _engages),
+        ("engage move", _engages),
         ("slack", _slackens),
         ("taut", _tightens),
     )

@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from freebody.questions.spoken import lookup
+from freebody.questions.spoken import joining, lookup
 from freebody.questions.spoken.lexicon import Word
 from freebody.questions.spoken.words import Clause
 
@@ -34,6 +34,7 @@ _LIGHT = {
     **dict.fromkeys(FORCES, _ACTING | {"move", "carry", "hang", "reach"}),
     **dict.fromkeys(("highest place", "lowest place"), _GOING),
     "friction force": _ACTING | {"move", "carry", "hang", "reach", "hold"},
+    "links": frozenset({"move", "become"}),
     "flight time": frozenset({"move", "fly", "hold", "stay_on"}),
     "dead points": frozenset({"move", "reach", "stop"}),
     "deceleration": frozenset({"move", "stop", "slide", "roll", "rise", "fall"}),
@@ -131,7 +132,7 @@ def _with_quantity(names: Names, quantity: str, words: list[Word]) -> Clause:
     """Words with the quantity of a frame, as what is named has it."""
     of = [word.what for word in words if word.kind == "name"]
     if quantity == "acceleration":
-        is_turned = Word("part", "angular") in words or any(lookup.axle_of(names, name) == "center" for name in of)
+        is_turned = Word("part", "angular") in words or any(joining.axle_of(names, name) == "center" for name in of)
         words = [word for word in words if word != Word("part", "angular")]
         quantity = "angular acceleration" if is_turned else quantity
     elif quantity == "force":

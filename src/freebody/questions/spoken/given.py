@@ -14,7 +14,7 @@ from freebody.language.units import FORCE, LENGTH, MASS, TIME, TORQUE, Dimension
 from freebody.measures.geometry import ZERO
 from freebody.model.elements import Parameter
 from freebody.model.solids import ROD
-from freebody.questions.spoken.lookup import given_of, is_at, is_joined
+from freebody.questions.spoken.joining import given_of, is_at, is_joined
 
 if TYPE_CHECKING:
     from freebody.model.names import Names

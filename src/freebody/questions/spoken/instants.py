@@ -6,9 +6,9 @@ from itertools import pairwise, product
 from typing import TYPE_CHECKING
 
 from freebody.measures.geometry import GROUND
-from freebody.questions.spoken import dimensions, lookup, poses
+from freebody.questions.spoken import dimensions, joining, lookup, losing, poses
 from freebody.questions.spoken.asking import quantities
-from freebody.questions.spoken.composing import SILENT, Groups
+from freebody.questions.spoken.composing import SILENT, Groups, ended
 from freebody.questions.spoken.counting import COUNTED
 from freebody.questions.spoken.events import GOES_ON, HAPPENS, conditions
 from freebody.questions.spoken.lexicon import Word
@@ -40,6 +40,8 @@ _PLACES = {
     "turning point": poses.turning,
     "level": poses.level,
     "upright pose": poses.upright,
+    "at separation": lambda names, _: ["contact is lost"] if joining.strikes(names) else [],
+    "after engagement": lambda names, _: [f"slipping of {name} ends" for name in losing.clutches(names)],
 }
 _BLOWS = ("after the impact", "before the impact")
 _TIMED = {text: f" {text}" for text in ("in steady motion", "when t grows", "at the dead points")}
@@ -48,12 +50,16 @@ _TIMED = {text: f" {text}" for text in ("in steady motion", "when t grows", "at 
 def timed(names: Names, sentence: Sentence) -> Groups:
     """A quantity, and when it is meant."""
     main, others = sentence.main, [one for one in sentence.others if not is_throughout(names, *one)]
-    if main.has("instant", "over the motion") and not main.has("degree") and lookup.goes_on(names):
+    if main.has("instant", "over the motion") and not main.has("degree") and joining.goes_on(names):
         main = main.without("instant", "over the motion")
     if main.has("quantity", "deflection") and main.all("instant") == ["in equilibrium"] and not others:
         if main.only("ask", "quantity", "instant", "name", "verb", *SILENT):
             of = next((name for _, name in main.names), "")
             yield [f"equilibrium of {measure}" for measure in lookup.deflections(names, of)]
+        return
+    if main.all("quantity") == ["depth"] and main.all("instant") == ["in equilibrium"] and not others:
+        for group in quantities(names, main.without("instant").without("ask")):
+            yield [f"equilibrium of {measure}" for measure in group]
         return
     if main.has("quantity", "deflection", "displacement"):  # how far until something happens is how far when it does
         others = [("when" if mark == "until" else mark, clause) for mark, clause in others]
@@ -62,7 +68,7 @@ def timed(names: Names, sentence: Sentence) -> Groups:
     if (
         main.has("ask", "high")
         and main.all("instant") == ["after the impact"]
-        and lookup.is_struck_at_start_alone(names)
+        and joining.is_struck_at_start_alone(names)
     ):
         main = main.without("instant")
     if main.has("ask", "high") and not others and main.has("verb") and main.only("ask", "verb", "name", "pronoun"):
@@ -77,7 +83,7 @@ def timed(names: Names, sentence: Sentence) -> Groups:
         main = Clause([Word("quantity", "equilibrium"), *main.without("ask").without("verb").without("instant").words])
     if main.has("verb", "accelerate") and main.has("verb", "start"):  # how fast does it start to accelerate
         main = Clause([*main.without("verb", "start").words, Word("instant", "at start")])
-    if others and main.has("quantity") and not lookup.strikes(names):  # with what speed does it arrive after 3 m
+    if others and main.has("quantity") and not joining.strikes(names):  # with what speed does it arrive after 3 m
         main = main.without("verb", "hit", "reach")
     accelerates = main.has("quantity", "acceleration", "angular acceleration") and main.has("verb", "start")
     if (
@@ -88,14 +94,24 @@ def timed(names: Names, sentence: Sentence) -> Groups:
         main = Clause(
             [Word("quantity", "speed") if w == Word("quantity", "terminal velocity") else w for w in main.words]
         )
+    is_steady = main.all("instant") == ["in steady motion"] and main.all("quantity") == ["angular velocity"]
+    if is_steady and names.space and not main.names:  # of what goes round
+        main = Clause([Word("quantity", "precession rate") if w.kind == "quantity" else w for w in main.words])
     tails, main = _tails(names, main)
     if main.has("quantity", "impact speed"):
         main = Clause([Word("quantity", "speed") if w == Word("quantity", "impact speed") else w for w in main.words])
         tails = tails or ([] if others else [[" when it hits"]])
+    if main.has("quantity", "common speed") and not others:
+        tails = tails or [[f" when slipping of {name} ends"] for name in losing.clutches(names)]
+        tails = tails or ([[" at start"]] if joining.is_struck_at_start_alone(names) else [])
     if main.has("quantity", "precession rate"):  # of a top that does not nod, unless another instant is said
         tails = tails or ([] if others else [[" in steady motion"]])
     if any(word.kind == "part" and word.what == "initial" for word in main.words) and not tails:
         main, tails = main.without("part", "initial"), [[" at start"]]
+    slides = [clause for mark, clause in others if mark == "while" and clause.all("verb") == ["slide"]]
+    is_first = losing.comes_to_roll(names) or (losing.clutches(names) and not lookup.rests(names))
+    if slides and len(others) == 1 and is_first and not _is_continuous(names, main):
+        others, tails = [], [*tails, [" at start"]]  # its first phase, of which forces and accelerations do not change
     if any(_is_of_state(mark, clause) for mark, clause in others) and not _is_continuous(names, main):
         return
     for mark, clause in others:
@@ -112,14 +128,14 @@ def timed(names: Names, sentence: Sentence) -> Groups:
         head, conditions_ = event
         for group, when in product(list(quantities(names, head)), conditions_):
             pairs = product(group, when)
-            yield [f"{text} when {condition}" for text, condition in pairs if not condition.startswith(f"{text} = ")]
+            yield [ended(text, f" when {end}") for text, end in pairs if not end.startswith(f"{text} = ")]
         return
     if not tails:
         yield from quantities(names, main)
         return
     for tail in _at(names, *others[0]) if len(others) == 1 else iter(tails[:1]):
         for group in quantities(names, main):
-            yield [f"{text}{end}" for text, end in product(group, tail) if not end.startswith(f" when {text} = ")]
+            yield [ended(text, end) for text, end in product(group, tail) if not end.startswith(f" when {text} = ")]
 
 
 def _is_of_state(mark: str, clause: Clause) -> bool:
@@ -159,7 +175,7 @@ def _how_far(names: Names, main: Clause) -> Groups:
     elif (
         set(main.all("verb")) == {"move"}
         and lookup.rests(names)
-        and lookup.goes_on(names)
+        and joining.goes_on(names)
         and not names.struck_at_start
     ):
         yield [f"{way} when rate({way}) = 0" for way in lookup.ways(names, who) if who and lookup.springs(names)]
@@ -182,7 +198,7 @@ def _tails(names: Names, main: Clause) -> tuple[list[list[str]], Clause]:
         elif instant in _TIMED:
             tails.append([_TIMED[instant]])
         elif instant in _BLOWS:
-            struck = lookup.is_struck_at_start_alone(names)
+            struck = joining.is_struck_at_start_alone(names)
             tails.append([" at start" if struck and instant[0] == "a" else f" {instant}"])
         elif instant in _PLACES:
             of = next((name for _, name in main.names if name in names.bodies or name in names.measures), "")
@@ -274,13 +290,13 @@ def _at(names: Names, mark: str, clause: Clause) -> Groups:
         if time is not None:
             yield [f" after {time}"]
             return
-        if clause.has("verb", "hit", "bounce") and lookup.is_struck_at_start_alone(names):
+        if clause.has("verb", "hit", "bounce") and joining.is_struck_at_start_alone(names):
             yield [" at start"]
             return
         if clause.has("verb", "hit", "bounce"):
             yield (
                 [" after the impact"]
-                if clause.only("verb", "name", "pronoun", "preposition") and lookup.strikes(names)
+                if clause.only("verb", "name", "pronoun", "preposition") and joining.strikes(names)
                 else []
             )
             return
@@ -301,6 +317,8 @@ def _at(names: Names, mark: str, clause: Clause) -> Groups:
 def _event_within(names: Names, main: Clause) -> tuple[Clause, list[list[str]]] | None:
     """A main clause that tells an event with the quantity there: with what speed does the ball hit the floor."""
     verbs = main.all("verb")
+    if main.has("degree", "least", "greatest"):  # the least spin with which it comes back
+        return None
     if main.has("not") or (main.has("ask", "large", "much") and set(verbs) == {"taut"}):  # how taut is it
         return None
     if main.has("ask", "with", "where") and (found_at := _where_it_is(names, main)) is not None:
@@ -359,4 +377,4 @@ def is_throughout(names: Names, mark: str, clause: Clause) -> bool:
     """Whether a clause is of all of the motion: while it rolls, where nothing else can come."""
     lasts = {"move", "roll", "turn", "fly", "fall", "rise", "accelerate", "exert"}
     goes_on = set(clause.all("verb")) <= lasts and clause.has("verb")
-    return mark in ("while", "when") and goes_on and lookup.goes_on(names) and clause.only("verb", "pronoun", "name")
+    return mark in ("while", "when") and goes_on and joining.goes_on(names) and clause.only("verb", "pronoun", "name")

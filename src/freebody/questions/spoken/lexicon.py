@@ -25,6 +25,7 @@ MARKED = rf"{OPEN}[^{OPEN}{CLOSE}]+{CLOSE}"
 GAP = "_"
 _NO_WORDS = (
     "spelling",
+    "several",
     "nouns",
     "endings",
     "compounds",
@@ -196,6 +197,19 @@ def spelt(text: str, language: str) -> str:
     return " ".join(text.split())
 
 
+@cache
+def several(language: str, what: str) -> re.Pattern[str]:
+    """A pattern for what parts several questions in one, or for what stands for several things."""
+    return re.compile(_file(language)["several"][what], re.IGNORECASE)
+
+
+@cache
+def counted_by(language: str) -> dict[str, int]:
+    """Words that say how many things are meant."""
+    table = _file(language)["several"]
+    return {word: n for n, what in ((2, "two"), (3, "three"), (4, "four")) for word in table[what]}
+
+
 def is_adjective(token: str, language: str) -> bool:
     """Whether a word looks like an adjective, by its ending, that does not tell a thing from another of its kind."""
     table = _file(language)["adjectives"]
@@ -277,3 +291,9 @@ def compared() -> dict[str, str]:
 def things_alike() -> tuple[frozenset[str], ...]:
     """Words for things of one kind."""
     return tuple(frozenset(cast("list[str]", words)) for words in _file(ENGLISH)["things"]["alike"])
+
+
+@cache
+def leading() -> frozenset[str]:
+    """Words for what leads something round: a track, which a file may describe as a link."""
+    return frozenset(cast("list[str]", _file(ENGLISH)["things"]["leading"]))

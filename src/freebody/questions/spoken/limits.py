@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from freebody.questions.spoken import given, lookup
+from freebody.questions.spoken import given, joining, lookup, of_forces
 from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.lexicon import Word
 from freebody.questions.spoken.words import Clause
@@ -29,6 +29,8 @@ def limits(names: Names, words: list[Word], modal: set[str]) -> Groups:
     words = [Word("verb", "hold") if word == Word("verb", "hang") else word for word in words]
     clause = Clause(words)
     known = clause.only("ask", "degree", "quantity", "name", "verb", "not", "mark", "instant", "part", *SILENT)
+    if known and not lookup.rests(names):
+        yield from _grip(names, words)
     if not known or not lookup.rests(names) or not set(clause.all("verb")) <= _VERBS:
         return
     if set(clause.all("instant")) - {"in equilibrium"} or set(clause.all("part")) - {"only", "upward", "downward"}:
@@ -53,6 +55,19 @@ def limits(names: Names, words: list[Word], modal: set[str]) -> Groups:
         yield [f"range of {parameter} that keeps it at rest"]
 
 
+def _grip(names: Names, words: list[Word]) -> Groups:
+    """From what torque on does the belt slip: the largest with which it does not, while it runs."""
+    head, state = _parted(names, words)
+    rough = [*joining.rough(names, ""), *of_forces.having(names, "greatest belt force")]
+    joints = [name for _, name in state.names if name in rough]
+    parameter = _parameter(names, head)
+    is_over = head.has("ask", "from") or head.has("degree", "least")
+    is_up_to = head.has("degree", "greatest") or head.has("ask", "up_to", "large")
+    is_end = is_up_to if _is_denied(state) else is_over
+    if parameter and is_end and len(joints) == 1 and set(state.all("verb")) <= {"slide", "start"}:
+        yield [f"largest {parameter} so that {joints[0]} does not slip"]
+
+
 def _parted(names: Names, words: list[Word]) -> tuple[Clause, Clause]:
     """What is said of the parameter, and of what is to last: behind a mark, or from the body before a verb on."""
     marks = [k for k, word in enumerate(words) if word.kind == "mark" and word.what in _MARKS]
@@ -75,27 +90,41 @@ def _lasting(names: Names, head: Clause, state: Clause, modal: set[str]) -> str 
     if state.has("quantity") and set(state.all("quantity")) != {"equilibrium"}:
         return None
     bodies = [name for _, name in state.names if name in names.bodies and not lookup.is_all_that_moves(names, name)]
+    if any(names.bodies[name].fixed for name in bodies):
+        return None  # what is held already
+    if bodies and not joining.is_rough(names) and _is_subject(state):
+        return None  # that one of several bodies stays where it is
     holds = verbs & {"hold", "stop"} or state.has("instant", "in equilibrium") or state.has("quantity", "equilibrium")
     ends = verbs & _ENDS_REST
     is_denied = _is_denied(state)
     if holds and (not ends or is_denied):
         return _REST if ends or not state.has("not") else None
-    if not verbs and head.has("degree", "least") and not modal and not state.words:  # the least mu, and nothing else
-        return _REST if _parameter(names, head) in given.parameters(names, "friction coefficient", "") else None
+    if not verbs and head.has("degree", "least", "greatest") and not modal and not state.words:
+        return _REST if _is_alone(names, head) else None
     if not verbs:
         if "must" in modal and not state.words and head.has("quantity", "friction coefficient"):
             return _REST
         is_bounded = head.has("degree", "least", "greatest", "range") or head.has(
             "ask", "steep", "flat", "heavy", "rough"
         )
-        return _REST if modal and is_bounded and not state.words and lookup.is_rough(names) else None
+        return _REST if modal and is_bounded and not state.words and joining.is_rough(names) else None
     if not ends:
         return None
     if "tip" in ends:
         return _NO_TIP if ends <= {"tip", "start", "move"} and len(lookup.massive(names)) == 1 else None
     if "slide" in ends:
-        return _NO_SLIP if all(lookup.is_all_that_slips(names, body) for body in bodies) else None
+        return _NO_SLIP if all(joining.is_all_that_slips(names, body) for body in bodies) else None
     return _REST if not bodies or ("rise" in ends and not is_denied) else None
+
+
+def _is_alone(names: Names, head: Clause) -> bool:
+    """Whether the least mu, the largest load is asked for and nothing else: of what is given, where rest ends."""
+    parameter = _parameter(names, head)
+    if head.has("degree", "least"):
+        return parameter in given.parameters(names, "friction coefficient", "")
+    others = [name for _, name in head.names if name not in names.parameters and name not in names.loads]
+    is_weight = len(others) == 1 and not head.has("quantity") and others[0] in names.bodies
+    return parameter is not None and joining.is_rough(names) and (not others or is_weight)
 
 
 def _parameter(names: Names, head: Clause) -> str | None:
@@ -128,6 +157,8 @@ def _end(head: Clause, state: Clause, modal: set[str], lasts: str) -> str:
     if state.has("part", "only") and is_denied and not degree:  # it just does not move
         degree = "greatest" if _is_push(head) else ""
     if degree in ("least", "greatest"):
+        if starts and "fall" in ends_rest and not is_denied and _is_push(head):
+            return degree if degree == "least" else ""
         if starts and "hold" not in state.all("verb"):  # the least force that moves it is the largest that does not
             return {"least": "largest"}.get(degree, "")
         return {"greatest": "largest"}.get(degree, degree)
@@ -142,7 +173,15 @@ def _end(head: Clause, state: Clause, modal: set[str], lasts: str) -> str:
         return "least"
     if starts and _is_push(head) and "fall" not in ends_rest and not state.has("updown", "down"):
         return "largest"
+    if starts and _is_push(head) and state.has("mark", "to"):  # the torque needed to lower the load
+        return "least"
     return "range"
+
+
+def _is_subject(state: Clause) -> bool:
+    """Whether what is named is what does something: it stands before the verb."""
+    kinds = [word.kind for word in state.words if word.kind in ("name", "verb")]
+    return kinds[:1] == ["name"]
 
 
 def _is_denied(state: Clause) -> bool:

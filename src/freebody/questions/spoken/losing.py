@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from freebody.questions.spoken import lookup
+from freebody.questions.spoken import joining, lookup
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 def is_all_that_rubs(names: Names, connection: str) -> bool:
     """Whether nothing but a connection takes energy away: no other is rough, and nothing is damped."""
     rough = {row.connection for row in names.constraint_rows if row.reaction == "friction force"} - {connection}
-    return connection in names.connections and not rough and not damped(names) and not lookup.strikes(names)
+    return connection in names.connections and not rough and not damped(names) and not joining.strikes(names)
 
 
 def damped(names: Names) -> list[str]:
@@ -24,7 +24,7 @@ def damped(names: Names) -> list[str]:
 def only_loses_in_the_blow(names: Names) -> bool:
     """Whether nothing but the blow at the start takes energy away."""
     stops = [name for name in names.connections if "stop" in names.called.get(name, ())]
-    is_alone = lookup.is_struck_at_start_alone(names) and lookup.goes_on(names)
+    is_alone = joining.is_struck_at_start_alone(names) and joining.goes_on(names)
     return is_alone and not _takes_energy(names) and not stops
 
 
@@ -32,6 +32,13 @@ def runs_down(names: Names) -> list[str]:
     """What turns at the start, where nothing drives it and a brake stops it."""
     brakes = [name for name in names.connections if "brake" in names.called.get(name, ())]
     return lookup.started(names) if brakes and not names.loads else []
+
+
+def comes_to_roll(names: Names) -> bool:
+    """Whether what moves is one round body that slips on the one rough thing there is, and is not driven."""
+    one = len(lookup.massive(names)) == 1 and len(joining.rough(names, "")) == 1
+    driven = [name for name in names.loads if "gravity" not in names.called.get(name, ())]
+    return one and joining.rolls(names) and not lookup.rests(names) and not driven and not joining.goes_on(names)
 
 
 def clutches(names: Names) -> list[str]:
@@ -43,6 +50,8 @@ def clutches(names: Names) -> list[str]:
 
 def has_kinetic_energy_alone(names: Names) -> bool:
     """Whether no load but weight acts, and all ways that are measured are level."""
+    if not names.loads and not lookup.places(names, ""):
+        return True
     weights = {name for name in names.loads if "gravity" in names.called.get(name, ())}
     measures = lookup.places(names, "")
     return bool(measures) and weights == set(names.loads) and set(lookup.level(names, "")) == set(measures)
@@ -51,6 +60,6 @@ def has_kinetic_energy_alone(names: Names) -> bool:
 def _takes_energy(names: Names) -> bool:
     return (
         bool(damped(names))
-        or lookup.is_rough(names)
+        or joining.is_rough(names)
         or any("brake" in names.called.get(name, ()) for name in names.connections)
     )

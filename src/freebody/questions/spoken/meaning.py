@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from freebody.questions.spoken import given, lookup, turning_round
+from freebody.questions.spoken import given, joining, lookup, turning_round
 from freebody.questions.spoken.asking import quantities
 from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.counting import counted, lost, stopping, time
@@ -50,6 +50,8 @@ def meanings(names: Names, words: list[Word]) -> Groups:
     said = _bounded(_without_auxiliary(said))
     if said and said[-1].kind == "preposition" and said[-1].what in _LEADS_ON:
         return
+    if any(_leads_nowhere(said, k) or _asks_more(said, k) for k in range(len(said) - 1)):
+        return
     said = _by_friction(_needed_to_roll(names, _in_doing(said)))
     said = _unaccelerated(_not_slipping(names, _carrying(names, said, modal)))
     words = [_AS_LARGE.get(word, word) for word in said]
@@ -67,13 +69,25 @@ def meanings(names: Names, words: list[Word]) -> Groups:
     yield from limits(names, lasting, modal)
 
 
+def _leads_nowhere(words: list[Word], k: int) -> bool:
+    """Whether behind a preposition there is no thing, where one has to be: relative to, but to nothing."""
+    leads = words[k].kind == "preposition" and words[k].what in ("relative", "between")
+    return leads and words[k + 1].kind not in ("name", "pronoun", "value", "quantity", "part", "preposition", "other")
+
+
+def _asks_more(words: list[Word], k: int) -> bool:
+    """Whether a second question begins: how long does it take, and how far does it get."""
+    begins = words[k] == Word("preposition", "and") and words[k + 1].kind == "ask"
+    return begins and any(word.kind == "ask" for word in words[:k])
+
+
 def _at_free_ends(names: Names, words: list[Word]) -> list[Word]:
     """With the points that the tip of a rod and its free end are; nothing where there is none."""
     found: list[Word] = []
     for word in words:
         body, _, end = word.what.partition(".")
         if word.kind == "name" and end == _FREE_END:
-            points = [lookup.free_end(names, own) for own in ([body] if body else lookup.moving(names))]
+            points = [joining.free_end(names, own) for own in ([body] if body else lookup.moving(names))]
             free = [point for point in points if point is not None]
             if len(free) != 1:
                 return []
@@ -182,8 +196,8 @@ def _rough_enough_to_roll(names: Names, clause: Clause) -> Groups:
         return
     if len(clause.all("quantity")) > 1 or given.parameters(names, "friction coefficient", ""):
         return
-    rough = lookup.rough(names, "")
-    joints = [joint for joint in rough if all(lookup.touches(names, joint, name) for _, name in clause.names)]
+    rough = joining.rough(names, "")
+    joints = [joint for joint in rough if all(joining.touches(names, joint, name) for _, name in clause.names)]
     yield [f"ratio of |friction force of {joint}| to normal force of {joint}" for joint in joints]
 
 
@@ -305,14 +319,14 @@ def _structure(names: Names, sentence: Sentence) -> Groups:
     if main.has("quantity", "degrees of freedom") and main.only("quantity", "ask", "pronoun", "preposition", "verb"):
         yield ["degrees of freedom"]
     asks_nothing = not (main.has("ask") or main.has("not") or main.has("degree") or main.has("quantity"))
-    everything = all(lookup.is_all_that_moves(names, name) or lookup.is_all_that_slips(names, name) for name in of)
+    everything = all(lookup.is_all_that_moves(names, name) or joining.is_all_that_slips(names, name) for name in of)
     if verbs and verbs <= {"hold", "move", "stop"} and verbs & {"hold", "stop"} and asks_nothing and everything:
         yield ["does it hold"] if lookup.rests(names) else []
     at_rest = main.all("instant") == ["in equilibrium"] and main.only("instant", "name", "pronoun") and everything
     if lookup.rests(names) and at_rest:
         yield ["does it hold"]
     begins = verbs - {"start"}
-    is_other = "slide" in begins and (lookup.rolls(names) or not lookup.is_rough(names))
+    is_other = "slide" in begins and (joining.rolls(names) or not joining.is_rough(names))
     is_begun = begins and begins <= {"move", "slide"} and main.only("verb", "pronoun", "name")
     if is_begun and everything and not is_other:
         yield ["does it hold"] if lookup.rests(names) else []
@@ -337,7 +351,7 @@ def _which_way(names: Names, sentence: Sentence) -> Groups:
     of = [name for _, name in main.names if name in lookup.moving(names)]
     plain = main.has("ask", "way") and main.only("ask", "verb", "name", "pronoun") and not sentence.others
     if plain and len(of) == len(main.names) == 1 and verbs <= {"start", *GOES_ON} and verbs and lookup.rests(names):
-        is_turned = "turn" in verbs or lookup.axle_of(names, of[0]) == "center"
+        is_turned = "turn" in verbs or joining.axle_of(names, of[0]) == "center"
         yield [f"{'angular ' if is_turned else ''}acceleration of {of[0]}"]
 
 

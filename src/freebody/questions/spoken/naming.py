@@ -15,7 +15,7 @@ from itertools import islice
 from typing import TYPE_CHECKING
 
 from freebody.language.expression import Symbol
-from freebody.measures.geometry import GROUND
+from freebody.measures.geometry import GROUND, ZERO
 from freebody.questions.spoken import strings
 from freebody.questions.spoken.elements import ALIKE, INFERRED, WRITTEN, Elements
 from freebody.questions.spoken.lexicon import (
@@ -58,6 +58,7 @@ def elements_of(names: Names) -> Elements:
     for name, body in names.bodies.items():
         if name != GROUND:
             found.add(name, (*_kinds(name, names.called.get(name, ())), *_BODY_WORDS))
+            found.bodies |= set() if body.fixed else {name}
             mass = names.numeric(body.mass)
             if mass is not None:
                 found.masses[name] = mass
@@ -94,6 +95,9 @@ def elements_of(names: Names) -> Elements:
         found.add(name, (*_LINE_WORDS, *_alike(name)))
     for name in (*names.measures, *names.parameters):
         found.add(name)
+    heavy = [name for name in found.bodies if names.bodies[name].mass != ZERO]
+    if len(heavy) == 1 and not any("load" in element.words for element in found.exact.values()):
+        found.add(heavy[0], ("load", "object"))
     found.hanging = strings.hanging(names)
     return found
 

@@ -6,8 +6,9 @@ from typing import TYPE_CHECKING
 
 from freebody.language.units import TORQUE
 from freebody.measures.geometry import GROUND
-from freebody.questions.spoken import lookup, strings
-from freebody.questions.spoken.composing import SILENT, Groups, said_of, without_owners
+from freebody.questions.spoken import joining, lookup, strings
+from freebody.questions.spoken.composing import JOINT, SILENT, Groups, said_of, without_owners
+from freebody.questions.spoken.lexicon import leading
 from freebody.questions.spoken.words import Clause
 
 if TYPE_CHECKING:
@@ -15,7 +16,7 @@ if TYPE_CHECKING:
 
 _TRANSMITTED = (
     *("tension", "normal force", "friction force", "contact force", "axial force", "tooth force", "driving torque"),
-    *("radial tooth force", "tangential tooth force", "axial tooth force"),
+    *("radial tooth force", "tangential tooth force", "axial tooth force", "normal tooth force"),
     *("driving force", "reaction", "bearing reaction", "force", "moment", "torque", "impulse", "angular impulse"),
 )
 _KINDS = {  # kinds of what is said so, by how likely they are meant
@@ -24,6 +25,7 @@ _KINDS = {  # kinds of what is said so, by how likely they are meant
     "torque": ("driving torque", "torque", "moment"),
     "moment": ("moment", "torque"),
     "driving force": ("driving force", "force"),
+    "tooth force": ("tooth force", "belt force", "chain force"),
     "axial force": ("tension", "reaction"),
     "bearing reaction": ("bearing reaction", "reaction"),
 }
@@ -40,22 +42,28 @@ def _transmitted(names: Names, quantity: str, rest: Clause) -> Groups:
         return
     own = {row.reaction for row in names.constraint_rows}
     kinds = _KINDS.get(quantity, (quantity,))
+    if quantity == "tension" and (belts := _tightened(names, rest)):
+        yield [JOINT.join(f"{run} tension of {belt}" for run in ("tight", "slack")) for belt in belts]
+        return
+    tracks = [name for name in names.connections if name in leading() and "link" in names.called.get(name, ())]
+    if quantity in ("normal force", "contact force") and tracks and "normal force" not in own:
+        kinds = ("tension",)  # of what leads round, and presses as a link would pull
     if quantity == "tension" and quantity not in own:
         kinds = tuple(
             kind
             for kind in sorted(own)
-            if kind.endswith(" force") and kind.split()[0] in ("belt", "chain", "rope", "cable")
+            if kind == "chain force"  # its slack run carries nothing; of a belt both runs pull
         )
         if not kinds and any(name in names.connections for _, name in rest.names):
             kinds = (quantity,)  # the grammar says that it has none
     joints = {name for _, name in rest.names if name in names.connections}
-    driving = [
+    driving = [  # what a motor or a clutch gives
         row.reaction
         for row in names.constraint_rows
-        if row.connection in joints and row.reaction.startswith("driving ")
+        if row.connection in joints and row.reaction.startswith(("driving ", "friction torque"))
     ]
     if driving and quantity in ("force", "torque", "moment", "driving force", "driving torque"):
-        kinds = tuple(dict.fromkeys((*driving, *kinds)))  # what a motor gives
+        kinds = tuple(dict.fromkeys((*driving, *kinds)))
     if quantity == "torque" and not joints:  # no bearing is asked for its reaction so
         kinds = ("driving torque", "torque")
     pulling = {row.connection for row in names.constraint_rows if row.reaction == "tension"}
@@ -69,7 +77,7 @@ def _of_joint(names: Names, kind: str, rest: Clause) -> Groups:
     of = rest.names
     bearings: list[str] = []
     if kind == "bearing reaction":
-        kind, bearings = "reaction", lookup.axles(names)
+        kind, bearings = "reaction", joining.axles(names)
     joints = [name for _, name in of if name in names.connections]
     loads = [name for _, name in of if name in names.loads]
     things = [(before, name) for before, name in of if name not in names.connections and name not in names.loads]
@@ -146,20 +154,20 @@ def _at_joint(names: Names, kind: str, head: str, joint: str, things: list[tuple
         return  # a rope over a pulley is not that which ends at it
     of = without_owners([name for _, name in things])
     on = next((name for before, name in things if before == "on"), None)
-    if len(of) == 2 and all(lookup.touches(names, joint, name) for name in of) and kind != "tension":
+    if len(of) == 2 and all(joining.touches(names, joint, name) for name in of) and kind != "tension":
         has_side = kind in ("reaction", "moment", "impulse") and on is not None
         yield [f"{head} of {joint}{f' on {on}' if has_side else ''}{ends}"]
     elif len(of) == 2 and kind == "tension":
         yield [f"{head} of {joint} between {of[0]} and {of[1]}{ends}"]
-    elif len(of) == 2 and not all(lookup.touches(names, joint, name) for name in of):
+    elif len(of) == 2 and not all(joining.touches(names, joint, name) for name in of):
         return
     elif kind in ("reaction", "moment", "impulse", "angular impulse"):
         if things[0][0] == "on":
             yield [f"{head} of {joint} on {of[0]}{ends}"]
         else:
-            yield [f"{head} of {joint}{ends}"] if lookup.touches(names, joint, of[0]) else []
+            yield [f"{head} of {joint}{ends}"] if joining.touches(names, joint, of[0]) else []
     else:
-        plain = [f"{head} of {joint}{ends}"] if lookup.touches(names, joint, of[0]) else []
+        plain = [f"{head} of {joint}{ends}"] if joining.touches(names, joint, of[0]) else []
         placed = [f"{head} of {joint} at {of[0]}{ends}"]
         yield from (placed, plain) if kind == "tension" else (plain, placed)  # a string has a tension on each side
 
@@ -182,18 +190,23 @@ def _between(
         yield [f"{head} of {strange[0]}"]
         return
     first, second = (*of, "", "")[:2]
-    joints = lookup.joints(names, first, second, "tooth force" if kind.endswith(" tooth force") else kind)
+    joints = joining.joints(names, first, second, "tooth force" if kind.endswith(" tooth force") else kind)
     joints = [joint for joint in joints if joint in only] or ([] if only else joints)
     if kind == "moment" and not ends:  # no pin is clamped
         joints = [
             row.connection for row in names.constraint_rows if row.reaction == "moment" and row.connection in joints
         ]
-    joints = [joint for joint in joints if all(lookup.may_act_at(names, joint, name) for name in of)]
+    joints = [joint for joint in joints if all(joining.may_act_at(names, joint, name) for name in of)]
     if kind in ("impulse", "angular impulse"):  # what closes or strikes has an impulse of its own
         closing = {row.connection for row in names.constraint_rows if row.closes} | names.struck_at_start
         joints = [joint for joint in joints if joint in closing] or joints
-    if not of and kind == "tension" and len(joints) > 1:
-        return  # of several strings one has to be named, though not all may have one tension
+    pulling = {row.connection for row in names.constraint_rows if row.reaction == "tension" and len(row.ends) > 1}
+    if kind == "reaction" and of and "." in of[0] and joints and set(joints) <= pulling:  # where a string ends
+        yield [f"tension of {joint} at {of[0].partition('.')[0]}" for joint in joints]
+        return
+    if not of and kind == "tension" and len(joints) > 1:  # of several strings one has to be named, or all are meant
+        yield [JOINT.join(f"tension of {joint}{end}" for end in _ends_of(names, joint)) for joint in joints]
+        return
     has_sides = kind in ("reaction", "moment", "impulse")
     if has_sides and len(of) == 1 and not ends and on and len(joints) != 1:
         return
@@ -203,6 +216,12 @@ def _between(
     yield [f"{head} of {joint}{f' on {target}' if target else ''}{ends}" for joint in joints]
     if len(of) == 1 and kind == "tension":
         yield [f"tension of {joint} at {of[0]}" for joint in joints]
+
+
+def _ends_of(names: Names, joint: str) -> list[str]:
+    """Where the tensions of a string are, if it has several."""
+    found = strings.spans(names, joint)
+    return [f" {span}" for span in found] if len(found) > 1 else [""]
 
 
 @said_of("spring force")
@@ -218,7 +237,7 @@ def _of_friction(names: Names, quantity: str, rest: Clause) -> Groups:
     """What the only dry friction does, or that of something that is named."""
     of = [name for _, name in rest.names]
     if rest.only("name", *SILENT) and len(of) <= 1:
-        yield [f"work of {joint}" for joint in lookup.rough(names, next(iter(of), ""))]
+        yield [f"work of {joint}" for joint in joining.rough(names, next(iter(of), ""))]
 
 
 @said_of("power", "work")
@@ -226,23 +245,68 @@ def _work(names: Names, quantity: str, rest: Clause) -> Groups:
     of = [name for _, name in rest.names]
     loads = [name for name in of if name in names.loads]
     of = loads if len(loads) == 1 else of  # whose load it is
+    bodies = [name for name in of if name in names.bodies]
+    if len(of) == 1 == len(bodies):  # what drives the body that is named
+        own = {p.load for p in names.applied_loads if bodies[0] in p.measure.bodies()}
+        of = [name for name in lookup.driving(names) if name in own] or of
     if not of and len(driving := lookup.driving(names)) == 1:
         of = driving
     if rest.only("name", *SILENT) and len(of) == 1:
         yield [f"{quantity} of {of[0]}"]
 
 
-@said_of("tight tension", "slack tension")
+def _tightened(names: Names, rest: Clause) -> list[str]:
+    """Belts with a pretension that words may mean: the tensions of both runs are known."""
+    of = [name for _, name in rest.names]
+    belts = having(names, "tight tension")
+    return [name for name in belts if not of or of == [name]] if rest.only("name", *SILENT) else []
+
+
+@said_of("belt force")
+def _of_belt(names: Names, quantity: str, rest: Clause) -> Groups:
+    """The difference of the tensions of both runs, of the belt that is named or the only one."""
+    of = [name for _, name in rest.names if name in names.connections]
+    belts = dict.fromkeys(row.connection for row in names.constraint_rows if row.reaction == "belt force")
+    if belts and rest.only("name", *SILENT):
+        yield [f"belt force of {name}" for name in of or belts]
+    elif quantity == "belt force":  # the force round a wheel is that of its teeth
+        yield from _transmitted(names, "tooth force", rest)
+
+
+@said_of("links")
+def _links(names: Names, quantity: str, rest: Clause) -> Groups:
+    """Of a chain that is named, or of the only one."""
+    of = [name for _, name in rest.names if name in names.connections]
+    if rest.only("name", *SILENT) and len(rest.names) <= 1:
+        yield [f"links of {name}" for name in of or having(names, "links")]
+
+
+@said_of("tooth force components")
+def _of_teeth(names: Names, quantity: str, rest: Clause) -> Groups:
+    """All parts of the force between the teeth that are named, or of the only ones."""
+    of = [name for _, name in rest.names if name in names.connections]
+    kinds = [f"{kind} tooth force" for kind in ("tangential", "radial", "axial")]
+    meshes = [(name, [kind for kind in kinds if kind in _transmits(names, name)]) for name in of or names.connections]
+    if rest.only("name", *SILENT):
+        yield [JOINT.join(f"{kind} of {name}" for kind in own) for name, own in meshes if own]
+
+
+@said_of("tight tension", "slack tension", "speed of greatest power")
 def _of_runs(names: Names, quantity: str, rest: Clause) -> Groups:
     """A tension of a belt with pretension, which is named or the only one."""
     of = [name for _, name in rest.names]
     if rest.only("name", *SILENT) and len(of) <= 1:
-        yield [f"{quantity} of {name}" for name in of or _having(names, quantity)]
+        yield [f"{quantity} of {name}" for name in of or having(names, quantity)]
 
 
-def _having(names: Names, quantity: str) -> list[str]:
+def having(names: Names, quantity: str) -> list[str]:
+    """Connections of which something is asked that they transmit."""
+    return [name for name in names.connections if quantity in _transmits(names, name)]
+
+
+def _transmits(names: Names, connection: str) -> list[str]:
     with names.quietly():
-        return [name for name, spec in names.connections.items() if quantity in spec.transmitted(names)]
+        return [*names.connections[connection].transmitted(names)]
 
 
 @said_of("pressure angle")

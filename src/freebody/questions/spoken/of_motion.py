@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from freebody.measures.geometry import GROUND
-from freebody.questions.spoken import lookup
+from freebody.questions.spoken import joining, lookup, losing
 from freebody.questions.spoken.composing import ALONG, SILENT, Groups, said_of, without_owners
 from freebody.questions.spoken.lexicon import Word
 from freebody.questions.spoken.words import Clause
@@ -55,13 +55,20 @@ def motion(names: Names, quantity: str, rest: Clause) -> Groups:
         yield [f"{quantity} of {name}{end}" for name in moving]
         return
     [name] = of
-    axle = lookup.axle_of(names, name) if not end and not quantity.startswith("angular") else ""
+    if name in names.loads and quantity.split()[-1] in ("velocity", "speed"):  # of the motor: of what it drives
+        acted = {body for p in names.applied_loads if p.load == name for body in p.measure.bodies()} - {GROUND}
+        name = next(iter(acted)) if len(acted) == 1 else name
+        quantity = "angular velocity" if joining.axle_of(names, name) == "center" else quantity
+    axle = joining.axle_of(names, name) if not end and not quantity.startswith("angular") else ""
     if quantity == "speed" and axle:  # what turns about its centre has no other speed
         yield [f"angular velocity of {name}", *([f"speed of {name}"] if axle == "beside" else [])]
         return
     if quantity.startswith("angular") and name in names.bodies and not names.bodies[name].turns and not end:
         yield [f"{quantity.removeprefix('angular ')} of {angle}" for angle in lookup.hung(names, name)]
     yield [f"{quantity} of {name}{end}"]
+    if relative and not along and quantity in ("velocity", "acceleration"):  # of measures along the same line
+        other = relative.removeprefix(" relative to ")
+        yield [f"{quantity} of {a} - {quantity} of {b}" for a, b in lookup.alike(names, name, other)]
     if quantity == "speed":
         yield [f"|velocity of {name}|"] if not end else []
     if quantity.startswith("angular "):
@@ -77,9 +84,9 @@ def _other_way(names: Names, rest: Clause) -> Clause | None:
         other = {"up": "down", "down": "up"}[ways[0]]
         turned = Clause([Word("updown", other) if word.kind == "updown" else word for word in rest.words])
         return turned if _directed(names, turned) is not None else None
-    line = lookup.sloping(names)
+    line = joining.sloping(names)
     said = [part for part in rest.all("part") if part in _SLOPES]
-    if len(said) != 1 or not line or lookup.points(names, line, _SLOPES[said[0]]):
+    if len(said) != 1 or not line or joining.points(names, line, _SLOPES[said[0]]):
         return None
     other = {"uphill": "downhill", "downhill": "uphill"}[said[0]]
     return Clause([Word("part", other) if word == Word("part", said[0]) else word for word in rest.words])
@@ -90,7 +97,7 @@ def _directed(names: Names, rest: Clause) -> tuple[list[str], str, str] | None:
     of: list[str] = []
     relative, along = "", ""
     for before, name in rest.names:
-        line = lookup.direction(names, name)
+        line = joining.direction(names, name)
         is_line = line is not None
         if before == "relative" and not is_line and not relative:
             relative = f" relative to {name}"
@@ -101,7 +108,7 @@ def _directed(names: Names, rest: Clause) -> tuple[list[str], str, str] | None:
         elif before in ("along", "up", "down") or (
             is_line and before in ("on", "in", "of", "from", "over") and not along
         ):
-            if along or (before in ("up", "down") and not lookup.points(names, line or name, before)):
+            if along or (before in ("up", "down") and not joining.points(names, line or name, before)):
                 return None
             along = f" along {line or name}"
         else:
@@ -109,8 +116,8 @@ def _directed(names: Names, rest: Clause) -> tuple[list[str], str, str] | None:
     named = [before for before, _ in rest.names]
     dangling = [way for way in rest.all("updown") if way not in named]  # it moves up
     for part in (part for part in rest.all("part") if part in _SLOPES):
-        line = lookup.sloping(names)
-        if along or not line or not lookup.points(names, line, _SLOPES[part]):
+        line = joining.sloping(names)
+        if along or not line or not joining.points(names, line, _SLOPES[part]):
             return None
         along = f" along {line}"
     for part in (*rest.all("part"), *dangling):
@@ -118,7 +125,7 @@ def _directed(names: Names, rest: Clause) -> tuple[list[str], str, str] | None:
             if along:
                 return None
             along = f" along {ALONG[part]}"
-    of = [lookup.joined_at(names, name) for name in without_owners(of)]
+    of = [joining.joined_at(names, name) for name in without_owners(of)]
     owned = {body for name in of if name in names.measures for body in names.measures[name].bodies()}
     of = [name for name in of if name not in owned]
     return of, relative, along
@@ -132,12 +139,31 @@ def _relative(names: Names, quantity: str, rest: Clause) -> Groups:
         yield [f"(velocity of {one} - velocity of {other})" for one, other in lookup.alike(names, of[0], of[1])]
 
 
+@said_of("common speed")
+def _common(names: Names, quantity: str, rest: Clause) -> Groups:
+    """The speed of what a clutch, or a blow, has joined: of one of the bodies, for it is that of all."""
+    if not rest.only("name", *SILENT):
+        return
+    joints = losing.clutches(names)
+    if joints and len(joints) == 1:
+        taken = sorted(names.connections[joints[0]].mentions(names) & {*lookup.turning(names)})
+        yield [f"angular velocity of {taken[-1]}"] if taken else []
+        return
+    struck = [name for name in names.struck_at_start if name in names.connections]
+    bodies = [body for joint in struck for body in lookup.massive(names) if joining.touches(names, joint, body)]
+    led = [body for body in bodies if any(body in own for own, _ in joining.led_round(names))]
+    measured = [*motion(names, "velocity", rest)]
+    yield from (group for group in measured if len(group) == 1)
+    yield [f"speed of {body}" for body in (led or bodies)[:1]]
+    yield from measured
+
+
 @said_of("deceleration", "angular deceleration")
 def _slowing(names: Names, quantity: str, rest: Clause) -> Groups:
     """How strongly something is slowed down: the size of its acceleration."""
     of = [name for _, name in rest.names]
     who = next(iter(of), "")
-    turns = quantity.startswith("angular") or lookup.axle_of(names, who) == "center"
+    turns = quantity.startswith("angular") or joining.axle_of(names, who) == "center"
     if rest.only("name", *SILENT) and len(of) <= 1:
         measures = lookup.angles(names, who) if turns else lookup.places(names, who)
         yield [f"|acceleration of {measure}|" for measure in measures]
@@ -166,7 +192,7 @@ def _of_flight(names: Names, quantity: str, rest: Clause) -> Groups:
     if rest.only("name", *SILENT) and len(named) <= 1 and (not of or of in lookup.moving(names)):
         heads = lookup.level(names, of) if quantity == "horizontal range" else ["time"]
         heads = heads if lookup.flies(names, of) else []
-        yield [f"{head} when it lands" for head in heads] if lookup.strikes(names) else []
+        yield [f"{head} when it lands" for head in heads] if joining.strikes(names) else []
         yield [f"{head} when {height} = 0" for head in heads for height in lookup.falling(names, of)]
 
 
@@ -183,12 +209,30 @@ def _equation_of_motion(names: Names, quantity: str, rest: Clause) -> Groups:
         yield [f"angular acceleration of {name}" for name in turning]
 
 
+@said_of("farthest place")
+def _farthest(names: Names, quantity: str, rest: Clause) -> Groups:
+    """Where what moves along a line turns back."""
+    of = [name for _, name in rest.names if name in lookup.moving(names) or name in names.measures]
+    if rest.only("name", *SILENT) and len(of) <= 1 and not lookup.rests(names):
+        yield [f"{way} when rate({way}) = 0" for way in lookup.ways(names, next(iter(of), ""))]
+
+
+@said_of("bounce height")
+def _bounce(names: Names, quantity: str, rest: Clause) -> Groups:
+    """How high it comes when it turns back after it has struck for the first time."""
+    of = [name for _, name in rest.names if name in lookup.moving(names)]
+    if rest.only("name", "degree", *SILENT) and joining.strikes(names) and len(of) <= 1:
+        falls = [name for name, sense in lookup.heights(names, next(iter(of), "")) if sense > 0]
+        falls = [name for name in falls if not lookup.rises(names, name, 1)]
+        yield [f"{name} when rate({name}) = 0" for name in falls]
+
+
 @said_of("centripetal acceleration")
 def _centripetal(names: Names, quantity: str, rest: Clause) -> Groups:
     """v^2/l towards the point of the ground about which a link leads a body."""
     of = [name for _, name in rest.names]
     if rest.only("name", *SILENT) and len(of) <= 1:
-        led = [(body, length) for body, length in lookup.led_round(names) if not of or body == of[0]]
+        led = [(body, length) for body, length in joining.led_round(names) if not of or body == of[0]]
         divisors = [(body, length if length.isidentifier() else f"({length})") for body, length in led]
         yield [f"(speed of {body})^2/{length}" for body, length in divisors]
 
@@ -227,6 +271,14 @@ def _height(names: Names, quantity: str, rest: Clause) -> Groups:
         name = next(iter(of), "")
         yield [f"height of {body}" for body in ([name] if name else lookup.moving(names))]
         yield [height for height, sense in lookup.heights(names, name) if sense > 0]
+
+
+@said_of("depth")
+def _depth(names: Names, quantity: str, rest: Clause) -> Groups:
+    """How far something is below, by what measures it downwards."""
+    of = [name for _, name in rest.names if name != GROUND]
+    if rest.only("name", *SILENT) and len(of) <= 1:
+        yield [name for name, sense in lookup.heights(names, next(iter(of), "")) if sense < 0]
 
 
 @said_of("highest place", "lowest place")

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from freebody.questions.spoken import lookup
-from freebody.questions.spoken.composing import ALONG, SILENT, Groups, said_of
+from freebody.measures.distance import Distance
+from freebody.questions.spoken import given, joining, lookup
+from freebody.questions.spoken.composing import ALONG, JOINT, SILENT, Groups, said_of
 from freebody.questions.spoken.of_motion import motion
 from freebody.questions.spoken.words import Clause
 
@@ -26,7 +27,7 @@ def _energy(names: Names, quantity: str, rest: Clause) -> Groups:
 def _rotational(names: Names, quantity: str, rest: Clause) -> Groups:
     """The kinetic energy of what turns about its centre, which has no other."""
     of = [name for _, name in rest.names]
-    if all(lookup.axle_of(names, name) == "center" for name in of or lookup.massive(names)):
+    if all(joining.axle_of(names, name) == "center" for name in of or lookup.massive(names)):
         yield from _energy(names, "kinetic energy", rest)
 
 
@@ -37,7 +38,7 @@ def _whole_energy(names: Names, quantity: str, rest: Clause) -> Groups:
 
 @said_of("linear momentum", "angular momentum")
 def _momentum(names: Names, quantity: str, rest: Clause) -> Groups:
-    about = [lookup.pinned_at(names, name) for before, name in rest.names if before in ("about", "relative")]
+    about = [joining.pinned_at(names, name) for before, name in rest.names if before in ("about", "relative")]
     along = [name for before, name in rest.names if before in ("along", "up", "down")]
     along += [ALONG[part] for part in rest.all("part") if part in ALONG]
     of = [name for before, name in rest.names if before not in ("about", "relative", "along", "up", "down")]
@@ -86,9 +87,9 @@ def _of_coordinate(names: Names, quantity: str, rest: Clause) -> Groups:
         yield [f"{quantity} of {name}" for name in lookup.places(names, "")]
     if len(of) == 1 and rest.only("name", "instant", *SILENT):
         measures = lookup.places(names, of[0]) or lookup.angles(names, of[0])
-        measures = measures or ([f"angle of {of[0]}"] if lookup.axle_of(names, of[0]) else [])
+        measures = measures or ([f"angle of {of[0]}"] if joining.axle_of(names, of[0]) else [])
         yield [f"{quantity} of {name}" for name in measures]
-        guides = [] if measures else lookup.guides(names, of[0])
+        guides = [] if measures else joining.guides(names, of[0])
         yield [f"{quantity} of position of {of[0]} along {guide}" for guide in guides]
 
 
@@ -113,22 +114,50 @@ def _transmissibility(names: Names, quantity: str, rest: Clause) -> Groups:
 @said_of("terminal velocity")
 def _terminal(names: Names, quantity: str, rest: Clause) -> Groups:
     """To what a velocity tends; what turns about its centre has no other than that of turning."""
-    turns = any(lookup.axle_of(names, name) == "center" for _, name in rest.names)
+    turns = any(joining.axle_of(names, name) == "center" for _, name in rest.names)
     for group in motion(names, "angular velocity" if turns else "velocity", rest):
         yield [f"{text} when t grows" for text in group]
 
 
 @said_of("gear ratio")
 def _gear_ratio(names: Names, quantity: str, rest: Clause) -> Groups:
-    """How fast one body turns for another: of the two that are named, or of the only two."""
-    of = [name for _, name in rest.names]
+    """How fast one body turns for another: of the two that are named; of the only two both ways, for which is meant
+    custom leaves open."""
+    of = [name for _, name in rest.names if name not in names.connections]
     if not rest.only("name", *SILENT):
         return
-    two = lookup.turning(names) if not of else []
     for first, second in [of] if len(of) == 2 else []:
         yield [f"ratio of angular velocity of {first} to angular velocity of {second}"]
+    two = [name for name in lookup.turning(names) if joining.axle_of(names, name) or names.space] if not of else []
     if len(two) == 2:
-        yield [f"ratio of angular velocity of {a} to angular velocity of {b}" for a, b in (two, two[::-1])]
+        both = (f"ratio of angular velocity of {a} to angular velocity of {b}" for a, b in (two, two[::-1]))
+        yield [JOINT.join(both)]
+
+
+@said_of("conserved quantities")
+def _conserved(names: Names, quantity: str, rest: Clause) -> Groups:
+    """What of energy and momentum stays as it is."""
+    if rest.only("pronoun", *SILENT):
+        momenta = ("along right", "along up") if not names.space else ()
+        about = "" if not names.space else " along up"
+        asked = ["total energy", *(f"linear momentum {way}" for way in momenta), f"angular momentum{about}"]
+        yield [JOINT.join(f"is {text} conserved" for text in asked)]
+
+
+@said_of("escape velocity", "circular orbit speed")
+def _orbit(names: Names, quantity: str, rest: Clause) -> Groups:
+    """The speed at the start with which it never comes back, or goes round in a circle: no energy, no acceleration
+    outwards."""
+    drawn = [name for name in names.loads if "attraction" in names.called.get(name, ())]
+    if not rest.only("name", *SILENT) or len(drawn) != 1 or {*names.loads} - {*drawn}:
+        return
+    found = given.started_with(names, [*lookup.moving(names), *names.start_rates])
+    named = [name for _, name in rest.names if name in names.parameters]
+    found = [name for name in named or found if name in found]
+    outward = [name for name, measure in names.measures.items() if isinstance(measure, Distance)]
+    if len(found) == 1:
+        what = ["total energy"] if quantity == "escape velocity" else [f"acceleration of {name}" for name in outward]
+        yield [f"value of {found[0]} for which {text} = 0 at start" for text in what]
 
 
 @said_of("precession rate", "nutation rate")
@@ -141,4 +170,6 @@ def _precession(names: Names, quantity: str, rest: Clause) -> Groups:
     k = 0 if quantity == "precession rate" else 1
     chains = [names.bodies[body].chain for body in (of or lookup.moving(names)) if body in names.bodies]
     angles = named or [chain[k].name for chain in chains if len(chain) == _EULER and chain[0].axis == names.up]
+    if not angles and k == 0:  # of what carries the rest round
+        angles = [chain[0].name for chain in chains if chain and chain[0].axis == names.up]
     yield [f"velocity of {angle}" for angle in angles]

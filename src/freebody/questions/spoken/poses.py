@@ -16,7 +16,7 @@ from freebody.measures.base import Measure
 from freebody.measures.combination import Composed
 from freebody.measures.distance import Bearing
 from freebody.measures.geometry import GROUND
-from freebody.questions.spoken import lookup
+from freebody.questions.spoken import joining, lookup
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -109,7 +109,7 @@ def _on_lines(names: Names, body: str) -> list[_Going]:
         own, sense = _signed(measure)
         if not isinstance(own, Bearing) or body not in ("", name, own.end.body):
             continue
-        stands = own.start.body == GROUND or lookup.keeps_height(names, own.start.body)
+        stands = own.start.body == GROUND or joining.keeps_height(names, own.start.body)
         if own.origin == GROUND and stands:
             reference = names.numeric(own.reference)
             found += [_Going(name, sense, math.degrees(reference))] if reference is not None else []
@@ -123,7 +123,7 @@ def _about_axles(names: Names, body: str) -> list[_Going]:
         own, sense = _signed(measure)
         if not isinstance(own, Angle) or own.origin != GROUND or body not in ("", name, own.of):
             continue
-        pins, centre = lookup.axle_points(names, own.of), names.bodies[own.of].points["mass_center"]
+        pins, centre = joining.axle_points(names, own.of), names.bodies[own.of].points["mass_center"]
         if len(pins) != 1:
             continue
         arm = [names.numeric(c - p) for c, p in zip(centre, next(iter(pins)), strict=True)]

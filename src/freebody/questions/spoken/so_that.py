@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from freebody.questions.spoken import dimensions, lookup
+from freebody.questions.spoken import dimensions, joining, lookup
 from freebody.questions.spoken.asking import quantities
 from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.lexicon import Word
@@ -30,7 +30,7 @@ def so(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
     if (
         verbs
         and verbs <= {"reach", "rise", "move", "turn"}
-        and len(of) >= 1
+        and (len(of) >= 1 or clause.has("pronoun"))
         and not clause.has("quantity")
         and not negated
     ):
@@ -53,6 +53,8 @@ def so(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
         return
     if set(clause.all("instant")) - {"in equilibrium", "at start", "at once"} and verbs & {"hold"}:
         return  # it stays at the top
+    if any(names.bodies[name].fixed for name in of if name in names.bodies) and verbs & {"hold", "stop"}:
+        return  # what is held already
     if (verbs & {"hold"} and not negated and verbs <= {"hold", "move"}) or clause.all("quantity") == ["equilibrium"]:
         yield ["it stays at rest"] if everything or _is_held(clause) else []
     elif clause.all("instant") == ["in equilibrium"] and not verbs:
@@ -61,7 +63,7 @@ def so(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
         negated
         and "slide" in verbs
         and verbs <= {"slide", "start", "move"}
-        and all(lookup.is_all_that_slips(names, name) for name in of)
+        and all(joining.is_all_that_slips(names, name) for name in of)
     ):
         yield ["it does not slip"]
     elif negated and verbs and verbs <= {"slide", "start", "move", "fall", "tip"} and everything:
@@ -79,6 +81,13 @@ def so(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
         yield (
             ["it does not slip"] if "slide" in verbs else ["it stays at rest"]
         )  # the end of rest is where motion begins
+    is_one = verbs and verbs <= {"hold", "stop", "move"} and not negated and len(of) == 1 and not everything
+    if is_one and not joining.is_rough(names) and not _is_held(clause):  # one of several bodies stays where it is
+        yield [f"acceleration of {place} = 0" for place in lookup.places(names, who) or lookup.angles(names, who)]
+    if verbs == {"leave"} and not negated and who:  # what cannot lift off by itself
+        held = joining.joints(names, who, next(iter(of[1:]), ""), "normal force")
+        bound = {row.connection for row in names.constraint_rows if row.unilateral}
+        yield [f"normal force of {joint} = 0" for joint in held if joint not in bound]
     at_once = " at once" if clause.has("instant", "at once") else ""
     for group in _happening(names, verbs, negated, who, of):
         yield [f"{text}{at_once}" for text in group]
@@ -105,6 +114,7 @@ def _reaching(names: Names, clause: Clause, of: list[str]) -> Groups:
         clause = Clause([w for w in clause.words if w.kind != "name" or w.what in of])
     if not values and len(of) == 2 and of[1] in names.parameters:
         values = [of[1]]
+    of = of or [""]
     if (
         len(values) == 1
         and clause.only("verb", "name", "value", "part", *SILENT)
@@ -157,13 +167,13 @@ def _happening(names: Names, verbs: set[str], negated: bool, who: str, of: list[
         return
     if verbs == {"stay_on"}:
         verbs, negated = {"leave"}, not negated
-    if verbs == {"roll", "start"} and not negated:
+    if verbs in ({"roll", "start"}, {"begin_roll"}) and not negated:
         yield [f"{who} begins to roll" if who else "rolling begins"]
     elif (verbs == {"roll"} and not negated) or (verbs == {"roll", "slide"} and negated):
         yield [f"{who or 'it'} rolls without slipping"]
     elif verbs == {"leave"} and not negated:
         yield [f"{who or 'it'} leaves {other}".strip() if who or other else "contact is lost"]
-        yield [f"{joint} opens" for joint in lookup.joints(names, who, other, "normal force")] if who else []
+        yield [f"{joint} opens" for joint in joining.joints(names, who, other, "normal force")] if who else []
     elif verbs == {"leave"} and negated:
         yield [f"{who or 'it'} never leaves {other}".strip() if other else f"{who or 'it'} stays on"]
     elif (verbs == {"slack"} and negated) or (verbs <= {"taut", "hold"} and "taut" in verbs and not negated):
@@ -171,7 +181,8 @@ def _happening(names: Names, verbs: set[str], negated: bool, who: str, of: list[
     elif verbs == {"turn_fully"} and not negated and who:
         yield [f"{who} turns fully"]
     elif verbs == {"stable"} and not negated:
-        yield ["the equilibrium is stable"]
+        yield ["the equilibrium is stable"] if not names.states else []
+        yield ["the steady motion is stable"]
     elif verbs <= {"hit", "reach"} and verbs and not negated and who and not other:
         yield [f"it hits {who}"]
     elif verbs <= {"hit", "reach"} and verbs and not negated and other:
@@ -215,7 +226,7 @@ def _sides(names: Names, clause: Clause) -> tuple[Clause, str, str | Clause, str
     if _is_negated_motion(clause):
         left = [w for w in words if w.kind in ("name", "part")]
         of = [word.what for word in left if word.kind == "name"][:1] or lookup.massive(names)
-        kind = "angular acceleration" if all(lookup.axle_of(names, body) for body in of) else "acceleration"
+        kind = "angular acceleration" if all(joining.axle_of(names, body) for body in of) else "acceleration"
         return Clause([Word("quantity", kind), *left]), "=", "0", tail
     words = [_as_sign(word, words[k + 1 : k + 2]) for k, word in enumerate(words)]
     signs = [k for k, word in enumerate(words) if word.kind == "relation"]

@@ -62,14 +62,13 @@ def stated(names: Names, words: list[Word]) -> Groups:
 def _equations(names: Names, words: list[Word]) -> tuple[list[Equation], list[Word]]:
     """Equations of measures within words, and the other words."""
     found: list[Equation] = []
-    rest = list(words)
+    taken = set[int]()
     for sign in [k for k, word in enumerate(words) if word == Word("relation", "=")]:
         before, after = words[sign - 1 : sign], words[sign + 1 : sign + 2]
         if before and after and before[0].what in names.measures and after[0].kind in ("value", "name"):
             found.append(Equation(before[0].what, after[0].what))
-            for word in (before[0], words[sign], after[0]):
-                rest.remove(word)
-    return found, rest
+            taken |= {sign - 1, sign, sign + 1}
+    return found, [word for k, word in enumerate(words) if k not in taken]
 
 
 def _at(names: Names, equation: Equation, rest: Clause) -> Groups:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from freebody.measures.angle import Angle
@@ -38,6 +39,18 @@ def sections(names: Names, string: str, *, level: bool) -> list[tuple[str, ...]]
         if leads and all(isinstance(lead, Displacement) and _is_along(names, lead, level=level) for lead in leads):
             found.append(row.ends)
     return found
+
+
+def spans(names: Names, string: str) -> list[str]:
+    """Where the parts of a string are, in the words of the grammar: at the body at its end, or between two."""
+    rows = [row for row in names.constraint_rows if row.connection == string and row.reaction == "tension"]
+    pairs = [pair for row in rows for pair in pairwise(row.ends)]
+    found: list[str] = []
+    for pair in pairs:
+        plain = [end for end in pair if end in names.bodies and names.bodies[end].radius is None and end != GROUND]
+        is_end = len(plain) == 1 and sum(plain[0] in other for other in pairs) == 1
+        found.append(f"at {plain[0]}" if is_end else f"between {' and '.join(pair)}")
+    return list(dict.fromkeys(found))
 
 
 def _is_along(names: Names, measure: Displacement, *, level: bool) -> bool:

@@ -15,6 +15,7 @@ from freebody.questions.spoken.words import Clause
 if TYPE_CHECKING:
     from freebody.model.names import Names
 
+_RESTS = ("it stays at rest", "it does not slip", "nothing slips")
 _FOR = (Word("ask", "from"), Word("ask", "for"), Word("ask", "up_to"))
 
 
@@ -28,20 +29,27 @@ def parameters(names: Names, words: list[Word], whole: Callable[..., Groups]) ->
         "not"
     ):
         yield [f"critical damping of {parameter}" for parameter in chosen]
+    if relation.has("verb", "unstable") and end in ("", "least") and words[0] == Word("ask", "from"):
+        end, kept = "largest", [Word("verb", "stable") if w == Word("verb", "unstable") else w for w in relation.words]
+        relation = Clause(kept)
+    is_begun = relation.has("verb", "start") and not relation.has("not") and not relation.has("mark", "until")
+    relation = relation.without("verb", "become") if relation.has("verb", "stable") else relation
     for parameter in chosen:
         for group in so(names, relation, whole):
             for text in group:
                 if text.partition(" = ")[0] in names.measures:
                     continue  # of a place that changes it is to be said when
-                yield from _asked(parameter, text, end)
+                # the least force with which it starts is the largest with which it does not
+                yield from _asked(parameter, text, "largest" if is_begun and end and text in _RESTS else end)
 
 
 def _asked(parameter: str, text: str, end: str) -> Groups:
     """The values of a parameter for which a text holds, or one end of them."""
-    if text in ("it stays at rest", "it does not slip", "nothing slips"):
+    if text in _RESTS:
         yield [f"{end} {parameter} so that {text}" if end else f"range of {parameter} that keeps it at rest"]
     elif end:
         yield [f"{end} {parameter} so that {text}"]
+        yield [f"value of {parameter} for which {text}"] if " = " in text else []
     elif any(sign in text for sign in (" > ", " < ", " >= ", " <= ")):
         yield [f"range of {parameter} for which {text}"]
     elif " just reaches " in text or " = " in text or text.endswith((" is largest", " is least")):
@@ -133,17 +141,19 @@ def _head(names: Names, head: Clause, rest: Clause, *, is_marked: bool = False) 
     ):
         return None
     end = {"least": "least", "greatest": "largest"}.get(next(iter(degrees), ""), "")
+    asked_by = [given.ASKED_BY[ask].words[0] for ask in head.all("ask") if ask in ("high", "far", "steep", "flat")]
     named = [name for _, name in head.names if name in names.parameters]
     others = [name for before, name in head.names if name not in names.parameters and (not before or not named)]
     if head.has("verb", "hit", "exert") and is_marked:  # at which height h do I hit the ball so that ..
         others = []
-    asked = head.all("quantity")
+    asked = head.all("quantity") or (asked_by if is_marked and not named else [])
     if len(named) == 1 and len(others) <= head.has("ask") and set(asked) <= given.KIND_OF.keys():
         return named, rest, end
     if head.has("ask", "up_to", "from"):
         end = "largest" if head.has("ask", "up_to") else "least"
     if not named and not others and len(asked) == 1 and given.is_by_unit(asked[0]):  # the only one that is a force
         found = given.of_kind(names, asked[0])
+        found = found if len(found) == 1 else given.chosen(names, given.KIND_OF[asked[0]], [])
         return (found, rest, end) if len(found) == 1 and (end or head.has("ask")) else None
     if not named and others and len(asked) == 1 and asked[0] in ("speed", "velocity") and is_marked:
         found = given.started_with(names, others)  # the speed that the bullet must have

@@ -4,31 +4,49 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator
+from contextlib import suppress
 from dataclasses import dataclass
 from itertools import islice
-from typing import TYPE_CHECKING, TypeVar
+from typing import TYPE_CHECKING, Protocol, TypeVar
 
-from freebody.errors import Problem
+from freebody.errors import Problem, UnitError
 from freebody.language.sentences import Message
+from freebody.language.units.quantity import parse_quantity
+from freebody.questions.spoken import strings
+from freebody.questions.spoken.composing import JOINT
 from freebody.questions.spoken.compounds import in_english_nouns
-from freebody.questions.spoken.lexicon import Word, languages
+from freebody.questions.spoken.lexicon import Word, languages, several
 from freebody.questions.spoken.meaning import meanings
 from freebody.questions.spoken.naming import Elements, elements_of, linked
+from freebody.questions.spoken.several import each_of, parts
 from freebody.questions.spoken.suggesting import MOST, suggestions
 from freebody.questions.spoken.words import Unknown, respelt, words_of
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
+    from freebody.questions.base import Quantity
 
-AskedT = TypeVar("AskedT")
+
+class Asked(Protocol):
+    """What is asked for, as far as it is looked at here."""
+
+    @property
+    def quantity(self) -> Quantity: ...
+    @property
+    def event(self) -> object | None: ...
+
+
+AskedT = TypeVar("AskedT", bound=Asked)
 
 _APOSTROPHE = re.compile(r"(?<=\w)['’](?=(?:s|t|d|re|ll|m|ve)\b)|(?<=s)['’](?=\s)")
 _IN_PASSING = re.compile(  # a parameter and a value behind a word that says for what
-    r"\b(?:if|for|with|when|where|wenn|falls|für|mit|bei) (?P<name>\w+)(?: ?=| is| equals| was| of| ist| von|) ?"
+    r"\b(?:if|for|with|when|where|at|wenn|falls|für|mit|bei) (?P<name>\w+)(?: ?= ?| is| equals| was| of| ist| von|) ?"
     r"(?P<value>\d+(?:\.\d+)?(?: ?[A-Za-z°][A-Za-z0-9/^]*)?)(?=[ ,.?!]|$)",
     re.IGNORECASE,
 )
+ONE_BY_ONE = 8  # things of which one phrase may ask for each
 LONGEST = 300  # characters of a question: what is longer is none
+_TIMELESS = ("whole motion", "repeated motion", "small motion", "every motion", "structure", "linkage")
 _GENERAL = {"askable", "form", "forms"}  # what messages list where nothing of a text could be read
 
 
@@ -50,35 +68,41 @@ class Unread:
     problems: list[Problem]
 
 
-def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) -> tuple[AskedT, str] | None:
-    """What a text asks for, and the words of the grammar in which it does.
+def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) -> list[tuple[AskedT, str]]:
+    """What a text asks for, and the words of the grammar in which it does; several where it asks for several things.
 
     read: what words of the grammar ask for, None after noting a problem. What it does not read is taken as people
     speak; what can be meant in several ways is refused with all of them."""
     n_before = len(names.problems)
     found = read(text)
     if found is not None and len(names.problems) == n_before:
-        return found, text
+        return [(found, text)]
     if names.is_broken_in(text):  # told where that stands, and nowhere else
         del names.problems[n_before:]
-        return None
+        return []
     if len(text) > LONGEST:
-        return None
+        return []
     told = names.problems[n_before:]
     del names.problems[n_before:]
     nearest, instead = _nearest(names, text, read)
+    if len(nearest) != 1 and (each := _several(names, text, read)):
+        return each
     if not nearest and not instead:
         instead = _lacking(names, text, read)
     if not nearest and not instead:
         right = {language: _respelt(names, text, language) for language in languages()}
         for said in dict.fromkeys(other for other in right.values() if other != text):
             nearest = nearest or _nearest(names, said, read)[0]
+    if len(nearest) > 1 and len(nearest) <= ONE_BY_ONE and _is_plural(text, nearest):
+        return [one for words, asked in nearest.items() for one in zip(asked, words.split(JOINT), strict=True)]
     if len(nearest) == 1:
-        return next((asked, words) for words, asked in nearest.items())
+        return next([*zip(asked, words.split(JOINT), strict=True)] for words, asked in nearest.items())
+    if not nearest and (passing := _same_value(names, text)) is not None:
+        return understood(names, passing, read)
     if nearest:
         ways = "\n    ".join(islice(nearest, MOST))
-        several = Message("'{text}' can be meant in several ways. Ask for\n    {ways}", text=text, ways=ways)
-        names.problem(several, "find")
+        several_ways = Message("'{text}' can be meant in several ways. Ask for\n    {ways}", text=text, ways=ways)
+        names.problem(several_ways, "find")
     elif (other := _other_value(names, text)) is not None:
         names.problem(other, "find")
     elif _is_specific(told) or instead or _has_form(told):
@@ -95,6 +119,81 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
         askable = "\n    ".join(fits)
         none = Message("cannot read '{text}'. One can ask for\n    {askable}", text=text, askable=askable)
         names.unknown(text, none, "find")
+    return []
+
+
+def _several(names: Names, text: str, read: Callable[[str], AskedT | None]) -> list[tuple[AskedT, str]]:
+    """What a text asks for that is several questions in one, each read by itself; nothing where one cannot be."""
+    elements = elements_of(names)
+    if each := each_of(names, elements, text):
+        found = [_one(names, said, read) for said in each[:ONE_BY_ONE]]
+        if all(found):
+            return [one for some in found for one in some]
+    for way in parts(elements, text):
+        found_here: list[tuple[AskedT, str]] = []
+        for part in way:
+            every = (_one_or_each(names, elements, said, read) for said in part.texts)
+            before = [asked for asked, _ in found_here]
+            fitting = (one for one in every if one and all(_fits_event(asked) for asked, _ in one))
+            some = next((one for one in fitting if all(asked not in before for asked, _ in one)), [])
+            some = some or (_there(names, part.there, found_here[0][1], read) if found_here and part.there else [])
+            if not some or any(asked in before for asked, _ in some):  # nothing that is said is dropped
+                break
+            found_here += some
+        else:
+            return found_here
+    return []
+
+
+def _fits_event(asked: Asked) -> bool:
+    """Whether what is asked can be meant when it is said to be: a period has no instant."""
+    return asked.event is None or asked.quantity.scope not in _TIMELESS
+
+
+def _one(names: Names, text: str, read: Callable[[str], AskedT | None]) -> list[tuple[AskedT, str]]:
+    """What a text asks for that can be meant in one way only."""
+    plain = _read_quietly(names, text, read)
+    if not isinstance(plain, Unread):
+        return [*zip(plain, text.split(JOINT), strict=True)]
+    nearest, _ = _nearest(names, text, read)
+    if len(nearest) != 1:
+        return []
+    return next([*zip(asked, words.split(JOINT), strict=True)] for words, asked in nearest.items())
+
+
+def _one_or_each(
+    names: Names, elements: Elements, text: str, read: Callable[[str], AskedT | None]
+) -> list[tuple[AskedT, str]]:
+    if found := _one(names, text, read):
+        return found
+    each = [_one(names, said, read) for said in each_of(names, elements, text)[:ONE_BY_ONE]]
+    return [one for some in each for one in some] if all(each) else []
+
+
+def _there(names: Names, text: str, first: str, read: Callable[[str], AskedT | None]) -> list[tuple[AskedT, str]]:
+    """What is asked of the event at which, or up to which, the first question is meant."""
+    event = re.search(r"(?<=\s)(?:when|until) (.+)$", first)
+    if event is None:
+        return []
+    said = (f"{text} {mark} {event[1]}" for mark in ("when", "until"))
+    return next((found for one in said if (found := _one(names, one, read))), [])
+
+
+def _is_plural(text: str, ways: dict[str, tuple[AskedT, ...]]) -> bool:
+    """Whether a text asks for several things of a kind, and the ways to mean it are these."""
+    heads = {words.partition(" of ")[0].removeprefix("angular ") for words in ways}
+    said = any(several(language, "quantities").search(text) for language in languages())
+    return said and len(heads) == 1
+
+
+def _same_value(names: Names, text: str) -> str | None:
+    """The text without the value of a parameter that the file gives as well; not zero, which may change what holds."""
+    for found in _IN_PASSING.finditer(text):
+        parameter = names.parameters.get(found["name"])
+        if parameter is not None and parameter.value is not None:
+            with suppress(UnitError, ValueError):
+                if parse_quantity(found["value"]).value == parameter.value != 0.0:
+                    return " ".join((text[: found.start()] + text[found.end() :]).split()).strip(" ,")
     return None
 
 
@@ -112,10 +211,13 @@ def _other_value(names: Names, text: str) -> Message | None:
     return None
 
 
-def _nearest(names: Names, text: str, read: Callable[[str], AskedT | None]) -> tuple[dict[str, AskedT], list[Problem]]:
+def _nearest(
+    names: Names, text: str, read: Callable[[str], AskedT | None]
+) -> tuple[dict[str, tuple[AskedT, ...]], list[Problem]]:
     """What can be meant by the names that are nearest to those written, by its words; and, where nothing can, what is
     wrong with the first text that has words of the grammar."""
-    nearest: dict[str, AskedT] = {}
+    nearest: dict[str, tuple[AskedT, ...]] = {}
+    open_: list[str] = []  # of which of several values is meant is not said
     distance: int | None = None
     instead: list[Problem] = []
     tried_at = 0
@@ -132,18 +234,24 @@ def _nearest(names: Names, text: str, read: Callable[[str], AskedT | None]) -> t
                 distance = meaning.distance
                 nearest |= {words: asked for words, asked in here.items() if asked not in nearest.values()}
                 break
-            for asked in tried.values():
+            for words, asked in tried.items():
                 if not instead and isinstance(asked, Unread) and _is_specific(asked.problems):
                     instead = asked.problems
+                    open_ = _each_value(names, words, instead)
+    found = open_ and _read_quietly(names, JOINT.join(open_), read)
+    if found and not nearest and not isinstance(found, Unread):
+        return {JOINT.join(open_): found}, instead
     return nearest, instead
 
 
-def _read_quietly(names: Names, text: str, read: Callable[[str], AskedT | None]) -> AskedT | Unread:
-    """What words of the grammar ask for, or why they ask for nothing."""
+def _read_quietly(names: Names, text: str, read: Callable[[str], AskedT | None]) -> tuple[AskedT, ...] | Unread:
+    """What words of the grammar ask for, of one thing or of several, or why they ask for nothing."""
     with names.quietly():
         n_before = len(names.problems)
-        found = read(text)
-        return Unread(names.problems[n_before:]) if found is None or len(names.problems) > n_before else found
+        found = [read(one) for one in text.split(JOINT)]
+        asked = tuple(one for one in found if one is not None)
+        is_read = len(asked) == len(found) and len(names.problems) == n_before
+        return asked if is_read else Unread(names.problems[n_before:])
 
 
 def _is_specific(problems: list[Problem]) -> bool:
@@ -154,6 +262,15 @@ def _is_specific(problems: list[Problem]) -> bool:
 def _leave_open(problems: list[Problem]) -> bool:
     """Whether they say that what is asked has several values."""
     return len(problems) == 1 and " has several values of " in problems[0].message
+
+
+def _each_value(names: Names, words: str, problems: list[Problem]) -> list[str]:
+    """A question about a string, whose parts have tensions of their own, for each of them."""
+    if not _leave_open(problems) or not isinstance(told := problems[0].message, Message) or told.arguments["at"]:
+        return []
+    head = f"{told.arguments['what']} of {told.arguments['of']}"
+    each = [f"{head} {span}" for span in strings.spans(names, str(told.arguments["of"]))]
+    return [words.replace(head, one) for one in each] if words.count(head) == 1 else []
 
 
 def _is_of_words(names: Names, problems: list[Problem]) -> bool:

@@ -161,7 +161,10 @@ def _may_be_refused(system: System, cases: Plan) -> bool:
 def questions_asked(system: System, find: Sequence[str]) -> list[Question]:
     """Questions by id or in words, all of the model if there are none. Raises InputError."""
     by_id = {q.id: q for q in system.questions}
-    found = [by_id[text] if text in by_id else replace(system.question(text), id=text) for text in find]
+    found: list[Question] = []
+    for text in find:
+        asked = (by_id[text],) if text in by_id else system.asked(text)
+        found += asked if text in by_id else [replace(q, id=text if len(asked) == 1 else q.text) for q in asked]
     return found or list(system.questions)
 
 

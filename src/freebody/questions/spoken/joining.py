@@ -1,0 +1,236 @@
+"""Connections of a model that words mean without naming them: between two things, of an axle, of what is rough.
+
+As in lookup.py, each function gives all that fit.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, cast
+
+from freebody.language.expression import ZERO
+from freebody.measures.angle import Angle
+from freebody.measures.displacement import Displacement
+from freebody.measures.geometry import GROUND, Components
+from freebody.questions.course import names_line
+from freebody.questions.spoken import lookup
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+_LEVEL = 1e-9  # of a direction that is level, or straight up
+
+
+def rolls(names: Names) -> bool:
+    """Whether what dry friction acts on is round: that it does not slip is not that it is at rest."""
+    held = {body for joint in rough(names, "") for body in names.connections[joint].mentions(names)}
+    return any(names.bodies[name].radius is not None or names.bodies[name].round for name in held)
+
+
+def rough(names: Names, thing: str) -> list[str]:
+    """Connections with dry friction that are, or touch, a thing; all where none is named."""
+    joints_ = dict.fromkeys(row.connection for row in names.constraint_rows if row.reaction == "friction force")
+    return [name for name in joints_ if not thing or touches(names, name, thing)]
+
+
+def is_all_that_slips(names: Names, body: str) -> bool:
+    """Whether all dry friction is that of a body."""
+    return bool(rough(names, "")) and rough(names, "") == rough(names, body)
+
+
+def led_round(names: Names) -> list[tuple[str, str]]:
+    """Bodies that a link leads round a point of the ground, each with its length."""
+    found: list[tuple[str, str]] = []
+    for name, spec in names.connections.items():
+        given, ends = given_of(spec), spec.mentions(names) - {GROUND}
+        if "link" in names.called.get(name, ()) and len(ends) == 1 and GROUND in spec.mentions(names):
+            found += [(next(iter(ends)), str(given["length"]))] if given.get("length") is not None else []
+    return found
+
+
+def keeps_height(names: Names, body: str) -> bool:
+    """Whether a connection to the ground keeps a body at its height."""
+    upright = {names.compass[way].components for way in ("up", "down")}
+    held = [row.measure for row in names.constraint_rows if row.target is None and not row.unilateral]
+    return any(
+        isinstance(m, Displacement)
+        and m.of.body == body
+        and {m.origin.body, m.along.body} == {GROUND}
+        and m.along.components in upright
+        for m in held
+    )
+
+
+def joints(names: Names, first: str, second: str, reaction: str) -> list[str]:
+    """Connections that are, or touch, each of two things (bodies, lines of the ground, connections), those that have
+    the reaction where any has."""
+    wanted = [thing.partition(".")[0] for thing in (first, second) if thing]
+    found = [name for name in names.connections if all(_is_of(names, name, thing) for thing in wanted)]
+    having = {row.connection for row in names.constraint_rows if row.reaction == reaction}
+    return [name for name in found if name in having] or found
+
+
+def touches(names: Names, connection: str, thing: str) -> bool:
+    return _is_of(names, connection, thing.partition(".")[0])
+
+
+def _is_of(names: Names, connection: str, thing: str) -> bool:
+    if thing == connection:
+        return True
+    described = names.connections[connection]
+    if thing == GROUND and described.mentions(names):
+        lines = {*names.bodies[GROUND].lines, *names.bodies[GROUND].planes}
+        return GROUND in described.mentions(names) or any(names_line(names, connection, line) for line in lines)
+    if thing in names.bodies:
+        return thing in described.mentions(names)
+    if thing in names.bodies[GROUND].planes:
+        return names_line(names, connection, thing)
+    return thing in names.bodies[GROUND].lines and names_line(names, connection, thing)
+
+
+def direction(names: Names, name: str) -> str | None:
+    """The direction of a line of the ground, or of the guide that a connection is; None where a name is none."""
+    if name in names.bodies[GROUND].lines:
+        return name
+    along: object = getattr(names.connections.get(name), "along", None)
+    return (
+        str(along)
+        if isinstance(along, str | int | float) and getattr(names.connections[name], "on", GROUND) == GROUND
+        else None
+    )
+
+
+def guides(names: Names, body: str) -> list[str]:
+    """Directions of the ground along which connections guide a body."""
+    joints_ = [name for name in names.connections if body in names.bodies and _is_of(names, name, body)]
+    return [along for along in (direction(names, name) for name in joints_) if along is not None]
+
+
+def sloping(names: Names) -> str:
+    """The only line of the ground that is neither level nor upright; else nothing."""
+    rises = {name: names.numeric(names.direction(name).components[1]) for name in names.bodies[GROUND].lines}
+    found = [name for name, rise in rises.items() if rise is not None and _LEVEL < abs(rise) < 1.0 - _LEVEL]
+    return found[0] if len(found) == 1 else ""
+
+
+def points(names: Names, along: str, sense: str) -> bool:
+    """Whether a direction points `up` or `down`, so far as the numbers of the model say."""
+    with names.quietly():
+        height = names.numeric(names.direction(along).components[1])
+    return height is not None and (height > 0.0 if sense == "up" else height < 0.0)
+
+
+def may_act_at(names: Names, joint: str, thing: str) -> bool:
+    """Whether a connection may act at a point: it does not where the file gives it other points of that body."""
+    body, _, point = thing.partition(".")
+    ends = [end for end in _ends(names, joint) if end.partition(".")[0] == body and "." in end]
+    return not point or not ends or thing in ends
+
+
+def joined_at(names: Names, name: str) -> str:
+    """For a pin between bodies that move, and for what touches the ground with a point, that point. Else the name."""
+    if name not in names.connections or name in names.bodies:
+        return name
+    movable = [end for end in _ends(names, name) if end.partition(".")[0] in lookup.moving(names)]
+    is_pin, is_contact = (kind in names.called.get(name, ()) for kind in ("pin", "contact"))
+    if (is_pin and len(movable) == 2) or (is_contact and len(movable) == 1 and "." in movable[0]):
+        return movable[0]
+    return name
+
+
+def pinned_at(names: Names, name: str) -> str:
+    """For a pin on the ground the point there. Else what is named."""
+    if name not in names.connections or "pin" not in names.called.get(name, ()):
+        return name
+    return next((end for end in _ends(names, name) if end.partition(".")[0] == GROUND), name)
+
+
+def _ends(names: Names, name: str) -> list[str]:
+    """What a file gives as the ends of a connection."""
+    ends: list[str] = []
+    for value in given_of(names.connections[name]).values():
+        ends += map(str, cast("list[object]", value) if isinstance(value, list | tuple) else [value])
+    return ends
+
+
+def axles(names: Names) -> list[str]:
+    """Connections that something turns about."""
+    return [name for name in names.connections if "axle" in names.called.get(name, ())]
+
+
+def axle_points(names: Names, body: str) -> set[Components]:
+    """The points of a body at which axles of the ground hold it, in its own axes."""
+    found: set[Components] = set()
+    if body not in names.bodies:
+        return found
+    own = names.bodies[body]
+    for name in axles(names):
+        described = names.connections[name]
+        if _is_of(names, name, body) and GROUND in described.mentions(names):
+            ends = _ends(names, name)
+            points = [end.partition(".")[2] or own.default_point for end in ends if end.partition(".")[0] == body]
+            found |= {own.points[point] for point in points if point in own.points}
+    return found
+
+
+def axle_of(names: Names, body: str) -> str:
+    """Where a body turns about an axle of the ground: at its mass `center` or `beside` it; else nothing."""
+    points = axle_points(names, body)
+    if not points:
+        return ""
+    return "center" if names.bodies[body].points["mass_center"] in points else "beside"
+
+
+def free_end(names: Names, body: str) -> str | None:
+    """The end of a body that nothing holds, where something holds the other one."""
+    own = [f"{body}.{end}" for end in ("start", "end") if body in names.bodies and end in names.bodies[body].points]
+    held = [end for end in own if any(end in _ends(names, joint) for joint in names.connections)]
+    free = [end for end in own if end not in held]
+    return free[0] if len(held) == len(free) == 1 else None
+
+
+def strikes(names: Names) -> bool:
+    """Whether there is something that can collide."""
+    return any(row.unilateral and row.reaction != "tension" for row in names.constraint_rows)
+
+
+def goes_on(names: Names) -> bool:
+    """Whether a motion goes on as it begins: there is no contact that could change."""
+    return not any("contact" in names.called.get(name, ()) for name in names.connections)
+
+
+def is_struck_at_start_alone(names: Names) -> bool:
+    """Whether the blow that is meant can only be that at the start."""
+    closing = {row.connection for row in names.constraint_rows if row.closes}
+    return bool(names.struck_at_start) and (closing | names.impulses) <= names.struck_at_start
+
+
+def given_of(spec: object) -> dict[str, object]:
+    """What a file gives for an element, by its keys."""
+    return vars(spec) if hasattr(spec, "__dict__") else {}
+
+
+def is_joined(names: Names, name: str) -> bool:
+    return name in names.connections or name in names.bodies[GROUND].lines
+
+
+def is_rough(names: Names) -> bool:
+    """Whether dry friction holds something."""
+    return any(row.reaction == "friction force" for row in names.constraint_rows)
+
+
+def is_at(names: Names, name: str, thing: str) -> bool:
+    return name in names.connections and _is_of(names, name, thing)
+
+
+def turned(names: Names, body: str) -> list[str]:
+    """Angles of how far a body has turned since the start: those that begin at zero."""
+    free = {
+        name
+        for name in lookup.moving(names)
+        if axle_of(names, name) == "center" and names.bodies[name].start.angle is None
+    }
+    plain = {
+        name for name, m in names.measures.items() if isinstance(m, Angle) and m.of in free and m.reference == ZERO
+    }
+    begun = names.started_at_zero | {name for name in plain if name not in names.placed_at_start}
+    return [name for name in lookup.angles(names, body) if name in begun]

@@ -1,0 +1,158 @@
+"""Several questions in one: velocity and acceleration of the piston, the tension on both sides, how far and how fast.
+
+A text is parted at its conjunctions, and a part that is not complete takes what it lacks from the others: the first
+ones the noun of the last (horizontal and vertical reaction at A), the later ones the quantity of the first
+(acceleration of A and B). What is said of when behind the last part is meant of all that say nothing of it themselves.
+Here are the texts that can be meant; which of them asks for something says whoever reads them.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from freebody.questions.spoken import strings
+from freebody.questions.spoken.compounds import in_english_nouns
+from freebody.questions.spoken.elements import Elements
+from freebody.questions.spoken.lexicon import Word, counted_by, languages, phrases_at, several
+from freebody.questions.spoken.naming import linked
+from freebody.questions.spoken.words import Unknown, words_of
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+MOST = 6  # questions in one
+_BORROWED = 6  # words that a part may take from another
+_MASSES = ("mass", "masses", "weight", "weights", "body", "bodies", "block", "blocks")
+
+
+@dataclass(frozen=True)
+class Part:
+    """One question of several: the texts that can be meant by it, the likeliest first; and what is said of it where it
+    is to be asked at the event of the first (how far does it get in this time)."""
+
+    said: str
+    texts: tuple[str, ...]
+    there: str = ""
+
+
+def parts(elements: Elements, text: str) -> Iterator[list[Part]]:
+    """Ways in which a text can be several questions."""
+    for language in languages():
+        for pieces in _pieces(text.strip().rstrip(".?! "), language):
+            yield [_part(elements, pieces, k, language) for k in range(len(pieces))]
+
+
+def _pieces(text: str, language: str) -> Iterator[list[str]]:
+    """A text parted at all of its conjunctions, at the last one, and at the first one."""
+    never = several(language, "never")
+    cuts = [found for found in several(language, "and").finditer(text) if found.start() > 0]
+    cuts = [cut for cut in cuts if not never.search(text[: cut.start()]) and not _leads_on(text[cut.end() :], language)]
+    if not cuts or len(cuts) >= MOST:
+        return
+    label = several(language, "label")
+    for chosen in dict.fromkeys((tuple(cuts), tuple(cuts[-1:]), tuple(cuts[:1]))):
+        begins, ends = [0, *(cut.end() for cut in chosen)], [*(cut.start() for cut in chosen), len(text)]
+        found = [text[a:b].strip(" ,;.?!") for a, b in zip(begins, ends, strict=True)]
+        yield [without for piece in found if (without := re.sub(rf"^{label.pattern}", "", piece))]
+
+
+def _leads_on(text: str, language: str) -> bool:
+    """Whether a text begins with what says when, or for which: no question of its own."""
+    if re.match(r"\S+ ?[=<>]", text):  # when x = 1 m and y = 0
+        return True
+    return _kind_at(text.lower().split(), 0, language) in ("mark", "instant", "not")
+
+
+def _kind_at(words: Sequence[str], k: int, language: str) -> str:
+    line = " ".join(words)
+    start = sum(len(word) + 1 for word in words[:k])
+    meant = phrases_at(line, start, language) if line else []
+    return meant[0][0].kind if meant else ""
+
+
+def _part(elements: Elements, pieces: list[str], k: int, language: str) -> Part:
+    """One of several parts, with what it may lack."""
+    own, first, last = pieces[k], pieces[0].split(), pieces[-1].split()
+    kinds = _kinds(elements, own, language)
+    is_asked, is_named = bool(kinds & {"quantity", "ask"}), "name" in kinds
+    tail = "" if kinds & {"mark", "instant"} else _tail(pieces[-1], language)
+    found: list[str] = []
+    if k < len(pieces) - 1 and not (is_asked and is_named):
+        found += [f"{own} {' '.join(last[j:])}" for j in range(1, min(_BORROWED, len(last)))]
+    if k > 0 and not is_asked:
+        found += [f"{' '.join(first[:-j])} {own}" for j in range(1, min(_BORROWED, len(first)))]
+        found += [f"{' '.join(first[:-j])} {own} {tail}" for j in range(1, min(_BORROWED, len(first))) if tail]
+    if k < len(pieces) - 1 and tail:
+        found.append(f"{own} {tail}")
+    if is_asked or k == 0:
+        found.append(own)
+    there = several(language, "there").sub(" ", own)
+    is_there = k > 0 and there != own
+    return Part(own, () if is_there else tuple(dict.fromkeys(found)), " ".join(there.split()) if k > 0 else "")
+
+
+def _kinds(elements: Elements, text: str, language: str) -> set[str]:
+    """Kinds of the words of a text, so far as they are known."""
+    for way in linked(elements, in_english_nouns(text, language, elements.taken))[:1]:
+        try:
+            return {word.kind for word in words_of(way.text, language)}
+        except Unknown as error:
+            return {word.kind for word in error.known}
+    return set()
+
+
+def _tail(text: str, language: str) -> str:
+    """What is said of when at the end of a text, where it is not what is asked."""
+    words = text.lower().split()
+    if any(_kind_at(words, k, language) == "ask" for k in range(min(2, len(words)))) and "long" in words[:2]:
+        return ""
+    for k in range(1, len(words)):
+        line, start = " ".join(words), sum(len(word) + 1 for word in words[:k])
+        meant = [word for word, _ in phrases_at(line, start, language)]
+        is_time = any(w == Word("mark", what) for w in meant for what in ("when", "after"))
+        if is_time or any(w.kind == "instant" for w in meant) or several(language, "place").match(line, start):
+            asks_time = any(w == Word("quantity", "time") for j in range(k) for w, _ in _first_at(words, j, language))
+            return "" if asks_time else " ".join(text.split()[k:])
+    return ""
+
+
+def _first_at(words: Sequence[str], k: int, language: str) -> list[tuple[Word, tuple[int, ...]]]:
+    return phrases_at(" ".join(words), sum(len(word) + 1 for word in words[:k]), language)[:1]
+
+
+# -- one phrase for several things ------------------------------------------------------------
+def each_of(names: Names, elements: Elements, text: str) -> list[str]:
+    """The questions that a text with `both sides`, `all three masses` stands for; none where there is no such phrase or
+    the model has not so many."""
+    for language in languages():
+        told = in_english_nouns(text, language, elements.taken)
+        if (sides := several(language, "sides").search(told)) is not None:
+            rest = " ".join((told[: sides.start()] + told[sides.end() :]).split())
+            return [f"{rest.rstrip('.?! ')} {end}" for end in _ends(names, rest)]
+        if (found := several(language, "things").search(told)) is None:
+            continue
+        n = counted_by(language).get((found["number"] or found["count"]).lower(), 0)
+        things = _things(elements, found["thing"].lower(), language)
+        if len(things) > 1 and n in (0, len(things)):
+            return [f"{told[: found.start()]}{thing}{told[found.end() :]}" for thing in things]
+    return []
+
+
+def _ends(names: Names, text: str) -> list[str]:
+    """What the parts of the only string, or of the one that a text names, run between."""
+    pulling = list(dict.fromkeys(row.connection for row in names.constraint_rows if row.reaction == "tension"))
+    named = [name for name in pulling if re.search(rf"\b{re.escape(name)}\b", text)] or pulling
+    return strings.spans(names, named[0]) if len(named) == 1 else []
+
+
+def _things(elements: Elements, word: str, language: str) -> list[str]:
+    """All bodies, or else all connections, that a word for a kind of thing means."""
+    singular = {word, re.sub(rf"{several(language, 'plural').pattern}$", "", word), word.removesuffix("s")}
+    found = [e.name for e in elements.exact.values() if "." not in e.name and not singular.isdisjoint(e.words)]
+    if word in _MASSES:
+        found = [name for name in found if elements.masses.get(name, 0.0) > 0.0 and name not in elements.radii]
+    bodies = [name for name in found if name in elements.bodies]
+    return bodies or found
