@@ -356,7 +356,7 @@ def _far_sides(system: System, closed: Set[str]) -> set[str]:
 
 def parted_at_start(system: System, touching: frozenset[str]) -> frozenset[str]:
     """Of the bounds that touch when the motion begins those whose gap grows or shrinks by the rates that are given: of
-    bodies that are put where they touch, and of the others where the rates contradict that all of them keep touching; or
+    bodies that are put where they touch, and of others where the rates contradict that all of them keep touching; or
     after a blow, in which contacts answer to what it leaves them to do."""
     own = {b.name: b for b in system.bounds if b.name in touching}
     runs = system.start_rates or any(b.start.velocity or b.start.angular_velocity for b in system.moving)
@@ -365,9 +365,10 @@ def parted_at_start(system: System, touching: frozenset[str]) -> frozenset[str]:
     found: set[str] = set()
     for k in range(_N_STARTS):
         values = draw_parameters(system, random.Random(SEED + k), 1.0)
+        put = {name for name, b in own.items() if not b.starts_closed}
         references = [
             Reference(in_mode(system, ContactMode.of(closed, {}))[0], values)
-            for closed in (touching, touching - {n for n, b in own.items() if not b.starts_closed}, touching - own.keys())
+            for closed in (touching, touching - put, touching - own.keys())
         ]
         q = references[0].assemble()
         *first, last = references[1 + system.is_struck :]
