@@ -7,6 +7,8 @@ import math
 import pytest
 
 from freebody.api import System
+from freebody.language.expression import Expr
+from posed import is_formula
 
 CORD = """
 parameters: {m: 2 kg, M: 1.2 kg, L: 1 m, g: 9.81 m/s^2}
@@ -33,9 +35,10 @@ def test_a_place_that_hangs_on_what_a_loop_binds_is_no_equilibrium() -> None:
     assert any(math.sin(r.measures["phi"]) == pytest.approx(sine) for r in system.equilibria().rests)
 
 
-def test_a_rod_between_two_smooth_planes_is_answered_within_the_budget_of_terms() -> None:
+def test_a_rod_between_two_smooth_planes_rests_and_swings_in_closed_form() -> None:
     """The mass centre is above the instant centre: tan(phi) = (cot(alpha) - cot(beta))/2 for planes that fall and
-    rise by these."""
+    rise by these; held from both sides it hangs below their line of intersection. With y its height there and x' its
+    travel aside for a turn, omega^2 = -g y/(x'^2 + L^2/12), as y'' = -y."""
     model = """
 parameters: {m: 2 kg, L: 1 m, alpha: 30 deg, beta: 50 deg, g: 9.81 m/s^2}
 bodies: {rod: {rod: {mass: m, length: L}}}
@@ -44,7 +47,16 @@ loads: {weight: {gravity: g}}
 measures: {phi: {angle of rod}}
 start: {phi: 0.1}
 """
+    found = is_formula(model, "equilibrium of phi", "pi + atan((1/tan(alpha) - 1/tan(beta))/2)")
+    assert found.value is not None
     system = System.from_text(model)
-    assert "terms" in system.solve("equilibrium of phi").answers[0].reason
     tangent = (1 / math.tan(math.radians(30)) - 1 / math.tan(math.radians(50))) / 2
     assert all(math.tan(r.measures["phi"]) == pytest.approx(tangent) for r in system.equilibria().rests)
+
+    a, b, phi = math.radians(30), math.radians(50), math.pi + math.atan(tangent)
+    c, s = math.cos(phi), math.sin(phi)
+    y = (math.sin(b - a) * s + 2 * math.sin(a) * math.sin(b) * c) / (2 * math.sin(a + b))
+    slope = (2 * math.cos(a) * math.cos(b) * c + math.sin(b - a) * s) / (2 * math.sin(a + b))
+    frequency = system.solve("natural frequencies").answers[0]
+    assert isinstance(frequency.expression, Expr)
+    assert frequency.value == pytest.approx(math.sqrt(-9.81 * y / (slope**2 + 1 / 12)))

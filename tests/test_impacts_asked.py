@@ -19,6 +19,7 @@ from freebody.errors import ModelError
 from freebody.language.expression import FLOAT_FUNCTIONS, Expr, evaluate
 from freebody.language.parser import parse
 from freebody.study.answering.answer import Answer
+from posed import is_formula
 from test_blows import BALLISTIC, STEP
 from test_blows_on_the_way import CAUGHT, KICK, TAUT
 
@@ -188,3 +189,17 @@ def test_what_is_conserved_is_so_up_to_the_blow() -> None:
     conserved = [v for v in found.quantities if v.is_conserved]
     assert conserved
     assert all(any("as long as no blow comes" in str(note) for note in v.notes) for v in conserved)
+
+
+@pytest.mark.parametrize("given", ["", ", velocity: [0, 0]"])
+def test_a_ball_that_is_put_where_another_one_strikes_it_is_at_rest_until_then(given: str) -> None:
+    """Along the line of centres v_B = m1 (1 + e) v0 cos(b)/(m1 + m2), whether or not the file says that B rests."""
+    model = f"""
+parameters: {{m1: 2 kg, m2: 3 kg, r: 0.1 m, v0: 4 m/s, b: 40 deg, e: 0.7}}
+bodies:
+  A: {{disk: {{mass: m1, radius: r}}, at: [0, 0], velocity: [v0, 0]}}
+  B: {{disk: {{mass: m2, radius: r}}, at: [2*r*cos(b), 2*r*sin(b)]{given}}}
+connections: {{hit: {{contact: {{between: [A, B], restitution: e}}}}}}
+"""
+    is_formula(model, "speed of B after the impact", "m1*(1 + e)*v0*cos(b)/(m1 + m2)")
+    is_formula(model, "energy lost in the impact", "m1*m2*(1 - e^2)*(v0*cos(b))^2/(2*(m1 + m2))")

@@ -10,6 +10,7 @@ from freebody.language.expression import Expr
 from freebody.language.notation import to_python
 from freebody.numeric.contact.start import assembled_touching
 from freebody.numeric.reference import Reference
+from posed import is_formula
 
 BEAM_OVER_PEG = """
 parameters: {W: 200 N, L: 3 m, alpha: 35 deg, h: 1.2 m, mu: 0.5}
@@ -109,3 +110,33 @@ measures: {{z: travel of b along down}}
     (answer,) = fb.solve(system, "acceleration of z").answers
     assert isinstance(answer.expression, Expr)
     assert_same_function(to_python(answer.expression), "m2*g/(m1 + m2)", {})
+
+
+RAMP = """
+parameters: {m: 0.5 kg, L: 2 m, al: 30 deg, v0: 8 m/s, g: 9.81 m/s^2}
+ground: {lines: {floor: {along: right, through: [0, -L*sin(al)]}}}
+bodies:
+  ramp:
+    polygon: {mass: 0, corners: [[-L*cos(al), -L*sin(al)], [0, -L*sin(al)], [0, 0]]}
+    fixed: true
+    at: [0, 0]
+    angle: 0
+  ball: {particle: {mass: m}, at: [-L*cos(al), -L*sin(al)], velocity: [v0*cos(al), v0*sin(al)]}
+connections: {t: {contact: {between: [ball, ramp]}}, f: {contact: {between: [ball, ground.floor]}}}
+loads: {weight: {gravity: g}}
+measures: {x: x of ball}
+"""
+
+
+def test_what_starts_at_the_foot_of_a_ramp_runs_up_and_flies_from_its_top() -> None:
+    """At the corner it gets behind the lower edge of the ramp, but keeps before its face: it strikes neither. It leaves
+    the top with v1^2 = v0^2 - 2 g L sin(al) and falls through L sin(al)."""
+    v1 = "sqrt(v0^2 - 2*g*L*sin(al))"
+    is_formula(RAMP, "speed of ball when ball leaves ramp", v1, factors=(1.0, 1.02, 0.99))
+    time = f"({v1}*sin(al) + sqrt({v1}^2*sin(al)^2 + 2*g*L*sin(al)))/g"
+    is_formula(RAMP, "x when ball hits floor", f"{v1}*cos(al)*{time}", factors=(1.0, 1.02, 0.99))
+
+
+def test_at_the_foot_of_a_ramp_the_simulation_has_no_impact() -> None:
+    run = fb.System.from_text(RAMP).simulate(1.0)
+    assert [event.name.split()[1] for event in run.events] == ["leaves"]

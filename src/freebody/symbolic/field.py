@@ -389,7 +389,10 @@ class Field(PolynomialRing):
         if x.den is None:
             return Ratio(self, self.reduce(num.derivative(name)), None)
         den = self.current(x.den)
-        return self.quotient(num.derivative(name) * den - num * den.derivative(name), den * den)
+        slope = den.derivative(name)
+        if slope == 0:  # a square of it, once reduced, would no more show that it cancels
+            return self.quotient(num.derivative(name), den)
+        return self.quotient(num.derivative(name) * den - num * slope, den * den)
 
     def rate(self, x: Ratio) -> Ratio:
         """Total time derivative."""

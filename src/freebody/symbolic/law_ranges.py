@@ -21,6 +21,8 @@ def extent_by_law(law: MotionLaw, name: str, side: int, c: Coordinate | None = N
         raise CannotAnswer(Message("no closed form was found for how far it gets"))
     if known.is_boundless:
         raise NeverHappens(Message("{x} gets farther and farther on that side", x=name))
+    if known.is_limit:
+        raise CannotAnswer(Message("{x} only tends to its farthest place: ask for {x} as t grows", x=name))
     if known.place is not None:
         return Reached(None, c, f.lowest_terms(known.place), f.zero, [], list(known.needs))
     instants = law.rates(f.zero)

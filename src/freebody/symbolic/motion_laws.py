@@ -70,11 +70,12 @@ class MotionLaws:
         still = self.integrals.resting  # coordinates that stay where they start are no variables
         return self.field.lowest_terms(self.field.follow(found, still)) if still else found
 
-    def law_of(self, c: Coordinate, *, takes_side: bool = False) -> MotionLaw | None:
+    def law_of(self, c: Coordinate, *, takes_side: bool = False, keeps_sense: bool = False) -> MotionLaw | None:
         """How a coordinate moves by itself, where that is one of the laws that have closed forms. takes_side: whether
-        what parameters decide may be as it is at the first sample; that is then assumed."""
+        what parameters decide may be as it is at the first sample; that is then assumed. keeps_sense: whether it is
+        followed only as long as its rate keeps its sense; then it may be, too."""
         q0, u0 = self.start.of(c.index), self.start.of(c.speed)
-        return law_of(Freely(self.model, c, self.acceleration(c), q0, u0, takes_side))
+        return law_of(Freely(self.model, c, self.acceleration(c), q0, u0, takes_side or keeps_sense, keeps_sense))
 
     def law_of_sum(self, value: Ratio) -> MotionLaw:
         """The law of a measure that is linear in several coordinates. Raises CannotAnswer where it has none."""

@@ -208,7 +208,8 @@ def gap_of(reference: Reference, g: JetGeometry, bound: UnilateralConstraint) ->
 def far_sides(reference: Reference, q: Array, bounds: Sequence[UnilateralConstraint]) -> set[str]:
     """Of the two sides of a rod that a corner or a circle touches, that on which it is not: one thing is touched once.
     It is on the side that it would pass through: with the narrower gap, then where it approaches, then where the loads
-    drive it; where nothing tells, the side whose name comes last is the far one."""
+    drive it; where nothing tells, the side whose name comes last is the far one. And of two edges at whose corner
+    something is that keeps before one of them, the one that it gets behind: outside of the other it touches none."""
     facing = [bound for bound in bounds if bound.obstacle]
     found: set[str] = set()
     if len(facing) < 2:
@@ -234,8 +235,14 @@ def far_sides(reference: Reference, q: Array, bounds: Sequence[UnilateralConstra
     for n, one in enumerate(facing):
         for other in facing[n + 1 :]:
             a, b = slopes[one.name], slopes[other.name]
-            if one.obstacle == other.obstacle and np.abs(a + b).max() <= PENETRATION * np.abs(a).max():
+            if (one.family, one.obstacle) != (other.family, other.obstacle):
+                continue
+            if np.abs(a + b).max() <= PENETRATION * np.abs(a).max():
                 found.add(max(one, other, key=depth).name)
+                continue
+            behind, before = sorted((one, other), key=lambda bound: depth(bound)[1])
+            if depth(behind)[1] < 0 <= depth(before)[1]:
+                found.add(behind.name)
     return found
 
 

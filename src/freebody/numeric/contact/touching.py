@@ -29,16 +29,21 @@ def touching_at(b: Bounded, now: ContactInstant, before: frozenset[int], touched
 
 def far_sides(still: MotionSpeeds, now: ContactInstant, touching: list[int], known: frozenset[int]) -> set[int]:
     """Of an edge with two sides, a rod, the side that a thing which touches it is not on: not the one at which it
-    was, else that with the narrower gap or, between equal ones, that which moves away."""
+    was, else that with the narrower gap or, between equal ones, that which moves away. Of two edges at whose corner
+    something is that keeps before one of them, the one that it gets behind."""
     b = still.bounded
+    slow = STILL * still.speed(now.y, now)
     found: set[int] = set()
     for n, j in enumerate(touching):
         for k in touching[n + 1 :]:
             one, other = b.barriers[j], b.barriers[k]
-            if not one.obstacle or one.obstacle != other.obstacle:
+            if not one.obstacle or (one.family, one.obstacle) != (other.family, other.obstacle):
                 continue
             g, h = (x.sign * now.gradients[x.place] for x in (one, other))
             if np.abs(g + h).max() > ROUND_OFF * np.abs(g).max():
+                rates = sorted((x.sign * float(now.rates[x.place]), i) for x, i in ((one, j), (other, k)))
+                if rates[0][0] < -slow <= rates[1][0]:
+                    found.add(rates[0][1])
                 continue
             free = b.inverse_mass * now.force
 
@@ -46,9 +51,8 @@ def far_sides(still: MotionSpeeds, now: ContactInstant, touching: list[int], kno
                 x = b.barriers[i]
                 gap = round(x.sign * float(now.values[x.place]) / (1e-13 * still.length))
                 rate = float(now.rates[x.place])
-                speed = STILL * still.speed(now.y, now)
                 falls = float(now.gradients[x.place] @ free + now.biases[x.place])
-                return i not in known, -gap, x.sign * rate if abs(rate) > speed else 0.0, x.sign * falls
+                return i not in known, -gap, x.sign * rate if abs(rate) > slow else 0.0, x.sign * falls
 
             found.add(max(j, k, key=order))
     return found

@@ -90,6 +90,7 @@ def checks(phase: Phase, instant: PhaseStart) -> Iterator[Inequality]:
     here, model = phase.start_instant.here, phase.model
     if phase.determinant is not None:
         yield here(phase.determinant), ">", Message("friction forces exist")
+    yield from ((x, ">", Message("it moves by this law")) for x in phase.sides)
     for watch in phase.watches:
         if watch.kind == "opens":
             yield here(watch.element), ">=", Message("{contact} keeps touching", contact=watch.connection)

@@ -375,9 +375,9 @@ def _far_sides(system: System, closed: Set[str]) -> set[str]:
 
 
 def parted_at_start(system: System, touching: frozenset[str]) -> frozenset[str]:
-    """Of the bounds that touch when the motion begins those whose gap grows or shrinks by the rates that are given,
-    where these contradict that all of them keep touching; or after a blow, in which contacts answer to what it leaves
-    them to do."""
+    """Of the bounds that touch when the motion begins those whose gap grows or shrinks by the rates that are given: of
+    bodies that are put where they touch, and of others where the rates contradict that all of them keep touching; or
+    after a blow, in which contacts answer to what it leaves them to do."""
     own = {b.name: b for b in system.bounds if b.name in touching}
     runs = system.start_rates or any(b.start.velocity or b.start.angular_velocity for b in system.moving)
     if not own or not (runs or system.is_struck):
@@ -385,18 +385,27 @@ def parted_at_start(system: System, touching: frozenset[str]) -> frozenset[str]:
     found: set[str] = set()
     for k in range(_N_STARTS):
         values = draw_parameters(system, random.Random(SEED + k), 1.0)
-        held = Reference(in_mode(system, ContactMode.of(touching, {}))[0], values)
-        q = held.assemble()
-        if not system.is_struck:
+        put = {name for name, b in own.items() if not b.starts_closed}
+        references = [
+            Reference(in_mode(system, ContactMode.of(closed, {}))[0], values)
+            for closed in (touching, touching - put, touching - own.keys())
+        ]
+        q = references[0].assemble()
+        *first, last = references[1 + system.is_struck :]
+        for reference in first:
             with suppress(CannotAnswer):
-                held.velocities(q)
-                continue
-        free = Reference(in_mode(system, ContactMode.of(touching - own.keys(), {}))[0], values)
-        g = free.geometry(free.assemble(), free.velocities(q), 0.0)
-        rates = {name: free.jet(g, bound.row.measure, name).rate for name, bound in own.items()}
-        largest = max(map(abs, rates.values()))
-        if system.is_struck:  # beside what moves, gaps may all be still
-            fastest = float(np.abs(g.v / free.sizes.unit_moves).max(initial=0.0))
-            largest = max(largest, fastest * max(1.0, free.sizes.length))
-        found |= {name for name, rate in rates.items() if abs(rate) > ROUND_OFF * largest}
+                found |= _parting(reference, q, own)
+                break
+        else:
+            found |= _parting(last, q, own)
     return frozenset(found)
+
+
+def _parting(reference: Reference, q: Array, own: Mapping[str, UnilateralConstraint]) -> set[str]:
+    """The bounds whose gap grows or shrinks at the velocities of the start; beside what moves, gaps may all be still.
+    Raises CannotAnswer where there are none."""
+    g = reference.geometry(q, reference.velocities(q), 0.0)
+    rates = {name: reference.jet(g, bound.row.measure, name).rate for name, bound in own.items()}
+    fastest = float(np.abs(g.v / reference.sizes.unit_moves).max(initial=0.0))
+    largest = max(*map(abs, rates.values()), fastest * max(1.0, reference.sizes.length))
+    return {name for name, rate in rates.items() if abs(rate) > ROUND_OFF * largest}

@@ -254,7 +254,8 @@ class PhaseTree(Home):
             exist = (
                 [] if phase.determinant is None or not phase.pressed else [phase.start_instant.here(phase.determinant)]
             )
-            turned = [self.numbers(self.to_home(phase, x)) < 0 for x in (*phase.pressed.values(), *exist)]
+            signs = (*phase.pressed.values(), *exist, *phase.sides)
+            turned = [self.numbers(self.to_home(phase, x)) < 0 for x in signs]
             todo = todo[np.any(turned, axis=0)[todo]] if turned else todo[:0]
             if not len(todo):
                 return

@@ -52,7 +52,8 @@ class FirstInstant:
 @dataclass(frozen=True)
 class Freely:
     """One coordinate that moves by itself. takes_side: whether a sign on which the law depends, and which parameters
-    decide, may be taken as it is at the first sample; that is then assumed."""
+    decide, may be taken as it is at the first sample; that is then assumed. keeps_sense: whether it is followed only as
+    long as its rate keeps its sense."""
 
     model: SymbolicModel
     coordinate: Coordinate
@@ -60,6 +61,7 @@ class Freely:
     q0: Ratio
     u0: Ratio
     takes_side: bool
+    keeps_sense: bool = False
 
     @property
     def field(self) -> Field:
@@ -88,6 +90,23 @@ class Freely:
         """The same, where nothing in it depends on the time."""
         return self.linear if self.linear is not None and self.linear[0].is_constant() else None
 
+    def onward(self, sense: int) -> Ratio | None:
+        """The acceleration as long as the rate has a sense: the size |u| of the rate, in a root, is sense u there. None
+        where a root of the rate is something else."""
+        f, x = self.field, self.acceleration
+        u = f.variable(self.coordinate.speed)
+        sized: dict[int, Ratio] = {}
+        for g in x.generators():
+            if g == self.coordinate.speed or self.coordinate.speed not in f.ingredients(f.variable(g)):
+                continue
+            if f.generators[g].kind != "root":
+                return None
+            share = f.lowest_terms(f.radicand(g) / (u * u))
+            if not share.is_constant():
+                return None
+            sized[g] = sense * u * f.sqrt(share, self.model.samples.is_negative)
+        return f.lowest_terms(f.substitute(x, sized)) if sized else x
+
     def sign(self, x: Ratio) -> Sign:
         """Of a parameter on which the law depends: strict, zero or unknown."""
         if x.is_zero():
@@ -108,6 +127,7 @@ class Farthest:
     place: Ratio | None
     needs: tuple[Need, ...] = ()
     is_boundless: bool = False
+    is_limit: bool = False  # whether it only tends to it
 
 
 @dataclass(frozen=True)

@@ -25,6 +25,45 @@ from freebody.symbolic.laws.base import Freely, Instants, LawInstant, MotionLaw,
 from freebody.symbolic.signs import Sign
 
 _MOST = 6  # degree of N
+Quotient = tuple[tuple[Ratio, ...], tuple[Ratio, ...], int, int]  # coefficients of R and N, the sense, the sign of D
+
+
+def quotient_of(moving: Freely) -> Quotient | None:
+    """R and N of w = sense u, in the sense in which it sets out."""
+    f, c = moving.field, moving.coordinate
+    a = moving.acceleration
+    if not moving.is_alone or c.speed not in f.ingredients(a) or {c.index, f.index(f.time)} & f.ingredients(a):
+        return None
+    try:
+        drive = f.follow(a, {c.speed: f.zero}) if moving.u0.is_zero() else moving.u0
+    except ZeroDivisionError:
+        return None
+    sense = {Sign.POSITIVE: 1, Sign.NEGATIVE: -1}.get(moving.sign(f.lowest_terms(drive)), 0)
+    onward = moving.onward(sense) if sense else None
+    if onward is None:
+        return None
+    w = f.parameter("@w")  # positive, as a parameter is
+    a, index = f.lowest_terms(f.follow(sense * onward, {c.speed: sense * w})), f.index(w)
+    if index in (f.ingredients(a) - a.generators()):
+        return None
+    above, below = (tuple(part.coefficients(index)) for part in (a.numerator(), a.denominator()))
+    if not 2 <= len(above) <= 3 or len(below) > _MOST or any(index in f.ingredients(x) for x in (*above, *below)):
+        return None
+    is_simple = len(below) == 1 and (len(above) == 2 or above[1].is_zero())
+    if is_simple or sum(not x.is_zero() for x in above) == 1:
+        return None  # which have laws of their own
+    bends = 0
+    if len(above) == 3:
+        sign = moving.sign(f.lowest_terms(above[1] ** 2 - 4 * above[0] * above[2]))
+        bends = {Sign.POSITIVE: 1, Sign.NEGATIVE: -1}.get(sign, 0)
+        if not bends:
+            return None
+    return above, below, sense, bends
+
+
+def is_mixed(found: Quotient) -> bool:
+    """Whether R has all powers up to the square and N none: that has a closed form in the time, too."""
+    return len(found[0]) == 3 and len(found[1]) == 1
 
 
 @dataclass(frozen=True)
@@ -40,37 +79,8 @@ class ByRate(MotionLaw):
 
     @classmethod
     def of(cls, moving: Freely) -> Self | None:
-        f, c = moving.field, moving.coordinate
-        a = moving.acceleration
-        if not moving.is_alone or c.speed not in f.ingredients(a):
-            return None
-        if {c.index, f.index(f.time)} & f.ingredients(a):
-            return None
-        try:
-            drive = f.follow(a, {c.speed: f.zero}) if moving.u0.is_zero() else moving.u0
-        except ZeroDivisionError:
-            return None
-        sense = {Sign.POSITIVE: 1, Sign.NEGATIVE: -1}.get(moving.sign(f.lowest_terms(drive)), 0)
-        if not sense:
-            return None
-        w = f.parameter("@w")  # positive, as a parameter is
-        a = f.lowest_terms(f.follow(sense * a, {c.speed: sense * w}))
-        index = f.index(w)
-        if index in (f.ingredients(a) - a.generators()):
-            return None
-        above, below = (tuple(part.coefficients(index)) for part in (a.numerator(), a.denominator()))
-        if not 2 <= len(above) <= 3 or len(below) > _MOST or any(index in f.ingredients(x) for x in (*above, *below)):
-            return None
-        is_simple = len(below) == 1 and (len(above) == 2 or above[1].is_zero())
-        if is_simple or sum(not x.is_zero() for x in above) == 1:
-            return None  # which have laws of their own
-        bends = 0
-        if len(above) == 3:
-            sign = moving.sign(f.lowest_terms(above[1] ** 2 - 4 * above[0] * above[2]))
-            bends = {Sign.POSITIVE: 1, Sign.NEGATIVE: -1}.get(sign, 0)
-            if not bends:
-                return None
-        return cls(moving.model, moving.q0, moving.u0, above, below, sense, bends)
+        found = quotient_of(moving)
+        return None if found is None or is_mixed(found) else cls(moving.model, moving.q0, moving.u0, *found)
 
     @property
     def is_still(self) -> bool:

@@ -6,7 +6,8 @@ from dataclasses import dataclass
 from typing import Self
 
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.laws.base import SETTLED, Freely, Instants, LawInstant, Limit, MotionLaw
+from freebody.symbolic.laws.base import SETTLED, Farthest, Freely, Instants, LawInstant, Limit, MotionLaw
+from freebody.symbolic.signs import Sign, sign_of
 
 
 @dataclass(frozen=True)
@@ -53,6 +54,18 @@ class Decay(MotionLaw):
     @property
     def unit_of_time(self) -> Ratio:
         return 1 / self.gamma
+
+    def extent(self, side: int) -> Farthest | None:
+        """Of what dies away; its rate goes from u0 to the end without a turn between."""
+        first, last = (x if sign_of(x).is_strict or x.is_zero() else None for x in (self.u0, self.end))
+        if first is None or last is None or sign_of(self.gamma) is not Sign.NEGATIVE:
+            return None
+        goes, ends = (side * ((s is Sign.POSITIVE) - (s is Sign.NEGATIVE)) for s in map(sign_of, (first, last)))
+        if ends > 0:
+            return Farthest(None, is_boundless=True)
+        if goes > 0:
+            return Farthest(None, is_limit=not ends)
+        return Farthest(self.q0)
 
     @property
     def limit(self) -> Limit | None:

@@ -10,14 +10,12 @@ rest. Source: Timoshenko & Young, Advanced Dynamics, 1948, sec. 6; Gross et al.,
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import Self
 
-from freebody.errors import CannotAnswer
-from freebody.language.sentences import Message
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.laws.base import SETTLED, Farthest, Freely, Instants, LawInstant, Limit, MotionLaw, Need
+from freebody.symbolic.laws.there_and_back import at_near, later, limit_behind
 from freebody.symbolic.laws.turns import growth_turns
 from freebody.symbolic.signs import Sign
 
@@ -82,19 +80,9 @@ def _sense(moving: Freely) -> int:
 
 def _parts(moving: Freely, sense: int) -> tuple[Ratio, Ratio] | None:
     """(a, k) with u' = a + k u^2 as long as u has a sign."""
-    f, c, x = moving.field, moving.coordinate, moving.acceleration
-    u = f.variable(c.speed)
-    sized: dict[int, Ratio] = {}
-    for g in x.generators():
-        if g == c.speed or c.speed not in f.ingredients(f.variable(g)):
-            continue
-        if f.generators[g].kind != "root":
-            return None
-        share = f.lowest_terms(f.radicand(g) / (u * u))
-        if not share.is_constant():
-            return None
-        sized[g] = sense * u * f.sqrt(share, moving.model.samples.is_negative)
-    x = f.lowest_terms(f.substitute(x, sized))
+    f, c, x = moving.field, moving.coordinate, moving.onward(sense)
+    if x is None:
+        return None
     if c.speed in f.ingredients(x.denominator()):
         return None
     parts = [f.lowest_terms(part / x.denominator()) for part in x.numerator().coefficients(c.speed)]
@@ -217,10 +205,11 @@ class Thrown(Resisted):
         back = _parts(moving, -found[2])
         is_resisted = back is not None and moving.sign(-found[2] * back[1]) is Sign.NEGATIVE
         is_one = back is not None and back == found[:2]
+        is_one = moving.keeps_sense or (is_one and not moving.takes_side)
         if not moving.takes_side and not is_one:  # which way it is on is a question of its own
             return None
-        k_back = back[1] if back and is_resisted else None
-        return cls(moving.model, moving.q0, moving.u0, *found[:3], k_back, is_one and not moving.takes_side)
+        k_back = back[1] if back and is_resisted and not moving.keeps_sense else None
+        return cls(moving.model, moving.q0, moving.u0, *found[:3], k_back, is_one)
 
     @property
     def turning(self) -> tuple[Ratio, Ratio]:
@@ -241,25 +230,15 @@ class Thrown(Resisted):
         return self.at_near(t, t)
 
     def at_near(self, t: Ratio, near: Ratio) -> tuple[Ratio, Ratio]:
+        return at_near(self, t, near)
+
+    def out(self, t: Ratio) -> tuple[Ratio, Ratio]:
+        """On the way out."""
         f, v, r = self.model.field, self.speed, self.slowness
-        turn, _place = self.turning
-        if not self.is_one and not self.is_negative(f.lowest_terms(near - turn)):
-            return self._returning().at(f.lowest_terms(t - turn))
         share = self.sense * self.u0 / v
         c, s = self.function("cos", r * t), self.function("sin", r * t)
         below = f.lowest_terms(c + share * s)
         return self.q0 - self.function("log", below) / self.k, self.sense * v * (share * c - s) / below
-
-    def _returning(self) -> Driven:
-        if self.back is None:
-            raise CannotAnswer(Message("on the way back it is driven and not resisted"))
-        return self.back
-
-    def _later(self, instants: Instants) -> Iterator[LawInstant]:
-        """Of the way back, by the time since the start."""
-        turn, _place = self.turning
-        for i in () if instants is None else instants[0]:
-            yield replace(i, time=self.model.field.lowest_terms(turn + i.time), key=None)
 
     def places(self, value: Ratio) -> Instants:
         f, v = self.model.field, self.speed
@@ -271,7 +250,7 @@ class Thrown(Resisted):
             needs.append((square, ">="))
             found.append(replace(self._when(up), place=value, key=way))
         back = None if self.back is None else self.back.places(value)
-        return [*found, *self._later(back)], needs
+        return [*found, *later(self, back)], needs
 
     def rates(self, value: Ratio) -> Instants:
         f = self.model.field
@@ -281,7 +260,7 @@ class Thrown(Resisted):
         if not self.is_negative(f.lowest_terms(self.sense * value)):
             return [replace(self._when(value), key=self.sense * (self.u0 - value))], []
         back = None if self.back is None else self.back.rates(value)
-        return None if back is None else (list(self._later(back)), back[1])
+        return None if back is None else (list(later(self, back)), back[1])
 
     def _when(self, rate: Ratio) -> LawInstant:
         """On the way there."""
@@ -291,7 +270,4 @@ class Thrown(Resisted):
 
     @property
     def limit(self) -> Limit | None:
-        if self.back is None:
-            return None
-        end = self.back.limit
-        return replace(end, time=self.turning[0] + end.time)
+        return limit_behind(self)

@@ -42,6 +42,8 @@ class CourseZero:
 class ClosedFormMotion:
     """What the kinds of motion have in common."""
 
+    sides: tuple[Ratio, ...] = ()  # of the parameters, positive where the motion is of this kind
+
     def __init__(self, model: SymbolicModel, start: StartState, still: Mapping[int, Ratio] | None = None) -> None:
         self.model = model
         self.start = start
@@ -161,10 +163,15 @@ class LawMotion(MotionInTime):
     """Every coordinate moves by a law of its own, whatever the others do. still: those that stay where they start."""
 
     def __init__(
-        self, model: SymbolicModel, start: StartState, laws: Sequence[MotionLaw], still: dict[int, Ratio]
+        self,
+        model: SymbolicModel,
+        start: StartState,
+        laws: Sequence[MotionLaw],
+        still: dict[int, Ratio],
+        sides: Sequence[Ratio] = (),
     ) -> None:
         super().__init__(model, start, still)
-        self.laws = tuple(laws)
+        self.laws, self.sides = tuple(laws), tuple(sides)
 
     @property
     def kind(self) -> str:

@@ -7,6 +7,7 @@ What is even in u is a function of q; speeds of other coordinates follow by thei
 
 from __future__ import annotations
 
+from collections.abc import Set
 from contextlib import suppress
 from functools import cached_property
 
@@ -141,8 +142,9 @@ class EnergyMotion(ClosedFormMotion):
         return found
 
 
-def course_of(model: SymbolicModel, start: StartState) -> ClosedFormMotion:
-    """The motion of a model in closed form. Raises CannotAnswer where there is none."""
+def course_of(model: SymbolicModel, start: StartState, one_way: Set[int] = frozenset()) -> ClosedFormMotion:
+    """The motion of a model in closed form. one_way: the speeds that keep their sense as long as it is followed. Raises
+    CannotAnswer where there is none."""
     f = model.field
     resting = [c for c in model.dependent if model.samples.vanishes(model.dependent_speed(c))]
     unknown = [c.name for c in resting if c.index not in start.values]
@@ -165,7 +167,7 @@ def course_of(model: SymbolicModel, start: StartState) -> ClosedFormMotion:
     smooth = SmoothMotion(model, start)
     # what is driven goes on by the time since the start of the model, not of the phase
     free = not model.dependent and not is_driven(model)
-    laws = [law for c in model.coordinates if (law := smooth.law_of(c)) is not None and law.has_course] if free else []
+    laws, sides = _laws(smooth, one_way) if free else ([], ())
     has_laws = len(laws) == len(model.coordinates)
     if len(model.coordinates) == 1:
         try:
@@ -174,7 +176,7 @@ def course_of(model: SymbolicModel, start: StartState) -> ClosedFormMotion:
             if not has_laws:
                 raise
     if has_laws:
-        return LawMotion(model, start, laws, smooth.integrals.resting)
+        return LawMotion(model, start, laws, smooth.integrals.resting, sides)
     for c in model.coordinates:
         with suppress(CannotAnswer):
             return EnergyMotion(model, start, c)
@@ -184,3 +186,16 @@ def course_of(model: SymbolicModel, start: StartState) -> ClosedFormMotion:
             "the accelerations of {names} are not constant, and energy alone gives the speed of one only", names=names
         )
     )
+
+
+def _laws(motion: SmoothMotion, one_way: Set[int]) -> tuple[list[MotionLaw], tuple[Ratio, ...]]:
+    """The laws of the coordinates that have one, and what is positive on the side of a sign that they are for."""
+    samples = motion.model.samples
+    before, samples.assumed = samples.assumed, []
+    found: list[MotionLaw] = []
+    for c in motion.model.coordinates:
+        law = motion.law_of(c, keeps_sense=c.speed in one_way)
+        if law is not None and law.has_course:
+            found.append(law)
+    sides, samples.assumed = samples.assumed, before
+    return found, tuple(sides)
