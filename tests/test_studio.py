@@ -35,7 +35,8 @@ from freebody.studio.lanes import Worker
 from freebody.studio.moving import motion
 from freebody.studio.reading import read
 from freebody.studio.server import LARGEST
-from freebody.studio.work import Lane, done
+from freebody.studio.work import Lane
+from freebody.studio.work import done as done_by_worker
 from freebody.system.system import System
 
 ROOT = Path(__file__).parents[1]
@@ -51,6 +52,11 @@ start: {theta: -60 deg}
 questions:
   - {id: first, find: acceleration of theta}
 """
+
+
+def done(kind: str, request: dict[str, Any]) -> wire.Reply:
+    """As the page gets it."""
+    return wire.Reply.model_validate_json(done_by_worker(kind, request).model_dump_json())
 
 
 # -- reading ----------------------------------------------------------------------------------
@@ -433,22 +439,25 @@ def call_of(topic: str, kind: str = "read") -> wire.Call:
     return wire.Call(kind=kind, topic=topic, request={"text": PENDULUM})
 
 
+async def status_of(worker: Worker, call: wire.Call) -> str:
+    return wire.Reply.model_validate_json(await worker.ask(call)).status
+
+
 def test_the_latest_of_a_topic_is_done_and_a_dead_worker_is_a_message() -> None:
     async def run() -> None:
         worker = Worker(Lane("test", 30))
-        first = asyncio.create_task(worker.ask(call_of("a")))
+        first = asyncio.create_task(status_of(worker, call_of("a")))
         await asyncio.sleep(0)
-        waiting = [asyncio.create_task(worker.ask(call_of(topic))) for topic in ("b", "b", "c")]
+        waiting = [asyncio.create_task(status_of(worker, call_of(topic))) for topic in ("b", "b", "c")]
         await asyncio.sleep(0)
         worker.cancel("c")
-        replies = [reply.status for reply in await asyncio.gather(first, *waiting)]
-        assert replies == ["done", "replaced", "done", "cancelled"]
+        assert await asyncio.gather(first, *waiting) == ["done", "replaced", "done", "cancelled"]
         process = await worker.begun()
-        dying = asyncio.create_task(worker.ask(call_of("a")))
+        dying = asyncio.create_task(status_of(worker, call_of("a")))
         await asyncio.sleep(0)
         process.kill()
-        assert (await dying).status in ("crashed", "done")
-        assert (await worker.ask(call_of("a"))).status == "done"
+        assert await dying in ("crashed", "done")
+        assert await status_of(worker, call_of("a")) == "done"
         await worker.end()
 
     asyncio.run(run())
@@ -457,7 +466,7 @@ def test_the_latest_of_a_topic_is_done_and_a_dead_worker_is_a_message() -> None:
 def test_work_that_takes_too_long_is_ended() -> None:
     async def run() -> None:
         worker = Worker(Lane("test", 0.01))
-        assert (await worker.ask(call_of("a"))).status == "too long"
+        assert await status_of(worker, call_of("a")) == "too long"
         await worker.end()
 
     asyncio.run(run())

@@ -11,7 +11,7 @@ declare module "virtual:player" {
   export interface Player {
     draw(): void;
     measure(): void;
-    show(data: Record<string, unknown>): void;
+    show(data: Record<string, unknown>, frame?: number): void;
     go(frame: number): void;
     turn(azimuth: number, elevation: number): void;
     zoom(factor: number): void;

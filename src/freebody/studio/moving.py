@@ -49,8 +49,14 @@ def _shown(found: Simulation) -> list[str]:
 
 def _rounded(values: Array) -> list[Any]:
     """To the digits that anybody sees; nothing where there is no value."""
-    flat: list[float] = np.asarray(values, dtype=np.float64).tolist()
-    return [float(f"{v:.{_DIGITS}g}") if math.isfinite(v) else None for v in flat]
+    array = np.asarray(values, dtype=np.float64)
+    is_finite = np.isfinite(array)
+    sized = np.where(is_finite & (array != 0.0), array, 1.0)
+    places = np.clip(_DIGITS - 1 - np.floor(np.log10(np.abs(sized))), -300, 300)
+    # a power of ten is exact where it multiplies, so that what comes out is the shortest number of these digits
+    up, down = 10.0 ** np.maximum(places, 0.0), 10.0 ** np.maximum(-places, 0.0)
+    found: list[Any] = np.where(sized == array, np.round(sized * up / down) / up * down, 0.0).tolist()
+    return found if is_finite.all() else [v if ok else None for v, ok in zip(found, is_finite.tolist(), strict=True)]
 
 
 def _finite(value: Any) -> float | None:

@@ -72,8 +72,8 @@ def read(request: ReadRequest) -> ReadAnswer:
     system: System | None = None
     remarks: list[Remark] = []
     try:
-        document = Document.read(request.text)
-        system = System.from_text(request.text)
+        document = document_of(request.text)
+        system = System.from_document(document)
     except ModelError as error:
         remarks = [_remark(problem, "error", places, document, request.language) for problem in error.problems[:_MOST]]
     if system is not None:
@@ -235,6 +235,15 @@ def _number(document: Document, places: Places, section: Any, path: Place, *, is
         yield Parameter(name=str(path[1]), section=section, text=text, span=places.span(*span), is_positive=is_positive)
 
 
+_latest: list[Document] = []  # what was read last: a slider moves one number of it
+
+
+def document_of(text: str) -> Document:
+    """The document of a text. Raises ModelError."""
+    _latest[:] = [_latest[0].reread(text) if _latest else Document.read(text)]
+    return _latest[0]
+
+
 def checked_system(text: str) -> System:
     """The system of a text. Raises ModelError."""
-    return System.from_text(text)
+    return System.from_document(document_of(text))
