@@ -27,6 +27,7 @@ from freebody.errors import CannotAnswer, InputError
 from freebody.language.document import Document
 from freebody.numeric.reference import Reference
 from freebody.studio import wire
+from freebody.studio.beforehand import moved_beforehand
 from freebody.studio.dragging import drag
 from freebody.studio.editing import add, edit, suggest
 from freebody.studio.folder import Folder
@@ -520,3 +521,46 @@ def test_the_built_page_is_current_and_small() -> None:
 
 def test_the_lock_file_names_no_registry() -> None:
     assert "resolved" not in (ROOT / "studio" / "package-lock.json").read_text(encoding="utf-8")
+
+
+# -- a page to share --------------------------------------------------------------------------
+def test_motions_found_beforehand_are_those_of_the_texts_that_the_sliders_stand_for() -> None:
+    request = wire.ShareRequest(text=PENDULUM, until=1.0, frames=31, vary=["L=0.5..2 m:3", "theta=-90, -30 deg"])
+    own = motion(wire.MotionRequest(text=PENDULUM, until=1.0, frames=31)).model_dump(mode="json")
+    moved = moved_beforehand(System.from_text(PENDULUM), request, own)
+    length, angle = moved.sliders
+    assert (length.values, length.own) == (["0.5 m", "1 m", "1.25 m", "2 m"], 1)
+    assert (angle.values, angle.own) == (["-90 deg", "-60 deg", "-30 deg"], 1)
+    assert len(moved.replies) == 12
+    assert "themes" not in moved.replies[0].answer["player"]
+    for k, at in enumerate(length.values):
+        for n, start in enumerate(angle.values):
+            text = PENDULUM.replace("L: 1 m", f"L: {at}").replace("theta: -60 deg", f"theta: {start}")
+            expected = motion(wire.MotionRequest(text=text, until=1.0, frames=31)).model_dump(mode="json")
+            found = moved.replies[3 * k + n].answer
+            assert {**own["player"], **found["player"]} == expected["player"]
+            assert found["times"] == expected["times"]
+
+
+@pytest.mark.parametrize(
+    ("vary", "words"),
+    [
+        (["L=0.5..2 m:30", "m=1..2 kg:30"], "at most 600"),
+        (["Q=1..2"], "Q is no parameter"),
+        (["L=1..2 kg"], "L is in m"),
+        (["theta'=0..1 rad/s"], "no value in the file"),
+    ],
+)
+def test_sliders_that_make_no_sense_are_refused_in_words(vary: list[str], words: str) -> None:
+    reply = done("share", {"text": PENDULUM, "until": 1.0, "frames": 11, "vary": vary})
+    assert reply.status == "refused"
+    assert words in reply.message
+
+
+def test_a_case_without_a_motion_says_why() -> None:
+    text = (ROOT / "examples" / "four_bar.yaml").read_text(encoding="utf-8")
+    own = motion(wire.MotionRequest(text=text, until=0.1, frames=3)).model_dump(mode="json")
+    request = wire.ShareRequest(text=text, until=0.1, frames=3, vary=["d=0.5, 5 m"])
+    first, second = moved_beforehand(System.from_text(text), request, own).replies
+    assert (first.status, second.status) == ("done", "refused")
+    assert second.message

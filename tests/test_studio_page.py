@@ -35,6 +35,7 @@ start: {theta: -60 deg}
 questions:
   - {id: first, find: acceleration of theta}
 """
+PICTURE = "document.querySelector('.view canvas').toDataURL()"
 WAIT = 60_000  # [ms] for what is computed
 
 pytestmark = pytest.mark.slow
@@ -361,7 +362,7 @@ def test_a_shared_page_answers_without_a_server(browser: Any, tmp_path: Path) ->
     file, shared = tmp_path / "pendulum.yaml", tmp_path / "shared.html"
     file.write_text(PENDULUM, encoding="utf-8")
     command = [sys.executable, "-m", "freebody", "studio", str(file), "--export", str(shared), "--until", "1 s"]
-    subprocess.run(command, check=True, capture_output=True)
+    subprocess.run([*command, "--vary", "L=0.5..2 m:4"], check=True, capture_output=True)
     page = browser.new_page(viewport={"width": 1500, "height": 900}, locale="en-GB", offline=True)
     wrong: list[str] = []
     page.on("pageerror", lambda error: wrong.append(str(error)))
@@ -379,6 +380,18 @@ def test_a_shared_page_answers_without_a_server(browser: Any, tmp_path: Path) ->
     page.click(".cm-line:has-text('a pendulum')")
     page.keyboard.type("x")
     assert text_of(page) == PENDULUM
+    slider = page.locator(".sliders label:has-text('L') input")
+    assert slider.get_attribute("aria-valuetext") == "1 m"
+    page.click(".choice >> text=Motion")
+    before = page.evaluate(PICTURE)
+    slider.focus()
+    page.keyboard.press("End")
+    page.locator(".sliders .number:has-text('2 m')").wait_for()
+    page.locator(".sliders >> text=answers and pictures those of the file").wait_for()
+    assert page.evaluate(PICTURE) != before
+    page.keyboard.press("Home")
+    page.keyboard.press("ArrowRight")
+    page.locator(".sliders >> text=answers and pictures those of the file").wait_for(state="detached")
     page.close()
     assert wrong == []
 

@@ -88,6 +88,8 @@ export class Studio {
   dialog = $state<"" | "add" | "commands" | "gallery" | "help" | "save" | "changed">("");
   derived = $state<string | null>(null);
   joining = $state.raw<Joining | null>(null);
+  /** Where the sliders of a shared page stand. */
+  places = $state.raw<number[]>(server.sliders.map((slider) => slider.own));
 
   readonly isShared = server.isShared;
   readonly isNotebook = notebook !== null;
@@ -243,16 +245,24 @@ export class Studio {
     this.moving.run(async () => {
       const told = await this.asked("motion", { text, language: this.language, until: this.until, frames });
       if (!told) return;
-      if (told.answer) {
-        this.motion = told.answer;
-        this.motionMessage = told.answer.message;
-        this.time = Math.min(this.time, told.answer.times.at(-1) ?? 0);
-      } else if (told.status !== "replaced" && text === this.text && text === this.modelText) {
-        this.motion = null;
-        this.motionMessage = this.reason(told);
-      }
+      const isAbout = text === this.text && text === this.modelText;
+      if (told.answer || (told.status !== "replaced" && isAbout)) this.shown(told);
       if (text === this.text) this.isStale = false;
     });
+  }
+
+  /** On a shared page a slider shows a motion that was found beforehand. */
+  movedTo(slider: number, place: number): void {
+    this.places = this.places.map((each, k) => (k === slider ? place : each));
+    this.shown(server.movedTo(this.places));
+  }
+  get isMoved(): boolean {
+    return server.sliders.some((slider, k) => slider.own !== this.places[k]);
+  }
+  private shown(told: Told<"motion">): void {
+    this.motion = told.answer;
+    this.motionMessage = told.answer ? told.answer.message : this.reason(told);
+    if (told.answer) this.time = Math.min(this.time, told.answer.times.at(-1) ?? 0);
   }
 
   private countSoon = debounced(250, () => {

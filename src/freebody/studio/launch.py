@@ -48,13 +48,14 @@ def _bound(port: int) -> socket.socket:
     return bound
 
 
-def export(file: Path, to: Path, until: float, language: str) -> Path:
-    """Writes the page of a model with all its answers in it, as one file that needs no server. Raises ModelError."""
+def export(file: Path, to: Path, until: float, language: str, vary: list[str]) -> Path:
+    """Writes the page of a model with all its answers in it, as one file that needs no server. vary: what its sliders
+    move. Raises ModelError, InputError for ranges that cannot be read."""
     from freebody.language.document.file import text_of
     from freebody.present.files import write_whole
     from freebody.studio.sharing import shared_page
     from freebody.studio.wire import ShareRequest
 
-    given: Any = {"text": text_of(file), "language": language, "until": until, "name": file.name}
+    given: Any = {"text": text_of(file), "language": language, "until": until, "name": file.name, "vary": vary}
     write_whole(to, shared_page(ShareRequest(**given)))
     return to

@@ -13,6 +13,7 @@ from freebody.studio.reading import checked_system
 from freebody.studio.telling import told
 from freebody.studio.wire import Happening, Line, MotionAnswer, MotionRequest
 from freebody.study.simulation.simulate import Simulation, simulate
+from freebody.system.system import System
 
 _DIGITS = 7  # of a curve
 _SECONDS = 20.0  # by the clock, after which a motion ends where it is
@@ -21,7 +22,11 @@ _ENERGY = ("kinetic_energy", "potential_energy", "work")
 
 def motion(request: MotionRequest) -> MotionAnswer:
     """Raises CannotAnswer where the motion cannot begin."""
-    system = checked_system(request.text)
+    return motion_of(checked_system(request.text), request)
+
+
+def motion_of(system: System, request: MotionRequest) -> MotionAnswer:
+    """The same of a system that has been read."""
     every = request.until / (request.frames - 1)
     found = simulate(system, request.until, every=every, max_seconds=_SECONDS)
     recording = found.recording

@@ -86,7 +86,7 @@ def read(request: ReadRequest) -> ReadAnswer:
         is_spatial=system is not None and system.space,
         remarks=remarks,
         elements=elements,
-        parameters=[] if document is None else list(_parameters(document, system, places)),
+        parameters=[] if document is None else list(parameters_of(document, system, places)),
         questions=[] if system is None else [Asked(id=q.id, text=q.text) for q in system.questions],
         moving=[] if system is None else [body.name for body in system.moving],
     )
@@ -211,7 +211,7 @@ def _leaves(document: Document, places: Places, path: Place, value: Any) -> Iter
         yield Leaf(path=list(path), label=".".join(words[1:]) or words[0], text=text, span=places.span(*span))
 
 
-def _parameters(document: Document, system: System | None, places: Places) -> Iterator[Parameter]:
+def parameters_of(document: Document, system: System | None, places: Places) -> Iterator[Parameter]:
     """Parameters and values of the start that have a number, with where it stands."""
     for name, value in mapping_of(document.data.get("parameters")).items():
         path: Place = ("parameters", name, "value") if isinstance(value, dict) else ("parameters", name)
