@@ -1,5 +1,5 @@
 // A motion on a canvas. data: as `page.py` writes it; shown: what the page around it decides, read at every drawing:
-// isDark(), hasNames(), isPlaying(), traced (a set of points by number), selected (a set of labels), drawn(frame, time)
+// isDark(), hasNames(), isPlaying(), axes(length) in words, traced (a set of points by number), selected (a set of labels), drawn(frame, time)
 function playerOn(canvas, data, shown) {
 const pen = canvas.getContext("2d");
 let last = data.n_frames - 1, at = 0, view = null, taken = [];
@@ -483,8 +483,8 @@ function corner() {
   for (const m of [5, 2]) if (length * m <= most) { length *= m; break; }
   const size = length * view.scale, right = Math.max(66, size + 26);
   pen.textAlign = "center";
-  const shown = data.planar ? [0, 1] : [0, 1, 2].sort((a, b) => camera.axes[2][a] - camera.axes[2][b]);
-  for (const k of shown) {
+  const axes = data.planar ? [0, 1] : [0, 1, 2].sort((a, b) => camera.axes[2][a] - camera.axes[2][b]);
+  for (const k of axes) {
     const along = [camera.axes[0][k], -camera.axes[1][k]], l = Math.hypot(...along);
     arrow([x, y], along.map((c) => size * c), theme().muted);
     const away = l * size > 4 ? along.map((c) => c / l) : [-0.7, 0.7];
@@ -502,7 +502,7 @@ function corner() {
     write("+", [x + r + 7, y - 0.6 * r], ink);
   }
   pen.textAlign = "left";
-  if (data.has_lengths) write("axes " + Number(length.toPrecision(1)) + " m long", [x + right, y + 8], theme().muted);
+  if (data.has_lengths) write(shown.axes(Number(length.toPrecision(1))), [x + right, y + 8], theme().muted);
   if (data.gravity) {
     const down = [dot(camera.axes[0], data.gravity), -dot(camera.axes[1], data.gravity)];
     arrow([x + right + 130, y - 20], down.map((c) => 38 * c), theme().force);
