@@ -332,6 +332,31 @@ def test_nothing_is_wider_than_the_screen(page: Any, width: int, language: str) 
             menu.click()
 
 
+def test_panes_are_made_wider_by_pointer_by_keys_and_by_a_command(page: Any) -> None:
+    def width() -> float:
+        return float(page.locator(".pane.model").bounding_box()["width"])
+
+    first, line = width(), page.locator(".divider").first
+    box = line.bounding_box()
+    page.mouse.move(box["x"] + 2, 300)
+    page.mouse.down()
+    page.mouse.move(box["x"] + 90, 320, steps=4)
+    page.mouse.up()
+    assert width() == pytest.approx(first + 88, abs=16)
+    line.press("ArrowLeft")
+    line.press("ArrowLeft")
+    assert width() < first + 88 - 40
+    line.press("Enter")
+    assert width() == pytest.approx(first)
+    page.keyboard.press("Control+k")
+    page.keyboard.type("Wider: Model")
+    page.keyboard.press("Enter")
+    assert width() > first + 40
+    page.reload()
+    page.wait_for_selector(".view canvas", timeout=WAIT)
+    assert width() > first + 40
+
+
 def test_a_dialog_is_opened_right_after_another_one(page: Any) -> None:
     for keys in ("Control+o", "F1", "Control+k", "Control+k"):
         page.keyboard.press(keys)

@@ -29,7 +29,13 @@ def launch(file: Path | None, port: int, *, opens_browser: bool) -> None:
     port, token = bound.getsockname()[1], new_token()
     address = f"http://127.0.0.1:{port}/#token={token}"
     print(address, flush=True)
-    config = uvicorn.Config(studio(folder, token, port), log_level="warning", server_header=False, access_log=False)
+    config = uvicorn.Config(
+        studio(folder, token, port),
+        log_level="warning",
+        server_header=False,
+        access_log=False,
+        timeout_graceful_shutdown=1,  # [s] that answers on their way have when it is to end
+    )
     if opens_browser:
         webbrowser.open(address)
     with suppress(KeyboardInterrupt):  # which is how it ends
