@@ -19,6 +19,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from freebody import examples_folder
 from freebody.errors import InputError, ModelError, Problem
 from freebody.language.document import MAX_DEPTH, Document
 
@@ -670,3 +671,44 @@ def test_the_module_needs_nothing_heavy():
     run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     loaded = {name.partition(".")[0] for name in run.stdout.split()}
     assert not loaded & {"numpy", "scipy", "numba", "pydantic", "pint", "matplotlib", "xarray", "flint", "rich"}
+
+
+def read_or_refused(read: Callable[[str], Document], text: str) -> Any:
+    try:
+        return read(text)._root
+    except ModelError as error:
+        return [str(problem) for problem in error.problems]
+
+
+PIECES = st.lists(
+    st.sampled_from([*"0123456789+-.*/ ,:#[]{}()'\"\n%&!|?", " m", "e3", ".inf", "°", "- ", ": "]), max_size=4
+)
+
+
+@settings(max_examples=400, deadline=None)
+@given(
+    st.sampled_from([name for name, _title in examples_folder.listed_examples()]),
+    st.integers(0, 10**6),
+    st.integers(0, 3),
+    PIECES,
+)
+def test_a_text_that_is_read_again_after_a_change_is_read_as_if_for_the_first_time(
+    name: str, at: int, n: int, pieces: list[str]
+):
+    text = examples_folder.folder().joinpath(f"{name}.yaml").read_text(encoding="utf-8")
+    numbers = [found.start() for found in re.finditer(r"\d", text)]
+    start = numbers[at % len(numbers)] if at % 3 else at % len(text)
+    changed = text[:start] + "".join(pieces) + text[start + n :]
+    known = Document.read(text)
+    assert read_or_refused(known.reread, changed) == read_or_refused(Document.read, changed)
+
+
+def test_a_number_that_has_changed_is_all_that_is_read_again(monkeypatch: pytest.MonkeyPatch):
+    known = Document.read("a: {b: 1 m, c: [2, 3]}  # d\ne: {f: 4}\ng:\n")
+    changed = "a: {b: 0.125 mm, c: [2, 3]}  # d\ne: {f: 4}\ng:\n"
+    expected = Document.read(changed)._root
+    monkeypatch.setattr(Document, "read", None)
+    found = known.reread(changed)
+    assert found._root == expected
+    assert found.data == {"a": {"b": "0.125 mm", "c": [2, 3]}, "e": {"f": 4}, "g": None}
+    assert found.place(("a", "c", 1)) == (1, 25)

@@ -27,6 +27,7 @@ from freebody.errors import CannotAnswer, InputError
 from freebody.language.document import Document
 from freebody.numeric.reference import Reference
 from freebody.studio import wire
+from freebody.studio.beforehand import moved_beforehand
 from freebody.studio.dragging import drag
 from freebody.studio.editing import add, edit, suggest
 from freebody.studio.folder import Folder
@@ -35,7 +36,8 @@ from freebody.studio.lanes import Worker
 from freebody.studio.moving import motion
 from freebody.studio.reading import read
 from freebody.studio.server import LARGEST
-from freebody.studio.work import Lane, done
+from freebody.studio.work import Lane
+from freebody.studio.work import done as done_by_worker
 from freebody.system.system import System
 
 ROOT = Path(__file__).parents[1]
@@ -51,6 +53,11 @@ start: {theta: -60 deg}
 questions:
   - {id: first, find: acceleration of theta}
 """
+
+
+def done(kind: str, request: dict[str, Any]) -> wire.Reply:
+    """As the page gets it."""
+    return wire.Reply.model_validate_json(done_by_worker(kind, request).model_dump_json())
 
 
 # -- reading ----------------------------------------------------------------------------------
@@ -433,22 +440,25 @@ def call_of(topic: str, kind: str = "read") -> wire.Call:
     return wire.Call(kind=kind, topic=topic, request={"text": PENDULUM})
 
 
+async def status_of(worker: Worker, call: wire.Call) -> str:
+    return wire.Reply.model_validate_json(await worker.ask(call)).status
+
+
 def test_the_latest_of_a_topic_is_done_and_a_dead_worker_is_a_message() -> None:
     async def run() -> None:
         worker = Worker(Lane("test", 30))
-        first = asyncio.create_task(worker.ask(call_of("a")))
+        first = asyncio.create_task(status_of(worker, call_of("a")))
         await asyncio.sleep(0)
-        waiting = [asyncio.create_task(worker.ask(call_of(topic))) for topic in ("b", "b", "c")]
+        waiting = [asyncio.create_task(status_of(worker, call_of(topic))) for topic in ("b", "b", "c")]
         await asyncio.sleep(0)
         worker.cancel("c")
-        replies = [reply.status for reply in await asyncio.gather(first, *waiting)]
-        assert replies == ["done", "replaced", "done", "cancelled"]
+        assert await asyncio.gather(first, *waiting) == ["done", "replaced", "done", "cancelled"]
         process = await worker.begun()
-        dying = asyncio.create_task(worker.ask(call_of("a")))
+        dying = asyncio.create_task(status_of(worker, call_of("a")))
         await asyncio.sleep(0)
         process.kill()
-        assert (await dying).status in ("crashed", "done")
-        assert (await worker.ask(call_of("a"))).status == "done"
+        assert await dying in ("crashed", "done")
+        assert await status_of(worker, call_of("a")) == "done"
         await worker.end()
 
     asyncio.run(run())
@@ -457,7 +467,7 @@ def test_the_latest_of_a_topic_is_done_and_a_dead_worker_is_a_message() -> None:
 def test_work_that_takes_too_long_is_ended() -> None:
     async def run() -> None:
         worker = Worker(Lane("test", 0.01))
-        assert (await worker.ask(call_of("a"))).status == "too long"
+        assert await status_of(worker, call_of("a")) == "too long"
         await worker.end()
 
     asyncio.run(run())
@@ -511,3 +521,46 @@ def test_the_built_page_is_current_and_small() -> None:
 
 def test_the_lock_file_names_no_registry() -> None:
     assert "resolved" not in (ROOT / "studio" / "package-lock.json").read_text(encoding="utf-8")
+
+
+# -- a page to share --------------------------------------------------------------------------
+def test_motions_found_beforehand_are_those_of_the_texts_that_the_sliders_stand_for() -> None:
+    request = wire.ShareRequest(text=PENDULUM, until=1.0, frames=31, vary=["L=0.5..2 m:3", "theta=-90, -30 deg"])
+    own = motion(wire.MotionRequest(text=PENDULUM, until=1.0, frames=31)).model_dump(mode="json")
+    moved = moved_beforehand(System.from_text(PENDULUM), request, own)
+    length, angle = moved.sliders
+    assert (length.values, length.own) == (["0.5 m", "1 m", "1.25 m", "2 m"], 1)
+    assert (angle.values, angle.own) == (["-90 deg", "-60 deg", "-30 deg"], 1)
+    assert len(moved.replies) == 12
+    assert "themes" not in moved.replies[0].answer["player"]
+    for k, at in enumerate(length.values):
+        for n, start in enumerate(angle.values):
+            text = PENDULUM.replace("L: 1 m", f"L: {at}").replace("theta: -60 deg", f"theta: {start}")
+            expected = motion(wire.MotionRequest(text=text, until=1.0, frames=31)).model_dump(mode="json")
+            found = moved.replies[3 * k + n].answer
+            assert {**own["player"], **found["player"]} == expected["player"]
+            assert found["times"] == expected["times"]
+
+
+@pytest.mark.parametrize(
+    ("vary", "words"),
+    [
+        (["L=0.5..2 m:30", "m=1..2 kg:30"], "at most 600"),
+        (["Q=1..2"], "Q is no parameter"),
+        (["L=1..2 kg"], "L is in m"),
+        (["theta'=0..1 rad/s"], "no value in the file"),
+    ],
+)
+def test_sliders_that_make_no_sense_are_refused_in_words(vary: list[str], words: str) -> None:
+    reply = done("share", {"text": PENDULUM, "until": 1.0, "frames": 11, "vary": vary})
+    assert reply.status == "refused"
+    assert words in reply.message
+
+
+def test_a_case_without_a_motion_says_why() -> None:
+    text = (ROOT / "examples" / "four_bar.yaml").read_text(encoding="utf-8")
+    own = motion(wire.MotionRequest(text=text, until=0.1, frames=3)).model_dump(mode="json")
+    request = wire.ShareRequest(text=text, until=0.1, frames=3, vary=["d=0.5, 5 m"])
+    first, second = moved_beforehand(System.from_text(text), request, own).replies
+    assert (first.status, second.status) == ("done", "refused")
+    assert second.message

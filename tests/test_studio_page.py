@@ -35,6 +35,7 @@ start: {theta: -60 deg}
 questions:
   - {id: first, find: acceleration of theta}
 """
+PICTURE = "document.querySelector('.view canvas').toDataURL()"
 WAIT = 60_000  # [ms] for what is computed
 
 pytestmark = pytest.mark.slow
@@ -311,57 +312,204 @@ def test_it_speaks_german(page: Any) -> None:
     assert "Ist start gemeint?" in page.inner_text(".cm-diagnostic")
 
 
+@pytest.mark.parametrize("language", ["en", "de"])
 @pytest.mark.parametrize("width", [320, 390, 768, 1280, 3840])
-def test_nothing_is_wider_than_the_screen(page: Any, width: int) -> None:
+def test_nothing_is_wider_than_the_screen(page: Any, width: int, language: str) -> None:
+    if language == "de":
+        page.click("[aria-label*=Deutsch]")
     page.set_viewport_size({"width": width, "height": 800})
     for pane in (0, 1, 2):
         if page.is_visible(".switch"):
             page.locator(".switch button").nth(pane).click()
         assert page.evaluate("document.documentElement.scrollWidth <= innerWidth"), f"pane {pane}"
+        for menu in page.locator(".menu > summary").all():
+            if not menu.is_visible():
+                continue
+            menu.click()
+            box = menu.locator("xpath=..").locator(".sheet").bounding_box()
+            assert box["x"] >= 0, "a menu opens beyond the edge"
+            assert box["x"] + box["width"] <= width, "a menu opens beyond the edge"
+            menu.click()
 
 
-@pytest.mark.parametrize("theme", ["light", "dark"])
-@pytest.mark.parametrize("width", [390, 1500])
-def test_it_is_accessible(page: Any, theme: str, width: int) -> None:
-    """axe-core, rules of WCAG 2.2 A and AA, in every panel and dialog."""
-    if not AXE.exists():
-        pytest.skip("NOT RUN: npm install in studio/ brings axe-core")
+def test_panes_are_made_wider_by_pointer_by_keys_and_by_a_command(page: Any) -> None:
+    def width() -> float:
+        return float(page.locator(".pane.model").bounding_box()["width"])
+
+    first, line = width(), page.locator(".divider").first
+    box = line.bounding_box()
+    page.mouse.move(box["x"] + 2, 300)
+    page.mouse.down()
+    page.mouse.move(box["x"] + 90, 320, steps=4)
+    page.mouse.up()
+    assert width() == pytest.approx(first + 88, abs=16)
+    line.press("ArrowLeft")
+    line.press("ArrowLeft")
+    assert width() < first + 88 - 40
+    line.press("Enter")
+    assert width() == pytest.approx(first)
+    page.keyboard.press("Control+k")
+    page.keyboard.type("Wider: Model")
+    page.keyboard.press("Enter")
+    assert width() > first + 40
+    page.reload()
+    page.wait_for_selector(".view canvas", timeout=WAIT)
+    assert width() > first + 40
+
+
+def test_a_dialog_is_opened_right_after_another_one(page: Any) -> None:
+    for keys in ("Control+o", "F1", "Control+k", "Control+k"):
+        page.keyboard.press(keys)
+        page.wait_for_selector("dialog[open] .box :is(input, h2)")
+        page.keyboard.press("Escape")
+    page.keyboard.press("Control+i")
+    page.wait_for_selector("dialog[open] >> text=particle")
+
+
+class Auditor:
+    """axe-core, rules of WCAG 2.2 A and AA, wherever it is told to look."""
+
+    def __init__(self, page: Any) -> None:
+        if not AXE.exists():
+            pytest.skip("NOT RUN: npm install in studio/ brings axe-core")
+        self.page, self.found = page, list[str]()
+        page.evaluate(AXE.read_text(encoding="utf-8"))
+
+    def look(self, where: str) -> None:
+        self.page.wait_for_timeout(300)
+        tags = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa"]
+        for violation in self.page.evaluate("tags => axe.run(document, { runOnly: tags })", tags)["violations"]:
+            places = [f"{node['target']} {node['html'][:120]}" for node in violation["nodes"][:3]]
+            self.found.append(f"{where}: {violation['id']} {places}")
+
+
+def show_pane(page: Any, name: str) -> None:
+    """On a narrow screen, where one pane is seen at a time."""
+    button = page.locator(f".switch button:has-text('{name}')")
+    if button.is_visible():
+        button.click()
+
+
+@pytest.fixture(params=[(390, "light"), (390, "dark"), (1500, "light"), (1500, "dark")], ids=lambda p: f"{p[0]}-{p[1]}")
+def auditor(page: Any, request: pytest.FixtureRequest) -> Iterator[Auditor]:
+    """On a narrow and a wide screen, light and dark."""
+    width, theme = request.param
     if theme == "dark":
         page.click("[aria-label='Light or dark']")
     page.set_viewport_size({"width": width, "height": 900})
-    page.evaluate(AXE.read_text(encoding="utf-8"))
-    found: list[str] = []
+    auditor = Auditor(page)
+    yield auditor
+    assert not auditor.found, "\n".join(auditor.found)
 
-    def look(where: str) -> None:
-        page.wait_for_timeout(300)
-        tags = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa"]
-        result = page.evaluate("tags => axe.run(document, { runOnly: tags })", tags)
-        for violation in result["violations"]:
-            places = [f"{node['target']} {node['html'][:120]}" for node in violation["nodes"][:3]]
-            found.append(f"{where}: {violation['id']} {places}")
 
-    if width < 1000:
-        for pane in (0, 1, 2):
-            page.locator(".switch button").nth(pane).click()
-            look(f"pane {pane}")
+def test_every_panel_is_accessible(page: Any, auditor: Auditor) -> None:
+    for pane in ("Model", "Scene", "Results"):
+        show_pane(page, pane)
+        auditor.look(pane)
     for panel in ("ask", "derivation", "free", "mobility", "conserved", "more", "properties", "export"):
         page.click(f"#tab-{panel}")
         if panel not in ("properties", "export"):
             page.wait_for_selector(".content :is(.freebody-report, .picture svg, .message)", timeout=WAIT)
             page.wait_for_function("() => !document.querySelector('.working')", timeout=WAIT)
-        look(panel)
+        auditor.look(panel)
+    show_pane(page, "Scene")
+    for menu in (".transport .menu", ".plots .menu"):
+        page.click(f"{menu} > summary")
+        auditor.look(menu)
+        page.click(f"{menu} > summary")
+    page.click(".choice >> text=Picture")
+    page.wait_for_selector(".view .picture svg", timeout=WAIT)
+    auditor.look("picture")
+
+
+def test_every_dialog_is_accessible(page: Any, auditor: Auditor, studio: tuple[str, Path]) -> None:
     for keys in ("Control+k", "Control+o", "Control+i", "F1"):
         page.keyboard.press(keys)
-        look(keys)
+        if keys == "Control+o":
+            page.wait_for_selector("dialog .cards button", timeout=WAIT)
+        auditor.look(keys)
+        if keys == "Control+i":
+            page.keyboard.type("spring")
+            page.keyboard.press("Enter")
+            auditor.look("a new element")
         page.keyboard.press("Escape")
-    assert not found, "\n".join(found)
+    page.click(".top .name")
+    auditor.look("save as")
+    page.keyboard.press("Escape")
+    show_pane(page, "Model")
+    page.click(".cm-line:has-text('# a pendulum')")
+    page.keyboard.type("# more")
+    studio[1].write_text(PENDULUM + "# changed by another program", encoding="utf-8")
+    page.keyboard.press("Control+s")
+    page.wait_for_selector("dialog[open] >> text=another program", timeout=WAIT)
+    auditor.look("changed elsewhere")
+    page.keyboard.press("Escape")
+
+
+def test_mistakes_and_drafts_are_shown_accessibly(page: Any, auditor: Auditor) -> None:
+    show_pane(page, "Model")
+    select_word(page, "pin:", "start")
+    page.keyboard.type("strat")
+    page.wait_for_selector(".badge.bad", timeout=WAIT)
+    auditor.look("a mistake")
+    page.hover(".cm-lintRange-error")
+    page.wait_for_selector(".cm-diagnosticAction")
+    auditor.look("a fix")
+    show_pane(page, "Scene")
+    auditor.look("an old scene")
+    show_pane(page, "Model")
+    page.click(".cm-line:has-text('loads')")
+    page.keyboard.press("Home")
+    page.keyboard.type("lo")
+    page.keyboard.press("Control+Space")
+    page.wait_for_selector(".cm-tooltip-autocomplete", timeout=WAIT)
+    auditor.look("completion")
+    page.wait_for_timeout(800)
+    page.on("dialog", lambda dialog: dialog.accept())
+    page.reload()
+    page.wait_for_selector("text=Take the draft", timeout=WAIT)
+    auditor.page.evaluate(AXE.read_text(encoding="utf-8"))
+    auditor.look("a draft")
+
+
+def test_pointing_is_accessible(page: Any, auditor: Auditor) -> None:
+    begin_pointing(page, "spring")
+    auditor.look("pointing")
+    page.focus(".view .spot[aria-label='rod.end']")
+    page.keyboard.press("Enter")
+    page.focus(".view .spot[aria-label='ground.origin']")
+    page.wait_for_selector(".joining code", timeout=WAIT)
+    auditor.look("with a preview")
+    page.keyboard.press("Escape")
+
+
+def test_judging_is_accessible(page: Any, auditor: Auditor) -> None:
+    show_pane(page, "Results")
+    page.get_by_label("Let me answer").first.check()
+    form = page.locator("form.judged").first
+    form.get_by_role("button", name="Hint").click()
+    form.locator(".hints li").first.wait_for(timeout=WAIT)
+    auditor.look("a hint")
+    for k, answer in enumerate(("g/L", "-1.5*g*cos(theta)/L")):
+        form.get_by_label("Your answer").fill(answer)
+        form.get_by_role("button", name="Check").click()
+        form.get_by_text(f"attempts: {k + 1}").wait_for(timeout=WAIT)
+        auditor.look(answer)
+    page.click("#tab-free")
+    page.wait_for_selector(".content .picture svg", timeout=WAIT)
+    page.click(".content details > summary")
+    form = page.locator("form.judged").first
+    form.locator("textarea").fill("A right at start")
+    form.get_by_role("button", name="Check").click()
+    form.locator(".freebody-report").wait_for(timeout=WAIT)
+    auditor.look("forces")
 
 
 def test_a_shared_page_answers_without_a_server(browser: Any, tmp_path: Path) -> None:
     file, shared = tmp_path / "pendulum.yaml", tmp_path / "shared.html"
     file.write_text(PENDULUM, encoding="utf-8")
     command = [sys.executable, "-m", "freebody", "studio", str(file), "--export", str(shared), "--until", "1 s"]
-    subprocess.run(command, check=True, capture_output=True)
+    subprocess.run([*command, "--vary", "L=0.5..2 m:4"], check=True, capture_output=True)
     page = browser.new_page(viewport={"width": 1500, "height": 900}, locale="en-GB", offline=True)
     wrong: list[str] = []
     page.on("pageerror", lambda error: wrong.append(str(error)))
@@ -379,6 +527,18 @@ def test_a_shared_page_answers_without_a_server(browser: Any, tmp_path: Path) ->
     page.click(".cm-line:has-text('a pendulum')")
     page.keyboard.type("x")
     assert text_of(page) == PENDULUM
+    slider = page.locator(".sliders label:has-text('L') input")
+    assert slider.get_attribute("aria-valuetext") == "1 m"
+    page.click(".choice >> text=Motion")
+    before = page.evaluate(PICTURE)
+    slider.focus()
+    page.keyboard.press("End")
+    page.locator(".sliders .number:has-text('2 m')").wait_for()
+    page.locator(".sliders >> text=answers and pictures those of the file").wait_for()
+    assert page.evaluate(PICTURE) != before
+    page.keyboard.press("Home")
+    page.keyboard.press("ArrowRight")
+    page.locator(".sliders >> text=answers and pictures those of the file").wait_for(state="detached")
     page.close()
     assert wrong == []
 

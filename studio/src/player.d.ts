@@ -6,12 +6,13 @@ declare module "virtual:player" {
     isDark(): boolean;
     hasNames(): boolean;
     isPlaying(): boolean;
+    axes(length: number): string;
     drawn(frame: number, time: number): void;
   }
   export interface Player {
     draw(): void;
     measure(): void;
-    show(data: Record<string, unknown>): void;
+    show(data: Record<string, unknown>, frame?: number): void;
     go(frame: number): void;
     turn(azimuth: number, elevation: number): void;
     zoom(factor: number): void;

@@ -1,14 +1,16 @@
 // What is asked of the server: with the token of the address, and in the schema of `wire.ts`.
 import { fromKernel, notebook } from "./notebook";
-import type { Answers, Example, OpenedFile, Opening, Reply, Requests, SaveAnswer, SaveRequest } from "./wire";
+import type { Answers, Example, Moved, OpenedFile, Opening, Reply, Requests, SaveAnswer, SaveRequest } from "./wire";
 
 /** A page that was written to be shared has its answers with it, and no server. */
 interface Kept {
   opening: Opening;
   replies: Record<string, Reply>;
+  moved: Moved | null;
 }
 const kept = JSON.parse(document.getElementById("kept")?.textContent ?? "null") as Kept | null;
 export const isShared = kept !== null;
+export const sliders = kept?.moved?.sliders ?? [];
 const isAlone = isShared || notebook !== null; // without a server
 
 /** By what an answer is kept: the kind of the request, and what it says beside the text. */
@@ -57,6 +59,14 @@ export function ask<K extends keyof Requests>(kind: K, request: Requests[K], top
     return Promise.resolve((found ?? { status: "refused", message: "" }) as Told<K>);
   }
   return post("ask", { kind, topic, request });
+}
+/** The motion at places of the sliders of a shared page. */
+export function movedTo(places: number[]): Told<"motion"> {
+  const at = sliders.reduce((before, slider, k) => before * slider.values.length + places[k]!, 0);
+  const told = kept!.moved!.replies[at] as Told<"motion">;
+  if (!told.answer) return told;
+  const own = kept!.replies[keyOf("motion", {})]!.answer as Answers["motion"];
+  return { ...told, answer: { ...told.answer, player: { ...own.player, ...told.answer.player } } };
 }
 export const cancel = (topic: string) => post<object>("cancel", { topic });
 export const busy = () => isAlone ? Promise.resolve<Record<string, string>>({}) : post<Record<string, string>>("busy", {});

@@ -49,6 +49,9 @@ const kept = {
   },
 };
 
+/** Of the width that the outer panes have, unless somebody chooses. */
+export const SHARES = { model: 24, results: 32 };
+const NARROWEST = 12, LEAST_SCENE = 20;
 const FRAMES = 301;
 const FEWER = 61; // while something is moved by hand
 const prefersDark = matchMedia("(prefers-color-scheme: dark)");
@@ -82,12 +85,15 @@ export class Studio {
   theme = $state<Theme>("light");
   panel = $state<Panel>("ask");
   pane = $state<Pane>("scene");
+  shares = $state.raw(SHARES);
   selected = $state<string | null>(null);
   time = $state(0);
   until = $state(3);
   dialog = $state<"" | "add" | "commands" | "gallery" | "help" | "save" | "changed">("");
   derived = $state<string | null>(null);
   joining = $state.raw<Joining | null>(null);
+  /** Where the sliders of a shared page stand. */
+  places = $state.raw<number[]>(server.sliders.map((slider) => slider.own));
 
   readonly isShared = server.isShared;
   readonly isNotebook = notebook !== null;
@@ -101,6 +107,8 @@ export class Studio {
   constructor() {
     const language = notebook?.language ?? kept.get("language") ?? navigator.language.slice(0, 2);
     this.language = language === "de" ? "de" : "en";
+    const shares = (kept.get("shares") ?? "").split(" ").map(Number);
+    if (shares[0] && shares[1]) this.shares = { model: shares[0], results: shares[1] };
     this.theme = (kept.get("theme") as Theme | null) ?? (prefersDark.matches ? "dark" : "light");
     document.documentElement.dataset.theme = this.theme;
     prefersDark.addEventListener("change", () => {
@@ -243,16 +251,24 @@ export class Studio {
     this.moving.run(async () => {
       const told = await this.asked("motion", { text, language: this.language, until: this.until, frames });
       if (!told) return;
-      if (told.answer) {
-        this.motion = told.answer;
-        this.motionMessage = told.answer.message;
-        this.time = Math.min(this.time, told.answer.times.at(-1) ?? 0);
-      } else if (told.status !== "replaced" && text === this.text && text === this.modelText) {
-        this.motion = null;
-        this.motionMessage = this.reason(told);
-      }
+      const isAbout = text === this.text && text === this.modelText;
+      if (told.answer || (told.status !== "replaced" && isAbout)) this.shown(told);
       if (text === this.text) this.isStale = false;
     });
+  }
+
+  /** On a shared page a slider shows a motion that was found beforehand. */
+  movedTo(slider: number, place: number): void {
+    this.places = this.places.map((each, k) => (k === slider ? place : each));
+    this.shown(server.movedTo(this.places));
+  }
+  get isMoved(): boolean {
+    return server.sliders.some((slider, k) => slider.own !== this.places[k]);
+  }
+  private shown(told: Told<"motion">): void {
+    this.motion = told.answer;
+    this.motionMessage = told.answer ? told.answer.message : this.reason(told);
+    if (told.answer) this.time = Math.min(this.time, told.answer.times.at(-1) ?? 0);
   }
 
   private countSoon = debounced(250, () => {
@@ -416,6 +432,13 @@ export class Studio {
   private wear(theme: Theme): void {
     document.documentElement.dataset.theme = theme;
     this.theme = theme;
+  }
+  /** An outer pane gets so many hundredths of the width, as far as all three stay usable. */
+  setShare(pane: keyof typeof SHARES, share: number): void {
+    const other = this.shares[pane === "model" ? "results" : "model"];
+    const width = Math.max(NARROWEST, Math.min(share, 100 - LEAST_SCENE - other));
+    this.shares = { ...this.shares, [pane]: width };
+    kept.set("shares", `${this.shares.model} ${this.shares.results}`);
   }
   select(path: string | null, show = true): void {
     this.selected = path;

@@ -189,6 +189,12 @@ export interface MotionRequest {
   frames?: number;
 }
 
+/** The motions of all values of some sliders, the last of which runs fastest. replies: of `player` what differs from that of the file's values */
+export interface Moved {
+  sliders: Slider[];
+  replies: Reply[];
+}
+
 /** A file of the opened folder. version: changes with its content, empty for one that is not there yet */
 export interface OpenedFile {
   name: string;
@@ -303,13 +309,21 @@ export interface SaveRequest {
   overwrite?: boolean;
 }
 
-/** The page of the studio with all its answers in it, as one file. name: of the model file */
+/** The page of the studio with all its answers in it, as one file. name: of the model file; vary: what sliders move, as "L=0.5..2 m:9" */
 export interface ShareRequest {
   text: string;
   language?: "en" | "de";
   until: number;
   frames?: number;
   name?: string;
+  vary?: string[];
+}
+
+/** A name whose motions were found beforehand. values: as they are written; own: the place of the file's value among them */
+export interface Slider {
+  name: string;
+  values: string[];
+  own: number;
 }
 
 /** Where something stands in the text. */

@@ -21,6 +21,14 @@ def studio(
         typer.Option("--export", help="Write the page with all its answers as one file (.html), and serve nothing."),
     ] = None,
     until: Annotated[str, typer.Option("--until", help="How long the motion of an exported page lasts.")] = "3 s",
+    vary: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--vary",
+            metavar="NAME=RANGE",
+            help="A slider of an exported page, for a parameter or start value: 'L=0.5..2 m:9' (repeatable).",
+        ),
+    ] = None,
     language: Language = "en",
 ) -> None:
     """Build, ask and watch a model in the browser."""
@@ -38,5 +46,5 @@ def studio(
     from freebody.present.busy import busy
 
     with busy("answering everything"):
-        written = exported(file, export, seconds_of(until, "--until"), language)
+        written = exported(file, export, seconds_of(until, "--until"), language, vary or [])
     print_written([written])

@@ -12,7 +12,7 @@ from typing import Self
 import numpy as np
 
 from freebody.errors import CannotAnswer, InputError
-from freebody.language.expression import Expr, evaluate
+from freebody.language.expression import Expr, Number, evaluate
 from freebody.language.natural import natural
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure
@@ -255,6 +255,8 @@ class NumericSystem:
     # -- numbers and names --------------------------------------------------------------------
     def number(self, expr: Expr, t: float = 0.0) -> float:
         """Value of an expression in the parameters and time."""
+        if isinstance(expr, Number):
+            return float(expr.value)
         with named("a number of the model"):
             return finite(evaluate(expr, {**self.frame.values, TIME: t}))
 

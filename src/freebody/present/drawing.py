@@ -14,7 +14,7 @@ from freebody.present.layout import Layout, bounds, headings
 from freebody.present.marks import ContactTrack
 from freebody.present.pen import Pen
 from freebody.present.scene import Scene
-from freebody.present.strokes import Caption, Path, Stretch, Stroke, path_points, stroke_points
+from freebody.present.strokes import Caption, Path, Stretch, Stroke, paths_points, stroke_points
 from freebody.present.surfaces import Surfaces, surplus
 
 _NARROWEST, _LOWEST = 0.6, 0.35  # width by height of a picture, and height by width
@@ -68,12 +68,9 @@ class Drawing:
     def _frame(self, least: tuple[float, float]) -> None:
         """Sets the corners round all strokes so far."""
         frames = self.key_frames()
-        seen: list[Array] = []
-        for stroke in self.strokes:
-            if isinstance(stroke, Path):
-                seen.append(path_points(stroke, self.poses[frames]).reshape(-1, 2))
-            else:
-                seen.extend(self.points(stroke, k) for k in frames)
+        paths = [stroke for stroke in self.strokes if isinstance(stroke, Path)]
+        seen = [paths_points(paths, self.poses[frames])]
+        seen.extend(self.points(s, k) for s in self.strokes if not isinstance(s, Path) for k in frames)
         corners = np.concatenate([*seen, self.low[None], self.high[None]])
         low, high = corners.min(axis=0), corners.max(axis=0)
         margin = 3 * self.symbol

@@ -174,6 +174,11 @@ def positions(poses: Array, place: Place) -> Array:
     return poses[:, place.body, :2] + turned(poses[:, place.body, 2], place.x, place.y)
 
 
+def with_ground(poses: Array) -> Array:
+    """(n_times, n_bodies + 1, 3) with that of the ground, whose number is the last one's counted from the end."""
+    return np.concatenate((poses, np.zeros((len(poses), 1, 3))), axis=1)
+
+
 def angles(poses: Array, heading: Heading) -> Array:
     """(n_times,) [rad] of a direction on the way."""
     turn = np.zeros(len(poses)) if heading.body == GROUND else poses[:, heading.body, 2]

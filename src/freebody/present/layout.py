@@ -6,7 +6,7 @@ moved, by the same amount at all times, so that its string runs straight off the
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -25,6 +25,7 @@ from freebody.present.figures import (
     angles,
     positions,
     turned,
+    with_ground,
 )
 from freebody.present.scene import Scene
 
@@ -215,22 +216,26 @@ def _symbol(scene: Scene, poses: Array) -> float:
 
 def bounds(scene: Scene, poses: Array) -> tuple[Array, Array]:
     """(2,), (2,) [m] lower left and upper right corner of everything on the whole way."""
-    corners: list[Array] = []
+    round_ones = [(f.center, f.radius or 0.0) for f in scene.figures] + [(g.center, g.radius) for g in scene.grooves]
+    reach = {(center, sign * radius) for center, radius in round_ones for sign in (-1.0, 1.0)}
     for figure in scene.figures:
-        center = positions(poses, figure.center)
-        corners += [positions(poses, place) for place in figure.points.values()]
-        corners += [positions(poses, place) for edge in figure.edges for place in edge.places]
-        corners += [center + (figure.radius or 0.0) * sign for sign in (-1.0, 1.0)]
+        reach.update((place, 0.0) for place in figure.points.values())
+        reach.update((place, 0.0) for edge in figure.edges for place in edge.places)
     ends = [*((s.first, s.second) for s in scene.springs), *scene.pins, *scene.welds, *scene.rods]
-    corners += [positions(poses, place) for pair in ends for place in pair]
-    corners += [positions(poses, node.place) for rope in scene.ropes for node in rope.nodes]
-    corners += [positions(poses, at) for s in scene.signs if isinstance(s, glyphs.Relation) for at in s.points]
-    for groove in scene.grooves:
-        corners += [positions(poses, groove.center) + groove.radius * sign for sign in (-1.0, 1.0)]
-    everything = np.concatenate(corners or [np.zeros((1, 2))])
+    reach.update((place, 0.0) for pair in ends for place in pair)
+    reach.update((node.place, 0.0) for rope in scene.ropes for node in rope.nodes)
+    reach.update((at, 0.0) for s in scene.signs if isinstance(s, glyphs.Relation) for at in s.points)
+    everything = _ways(poses, reach) if reach else np.zeros((1, 2))
     feet = list(_feet(scene, poses, float(np.ptp(everything, axis=0).max())))
     everything = np.concatenate([everything, *feet])
     return everything.min(axis=0), everything.max(axis=0)
+
+
+def _ways(poses: Array, reach: Iterable[tuple[Place, float]]) -> Array:
+    """(n, 2) [m] places on the whole way, each moved by a length along both axes."""
+    x, y, more = np.array([(place.x, place.y, more) for place, more in reach]).T
+    of = with_ground(poses)[:, [place.body for place, _more in reach]]
+    return ((of[..., :2] + turned(of[..., 2], x, y)) + more[:, None]).reshape(-1, 2)
 
 
 def _feet(scene: Scene, poses: Array, size: float) -> Iterator[Array]:

@@ -130,8 +130,9 @@ def place_data(place: Place, digits: int) -> list[Any]:
     return [place.body, *(round(c, digits) + 0.0 for c in place.at)]
 
 
-def rounded(values: Any, digits: int) -> list[float]:
-    return [float(v) for v in np.round(np.asarray(values, dtype=np.float64), digits) + 0.0]
+def rounded(values: Any, digits: int) -> list[Any]:
+    """Numbers, in lists as deep as the values are, without negative zeros."""
+    return (np.round(np.asarray(values, dtype=np.float64), digits) + 0.0).tolist()
 
 
 def _embedded(data: dict[str, Any]) -> str:

@@ -91,4 +91,4 @@ class _Strokes:
             case Path(place, turn, points, style, is_closed, color):
                 where = {"place": self.place(place), "turn": self._index(turn)}
                 own = {"shape": "path", "style": style, "closed": is_closed, "owner": color}
-                return {**own, **where, "points": [rounded(point, self.digits) for point in points]}
+                return {**own, **where, "points": rounded(points, self.digits)}

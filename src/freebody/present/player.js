@@ -1,5 +1,5 @@
 // A motion on a canvas. data: as `page.py` writes it; shown: what the page around it decides, read at every drawing:
-// isDark(), hasNames(), isPlaying(), traced (a set of points by number), selected (a set of labels), drawn(frame, time)
+// isDark(), hasNames(), isPlaying(), axes(length) in words, traced (a set of points by number), selected (a set of labels), drawn(frame, time)
 function playerOn(canvas, data, shown) {
 const pen = canvas.getContext("2d");
 let last = data.n_frames - 1, at = 0, view = null, taken = [];
@@ -383,53 +383,82 @@ function traceOf(point) {
 // -- names beside their bodies: each keeps its side until another one is clearly better
 const sides = new Map();
 let drawn = 0;
-function labels(all) {
-  const isDue = drawn++ % 12 === 0 || !shown.isPlaying(), placed = [];
-  const ink = new Map();
-  for (const { owner, outline, isArea } of all) {
-    const spots = ink.get(owner) || [], line = outline.map(onPaper);
-    ink.set(owner, spots);
-    line.forEach((p, k) => {
-      if (!isArea && k === line.length - 1) return;
-      const q = line[(k + 1) % line.length], n = Math.min(60, Math.ceil(Math.hypot(q[0] - p[0], q[1] - p[1]) / 5));
-      for (let i = 0; i < n; i++) spots.push([p[0] + i / n * (q[0] - p[0]), p[1] + i / n * (q[1] - p[1])]);
-    });
+function boxOf(points) {
+  const box = [Infinity, Infinity, -Infinity, -Infinity];
+  for (const [x, y] of points) {
+    if (x < box[0]) box[0] = x;
+    if (y < box[1]) box[1] = y;
+    if (x > box[2]) box[2] = x;
+    if (y > box[3]) box[3] = y;
   }
+  return box;
+}
+function inkOf({ owner, outline, isArea }) {
+  // what is drawn of a shape, as spots along its outline that stand at most 5 pixels apart
+  const line = outline.map(onPaper), spots = [];
+  line.forEach((p, k) => {
+    if (!isArea && k === line.length - 1) return;
+    const q = line[(k + 1) % line.length], n = Math.min(60, Math.ceil(Math.hypot(q[0] - p[0], q[1] - p[1]) / 5));
+    for (let i = 0; i < n; i++) spots.push([p[0] + i / n * (q[0] - p[0]), p[1] + i / n * (q[1] - p[1])]);
+  });
+  return { owner, isArea, outline: line, spots, box: boxOf(line) };
+}
+// a name takes the place round a spot, half as wide and high as `half` says; shapes too far away are told by their boxes
+const away = (box, spot, half, c) => Math.max(0, box[c] - spot[c] - half[c], spot[c] - box[c + 2] - half[c]);
+const isIn = (box, [x, y]) => x >= box[0] && y >= box[1] && x <= box[2] && y <= box[3];
+function nCovered(ink, spot, half, more) {
+  let n = 0;
+  for (const { box, spots } of ink) {
+    if (away(box, spot, half, 0) > more || away(box, spot, half, 1) > more) continue;
+    for (const p of spots) n += Math.abs(p[0] - spot[0]) < half[0] + more && Math.abs(p[1] - spot[1]) < half[1] + more;
+  }
+  return n;
+}
+function gapTo(ink, spot, half) {
+  let least = 1e18; // its square
+  for (const { box, spots } of ink) {
+    if (away(box, spot, half, 0) ** 2 + away(box, spot, half, 1) ** 2 >= least) continue;
+    for (const p of spots) {
+      const dx = Math.max(0, Math.abs(p[0] - spot[0]) - half[0]), dy = Math.max(0, Math.abs(p[1] - spot[1]) - half[1]);
+      least = Math.min(least, dx * dx + dy * dy);
+    }
+  }
+  return Math.sqrt(least);
+}
+function spotBeside(own, middle, half, k) {
+  // just outside of the body in a direction from its middle, or its middle
+  if (k === 12) return middle;
+  const a = Math.PI / 4 + 2 * Math.PI * k / 12, e = [Math.cos(a), -Math.sin(a)];
+  let far = -Infinity, spot = middle;
+  for (const { spots } of own) for (const p of spots) far = Math.max(far, (p[0] - middle[0]) * e[0] + (p[1] - middle[1]) * e[1]);
+  for (let s = far + Math.abs(e[0]) * half[0] + Math.abs(e[1]) * half[1] + 5; s > 0; s -= 3) {
+    const next = [middle[0] + s * e[0], middle[1] + s * e[1]];
+    if (nCovered(own, next, half, 3)) break;
+    spot = next;
+  }
+  return spot;
+}
+function labels(all) {
+  const isDue = drawn++ % 12 === 0 || !shown.isPlaying(), placed = [], ink = all.map(inkOf);
   for (const { owner, text } of data.labels) {
-    const own = ink.get(owner);
-    if (!own) continue;
-    const half = [pen.measureText(text).width / 2 + 2, 8], low = [0, 1].map((c) => Math.min(...own.map((p) => p[c])));
-    const middle = [0, 1].map((c) => (low[c] + Math.max(...own.map((p) => p[c]))) / 2);
-    const others = [...ink].filter(([k]) => k !== owner).flatMap(([, spots]) => spots);
-    const covers = (spot, p, more) => Math.abs(p[0] - spot[0]) < half[0] + more && Math.abs(p[1] - spot[1]) < half[1] + more;
-    const spotAt = (k) => {
-      // just outside of the body in a direction from its middle, or its middle
-      if (k === 12) return middle;
-      const a = Math.PI / 4 + 2 * Math.PI * k / 12, e = [Math.cos(a), -Math.sin(a)];
-      const far = Math.max(...own.map((p) => (p[0] - middle[0]) * e[0] + (p[1] - middle[1]) * e[1]));
-      let spot = middle;
-      for (let s = far + Math.abs(e[0]) * half[0] + Math.abs(e[1]) * half[1] + 5; s > 0; s -= 3) {
-        const next = [middle[0] + s * e[0], middle[1] + s * e[1]];
-        if (own.some((p) => covers(next, p, 3))) break;
-        spot = next;
-      }
-      return spot;
-    };
+    const own = ink.filter((each) => each.owner === owner && each.spots.length), others = ink.filter((each) => each.owner !== owner);
+    if (!own.length) continue;
+    const half = [pen.measureText(text).width / 2 + 2, 8], [x0, y0, x1, y1] = boxOf(own.flatMap((each) => each.spots));
+    const middle = [(x0 + x1) / 2, (y0 + y1) / 2];
     const cost = (spot, k) => {
       const hits = placed.filter((o) => Math.abs(o.spot[0] - spot[0]) < o.half[0] + half[0] && Math.abs(o.spot[1] - spot[1]) < o.half[1] + half[1]);
       const isOut = spot[0] < half[0] || spot[0] > view.width - half[0] || spot[1] < half[1] || spot[1] > view.height - 60;
-      const gap = (list) => Math.min(1e9, ...list.map((p) => Math.hypot(Math.max(0, Math.abs(p[0] - spot[0]) - half[0]), Math.max(0, Math.abs(p[1] - spot[1]) - half[1]))));
-      const below = others.filter((p) => covers(spot, p, 0)).length + own.filter((p) => covers(spot, p, 0)).length;
-      const isOnOthers = all.some((s) => s.isArea && s.owner !== owner && contains(s.outline.map(onPaper), spot));
-      return 100 * (hits.length + isOut) + 0.8 * below + 3 * isOnOthers + 4 * Math.min(1, Math.max(0, 0.5 + (gap(own) - gap(others)) / 26))
-        + 0.06 * gap(own) + 0.005 * Math.hypot(spot[0] - middle[0], spot[1] - middle[1]) - (sides.get(owner) === k ? 2 : 0);
+      const isOnOthers = others.some((s) => s.isArea && isIn(s.box, spot) && contains(s.outline, spot));
+      const gap = gapTo(own, spot, half), below = nCovered(ink, spot, half, 0);
+      return 100 * (hits.length + isOut) + 0.8 * below + 3 * isOnOthers + 4 * Math.min(1, Math.max(0, 0.5 + (gap - gapTo(others, spot, half)) / 26))
+        + 0.06 * gap + 0.005 * Math.hypot(spot[0] - middle[0], spot[1] - middle[1]) - (sides.get(owner) === k ? 2 : 0);
     };
     if (isDue || !sides.has(owner)) {
       let best = Infinity, side = 0;
-      for (let k = 0; k <= 12; k++) { const c = cost(spotAt(k), k); if (c < best) { best = c; side = k; } }
+      for (let k = 0; k <= 12; k++) { const c = cost(spotBeside(own, middle, half, k), k); if (c < best) { best = c; side = k; } }
       sides.set(owner, side);
     }
-    placed.push({ spot: spotAt(sides.get(owner)), half, text });
+    placed.push({ spot: spotBeside(own, middle, half, sides.get(owner)), half, text });
   }
   pen.textAlign = "center";
   for (const { spot, text } of placed) write(text, spot, theme().ink);
@@ -458,8 +487,8 @@ function corner() {
   for (const m of [5, 2]) if (length * m <= most) { length *= m; break; }
   const size = length * view.scale, right = Math.max(66, size + 26);
   pen.textAlign = "center";
-  const shown = data.planar ? [0, 1] : [0, 1, 2].sort((a, b) => camera.axes[2][a] - camera.axes[2][b]);
-  for (const k of shown) {
+  const axes = data.planar ? [0, 1] : [0, 1, 2].sort((a, b) => camera.axes[2][a] - camera.axes[2][b]);
+  for (const k of axes) {
     const along = [camera.axes[0][k], -camera.axes[1][k]], l = Math.hypot(...along);
     arrow([x, y], along.map((c) => size * c), theme().muted);
     const away = l * size > 4 ? along.map((c) => c / l) : [-0.7, 0.7];
@@ -477,7 +506,7 @@ function corner() {
     write("+", [x + r + 7, y - 0.6 * r], ink);
   }
   pen.textAlign = "left";
-  if (data.has_lengths) write("axes " + Number(length.toPrecision(1)) + " m long", [x + right, y + 8], theme().muted);
+  if (data.has_lengths) write(shown.axes(Number(length.toPrecision(1))), [x + right, y + 8], theme().muted);
   if (data.gravity) {
     const down = [dot(camera.axes[0], data.gravity), -dot(camera.axes[1], data.gravity)];
     arrow([x + right + 130, y - 20], down.map((c) => 38 * c), theme().force);
@@ -533,12 +562,12 @@ canvas.addEventListener("wheel", (event) => { event.preventDefault(); zoom(Math.
 canvas.addEventListener("dblclick", resetView);
 
 // -- for the page around it
-function show(fresh) {
-  // another motion in the same view, as far as it is of the same kind
+function show(fresh, frame = at) {
+  // another motion at a frame of it, in the same view, as far as it is of the same kind
   const isKept = data.planar === fresh.planar;
   data = fresh;
   [last, n_moving, stride] = [data.n_frames - 1, data.names.length, data.planar ? 3 : 7];
-  at = Math.max(0, Math.min(last, at));
+  at = Math.max(0, Math.min(last, frame));
   if (isKept) draw(); else resetView();
 }
 function go(frame) { at = Math.max(0, Math.min(last, frame)); draw(); }

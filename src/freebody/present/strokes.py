@@ -5,11 +5,12 @@ A `Path` moves with a body, a `Stretch` runs between two places, a `Strand` is a
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
-from freebody.present.figures import GROUND, Array, Place, Rope, positions, turned
+from freebody.present.figures import Array, Place, Rope, positions, turned, with_ground
 from freebody.present.layout import sweep
 
 _FINE = 12  # points of a quarter of an arc
@@ -66,17 +67,23 @@ def stroke_points(stroke: Stroke, pose: Array, every: Array) -> Array:
     if isinstance(stroke, Strand):
         return _strand_points(stroke, pose, every)
     if isinstance(stroke, Path):
-        return path_points(stroke, pose)[0]
+        return paths_points([stroke], pose)
     a, b = positions(pose, stroke.first)[0], positions(pose, stroke.second)[0]
     along = b - a
     left = np.array([-along[1], along[0]]) / (float(np.hypot(*along)) or 1.0)
     return a + stroke.points[:, :1] * along + stroke.points[:, 1:] * left
 
 
-def path_points(stroke: Path, poses: Array) -> Array:
-    """(n_instants, n, 2) [m] the same at many instants. poses: (n_instants, n_bodies, 3)"""
-    angles = np.zeros(len(poses)) if stroke.turn == GROUND else poses[:, stroke.turn, 2]
-    return positions(poses, stroke.place)[:, None] + turned(angles[:, None], *stroke.points.T)
+def paths_points(strokes: Sequence[Path], poses: Array) -> Array:
+    """(n, 2) [m] all points of some strokes at many instants together, which a picture has to have in it."""
+    if not strokes:
+        return np.zeros((0, 2))
+    every, n = with_ground(poses), [len(stroke.points) for stroke in strokes]
+    at = every[:, np.repeat([stroke.place.body for stroke in strokes], n)]
+    turn = every[:, np.repeat([stroke.turn for stroke in strokes], n), 2]
+    arms = np.repeat([stroke.place.xy for stroke in strokes], n, axis=0)
+    points = np.concatenate([stroke.points for stroke in strokes])
+    return (at[..., :2] + turned(at[..., 2], *arms.T) + turned(turn, *points.T)).reshape(-1, 2)
 
 
 def _strand_points(strand: Strand, pose: Array, every: Array) -> Array:

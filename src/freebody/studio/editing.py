@@ -8,14 +8,14 @@ from freebody.errors import InputError, ModelError
 from freebody.language.document import Document
 from freebody.language.document.scalars import resolved
 from freebody.messages import Message
-from freebody.studio.reading import checked_system
+from freebody.studio.reading import checked_system, document_of
 from freebody.studio.telling import told
 from freebody.studio.wire import AddRequest, EditRequest, SuggestAnswer, SuggestRequest, TextAnswer
 
 
 def edit(request: EditRequest) -> TextAnswer:
     """Raises InputError where the text cannot be changed in place."""
-    document, path = Document.read(request.text), tuple(request.path)
+    document, path = document_of(request.text), tuple(request.path)
     if request.value is None:
         return TextAnswer(text=document.without(path).dumps())
     return TextAnswer(text=document.with_value(path, _scalar(request.value)).dumps())
@@ -31,7 +31,7 @@ def _scalar(text: str) -> Any:
 
 def add(request: AddRequest) -> TextAnswer:
     """A new element at the end of its section, under its name or the next that is free."""
-    document = Document.read(request.text)
+    document = document_of(request.text)
     return TextAnswer(text=with_element(document, request.section, request.name, _scalar(request.value))[0])
 
 

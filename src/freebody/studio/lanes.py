@@ -14,7 +14,6 @@ import sys
 from asyncio.subprocess import PIPE, Process
 from contextlib import suppress
 from dataclasses import dataclass, field
-from typing import Any
 
 from freebody.studio.wire import Call, Reply
 from freebody.studio.work import WORK, Lane
@@ -25,10 +24,10 @@ _LONGEST = 256 << 20  # [bytes] of an answer
 
 @dataclass(eq=False)
 class _Piece:
-    """A call on its way. ended: why it was not finished, if it was not"""
+    """A call on its way. reply: in JSON"""
 
     call: Call
-    reply: asyncio.Future[Reply]
+    reply: asyncio.Future[bytes]
     begun: float = 0.0
 
 
@@ -44,8 +43,8 @@ class Worker:
     _task: asyncio.Task[None] | None = None
     _ending: set[asyncio.Task[None]] = field(default_factory=set[asyncio.Task[None]])
 
-    async def ask(self, call: Call) -> Reply:
-        """The reply to a call, when it is its turn."""
+    async def ask(self, call: Call) -> bytes:
+        """The `Reply` to a call in JSON, as the worker says it, when it is its turn."""
         loop = asyncio.get_running_loop()
         piece = _Piece(call, loop.create_future())
         for other in [p for p in self.waiting if p.call.topic == call.topic]:
@@ -72,7 +71,7 @@ class Worker:
         if piece in self.waiting:
             self.waiting.remove(piece)
         if not piece.reply.done():
-            piece.reply.set_result(reply)
+            piece.reply.set_result(_said(reply))
         if piece is self.current:
             self._kill()
 
@@ -95,18 +94,18 @@ class Worker:
             if not piece.reply.done():
                 piece.reply.set_result(reply)
 
-    async def _done(self, piece: _Piece) -> Reply:
+    async def _done(self, piece: _Piece) -> bytes:
         process = await self.begun()
         try:
             return await asyncio.wait_for(self._answer(process, piece.call), self.lane.seconds)
         except TimeoutError:
             self._kill()
-            return Reply(status="too long", message=f"{self.lane.seconds:g}")
+            return _said(Reply(status="too long", message=f"{self.lane.seconds:g}"))
         except (OSError, ValueError, asyncio.IncompleteReadError):
             self._kill()
-            return Reply(status="crashed", message=str(await process.wait()))
+            return _said(Reply(status="crashed", message=str(await process.wait())))
 
-    async def _answer(self, process: Process, call: Call) -> Reply:
+    async def _answer(self, process: Process, call: Call) -> bytes:
         assert process.stdin is not None
         assert process.stdout is not None
         document = {"kind": call.kind, "request": call.request}
@@ -114,10 +113,9 @@ class Worker:
         await process.stdin.drain()
         while True:
             line = await process.stdout.readuntil(b"\n")
-            said: dict[str, Any] = json.loads(line)
-            if "busy" not in said:
-                return Reply.model_validate(said)
-            self.busy = str(said["busy"])
+            if not line.startswith(b'{"busy"'):
+                return line
+            self.busy = str(json.loads(line)["busy"])
 
     async def begun(self) -> Process:
         """The process, started if there is none."""
@@ -142,6 +140,10 @@ class Worker:
         await asyncio.gather(*self._ending)
 
 
+def _said(reply: Reply) -> bytes:
+    return reply.model_dump_json().encode()
+
+
 async def _ended(process: Process) -> None:
     """When a process is gone. Whoever waits for its answer hears of that from the pipe."""
     if process.stdin is not None:
@@ -160,8 +162,8 @@ class Lanes:
         """Starts the workers, so that the first answers do not wait for them."""
         await asyncio.gather(*(worker.begun() for worker in self.workers.values()))
 
-    async def ask(self, call: Call) -> Reply:
-        """The reply to a call. Raises KeyError for a kind that there is not."""
+    async def ask(self, call: Call) -> bytes:
+        """The `Reply` to a call, in JSON. Raises KeyError for a kind that there is not."""
         return await self.workers[WORK[call.kind].lane.name].ask(call)
 
     def cancel(self, topic: str) -> None:

@@ -29,7 +29,13 @@ def launch(file: Path | None, port: int, *, opens_browser: bool) -> None:
     port, token = bound.getsockname()[1], new_token()
     address = f"http://127.0.0.1:{port}/#token={token}"
     print(address, flush=True)
-    config = uvicorn.Config(studio(folder, token, port), log_level="warning", server_header=False, access_log=False)
+    config = uvicorn.Config(
+        studio(folder, token, port),
+        log_level="warning",
+        server_header=False,
+        access_log=False,
+        timeout_graceful_shutdown=1,  # [s] that answers on their way have when it is to end
+    )
     if opens_browser:
         webbrowser.open(address)
     with suppress(KeyboardInterrupt):  # which is how it ends
@@ -48,13 +54,14 @@ def _bound(port: int) -> socket.socket:
     return bound
 
 
-def export(file: Path, to: Path, until: float, language: str) -> Path:
-    """Writes the page of a model with all its answers in it, as one file that needs no server. Raises ModelError."""
+def export(file: Path, to: Path, until: float, language: str, vary: list[str]) -> Path:
+    """Writes the page of a model with all its answers in it, as one file that needs no server. vary: what its sliders
+    move. Raises ModelError, InputError for ranges that cannot be read."""
     from freebody.language.document.file import text_of
     from freebody.present.files import write_whole
     from freebody.studio.sharing import shared_page
     from freebody.studio.wire import ShareRequest
 
-    given: Any = {"text": text_of(file), "language": language, "until": until, "name": file.name}
+    given: Any = {"text": text_of(file), "language": language, "until": until, "name": file.name, "vary": vary}
     write_whole(to, shared_page(ShareRequest(**given)))
     return to

@@ -13,6 +13,7 @@ from freebody.studio.reading import checked_system
 from freebody.studio.telling import told
 from freebody.studio.wire import Happening, Line, MotionAnswer, MotionRequest
 from freebody.study.simulation.simulate import Simulation, simulate
+from freebody.system.system import System
 
 _DIGITS = 7  # of a curve
 _SECONDS = 20.0  # by the clock, after which a motion ends where it is
@@ -21,7 +22,11 @@ _ENERGY = ("kinetic_energy", "potential_energy", "work")
 
 def motion(request: MotionRequest) -> MotionAnswer:
     """Raises CannotAnswer where the motion cannot begin."""
-    system = checked_system(request.text)
+    return motion_of(checked_system(request.text), request)
+
+
+def motion_of(system: System, request: MotionRequest) -> MotionAnswer:
+    """The same of a system that has been read."""
     every = request.until / (request.frames - 1)
     found = simulate(system, request.until, every=every, max_seconds=_SECONDS)
     recording = found.recording
@@ -49,8 +54,14 @@ def _shown(found: Simulation) -> list[str]:
 
 def _rounded(values: Array) -> list[Any]:
     """To the digits that anybody sees; nothing where there is no value."""
-    flat: list[float] = np.asarray(values, dtype=np.float64).tolist()
-    return [float(f"{v:.{_DIGITS}g}") if math.isfinite(v) else None for v in flat]
+    array = np.asarray(values, dtype=np.float64)
+    is_finite = np.isfinite(array)
+    sized = np.where(is_finite & (array != 0.0), array, 1.0)
+    places = np.clip(_DIGITS - 1 - np.floor(np.log10(np.abs(sized))), -300, 300)
+    # a power of ten is exact where it multiplies, so that what comes out is the shortest number of these digits
+    up, down = 10.0 ** np.maximum(places, 0.0), 10.0 ** np.maximum(-places, 0.0)
+    found: list[Any] = np.where(sized == array, np.round(sized * up / down) / up * down, 0.0).tolist()
+    return found if is_finite.all() else [v if ok else None for v, ok in zip(found, is_finite.tolist(), strict=True)]
 
 
 def _finite(value: Any) -> float | None:

@@ -72,8 +72,8 @@ def read(request: ReadRequest) -> ReadAnswer:
     system: System | None = None
     remarks: list[Remark] = []
     try:
-        document = Document.read(request.text)
-        system = System.from_text(request.text)
+        document = document_of(request.text)
+        system = System.from_document(document)
     except ModelError as error:
         remarks = [_remark(problem, "error", places, document, request.language) for problem in error.problems[:_MOST]]
     if system is not None:
@@ -86,7 +86,7 @@ def read(request: ReadRequest) -> ReadAnswer:
         is_spatial=system is not None and system.space,
         remarks=remarks,
         elements=elements,
-        parameters=[] if document is None else list(_parameters(document, system, places)),
+        parameters=[] if document is None else list(parameters_of(document, system, places)),
         questions=[] if system is None else [Asked(id=q.id, text=q.text) for q in system.questions],
         moving=[] if system is None else [body.name for body in system.moving],
     )
@@ -211,7 +211,7 @@ def _leaves(document: Document, places: Places, path: Place, value: Any) -> Iter
         yield Leaf(path=list(path), label=".".join(words[1:]) or words[0], text=text, span=places.span(*span))
 
 
-def _parameters(document: Document, system: System | None, places: Places) -> Iterator[Parameter]:
+def parameters_of(document: Document, system: System | None, places: Places) -> Iterator[Parameter]:
     """Parameters and values of the start that have a number, with where it stands."""
     for name, value in mapping_of(document.data.get("parameters")).items():
         path: Place = ("parameters", name, "value") if isinstance(value, dict) else ("parameters", name)
@@ -235,6 +235,15 @@ def _number(document: Document, places: Places, section: Any, path: Place, *, is
         yield Parameter(name=str(path[1]), section=section, text=text, span=places.span(*span), is_positive=is_positive)
 
 
+_latest: list[Document] = []  # what was read last: a slider moves one number of it
+
+
+def document_of(text: str) -> Document:
+    """The document of a text. Raises ModelError."""
+    _latest[:] = [_latest[0].reread(text) if _latest else Document.read(text)]
+    return _latest[0]
+
+
 def checked_system(text: str) -> System:
     """The system of a text. Raises ModelError."""
-    return System.from_text(text)
+    return System.from_document(document_of(text))

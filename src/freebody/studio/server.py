@@ -79,7 +79,9 @@ def studio(folder: Folder, token: str, port: int) -> Starlette:
             if refused is not None:
                 return refused
             try:
-                return JSONResponse(await answer(await _body(request)), headers=_HEADERS)
+                found = await answer(await _body(request))
+                kind = Response if isinstance(found, bytes) else JSONResponse
+                return kind(found, headers=_HEADERS, media_type="application/json")
             except (ValidationError, json.JSONDecodeError, KeyError, UnicodeDecodeError):
                 return _plain(400, "this request cannot be read")
             except _TooLarge:
@@ -115,7 +117,7 @@ def studio(folder: Folder, token: str, port: int) -> Starlette:
         call = Call.model_validate(body)
         if call.kind not in WORK:
             raise KeyError(call.kind)
-        return (await lanes.ask(call)).model_dump(mode="json")
+        return await lanes.ask(call)
 
     async def cancel(body: Any) -> Any:
         lanes.cancel(str(body["topic"]))

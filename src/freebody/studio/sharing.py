@@ -14,6 +14,7 @@ from pathlib import PurePath
 from typing import Any
 
 from freebody.language.plain_text import plain
+from freebody.studio.beforehand import moved_beforehand
 from freebody.studio.look import style_sheet
 from freebody.studio.reading import checked_system
 from freebody.studio.wire import File, FilesAnswer, OpenedFile, Opening, Reply, ShareRequest
@@ -43,7 +44,13 @@ def shared_page(request: ShareRequest) -> str:
         reply: Reply = done(kind, {**common, **given})
         replies[_key(kind, given)] = reply.model_dump(mode="json")
     opening = opening_of(request.name, request.text)
-    kept = {"opening": opening.model_dump(mode="json"), "replies": replies}
+    own = replies[_key("motion", {})]["answer"]
+    moved = moved_beforehand(system, request, own) if request.vary and own else None
+    kept = {
+        "opening": opening.model_dump(mode="json"),
+        "replies": replies,
+        "moved": None if moved is None else moved.model_dump(mode="json"),
+    }
     return whole_page(system.title or request.name, request.language, "kept", json.dumps(kept, ensure_ascii=False))
 
 

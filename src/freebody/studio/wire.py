@@ -135,12 +135,23 @@ class PageRequest(MotionRequest):
 
 
 class ShareRequest(MotionRequest):
-    """The page of the studio with all its answers in it, as one file. name: of the model file"""
+    """The page of the studio with all its answers in it, as one file. name: of the model file; vary: what sliders move,
+    as "L=0.5..2 m:9\""""
 
     name: str = Field(default="model.yaml", max_length=200)
+    vary: list[str] = Field(default=[], max_length=4)
 
 
 # -- to the page ------------------------------------------------------------------------------
+class Reply(Said):
+    """What comes back. done: answer is there; refused: the model or the question is at fault; else the work was not
+    finished: replaced by a later request, cancelled, out of time or memory, or the worker ended"""
+
+    status: Literal["done", "refused", "replaced", "cancelled", "too long", "crashed"]
+    message: str = ""
+    answer: Any = None
+
+
 class Span(Said):
     """Where something stands in the text."""
 
@@ -282,6 +293,23 @@ class MotionAnswer(Said):
     energy_error: float | None
 
 
+class Slider(Said):
+    """A name whose motions were found beforehand. values: as they are written; own: the place of the file's value among
+    them"""
+
+    name: str
+    values: list[str]
+    own: int
+
+
+class Moved(Said):
+    """The motions of all values of some sliders, the last of which runs fastest. replies: of `player` what differs
+    from that of the file's values"""
+
+    sliders: list[Slider]
+    replies: list[Reply]
+
+
 class PictureAnswer(Said):
     """content: of the picture, bytes in base64"""
 
@@ -330,15 +358,6 @@ class Call(Said):
     kind: str
     topic: str = Field(pattern="^[a-z-]{1,40}$")
     request: dict[str, Any]
-
-
-class Reply(Said):
-    """What comes back. done: answer is there; refused: the model or the question is at fault; else the work was not
-    finished: replaced by a later request, cancelled, out of time or memory, or the worker ended"""
-
-    status: Literal["done", "refused", "replaced", "cancelled", "too long", "crashed"]
-    message: str = ""
-    answer: Any = None
 
 
 class Example(Said):

@@ -87,7 +87,7 @@ def done(kind: str, body: dict[str, Any]) -> wire.Reply:
         first = error.errors(include_url=False, include_input=False)[0]
         return wire.Reply(status="refused", message=f"{'.'.join(map(str, first['loc']))}: {first['msg']}")
     try:
-        return wire.Reply(status="done", answer=WORK[kind].run(request).model_dump(mode="json"))
+        return wire.Reply(status="done", answer=WORK[kind].run(request))
     except FreebodyError as error:
         return wire.Reply(status="refused", message=told(str(error), request.language))
     except MemoryError:

@@ -10,7 +10,7 @@ import json
 import os
 import sys
 import threading
-from typing import Any
+from collections.abc import Callable
 
 MEMORY = 4 << 30  # [bytes] of addresses
 _PAUSE = 0.25  # [s] between two looks at what is done
@@ -26,15 +26,15 @@ def main() -> None:
     prepare(*sys.argv[1:])
     lock = threading.Lock()
 
-    def say(document: dict[str, Any]) -> None:
+    def say(document: str) -> None:
         with lock:
-            answers.write(json.dumps(document, ensure_ascii=False, separators=(",", ":"), allow_nan=False) + "\n")
+            answers.write(document + "\n")
             answers.flush()
 
     threading.Thread(target=_tell_progress, args=(say,), daemon=True).start()
     for line in sys.stdin:
         call = json.loads(line)
-        say(done(call["kind"], call["request"]).model_dump(mode="json"))
+        say(done(call["kind"], call["request"]).model_dump_json())
 
 
 def _limit_memory() -> None:
@@ -46,7 +46,7 @@ def _limit_memory() -> None:
     resource.setrlimit(resource.RLIMIT_AS, (MEMORY if most == resource.RLIM_INFINITY else min(MEMORY, most), most))
 
 
-def _tell_progress(say: Any) -> None:
+def _tell_progress(say: Callable[[str], None]) -> None:
     """What the worker is busy with, whenever that changes."""
     from time import sleep
 
@@ -56,7 +56,7 @@ def _tell_progress(say: Any) -> None:
     while True:
         if (busy := now()) != told:
             told = busy
-            say({"busy": busy})
+            say(json.dumps({"busy": busy}))
         sleep(_PAUSE)
 
 

@@ -44,6 +44,11 @@ class System(SystemDescription):
         return cls._read(Document.read(text, file), file)
 
     @classmethod
+    def from_document(cls, document: Document) -> Self:
+        """Reads a model from a document that has been read."""
+        return cls._read(document, document.file)
+
+    @classmethod
     def from_data(cls, data: Mapping[str, Any]) -> Self:
         """Builds a model from plain data and description objects (`Pin("ground.A", "rod.start")`)."""
         return cls._read(Document.from_plain(_plain(data)), None)

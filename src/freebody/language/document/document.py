@@ -15,6 +15,7 @@ from typing import Any
 from freebody.errors import InputError, ModelError, Problem
 from freebody.language.document.composer import compose
 from freebody.language.document.file import text_of
+from freebody.language.document.numbers import with_another_number
 from freebody.language.document.plain import checked, copied, is_ordinary, with_value, without_value
 from freebody.language.document.tree import MAX_BYTES, DocumentNode, DocumentStep, Place, kind_of
 from freebody.language.document.writer import block_lines, flow_text, scalar_text
@@ -44,6 +45,12 @@ class Document:
     def read(cls, text: str, file: str | None = None) -> Document:
         """Reads YAML text; `file` is the name used in messages."""
         return cls(text, file, compose(text, file), True)
+
+    def reread(self, text: str) -> Document:
+        """The document of another text, as `read` makes it. Where that differs by one number, as it does while a value
+        is being moved, the rest is not read again."""
+        root = with_another_number(self._root, self._text, text)
+        return Document.read(text, self.file) if root is None else Document(text, self.file, root, self._has_places)
 
     @classmethod
     def load(cls, path: str | Path) -> Document:

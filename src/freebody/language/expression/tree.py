@@ -78,6 +78,9 @@ class Number(_Operators):
 
     value: Fraction
 
+    def __hash__(self) -> int:  # a fraction is hashed like the float that it may equal, which takes long
+        return hash((self.value.numerator, self.value.denominator))
+
 
 @dataclass(frozen=True, slots=True)
 class Symbol(_Operators):

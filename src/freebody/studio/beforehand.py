@@ -1,0 +1,87 @@
+"""Motions found beforehand, for the sliders of a page that has nobody to ask: of all values of some names, as a sweep
+varies them, and of the file's own."""
+
+from __future__ import annotations
+
+import re
+from itertools import product
+from math import prod
+from typing import Any
+
+from freebody.errors import FreebodyError, InputError
+from freebody.language.units import parse_quantity
+from freebody.messages import Message
+from freebody.studio.moving import motion_of
+from freebody.studio.reading import Places, document_of, parameters_of
+from freebody.studio.telling import told
+from freebody.studio.wire import Moved, Reply, ShareRequest, Slider
+from freebody.study.given import ranges_of
+from freebody.study.sweeps.plan import plan
+from freebody.study.sweeps.varied import Varied, with_values
+from freebody.system.system import System
+
+_STEPS = 11  # of a range whose steps are not counted
+_FRAMES = 121  # of a motion
+_MOST = 600  # motions of a page
+_NUMBER = re.compile(r"[-+]?[\d.]+(?:[eE][-+]?\d+)?")
+_SAME = 1e-9  # relative: a value that is the file's own
+
+
+def moved_beforehand(system: System, request: ShareRequest, own: dict[str, Any]) -> Moved:
+    """own: the motion of the file's values. Raises InputError for ranges that cannot be read, or too many motions."""
+    ranges = {name: _counted(text) for name, text in ranges_of(request.vary).items()}
+    planned = plan(system, ranges, {}, None, 0)
+    owns = [_own(planned.system, of) for of in planned.names]
+    axes = [_with_own(planned.axes[of.name].tolist(), x) for of, x in zip(planned.names, owns, strict=True)]
+    n = prod(map(len, axes))
+    if n > _MOST:
+        raise InputError(
+            Message("{n} motions; a page has at most {most}: give fewer values, as L=0.5..2 m:5", n=n, most=_MOST)
+        )
+    few = request.model_copy(update={"frames": min(request.frames, _FRAMES)})
+    replies: list[Reply] = []
+    for values in product(*axes):
+        case = with_values(planned.system, {of.parameter: x for of, x in zip(planned.names, values, strict=True)})
+        replies.append(_reply(case, few, own))
+    written = {p.name: p.text for p in parameters_of(document_of(request.text), system, Places(request.text))}
+    sliders = [
+        Slider(name=of.name, values=_written(axis, _unit(written.get(of.name, ""), of)), own=axis.index(own_value))
+        for of, axis, own_value in zip(planned.names, axes, owns, strict=True)
+    ]
+    return Moved(sliders=sliders, replies=replies)
+
+
+def _counted(text: str) -> str:
+    return f"{text}:{_STEPS}" if ".." in text and ":" not in text else text
+
+
+def _own(system: System, of: Varied) -> float:
+    value = system.parameters[of.parameter].value
+    if value is None:
+        raise InputError(Message("{name} has no value in the file, at which its slider could begin", name=of.name))
+    return value
+
+
+def _with_own(axis: list[float], own: float) -> list[float]:
+    """The values in order, the file's own among them."""
+    return sorted({own, *(x for x in axis if abs(x - own) > _SAME * max(abs(x), abs(own)))})
+
+
+def _reply(case: System, request: ShareRequest, own: dict[str, Any]) -> Reply:
+    try:
+        answer = motion_of(case, request).model_dump(mode="json")
+    except FreebodyError as error:
+        return Reply(status="refused", message=told(str(error), request.language))
+    player = {name: value for name, value in answer["player"].items() if value != own["player"].get(name)}
+    return Reply(status="done", answer={**answer, "player": player})
+
+
+def _unit(written: str, of: Varied) -> str:
+    """In which the file has a value, or in which it is calculated."""
+    unit = _NUMBER.sub("", written, count=1).strip()
+    return unit or ("" if of.unit == "1" else of.unit)
+
+
+def _written(values: list[float], unit: str) -> list[str]:
+    size = parse_quantity(f"1 {unit}".strip()).value
+    return [f"{x / size:.6g} {unit}".strip() for x in values]
