@@ -2,7 +2,8 @@
 
     python sensitivities_jax.py NAME          (needs `pip install jax diffrax`)
 
-Prints the derivatives of the final value, seconds of the processor when compiled (the least of five), and what compiling took.
+Prints the derivatives of the final value, seconds of the processor when compiled (the least of five), and what
+compiling took.
 """
 
 # pyright: basic
