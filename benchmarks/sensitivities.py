@@ -112,7 +112,7 @@ def cases() -> dict[str, tuple[fb.System, list[str], float]]:
     found = {name: (fb.System.from_text(text), by, until) for name, (text, by, until) in CASES.items()}
     for name, until in EXAMPLES.items():
         system = fb.System.load(HERE.parent / "examples" / f"{name}.yaml")
-        by = [p.name for p in system.parameters.values() if p.form is None and p.value is not None][:5]
+        by = [p.name for p in system.parameters.values() if p.form is None and p.value][:5]
         found[name] = system, by, until
     return found
 
