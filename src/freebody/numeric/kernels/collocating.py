@@ -4,6 +4,8 @@
 
 from __future__ import annotations
 
+import math
+
 from freebody.numeric.kernels.arrays import Floats, Floats2, Ints
 from freebody.numeric.kernels.declaring import entry, kernel
 from freebody.numeric.kernels.dense import factor_dense, solve_dense
@@ -41,7 +43,7 @@ def write_system(F, at, f, h, a, system):
 def iterate(F, at, f, h, a, given, moved, slopes):
     """slopes = given + h a A slopes by putting them in again and again, place after place. False where that settles too
     slowly."""
-    s, k = len(a), slopes.shape[1]
+    s, k, before = len(a), slopes.shape[1], math.inf
     for _ in range(N_ITERATIONS):
         change, size = 0.0, 0.0
         for i in range(s):
@@ -60,8 +62,11 @@ def iterate(F, at, f, h, a, given, moved, slopes):
                     change = max(change, abs(total - slopes[row, c]))
                     size = max(size, abs(total))
                     slopes[row, c] = total
-        if change <= SETTLED * size:
+        if change <= SETTLED * size and size < math.inf:
             return True
+        if not change < 2.0 * before:
+            return False
+        before = change
     return False
 
 

@@ -7,6 +7,7 @@ theta along its axes, d/dt d theta = d omega - omega x d theta.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from importlib import import_module
 from typing import Any
@@ -45,6 +46,21 @@ class Tangent:
     after: Angles
 
 
+@dataclass(frozen=True)
+class _Instants:
+    """A phase as kernels read it, at the ends of its panels and the places between."""
+
+    ends: Array
+    times: Array
+    rows: Array  # (n_inputs, n)
+    turns: Array  # of lines
+    kept: Array  # (n_places, k) changes of held measures that stay as they are
+
+    def before(self, panel: int, lines: Sequence[int]) -> Angles:
+        """Angles of lines before a panel."""
+        return dict(zip(lines, self.turns[:, panel * STRIDE].tolist(), strict=True))
+
+
 class PhaseTangent:
     """One phase of a motion, in one mode."""
 
@@ -58,48 +74,53 @@ class PhaseTangent:
     def along(self, ends: Array, inputs: Inputs, angles: Angles, dq: Array, dv: Array) -> Tangent:
         """Tangents at the ends of panels. inputs: at `instants(ends)`; angles: of lines before the first of them; dq,
         dv: (n, k) there. Raises CannotAnswer where there are none."""
-        times, e, n = instants(ends), self.equations, len(self.unit)
-        rows, turns = e.rows_of(inputs, len(times)), e.tape.turns(angles, len(times))
+        e, n, times = self.equations, len(self.unit), instants(ends)
         held = {key: x[0] for key, x in e.held.at(_at(inputs, 0), times[:1], angles).items()}
         kept = held["gq"] @ dq + self.by_names(held["gp"])
         parted = held["rq"] @ dq + held["J"] @ dv + self.by_names(held["rp"])
-        k = dq.shape[1]
-        maps = np.zeros((len(ends) * (2 * n + len(e.program.unknowns)), 2 * n + k + 1))
-        first, J, off, parts = 0, held["J"], list[Array](), list[Array]()
+        of = _Instants(ends, times, e.rows_of(inputs, len(times)), e.tape.turns(angles, len(times)), kept)
+        first, jacobian, off, parts = 0, held["J"], list[Array](), list[Array]()
         while first < len(ends) - 1:
-            free, begin = self._chosen(J), first * STRIDE
-            f = len(free.q) + len(free.v)
-            F = np.empty(((len(times) - begin) * f, f + k))
-            run = linearising.linearised(
-                *(e.program, e.room(f + k + 1), free, rows, times, turns, kept, self.origins, self.unit),
-                *(F, maps, begin, STRIDE, WELL_POSED),
-            )
-            done = checked(run)
-            last = len(ends) - 1 if done == len(times) else first + max(1, (done - 1 - begin) // STRIDE)
-            x, was_off = propagated(ends[first : last + 1], F, np.concatenate((dq[free.q], dv[free.v])), self.least)
-            T = maps.reshape(len(ends), -1, maps.shape[1])[first : last + 1]
-            at = np.concatenate((T[:, :, :f] @ x + T[:, :, f : f + k], T[:, :, f + k : f + k + 1]), axis=2)
-            parts.append(at if last == len(ends) - 1 else at[:-1])
+            if first:
+                before, here = of.before(first, e.tape.angles), slice(first * STRIDE, first * STRIDE + 1)
+                jacobian = e.held.at(_at(inputs, here), times[here], before)["J"][0]
+            changes, was_off = self._part(of, first, self._chosen(jacobian), dq, dv)
+            first += len(was_off)
+            dq, dv = changes[-1, :n, :-1], changes[-1, n : 2 * n, :-1]
+            parts.append(changes if first == len(ends) - 1 else changes[:-1])
             off.append(was_off)
-            dq, dv, first = at[-1, :n, :k], at[-1, n : 2 * n, :k], last
-            if first < len(ends) - 1:
-                before = dict(zip(e.tape.angles, turns[:, first * STRIDE].tolist(), strict=True))
-                J = e.held.at(_at(inputs, first * STRIDE), times[first * STRIDE :][:1], before)["J"][0]
         changes = np.concatenate(parts)
         return Tangent(
             ends,
             changes[:, :n, :-1],
             changes[:, n : 2 * n, :-1],
             changes[:, 2 * n :, :-1],
-            np.ascontiguousarray(rows[e.program.unknowns, ::STRIDE].T),
-            _at(inputs, slice(None, None, STRIDE)) | dict(zip(e.tape.inputs, rows[:, ::STRIDE], strict=True)),
+            np.ascontiguousarray(of.rows[e.program.unknowns, ::STRIDE].T),
+            _at(inputs, slice(None, None, STRIDE)) | dict(zip(e.tape.inputs, of.rows[:, ::STRIDE], strict=True)),
             changes[:, 2 * n :, -1],
             np.concatenate(off),
             kept,
             parted,
             angles,
-            dict(zip(e.tape.angles, turns[:, -1].tolist(), strict=True)),
+            dict(zip(e.tape.angles, of.turns[:, -1].tolist(), strict=True)),
         )
+
+    def _part(self, of: _Instants, first: int, free: FreeCoordinates, dq: Array, dv: Array) -> tuple[Array, Array]:
+        """From a panel on, as long as the free coordinates are well chosen: changes of q, v and u by the names, and
+        their own rates (n_ends, n + n + n_u, k + 1), and how far off the panels are."""
+        e, k, begin = self.equations, dq.shape[1], first * STRIDE
+        f, n_maps, n_ends = len(free.q) + len(free.v), 2 * len(self.unit) + len(e.program.unknowns), len(of.ends)
+        F, maps = np.empty(((len(of.times) - begin) * f, f + k)), np.zeros((n_ends * n_maps, f + k + 1))
+        done = checked(
+            linearising.linearised(
+                *(e.program, e.room(f + k + 1), free, of.rows, of.times, of.turns, of.kept, self.origins, self.unit),
+                *(F, maps, begin, STRIDE, WELL_POSED),
+            )
+        )
+        last = n_ends - 1 if done == len(of.times) else first + max(1, (done - 1 - begin) // STRIDE)
+        x, off = propagated(of.ends[first : last + 1], F, np.concatenate((dq[free.q], dv[free.v])), self.least)
+        T = maps.reshape(n_ends, n_maps, -1)[first : last + 1]
+        return np.concatenate((T[:, :, :f] @ x + T[:, :, f:-1], T[:, :, -1:]), axis=2), off
 
     def by_names(self, of: Array) -> Array:
         """Derivatives by parameters and by where measures count from, as derivatives by the names alone."""
