@@ -13,6 +13,9 @@ from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from functools import cached_property
+from threading import Lock
+
+import numpy as np
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, free_symbols
@@ -29,6 +32,7 @@ from freebody.symbolic.field import Ratio
 from freebody.symbolic.unknowns import Coordinate
 from freebody.system.system import System
 
+_SINGULAR = 1e-9  # the least eigenvalue of a scaled matrix
 _ARCS = ("asin", "acos", "atan")
 
 
@@ -55,7 +59,7 @@ class EquationsOfCopies:
 
     def __init__(self, system: System, varied: Sequence[str]) -> None:
         self.system, self.varied = system, tuple(varied)
-        self.setup = Setup(system, 3)
+        self.setup, self._one_by_one = Setup(system, 3), Lock()
         self.model = self.setup.model
         self.field = self.model.field
         self.places: tuple[Coordinate, ...] = (*self.model.coordinates, *self.model.dependent)
@@ -96,7 +100,9 @@ class EquationsOfCopies:
         """What stands for the starts without a formula in one case. Raises CannotAnswer where it does not assemble."""
         everything = {p.name: p.value for p in self.system.parameters.values() if p.value is not None}
         draw = Draw.of(self.system, {**everything, **values})
-        numbers = self.model.samples.numbers(draw.sample(draw.start()))
+        sample = draw.sample(draw.start())
+        with self._one_by_one:  # elements keep their terms in the field
+            numbers = self.model.samples.numbers(sample)
         return [float(numbers[k]) for k in self.open]
 
     # -- nodes of generators ------------------------------------------------------------------
@@ -141,6 +147,7 @@ class EquationsOfCopies:
     def _accelerations(self) -> list[ProgramNode]:
         """M u' = F by L D L^T."""
         dynamics, n = self.model.dynamics, len(self.model.coordinates)
+        self._check_inertia(dynamics.mass_matrix)
         self._check_smooth([x for row in dynamics.mass_matrix for x in row] + list(dynamics.forcing))
         M = [[self._nodes.of(x) for x in row] for row in dynamics.mass_matrix]
         L = [[self.graph.constant(0.0)] * n for _ in range(n)]
@@ -163,11 +170,36 @@ class EquationsOfCopies:
                 x[i] = x[i] - L[k][i] * x[k]
         return x
 
+    def _check_inertia(self, mass_matrix: Sequence[Sequence[Ratio]]) -> None:
+        """Raises CannotAnswer where something moves without inertia: M is singular at all samples then. It is scaled to
+        ones on its diagonal, so that it is so in any units."""
+        n, samples = len(mass_matrix), self.model.samples
+        if n == 0:
+            return
+        at = np.array([[samples.everywhere(x) for x in row] for row in mass_matrix]).reshape(n, n, -1)
+        for k in range(at.shape[2]):
+            M = at[:, :, k]
+            if np.isfinite(M).all() and (np.diag(M) > 0.0).all():
+                unit = 1.0 / np.sqrt(np.diag(M))
+                if np.linalg.eigvalsh(M * np.outer(unit, unit))[0] > _SINGULAR:
+                    return
+        raise CannotAnswer(Message("something moves without inertia, so its acceleration is not determined"))
+
     # -- what is looked at --------------------------------------------------------------------
+    def series(self, name: str) -> SeriesOfCopies:
+        """A series, which must be one of a measure."""
+        found = series_of(self.system, name)
+        assert found is not None
+        return found
+
+    def size_of(self, name: str) -> float:
+        """That of the system in the unit of the measure of a series."""
+        dimension = self.system.measures[self.series(name).measure].dimension
+        return float(self.setup.draws[0].reference.sizes.length ** float(dimension.length))
+
     def element(self, name: str) -> Ratio:
         """A series as an element. Raises CannotAnswer for an angle that turns are counted of."""
-        series = series_of(self.system, name)
-        assert series is not None
+        series = self.series(name)
         x = self.model.value_of(self.system.measures[series.measure])
         for _ in range(series.order):
             x = self.model.rate(x)

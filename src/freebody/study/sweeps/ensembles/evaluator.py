@@ -51,6 +51,10 @@ class Ensemble:
         text = source_of(equations.copies(watched, extremes), integrator(EXPLICIT).tableau)
         return cls(equations, Compiled(text, len(watched), len(extremes), device, threads), until, watched, extremes)
 
+    def size_of(self, series: str) -> float:
+        """That of the system in the unit of a series: its length, or a radian, a rate by the time of the motion."""
+        return self.equations.size_of(series) / self.until ** self.equations.series(series).order
+
     def begun(self, values: Mapping[str, Array], n: int) -> tuple[Array, NDArray[np.bool_]]:
         """(n, n_parameters) parameters of copies, starts without a formula among them, and (n,) whether each has a
         start."""
