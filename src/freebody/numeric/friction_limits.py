@@ -355,13 +355,14 @@ def _solved(
     cost: Array, A: Array, b: Array, G: Array, h: Array, bounds: Bounds, broken: Callable[[Array], list[Array]]
 ) -> tuple[Array, Array, float] | None:
     """The optimum of a program with circular cones: planes are added where it is outside of them, until it is not."""
-    found = _linear(cost, A, b, G, h, bounds)
+    lines, limits = G, h
+    found = _linear(cost, A, b, lines, limits, bounds)
     for _ in range(_MOST_CUTS):
         planes = [] if found is None else broken(found[0])
         if not planes:
             break
-        G, h = np.vstack([G, *planes]), np.append(h, np.zeros(len(planes)))
-        found = _linear(cost, A, b, G, h, bounds)
+        lines, limits = np.vstack([lines, *planes]), np.append(limits, np.zeros(len(planes)))
+        found = _linear(cost, A, b, lines, limits, bounds)
     return found
 
 
