@@ -163,3 +163,22 @@ def test_rolling_and_spinning_resistance_take_energy_at_the_rates_of_their_arms(
     t = found.course.times
     assert found.course.velocities[:, 0, 0] == pytest.approx(1.0 - 5 / 7 * f * G / R * t, abs=1e-7)
     assert rotation.velocities[:, 0, 1] == pytest.approx(np.maximum(3.0 - 2.5 * s * G / R**2 * t, 0.0), abs=1e-7)
+
+
+@pytest.mark.slow
+def test_cube_that_tumbles_comes_to_lie_on_a_face() -> None:
+    """It hits with corner after corner, slides on four and stops; the work of loads, friction and impacts adds up."""
+    model = TABLE + (
+        "bodies: {cube: {box: {mass: 0.1 kg, size: [0.05 m, 0.05 m, 0.05 m]}, at: [0, 0.3 m, 0], "
+        "velocity: [0.5, 0, 0.2], angular_velocity: [3, 5, 8], turned: 20 deg about x}}\n"
+        "connections: {it: {contact: {between: [cube, ground.table], friction: 0.4, restitution: 0.2}}}\n"
+    )
+    found = fb.System.from_text(model).simulate(0.6)
+    assert str(found.status) == "finished"
+    assert found.course.poses[-1, 0, 1] == pytest.approx(0.025, abs=1e-9)
+    assert found.course.velocities[-1, 0] == pytest.approx(0.0, abs=1e-9)
+    record = found.course.contact
+    assert record is not None
+    assert record.states[-1].sum() == 4
+    energies = [collision.energy_change for collision in record.collisions]
+    assert max(energies) <= 1e-12
