@@ -115,3 +115,70 @@ def test_contact_in_space_says_what_it_cannot_touch() -> None:
         fb.System.from_text(cone)
     with pytest.raises(fb.FreebodyError, match="I cannot solve this in closed form, because the friction of cloth"):
         fb.System.from_text(ball([1, 0, 0], [0, 0, 0])).solve("velocity of ball at start")
+
+
+def rest(load: float, mu: float) -> fb.Statics:
+    """A puck on a slope of 30 deg, pushed across it."""
+    model = f"""
+space: true
+ground: {{planes: {{slope: {{normal: [sin(30 deg), cos(30 deg), 0]}}}}}}
+bodies: {{puck: {{particle: {{mass: 1 kg}}}}}}
+connections: {{it: {{contact: {{between: [puck, ground.slope], friction: {mu}}}}}}}
+loads: {{weight: {{gravity: 9.81 m/s^2}}, push: {{force: {{at: puck, along: [0, 0, 1], magnitude: {load} N}}}}}}
+"""
+    return fb.System.from_text(model).statics()
+
+
+def test_puck_on_a_slope_holds_within_the_circle_of_friction() -> None:
+    """The resultant of m g sin(alpha) and of the push is at most mu m g cos(alpha)."""
+    pressed, down = G * math.cos(math.pi / 6), G * math.sin(math.pi / 6)
+    needed = math.hypot(4.0, down) / pressed
+    held, slips = rest(4.0, 0.8), rest(4.0, 0.7)
+    assert (held.holds, slips.holds) == (True, False)
+    assert held.reserve == pytest.approx(0.8 / needed, rel=1e-6)
+    assert slips.reserve == pytest.approx(0.7 / needed, rel=1e-6)
+
+
+@pytest.mark.slow
+def test_crate_on_four_corners_slips_when_the_push_reaches_mu_m_g() -> None:
+    """Pushed obliquely through its middle it slips before it tips; how its corners share the load does not matter."""
+    push = "push: {force: {at: crate, along: [0.6, 0, 0.8], magnitude: 3 N}}"
+    model = TABLE.replace("}}\nloads: {", "}}\nloads: {" + push + ", ") + (
+        "bodies: {crate: {box: {mass: 1 kg, size: [1 m, 1 m, 1 m]}}}\n"
+        "connections: {it: {contact: {between: [crate, ground.table], friction: 0.4}}}\n"
+    )
+    found = fb.System.from_text(model).statics()
+    assert found.holds
+    assert found.reserve == pytest.approx(0.4 * G / 3.0, rel=1e-6)
+
+
+def test_rolling_and_spinning_resistance_take_energy_at_the_rates_of_their_arms() -> None:
+    """A ball that rolls, with arms f and s of the normal force: (1 + 2/5) m dv/dt = -f m g/R, and the spin falls by
+    5/2 s g/R^2."""
+    f, s, R = 1e-4, 2e-4, 0.028
+    more = f", rolling_resistance: {f}, spinning_resistance: {s}"
+    found = fb.System.from_text(ball([1.0, 0.0, 0.0], [0.0, 3.0, -1.0 / R], more=more)).simulate(0.5, every=0.1)
+    rotation = found.course.rotation
+    assert rotation is not None
+    t = found.course.times
+    assert found.course.velocities[:, 0, 0] == pytest.approx(1.0 - 5 / 7 * f * G / R * t, abs=1e-7)
+    assert rotation.velocities[:, 0, 1] == pytest.approx(np.maximum(3.0 - 2.5 * s * G / R**2 * t, 0.0), abs=1e-7)
+
+
+@pytest.mark.slow
+def test_cube_that_tumbles_comes_to_lie_on_a_face() -> None:
+    """It hits with corner after corner, slides on four and stops; the work of loads, friction and impacts adds up."""
+    model = TABLE + (
+        "bodies: {cube: {box: {mass: 0.1 kg, size: [0.05 m, 0.05 m, 0.05 m]}, at: [0, 0.3 m, 0], "
+        "velocity: [0.5, 0, 0.2], angular_velocity: [3, 5, 8], turned: 20 deg about x}}\n"
+        "connections: {it: {contact: {between: [cube, ground.table], friction: 0.4, restitution: 0.2}}}\n"
+    )
+    found = fb.System.from_text(model).simulate(0.6)
+    assert str(found.status) == "finished"
+    assert found.course.poses[-1, 0, 1] == pytest.approx(0.025, abs=1e-9)
+    assert found.course.velocities[-1, 0] == pytest.approx(0.0, abs=1e-9)
+    record = found.course.contact
+    assert record is not None
+    assert record.states[-1].sum() == 4
+    energies = [collision.energy_change for collision in record.collisions]
+    assert max(energies) <= 1e-12

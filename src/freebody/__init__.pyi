@@ -67,6 +67,7 @@ from freebody.loads.spring import TorsionalDamper as _TorsionalDamper
 from freebody.loads.spring import TorsionalSpring as _TorsionalSpring
 from freebody.loads.torque import Torque as _Torque
 from freebody.model.shapes.composite import Composite as _Composite
+from freebody.model.shapes.ellipsoid import Ellipsoid as _Ellipsoid
 from freebody.model.shapes.frustum import Frustum as _Frustum
 from freebody.model.shapes.given import Body as _Body
 from freebody.model.shapes.hemisphere import Hemisphere as _Hemisphere
@@ -380,6 +381,7 @@ class Contact(_Contact):
         friction: _Formula | _Mapping = ...,
         restitution: _Formula = ...,
         rolling_resistance: _Formula = ...,
+        spinning_resistance: _Formula = ...,
         touching: bool | None = ...,
         below: bool = ...,
     ) -> None: ...
@@ -502,6 +504,20 @@ class ElasticString(_ElasticString):
         stiffness: _Formula = ...,
         length: _Formula | None = ...,
         taut: bool = ...,
+    ) -> None: ...
+
+class Ellipsoid(_Ellipsoid):
+    """A body that is rounded as an ellipsoid with `semi_axes: [a, b, c]` along its x, y and z, about its `center`;
+    homogeneous unless `inertia` gives its moments of inertia about the mass centre, [Ixx, Iyy, Izz] or three rows, and
+    `center_of_mass` its mass centre from the `center`. Three equal semi-axes make it a ball: a tippe top has its mass
+    centre below the middle, a rattleback other principal axes than its surface has. For models in space."""
+
+    def __init__(
+        self,
+        mass: _Formula = ...,
+        semi_axes: _List = ...,
+        inertia: _List | None = ...,
+        center_of_mass: _List | None = ...,
     ) -> None: ...
 
 class Force(_Force):
@@ -854,7 +870,7 @@ class Rolling(_Rolling):
 
     On a line, with s the travel of the centre along it: slip = d(s + R theta)/dt.
 
-    In space: `on` a plane, of the rim of a disk, a sphere or a cone (3 rows; a cone 5)."""
+    In space: `on` a plane, of the rim of a disk, a sphere, an ellipsoid or a cone (3 rows; a cone 5)."""
 
     def __init__(
         self,

@@ -40,7 +40,7 @@ from freebody.tolerances import ROUND_OFF, ROUNDED
 
 _FREE = ROUND_OFF  # a load along a direction in which nothing resists, of the largest load
 _RCOND, _POLISH = 1e-11, 1e-5  # of the constraints that decide, solved once more; a step that is larger is no polish
-_N_PLANES, _MOST_CUTS, _BROKEN = 8, 60, 1e-12  # of a circular cone; a force outside it by more is moved inside
+_N_PLANES, _MOST_CUTS, _BROKEN = 16, 60, 1e-9  # of a circular cone; a force outside it by more is moved inside
 _ACTIVE = 1e-7  # a dual variable above this part of the largest marks a constraint that decides
 
 
@@ -355,13 +355,14 @@ def _solved(
     cost: Array, A: Array, b: Array, G: Array, h: Array, bounds: Bounds, broken: Callable[[Array], list[Array]]
 ) -> tuple[Array, Array, float] | None:
     """The optimum of a program with circular cones: planes are added where it is outside of them, until it is not."""
-    found = _linear(cost, A, b, G, h, bounds)
+    lines, limits = G, h
+    found = _linear(cost, A, b, lines, limits, bounds)
     for _ in range(_MOST_CUTS):
         planes = [] if found is None else broken(found[0])
         if not planes:
             break
-        G, h = np.vstack([G, *planes]), np.append(h, np.zeros(len(planes)))
-        found = _linear(cost, A, b, G, h, bounds)
+        lines, limits = np.vstack([lines, *planes]), np.append(limits, np.zeros(len(planes)))
+        found = _linear(cost, A, b, lines, limits, bounds)
     return found
 
 

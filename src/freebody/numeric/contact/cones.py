@@ -210,7 +210,9 @@ class _Search:
         for _ in range(_STEPS):
             E, e = self._equations(mode, x, slipping, angles)
             sizes = np.abs(E).max(axis=1, initial=LEAST)
-            step = np.linalg.lstsq(E / sizes[:, None], -e / sizes, rcond=ROUNDED)[0]
+            step: Array = np.asarray(
+                np.linalg.lstsq(E / sizes[:, None], -e / sizes, rcond=ROUNDED)[0], dtype=np.float64
+            )
             x, angles = x + step[:n], angles + step[n:]
             if np.abs(step[:n]).max(initial=0.0) <= _NEAR * np.abs(x).max(initial=0.0):
                 break

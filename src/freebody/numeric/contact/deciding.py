@@ -6,6 +6,7 @@ from __future__ import annotations
 from freebody.language.sentences import Message, in_turn
 from freebody.numeric.contact.after import HELD_ALONE, After, Choice
 from freebody.numeric.contact.bounded import Bounded
+from freebody.numeric.contact.cones import is_flat
 from freebody.numeric.contact.forces import contact_forces, is_admissible
 from freebody.numeric.contact.problem import MOST_OTHERS, ForceOutcome, RowState
 from freebody.numeric.contact.rows import ContactInstant, ModeOf, RowProblem
@@ -70,8 +71,18 @@ def lasts(bounded: Bounded, y: Floats, t: float, near: Floats, mode: ModeOf) -> 
     now = bounded.instant(y, t, near)
     drags = {k: state for k, state in enumerate(mode.drags) if state is not None}
     problem = bounded.problem(now, sorted(mode.closed), drags, of_rates=False)
+    if not is_flat(problem.matrices):
+        return _is_kept(problem)
     states = _previous(problem, mode)
     return states is not None and is_admissible(problem.matrices, states)
+
+
+def _is_kept(problem: RowProblem) -> bool:
+    """Whether there are forces with which all that is closed stays so, and all that sticks in planes."""
+    found = contact_forces(problem.matrices, check_others=False)
+    normals = (found.mode[problem.row_of_barrier(k)] for k in problem.closed)
+    at_rest = (found.mode[problem.row_of_drag(k)] for k in problem.across)
+    return found.is_found and RowState.OPEN not in normals and RowState.FORWARD not in at_rest
 
 
 def _previous(problem: RowProblem, mode: ModeOf | None) -> tuple[RowState, ...] | None:

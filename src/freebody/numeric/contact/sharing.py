@@ -8,6 +8,8 @@ contact pull, the least forces in which none pulls are taken, and those that car
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from freebody.language.sentences import Message, further, in_turn
@@ -90,10 +92,13 @@ class SharedReactions:
         if any(len(b.drags[k].loads) != 1 or not b.drags[k].load_sign for k in found):
             return True
         total: dict[int, Floats] = {}
+        ways = dict(mode.ways)
         for k in found:
             drag, state = b.drags[k], mode.drags[k]
             c = b.numbers.number(drag.rub.coefficient(state or 1, at_rest=not state))
             along = engine.gradient_of(drag.row)
+            if drag.across >= 0 and k in ways:
+                along = math.cos(ways[k]) * along + math.sin(ways[k]) * engine.gradient_of(drag.across)
             effect = (state or 1) * c * drag.load_sign * np.outer(along, free[drag.loads[0]])
             total[bool(state)] = total.get(bool(state), np.zeros_like(effect)) + effect
         scale = max(float(np.abs(x).max(initial=0.0)) for x in free.values())

@@ -4,8 +4,8 @@ The forces phi_k = -s_k c_k N_k(lambda) and the multipliers lambda = lambda_0 + 
 a unit force along slip j alone, are solved for together.
 
 Slip in a plane has two rates, (v_k, v_l), and its friction both components, s_k = v_k/|v|. Near v = 0, and where the
-slip has just turned round, s follows the direction d in which it went last: the force stays smooth through the instant
-at which the slip stops, which is where the guard v.d > 0 is violated.
+slip has just turned back, s follows the direction d in which it went last: the force stays smooth through the instant
+at which a slip of constant direction stops, which is where the guard v.d > 0 is violated.
 """
 
 # pyright: basic
@@ -22,6 +22,7 @@ from freebody.numeric.kernels.tape import play
 
 # what presses a sliding friction (`Layout.slide`): a law, a held row, the resultant of two
 PRESSED_BY_LAW, PRESSED_BY_ONE, PRESSED_BY_SIZE = range(3)
+BACK = -0.8  # the cosine beyond which a slip has not turned aside but back
 N_SLIDE = 30  # steps of Newton's method for the friction; one is enough where a single row presses
 
 
@@ -51,7 +52,7 @@ def direction_of(L, S, k):
     if speed <= L.slide_factor[k, 3]:
         return L.slide_factor[k, 2]
     along = own * L.slide_factor[k, 2] + across * L.slide_factor[other, 2]
-    return own / speed if along >= 0.0 else -own / speed
+    return own / speed if along >= BACK * speed else -own / speed
 
 
 @kernel
