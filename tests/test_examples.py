@@ -840,6 +840,10 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
         "range": ["W*(R - mu*r)/(R + mu*r)", "W*(R + mu*r)/(R - mu*r)"],
         "least": "R*(F - W)/(r*(F + W))",
     },
+    # both wheels slide at m v^2/R = mu m g; it would tip at m v^2/R h = m g b/2
+    "car_in_a_curve": {"fastest": "sqrt(mu*g*R)", "first": "sqrt(mu*g*R)"},
+    # N_r (a + b) = m g a + m A h, m A = mu N_r; the front lifts at A h = g b
+    "greatest_acceleration_of_a_car": {"greatest": "mu*g*a/(a + b - mu*h)", "first": "mu*g*a/(a + b - mu*h)"},
     "throw_at_target": {
         "angles": [
             "atan((v0**2 + sqrt(v0**4 - 2*v0**2*h*g - s**2*g**2))/(s*g))",

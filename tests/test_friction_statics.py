@@ -700,3 +700,25 @@ questions: {{range: range of F that keeps it at rest}}
 """).explain()
     assert not solution.derivations[0].reason
     agrees(solution.solution, "range", ["W*(R - mu*r)/(R + mu*r)", "W*(R + mu*r)/(R - mu*r)"])
+
+
+@pytest.mark.parametrize(
+    ("rear", "front", "greatest"),
+    [("mu", "0", "mu*g*a/(a + b - mu*h)"), ("0", "mu", "mu*g*b/(a + b + mu*h)"), ("mu", "mu", "mu*g")],
+)
+def test_the_greatest_acceleration_of_a_car_depends_on_which_wheels_drive(
+    rear: str, front: str, greatest: str, agrees: Agree
+) -> None:
+    """m A = mu N of what drives, with N_r (a + b) = m (g a + A h). Source: Meriam & Kraige, Dynamics, sec. 6/2."""
+    solution = fb.System.from_text(f"""
+parameters: {{m: 1200 kg, a: 1.2 m, b: 1.4 m, h: 0.5 m, mu: 0.8, A: 1 m/s^2, g: 9.81 m/s^2}}
+ground: {{lines: {{road: {{along: right}}}}}}
+bodies:
+  car: {{rectangle: {{mass: m, width: 3 m, height: 2*h}}, points: {{r: [-b, -h], f: [a, -h]}}, at: [0, h], angle: 0}}
+connections:
+  rear: {{contact: {{between: [car.r, ground.road], friction: {rear}, touching: true}}}}
+  front: {{contact: {{between: [car.f, ground.road], friction: {front}, touching: true}}}}
+loads: {{weight: {{gravity: g}}, inertia: {{force: {{at: car, along: left, magnitude: m*A}}}}}}
+questions: {{it: which wheel slips or lifts first as A grows}}
+""").solve()
+    agrees(solution, "it", greatest)

@@ -509,7 +509,7 @@ def test_how_far_a_satellite_gets_is_derived_where_it_gets_farther() -> None:
 
 
 def test_a_preloaded_spring_keeps_a_load_down_until_the_preload_is_overcome() -> None:
-    """It pulls with F_0 + k x, x from the start: the force that holds a block there is F_0, and m x'' = F - F_0 - k x."""
+    """It pulls with F_0 + k x, x from the start: so that m x'' = F - F_0 - k x."""
     system = fb.System.from_text("""
 parameters: {m: 2 kg, k: 100 N/m, F_0: 30 N, F: 50 N}
 bodies: {block: {particle: {mass: m}, at: [0.5 m, 0]}}

@@ -494,7 +494,7 @@ questions: [reaction of A, reaction of B]
         ("{slot: {pin: bar.end, along: right}}", "{roller: [ground.B, bar.end]}", ["Did you mean slot?"]),
         ("first: ground.B, second", "from: ground.B, to", ["Did you mean first?", "Did you mean second?"]),
         ("first: ground.B, second: bar.end", "between: [ground.B, bar.end]", ["Did you mean first and second?"]),
-        ("first: ground.B, ", "", ["spring needs first; it takes first, second, stiffness, length, e.g. spring: {"]),
+        ("first: ground.B, ", "", ["spring needs first; it takes first, second, stiffness, length, preload, e.g. "]),
         ("second: bar.end, stiffness", "sekond: bar.end, stiff", ["Did you mean second?", "Did you mean stiffness?"]),
         ("mass: m, length: 1 m", "mass: 1, length: 1", []),
         ("m: 1 kg", "m: 1", ["m must be a mass (kg), but has no unit: write m: 1 kg under parameters"]),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -11,8 +12,11 @@ import pytest
 import freebody as fb
 from freebody.errors import ModelError
 from freebody.language.expression import Call, Symbol
+from freebody.narrative.sheets.sheet import sheet
 from freebody.numeric.reference import Reference
+from freebody.present.report.formats.terminal import terminal_text
 
+Agree = Callable[[fb.Solution, str, str | list[str]], None]
 EXAMPLES = Path(__file__).parents[1] / "examples"
 
 
@@ -165,3 +169,36 @@ def test_a_state_does_not_disturb_what_moves_beside_it() -> None:
     [alone] = fb.solve(fb.System.from_text(text), question=question).answers
     [found] = fb.solve(fb.System.from_text(beside), question=question).answers
     assert found.expression == alone.expression is not None
+
+
+DRIVEN = """
+parameters: {J: 2 kg m^2, T: 1 N m, tau: 0.5 s}
+bodies: {w: {body: {inertia: J}}}
+connections: {p: {pin: [ground.O, w]}}
+states: {u: (T - u)/tau}
+loads: {drive: {torque: {on: w, magnitude: u}}}
+measures: {phi: angle of w}
+start: {phi: 0, rate(phi): 0, u: 0}
+"""
+
+
+def test_a_state_makes_an_event_in_both_routes(agrees: Agree) -> None:
+    """u = T (1 - e^(-t/tau)) is at half of T after tau ln(2)."""
+    system = fb.System.from_text(DRIVEN + "questions: {it: time when u = T/2}\n")
+    agrees(system.solve(), "it", "tau*log(2)")
+    motion = system.simulate(1.0, events=["u = 0.5 N m"])
+    assert [event.time for event in motion.events] == [pytest.approx(0.5 * math.log(2), rel=1e-7)]
+
+
+def test_the_start_of_a_state_can_be_varied() -> None:
+    """u = T + (u_0 - T) e^(-t/tau) reaches 0.6 T after tau ln((T - u_0)/(0.4 T))."""
+    found = fb.System.from_text(DRIVEN).sweep({"u": "0, 0.25, 0.5 N m"}, record=["time when u = 0.6 N m"], until=1.0)
+    expected = 0.5 * np.log((1 - np.array([0, 0.25, 0.5])) / 0.4)
+    np.testing.assert_allclose(found.values("time when u = 0.6 N m"), expected, rtol=1e-7)
+
+
+def test_an_exercise_gives_the_states_with_their_start() -> None:
+    system = fb.System.from_text("title: Lag\n" + DRIVEN + "questions: {it: time when u = T/2}\n")
+    text = terminal_text(sheet([system]).report())
+    assert "u' = (T - u)/τ" in text
+    assert "u = 0" in text

@@ -422,7 +422,7 @@ def test_every_chart_is_written_in_every_format(vary: Any, sample: str | None, k
     ("asked", "said"),
     [
         ({"vary": {}}, "nothing varies"),
-        ({"vary": {"mass": "1..3 kg:5"}}, "mass is no parameter and no named measure"),
+        ({"vary": {"mass": "1..3 kg:5"}}, "mass is no parameter, no named measure and no state"),
         ({"vary": {"m1": "1..3 m:5"}}, "m1 is in kg; 1 m is not"),
         ({"vary": {"m1": "1..3:5"}}, "m1 is in kg; 1 is not"),
         ({"vary": {"m1": "1..3 kg"}}, "say how many"),

@@ -25,6 +25,8 @@ from freebody.connections.disc_clutch import DiscClutch as _DiscClutch
 from freebody.connections.driver import Driver as _Driver
 from freebody.connections.gear_mesh import GearMesh as _GearMesh
 from freebody.connections.gear_pair import GearPair as _GearPair
+from freebody.connections.heavy_rope import HeavyRope as _HeavyRope
+from freebody.connections.helical_gears import HelicalGears as _HelicalGears
 from freebody.connections.link import Link as _Link
 from freebody.connections.pin import Pin as _Pin
 from freebody.connections.planar import Planar as _Planar
@@ -76,6 +78,7 @@ from freebody.model.shapes.hollow import Annulus as _Annulus
 from freebody.model.shapes.hollow import HollowCylinder as _HollowCylinder
 from freebody.model.shapes.hollow import HollowSphere as _HollowSphere
 from freebody.model.shapes.hollow import SphericalShell as _SphericalShell
+from freebody.model.shapes.rope import Rope as _Rope
 from freebody.model.shapes.round import Cone as _Cone
 from freebody.model.shapes.round import Cylinder as _Cylinder
 from freebody.model.shapes.round import Disk as _Disk
@@ -624,6 +627,49 @@ class HalfRing(_HalfRing):
         radius: _Formula = ...,
     ) -> None: ...
 
+class HeavyRope(_HeavyRope):
+    """`heavy_rope: {rope: chain, over: [ground.edge], leads: [right, down]}`: a body `rope: {mass: m, length: L}` runs
+    over points of the ground, and over wheels that are pinned to the ground, which it grips and turns. `leads` are the
+    directions in which it runs, from its first end to its last, one more than places; the body is the last end. Without
+    slack: its first lead becomes shorter as the last one grows. `from: block`, `to: load` are bodies tied to its ends,
+    without these the ends are free. `wound_on: drum` in place of a free first lead: it unwinds from a drum, on the
+    `side` of it, and there are as many leads as places. `friction: mu` is that of what its first lead lies on.
+    Gravity drives every part along its own lead. Ask for the tension at a body, or in the rope at a place.
+    `counterclockwise: true` where it comes back over a wheel from the right."""
+
+    def __init__(
+        self,
+        rope: _Text,
+        over: _List = ...,
+        leads: _List = ...,
+        start: _Text | None = ...,
+        to: _Text | None = ...,
+        wound_on: _Text | None = ...,
+        side: Any = ...,
+        friction: _Formula | _Mapping = ...,
+        counterclockwise: bool = ...,
+    ) -> None: ...
+
+class HelicalGears(_HelicalGears):
+    """`helical_gears: {first: pinion, second: wheel, teeth: [z1, z2], radius: r, helix_angle: beta}`: two wheels in
+    revolute joints with parallel axes on a common carrier (`on`, default the ground), which mesh from outside. `radius`
+    is the pitch radius of the first, whose teeth are right-handed (`left_handed: true`); they act in the middle of its
+    face. The tooth force is positive when it resists a turn of the first that is right-handed about its axis; with a
+    `pressure_angle`, that of the normal section, it is positive, or negative with `other_flank: true` (1 row)."""
+
+    def __init__(
+        self,
+        first: _Text,
+        second: _Text,
+        teeth: _List,
+        radius: _Formula,
+        helix_angle: _Formula,
+        on: _Text = ...,
+        pressure_angle: _Formula | None = ...,
+        other_flank: bool = ...,
+        left_handed: bool = ...,
+    ) -> None: ...
+
 class Hemisphere(_Hemisphere):
     """`hemisphere: {mass: m, radius: R}`: a homogeneous half ball, its round side towards its own +x, seen from the
     side in the plane: the mass centre is 3 R/8 from the `center` of its flat face, its reference point; about the mass
@@ -881,6 +927,17 @@ class Rolling(_Rolling):
         radius: _Formula | None = ...,
     ) -> None: ...
 
+class Rope(_Rope):
+    """A uniform heavy rope or chain by its last end, which has no angle; `mass: m` of all of it, or
+    `mass_per_length: rho`. A `heavy_rope` among the connections says over what it runs."""
+
+    def __init__(
+        self,
+        length: _Formula,
+        mass: _Formula | None = ...,
+        mass_per_length: _Formula | None = ...,
+    ) -> None: ...
+
 class Screw(_Screw):
     """`screw: {first: ground.A, second: nut, about: x, pitch: 2 mm}`: a cylindrical joint in which a turn of the second
     body moves it by the pitch along the axis (5 rows). A negative pitch is a left-hand thread. `friction` in the thread
@@ -968,7 +1025,8 @@ class SphericalShell(_SphericalShell):
 
 class Spring(_Spring):
     """`spring: {first: ground.A, second: block, stiffness: k, length: l0}`: pulls with k (l - l0); without a
-    natural length it is relaxed at the start. One of length 0 pulls with k r, also through the point itself."""
+    natural length it is relaxed at the start. One of length 0 pulls with k r, also through the point itself.
+    `preload: F0` in place of a length: it pulls with F0 at the start, or pushes where that is negative."""
 
     def __init__(
         self,
@@ -976,6 +1034,7 @@ class Spring(_Spring):
         second: _Text,
         stiffness: _Formula,
         length: _Formula | None = ...,
+        preload: _Formula | None = ...,
     ) -> None: ...
 
 class Stop(_Stop):

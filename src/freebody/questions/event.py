@@ -89,6 +89,9 @@ def read_event(names: Names, text: str, path: Path) -> AskedEvent | None:
         if inner and what not in names.measures:
             order, what = 1, inner[1].strip()
             break
+    if order == 0 and what in names.states:  # the rate of its integral
+        state = names.states[what]
+        return QuestionEvent(state.integral, 1, names.formula(found["value"].strip(), state.dimension, *path), text)
     if (of := _quantity(names, what, found["what"].strip(), path)) is not None:
         target, measure = found["value"].strip(), next(iter(names.measures.values()), None)
         if measure is None:

@@ -231,7 +231,11 @@ def _asked(names: Names, phrase: str, when: object) -> Meant | None:
     if over is not None and over["parameter"] in names.parameters:
         return read_extremal(_asked, names, names.parameters[over["parameter"]], over, when, asks_place=False)
     limit = LIMIT.match(phrase)
-    if limit is not None and limit["parameter"] in names.parameters and not phrase.lower().startswith("does "):
+    if (
+        limit is not None
+        and limit["parameter"] in names.parameters
+        and not phrase.lower().startswith(("does ", "which "))
+    ):
         return read_limit(_asked, names, limit, when)
     if when is not None:
         path: Path = ("when",)

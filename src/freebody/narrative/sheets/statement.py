@@ -7,12 +7,13 @@ from fractions import Fraction
 from typing import Any, cast
 
 from freebody.errors import ExpressionError, FreebodyError
-from freebody.language.expression import Expr, Number, Symbol, free_symbols
+from freebody.language.expression import Call, Expr, Number, Symbol, free_symbols
 from freebody.language.parser import parse
 from freebody.language.units import DIMENSIONLESS, TIME
 from freebody.measures.geometry import ZERO
 from freebody.model.elements import RigidBody
 from freebody.model.phrases import phrase_text
+from freebody.model.states import as_told
 from freebody.narrative.lines.script import Argument, Sentence, ready
 from freebody.narrative.sheets.asking import asking
 from freebody.narrative.sheets.authored import authored, with_symbols
@@ -71,7 +72,7 @@ class ExerciseStatement:
         if not system.about:
             told += self._connections()
         told += [Paragraph(self._say("system.assumed", text=ready(text))) for text in system.assumptions]
-        told += [*self._symbols(), *self._start(), *(() if is_bare else self._given())]
+        told += [*self._symbols(), *self._states(), *self._start(), *(() if is_bare else self._given())]
         return tuple(told)
 
     def prompt(self, question: Question) -> Text:
@@ -148,6 +149,15 @@ class ExerciseStatement:
         what = self._say("sheet.kind_of", kind=f"@kind.{kind.replace('_', ' ')}")
         return (self.catalogue.name(name), " (", *what, ", ", *where, ")")
 
+    def _states(self) -> Iterator[Block]:
+        """What a controller integrates: the rate of each of its states."""
+        states = self.system.states
+        laws = [
+            Formula((Call("rate", Symbol(name)), as_told(state.rate, states)), ("=",)) for name, state in states.items()
+        ]
+        if laws:
+            yield Paragraph((*self._say("sheet.states"), " ", *_listed(laws), "."))
+
     # -- symbols and numbers ------------------------------------------------------------------
     def _symbols(self) -> Iterator[Block]:
         given = cast("dict[str, Any]", self.system.document.data.get("measures") or {})
@@ -167,6 +177,9 @@ class ExerciseStatement:
                 unit = ("rad", "rad/s")[order] if dimension == DIMENSIONLESS else str(dimension / TIME**order)
                 shown_unit = "" if free_symbols(value) or value == ZERO else unit
                 formulas.append(Formula((rates_of(name, order), value), ("=",), shown_unit))
+        for name, state in self.system.states.items():
+            shown_unit = "" if free_symbols(state.start) or state.start == ZERO else str(state.dimension)
+            formulas.append(Formula((Symbol(name), state.start), ("=",), shown_unit))
         closing = tuple(dict.fromkeys(row.connection for row in self.system.constraint_rows if row.closes))
         if closing:
             yield Paragraph(self._say("sheet.closes", names=closing))

@@ -1,4 +1,5 @@
-"""What a sweep may vary: parameters, the start of named measures and of their rates, and where a driver holds one.
+"""What a sweep may vary: parameters, the start of named measures, of their rates and of states, and where a driver
+holds a measure.
 
 A start value becomes a parameter of its own, so that every study sees a system with parameters and nothing else. A
 driven measure, which follows f(t), then follows f(t) - f(0) + its start value.
@@ -51,10 +52,14 @@ def varied(system: System, names: Sequence[str]) -> tuple[System, list[Varied]]:
         elif name in system.measures or measure != name:
             system, one = _with_start(system, name, measure)
             found.append(one)
+        elif name in system.states:
+            system, one = _with_state(system, name)
+            found.append(one)
         else:
-            known = [*(p.name for p in system.parameters.values() if p.form is None), *system.measures]
+            free = (p.name for p in system.parameters.values() if p.form is None)
+            known = [*free, *system.measures, *system.states]
             told = Message(
-                "{name} is no parameter and no named measure of the model.{hint}",
+                "{name} is no parameter, no named measure and no state of the model.{hint}",
                 name=name,
                 hint=did_you_mean(name, known),
             )
@@ -81,6 +86,15 @@ def _with_start(system: System, name: str, measure: str) -> tuple[System, Varied
     if rows != system.constraint_rows:
         return replace(system, parameters=parameters, constraint_rows=rows), one
     return replace(system, parameters=parameters, start={**system.start, measure: Symbol(symbol)}), one
+
+
+def _with_state(system: System, name: str) -> tuple[System, Varied]:
+    """The system in which the value of a state at the start is a parameter."""
+    state, symbol = system.states[name], _free(f"{name}_0", system)
+    parameter = Parameter(symbol, state.dimension, _number(system, state.start), "any")
+    states = {**system.states, name: replace(state, start=Symbol(symbol))}
+    changed = replace(system, parameters={**system.parameters, symbol: parameter}, states=states)
+    return changed, Varied(name, symbol, state.dimension, is_angle=False)
 
 
 def _shifted(row: ConstraintRow, start: Expr) -> ConstraintRow:
