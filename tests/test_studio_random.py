@@ -226,8 +226,8 @@ def at_rest(page: Any, text: str) -> int:
     return memory_of(page)
 
 
-def pressed_everything(browser: Any, address: str, n: int) -> None:
-    seed = random.randrange(10**6)
+def pressed_everything(browser: Any, address: str, n: int, seed: int | None = None) -> None:
+    seed = random.randrange(10**6) if seed is None else seed
     print("seed", seed)
     page = browser.new_page(viewport={"width": 1500, "height": 900}, locale="en-GB")
     wrong: list[str] = []
@@ -241,7 +241,7 @@ def pressed_everything(browser: Any, address: str, n: int) -> None:
     done: list[str] = []
     for _ in range(n):
         done.append(somebody.act())
-        assert wrong == [], f"seed {seed}, after {done[-6:]}"
+        assert wrong == [], f"seed {seed}, after {done[-6:]}: {wrong}"
     after = at_rest(page, PENDULUM)
     page.close(run_before_unload=False)
     assert wrong == [], f"seed {seed}"
