@@ -332,6 +332,23 @@ def test_nothing_is_wider_than_the_screen(page: Any, width: int, language: str) 
             menu.click()
 
 
+def test_another_model_is_edited_before_it_is_read(page: Any) -> None:
+    """Places in the longer text before it mean nothing in it."""
+    for words, title in (("three_planets", "three_planets"), ("pulled along a table", "block")):
+        page.keyboard.press("Control+o")
+        page.wait_for_selector("dialog[open] .cards button", timeout=WAIT)
+        page.keyboard.type(words)
+        page.keyboard.press("Enter")
+        page.focus(".cm-content")
+        page.keyboard.insert_text("# mine ")
+        page.wait_for_selector(f".top .name:has-text('{title}')")
+        page.wait_for_selector(".badge.dof:not(.stale)", timeout=WAIT)
+        wait_for_text(page, "# mine ")
+    slider = page.locator(".sliders label:has-text('m') input").first
+    slider.press("ArrowRight")
+    wait_for_text(page, r"m: 2\.\d+ kg|m: 1\.\d+ kg|m: \d+\.\d+ kg")
+
+
 def test_panes_are_made_wider_by_pointer_by_keys_and_by_a_command(page: Any) -> None:
     def width() -> float:
         return float(page.locator(".pane.model").bounding_box()["width"])

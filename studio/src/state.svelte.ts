@@ -165,6 +165,8 @@ export class Studio {
   load(text: string): void {
     this.motion = null;
     this.count = null;
+    this.read = null;
+    this.parameters = []; // their places are those of the other text
     this.model = null;
     this.modelText = "";
     this.time = 0;

@@ -29,17 +29,19 @@ def launch(file: Path | None, port: int, *, opens_browser: bool) -> None:
     port, token = bound.getsockname()[1], new_token()
     address = f"http://127.0.0.1:{port}/#token={token}"
     print(address, flush=True)
-    config = uvicorn.Config(
-        studio(folder, token, port),
-        log_level="warning",
-        server_header=False,
-        access_log=False,
-        timeout_graceful_shutdown=1,  # [s] that answers on their way have when it is to end
-    )
+    app = studio(folder, token, port)
+    config = uvicorn.Config(app, log_level="warning", server_header=False, access_log=False)
+
+    class Server(uvicorn.Server):
+        async def shutdown(self, sockets: list[socket.socket] | None = None) -> None:
+            """Nobody waits any more for what is being answered, or the terminal would not come back until then."""
+            await app.state.lanes.end()
+            await super().shutdown(sockets)
+
     if opens_browser:
         webbrowser.open(address)
     with suppress(KeyboardInterrupt):  # which is how it ends
-        uvicorn.Server(config).run(sockets=[bound])
+        Server(config).run(sockets=[bound])
 
 
 def _bound(port: int) -> socket.socket:

@@ -150,7 +150,9 @@ def studio(folder: Folder, token: str, port: int) -> Starlette:
     }
     routes = [Route(f"/api/{name}", guarded(answer), methods=["POST"]) for name, answer in answers.items()]
     routes += [Route("/", page), Route("/look.css", look), Route("/{name}", page)]
-    return Starlette(routes=routes, lifespan=life)
+    app = Starlette(routes=routes, lifespan=life)
+    app.state.lanes = lanes
+    return app
 
 
 class _TooLarge(Exception):

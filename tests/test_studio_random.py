@@ -1,0 +1,258 @@
+"""The studio in the hands of somebody who presses everything: random actions, told by a seed, after which nothing has
+gone wrong, the page still answers, and its memory has not grown.
+
+The ordinary run has a few of them; `pytest -m slow` has as many as half an hour of fast work.
+"""
+
+from __future__ import annotations
+
+import random
+import shutil
+import subprocess
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import suppress
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+BROWSER = next(
+    (found for name in ("chromium", "chromium-browser", "google-chrome") if (found := shutil.which(name))), None
+)
+PENDULUM = """# a pendulum
+title: Rod on a pin
+parameters: {L: 1 m, m: 2 kg, g: 9.81 m/s^2}
+bodies:
+  rod: {rod: {mass: m, length: L}}
+connections:
+  A: {pin: [ground.A, rod.start]}
+loads: {weight: {gravity: g}}
+measures: {theta: {angle of rod}}
+start: {theta: -60 deg}
+questions:
+  - {id: first, find: acceleration of theta}
+"""
+WAIT = 120_000  # [ms] for what is computed
+GROWTH = 12 << 20  # [bytes] that the page may have gained: pictures and reports that are shown, the history of edits
+CHOSEN = """([selector, share]) => {
+  const all = [...document.querySelectorAll(selector)].filter((each) => each.checkVisibility() && !each.disabled);
+  return all[Math.floor(share * all.length)] ?? null;
+}"""
+BUTTONS = (
+    ".top button, .transport button, .view button, .plots button, .sheet input, .content button, .content summary, "
+    ".plots summary, .transport summary, .sliders summary, .tree summary, .switch button, .notice button"
+)
+PIECES = ["m", "1", " ", "\n", "{", "]", ": ", "# x", "ä", "2 kg", "\t", "- "]
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Any]:
+    if BROWSER is None:
+        pytest.skip("NOT RUN: there is no Chromium on the path, so nobody presses the buttons of the studio")
+    playwright = pytest.importorskip(
+        "playwright.sync_api", reason="NOT RUN: pip install playwright to press the buttons of the studio"
+    )
+    with playwright.sync_playwright() as running:
+        browser = running.chromium.launch(executable_path=BROWSER, args=["--no-sandbox"])
+        yield browser
+        browser.close()
+
+
+@pytest.fixture
+def address(tmp_path: Path) -> Iterator[str]:
+    """Of a studio with a file; its server may say nothing."""
+    file = tmp_path / "pendulum.yaml"
+    file.write_text(PENDULUM, encoding="utf-8")
+    command = [sys.executable, "-m", "freebody", "studio", str(file), "--no-browser"]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
+        assert process.stdout is not None
+        yield process.stdout.readline().strip()
+        process.terminate()
+        assert process.communicate()[1] == ""
+
+
+class Somebody:
+    """Who presses, types and drags what there is to press, type and drag. Each action is possible at any time."""
+
+    def __init__(self, page: Any, chance: random.Random) -> None:
+        self.page, self.chance = page, chance
+        self.actions: dict[str, Callable[[], None]] = {
+            "type": self.type_in_text,
+            "undo": lambda: self.key(self.chance.choice(["Control+z", "Control+y"]), ".cm-content"),
+            "slide": self.slide,
+            "drag": self.drag,
+            "wheel": self.wheel,
+            "press": self.press,
+            "tab": lambda: self.click(".tabs button"),
+            "choose": self.choose,
+            "ask": self.ask,
+            "scene": lambda: self.key(self.chance.choice(" ,.+-0"), ".view canvas"),
+            "dialog": self.dialog,
+            "element": lambda: self.click(".tree button"),
+            "example": self.example,
+            "width": self.width,
+        }
+
+    def act(self) -> str:
+        name = self.chance.choice(list(self.actions))
+        self.actions[name]()
+        return name
+
+    # -- what there is --------------------------------------------------------------------------
+    def any_of(self, selector: str) -> Any | None:
+        """One of those that can be seen and used now."""
+        return self.page.evaluate_handle(CHOSEN, [selector, self.chance.random()]).as_element()
+
+    def click(self, selector: str) -> None:
+        element = self.any_of(selector)
+        if element is not None:
+            self.gently(lambda: element.click(timeout=1000))
+
+    def key(self, keys: str, at: str) -> None:
+        element = self.any_of(at)
+        if element is not None:
+            self.gently(lambda: element.focus())
+            self.page.keyboard.press({" ": "Space"}.get(keys, keys))
+
+    def gently(self, work: Callable[[], object]) -> None:
+        """What is gone, or covered by something else, when it is its turn is left alone."""
+        playwright = pytest.importorskip("playwright.sync_api")
+        with suppress(playwright.Error):
+            work()
+
+    # -- actions --------------------------------------------------------------------------------
+    def type_in_text(self) -> None:
+        line = self.any_of(".cm-line")
+        if line is None:
+            return
+        self.gently(lambda: line.click(timeout=1000))
+        for _ in range(self.chance.randint(1, 4)):
+            self.page.keyboard.press(
+                self.chance.choice(["End", "Home", "Backspace", "Delete", "ArrowDown", "ArrowLeft"])
+            )
+            self.page.keyboard.insert_text(self.chance.choice(PIECES))
+        for _ in range(self.chance.randint(0, 12)):
+            self.page.keyboard.press("Control+z")
+
+    def slide(self) -> None:
+        slider = self.any_of("input[type=range]")
+        if slider is not None:
+            self.gently(lambda: slider.focus())
+            for _ in range(self.chance.randint(1, 6)):
+                self.page.keyboard.press(self.chance.choice(["ArrowLeft", "ArrowRight", "PageUp", "PageDown", "Home"]))
+
+    def drag(self) -> None:
+        canvas = self.any_of(".view canvas")
+        box = None if canvas is None else canvas.bounding_box()
+        if box is None:
+            return
+        x, y = (box[at] + self.chance.random() * box[size] for at, size in (("x", "width"), ("y", "height")))
+        self.page.mouse.move(x, y)
+        self.page.mouse.down()
+        for _ in range(4):
+            x, y = x + self.chance.uniform(-40, 40), y + self.chance.uniform(-40, 40)
+            self.page.mouse.move(x, y)
+        self.page.mouse.up()
+
+    def wheel(self) -> None:
+        canvas = self.any_of(".view canvas")
+        if canvas is not None:
+            self.gently(lambda: canvas.hover(timeout=1000))
+            self.page.mouse.wheel(0, self.chance.uniform(-300, 300))
+
+    def press(self) -> None:
+        self.click(BUTTONS)
+
+    def choose(self) -> None:
+        select = self.any_of("select")
+        if select is not None:
+            n = select.evaluate("select => select.options.length")
+            self.gently(lambda: select.select_option(index=self.chance.randrange(n), timeout=1000))
+
+    def ask(self) -> None:
+        field = self.any_of("#question, .judged input, .judged textarea, .fields input, .transport input[type=number]")
+        if field is not None:
+            words = ["how fast does the rod turn?", "m*g/2", "((", "acceleration of theta", "2", "L", "ä # {", ""]
+            self.gently(lambda: field.fill(self.chance.choice(words), timeout=1000))
+            self.page.keyboard.press("Enter")
+
+    def dialog(self) -> None:
+        self.page.keyboard.press(self.chance.choice(["Control+k", "Control+o", "Control+i", "F1"]))
+        if self.chance.random() < 0.6:
+            self.page.keyboard.type(self.chance.choice(["spr", "theme", "rod", "zzz", "derive"]))
+            self.page.keyboard.press("Enter")
+            if self.chance.random() < 0.5:
+                self.page.keyboard.press("Enter")
+        self.page.keyboard.press("Escape")
+        self.click("dialog[open] .shut")
+
+    def example(self) -> None:
+        self.page.keyboard.press("Control+o")
+        with suppress(pytest.importorskip("playwright.sync_api").Error):
+            self.page.wait_for_selector("dialog[open] .cards button", timeout=10_000)
+        self.click("dialog[open] .cards button")
+        self.page.keyboard.press("Escape")
+
+    def width(self) -> None:
+        width = self.chance.choice([320, 700, 1200, 1600, 1600])
+        self.page.set_viewport_size({"width": width, "height": self.chance.choice([500, 900])})
+
+
+def memory_of(page: Any) -> int:
+    """[bytes] of the page's script that nobody has given back."""
+    session = page.context.new_cdp_session(page)
+    session.send("HeapProfiler.collectGarbage")
+    used = session.send("Runtime.getHeapUsage")["usedSize"]
+    session.detach()
+    return int(used)
+
+
+def at_rest(page: Any, text: str) -> int:
+    """The memory with a model as at first, when everything is answered: the same before and after."""
+    page.set_viewport_size({"width": 1500, "height": 900})
+    for _ in range(2):
+        page.keyboard.press("Escape")
+    page.evaluate("document.querySelectorAll('.notice button:last-of-type').forEach((each) => each.click())")
+    page.click("#tab-ask")
+    page.click(".cm-content")
+    page.keyboard.press("Control+a")
+    page.keyboard.insert_text(text)
+    page.wait_for_selector("canvas", timeout=WAIT)
+    page.wait_for_function("() => !document.querySelector('.stamp, .badge.bad')", timeout=WAIT)
+    page.wait_for_selector(".badge.dof:not(.stale)", timeout=WAIT)
+    page.wait_for_function("() => !document.querySelector('.working')", timeout=WAIT)
+    page.wait_for_timeout(500)
+    return memory_of(page)
+
+
+def pressed_everything(browser: Any, address: str, n: int, seed: int | None = None) -> None:
+    seed = random.randrange(10**6) if seed is None else seed
+    print("seed", seed)
+    page = browser.new_page(viewport={"width": 1500, "height": 900}, locale="en-GB")
+    wrong: list[str] = []
+    page.on("pageerror", lambda error: wrong.append(str(error)))
+    page.on("console", lambda said: wrong.append(said.text) if said.type == "error" else None)
+    page.on("response", lambda reply: wrong.append(f"{reply.status} {reply.url}") if reply.status >= 400 else None)
+    page.goto(address)
+    page.wait_for_selector(".badge.dof:not(.stale)", timeout=WAIT)
+    before = at_rest(page, PENDULUM)
+    somebody = Somebody(page, random.Random(seed))
+    done: list[str] = []
+    for _ in range(n):
+        done.append(somebody.act())
+        assert wrong == [], f"seed {seed}, after {done[-6:]}: {wrong}"
+    after = at_rest(page, PENDULUM)
+    page.close(run_before_unload=False)
+    assert wrong == [], f"seed {seed}"
+    assert after - before < GROWTH, f"seed {seed}: {(after - before) / 2**20:.1f} MB more after {n} actions"
+
+
+def test_nothing_goes_wrong_in_60_random_actions(browser: Any, address: str) -> None:
+    pressed_everything(browser, address, 60)
+
+
+@pytest.mark.slow
+def test_nothing_goes_wrong_in_4000_random_actions(browser: Any, address: str) -> None:
+    """Half an hour at two a second."""
+    pressed_everything(browser, address, 4000)
