@@ -16,6 +16,7 @@ from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, RIGHT, UP, Direction, Point
+from freebody.model.curves import CurvePlace
 from freebody.model.elements import AppliedLoad, Attitude, ConstraintRow, DryFriction, UnilateralConstraint
 from freebody.model.glyphs import Glyph, Relation
 from freebody.model.kinds import Kinds
@@ -91,6 +92,10 @@ class Connection(Spec):
         """By how much it pushes aside of the way on which what it drives is guided, or why there is no such angle."""
         return Message("{connection} has no pressure angle, which is one of cams", connection=self.own_name(names))
 
+    def edge_radius(self, names: Names) -> Measure | Message:
+        """The radius of curvature of its edge where it touches, or why there is none."""
+        return Message("{connection} has no edge, which is one of cams", connection=self.own_name(names))
+
     def mentions(self, names: Names) -> set[str]:
         """Names of the bodies that it joins."""
         return {owner for owner, _point in self._named(names)}
@@ -117,6 +122,10 @@ class Connection(Spec):
     def transmitted(self, names: Names) -> Mapping[str, Transmitted]:
         """What it can be asked for beside its reactions, by the words that ask for it."""
         return {}
+
+    def curve_place(self, names: Names) -> CurvePlace | None:
+        """Where it keeps a point beside a curve, if its foot there is a coordinate of its own."""
+        return None
 
     def brings(self, names: Names) -> dict[str, AppliedLoad]:
         """Loads that belong to it, by their names: the pull of a pretension."""
