@@ -36,6 +36,7 @@ from freebody.connections.prismatic import Prismatic as _Prismatic
 from freebody.connections.rack_and_pinion import RackAndPinion as _RackAndPinion
 from freebody.connections.revolute import Revolute as _Revolute
 from freebody.connections.rolling import Rolling as _Rolling
+from freebody.connections.rolling_on_curve import RollingOnCurve as _RollingOnCurve
 from freebody.connections.screw import Screw as _Screw
 from freebody.connections.slider import Slider as _Slider
 from freebody.connections.slot import Slot as _Slot
@@ -292,14 +293,18 @@ class Cam(_Cam):
     `along: lever.y`). `form: edge`: the point of the follower itself runs on the edge; `form: roller` with a
     `roller_radius`: it is the middle of a roller; of these `along` says on which side of the cam they are; guided
     through its centre, they have plain formulas. The lift is a formula in phi, the angle of the cam from where its x
-    axis points at the follower. The contact force is positive where the cam pushes (1 row)."""
+    axis points at the follower, or goes through `points: [[0 deg, 0 mm], [30 deg, 2 mm], ...]` of a turn: `through:
+    cubic` (a periodic spline, smooth to the acceleration) or `pchip` (no overshoot beside dwells, but the acceleration
+    jumps at the points). The contact force is positive where the cam pushes (1 row)."""
 
     def __init__(
         self,
         cam: _Text,
         follower: _Text,
         base_radius: _Formula,
-        lift: _Formula,
+        lift: _Formula | None = ...,
+        points: _List | None = ...,
+        through: _Text = ...,
         along: _Along | None = ...,
         form: _Text = ...,
         roller_radius: _Formula | None = ...,
@@ -391,18 +396,22 @@ class Contact(_Contact):
 
 class CurvedRail(_CurvedRail):
     """`curved_rail: {point: bead, y: a*x^2}`: a point stays on the curve y = f(x) of another body (`on`, default the
-    ground), x and y from its reference point along its axes, without friction (1 row, in space 2). f is a formula in x
-    and the parameters. The normal force is positive when it pushes to the left of the way of growing x, which is up
-    where the curve is level. `leaves: true`: the point lies on the curve and is not held from above. `ends: [x1, x2]`:
-    from where to where the curve is drawn."""
+    ground), x and y from its reference point along its axes (1 row, in space 2). f is a formula in x and parameters.
+    `curved_rail: {point: bead, x: R*(s + sin(s)), y: R*(1 - cos(s))}`: on a curve in a parameter s, an angle or a
+    length, in the plane; `parameter of rail` is it as a measure. The normal force is positive when it pushes to the
+    left of the way of growing x or s, which is up where a curve to the right is level. `leaves: true`: the point lies
+    on the curve and is not held from above. `friction`: mu, or {static: 0.5, kinetic: 0.4}. `ends: [x1, x2]`: from
+    where to where the curve is drawn."""
 
     def __init__(
         self,
-        point: _Text,
         y: _Formula,
+        x: _Formula | None = ...,
         on: _Text = ...,
-        leaves: bool = ...,
         ends: _List | None = ...,
+        point: _Text = ...,
+        leaves: bool = ...,
+        friction: _Formula | _Mapping = ...,
     ) -> None: ...
 
 class Cylinder(_Cylinder):
@@ -925,6 +934,23 @@ class Rolling(_Rolling):
         inside: _Text | None = ...,
         below: bool = ...,
         radius: _Formula | None = ...,
+    ) -> None: ...
+
+class RollingOnCurve(_RollingOnCurve):
+    """`rolling_on_curve: {body: ball, y: a*x^2}`: a round body rolls without slip on the curve y = f(x) of the ground
+    (or of another body, `on`), or on one in a parameter s, `x: ..., y: ...`; `parameter of contact` is where on it they
+    touch (2 rows). It lies on the left of the way of growing x or s, which is above a curve to the right; `below: true`
+    puts it on the other side. `ends: [x1, x2]`: from where to where the curve is drawn. A circle that is too large for
+    a curve is refused with the radius that would do."""
+
+    def __init__(
+        self,
+        y: _Formula,
+        x: _Formula | None = ...,
+        on: _Text = ...,
+        ends: _List | None = ...,
+        body: _Text = ...,
+        below: bool = ...,
     ) -> None: ...
 
 class Rope(_Rope):

@@ -16,6 +16,7 @@ from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, RIGHT, UP, Direction, Point
+from freebody.model.curves import CurvePlace
 from freebody.model.elements import AppliedLoad, Attitude, ConstraintRow, DryFriction, UnilateralConstraint, Validity
 from freebody.model.glyphs import Glyph, Relation
 from freebody.model.kinds import Kinds
@@ -93,6 +94,10 @@ class Connection(Spec):
         """By how much it pushes aside of the way on which what it drives is guided, or why there is no such angle."""
         return Message("{connection} has no pressure angle, which is one of cams", connection=self.own_name(names))
 
+    def edge_radius(self, names: Names) -> Measure | Message:
+        """The radius of curvature of its edge where it touches, or why there is none."""
+        return Message("{connection} has no edge, which is one of cams", connection=self.own_name(names))
+
     def mentions(self, names: Names) -> set[str]:
         """Names of the bodies that it joins."""
         return {owner for owner, _point in self._named(names)}
@@ -136,6 +141,10 @@ class Connection(Spec):
     def valid_where(self, names: Names) -> list[Validity]:
         """What it takes for granted of where the bodies are."""
         return []
+
+    def curve_place(self, names: Names) -> CurvePlace | None:
+        """Where it keeps a point beside a curve, if its foot there is a coordinate of its own."""
+        return None
 
     def brings(self, names: Names) -> dict[str, AppliedLoad]:
         """Loads that belong to it, by their names: the pull of a pretension."""

@@ -21,6 +21,7 @@ from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING, Any
 
 from freebody.connections.base import Connection
+from freebody.connections.cam_points import lift_through
 from freebody.connections.standing import ground_guide_of, stands_at, vanishes
 from freebody.errors import FreebodyError
 from freebody.language.expression import (
@@ -65,12 +66,16 @@ class Cam(Connection, kind="cam"):
     `along: lever.y`). `form: edge`: the point of the follower itself runs on the edge; `form: roller` with a
     `roller_radius`: it is the middle of a roller; of these `along` says on which side of the cam they are; guided
     through its centre, they have plain formulas. The lift is a formula in phi, the angle of the cam from where its x
-    axis points at the follower. The contact force is positive where the cam pushes (1 row)."""
+    axis points at the follower, or goes through `points: [[0 deg, 0 mm], [30 deg, 2 mm], ...]` of a turn: `through:
+    cubic` (a periodic spline, smooth to the acceleration) or `pchip` (no overshoot beside dwells, but the acceleration
+    jumps at the points). The contact force is positive where the cam pushes (1 row)."""
 
     cam: str
     follower: str
     base_radius: Formula
-    lift: Formula
+    lift: Formula | None = None
+    points: list[list[Formula]] | None = None
+    through: str = "cubic"
     along: Heading | None = None
     form: str = "flat"
     roller_radius: Formula | None = None
@@ -89,8 +94,12 @@ connections:
 
     def _radius(self, names: Names) -> Expr:
         """r(phi): for a roller that of the path of its middle."""
-        lift = names.formula(self.lift, LENGTH, "lift", extra={_PHI: DIMENSIONLESS})
-        return names.positive(self, "base_radius", LENGTH) + lift + self._roller(names)
+        return names.positive(self, "base_radius", LENGTH) + self._lift(names) + self._roller(names)
+
+    def _lift(self, names: Names) -> Expr:
+        if self.points is not None:
+            return lift_through(names, self.points, self.through, _PHI) or ZERO
+        return names.formula(self.lift, LENGTH, "lift", extra={_PHI: DIMENSIONLESS})
 
     def _roller(self, names: Names) -> Expr:
         return names.optional(self, "roller_radius", LENGTH) or ZERO
@@ -103,6 +112,9 @@ connections:
             return None
         if cam.name == point.body or not cam.turns:
             names.problem(Message("a cam is a body that turns, and its follower another body"), "cam")
+            return None
+        if (self.lift is None) == (self.points is None):
+            names.problem(Message("say how far the cam lifts: lift: a formula in phi, or points: [[0 deg, 0], ...]"))
             return None
         if (self.form == "roller") != (self.roller_radius is not None):
             names.problem(Message("roller_radius goes with form: roller"), "roller_radius")
@@ -123,17 +135,17 @@ connections:
         if normal is not None and self.form != "flat" and self._is_radial(names, cam, point, normal):
             return [self._radial(cam, point, normal, r)]
         if normal is not None and self.form == "flat":
-            away = Symbol("away") - r
+            away = Symbol("@away") - r
             turned: Measure = Angle(cam.name, normal.body, direction_angle(normal))
-            used = (("away", Displacement(point, cam.center, normal)), (_PHI, turned))
+            used = (("@away", Displacement(point, cam.center, normal)), (_PHI, turned))
         else:
             steep = divide(differentiate(r, _PHI), r)  # tan of the pressure angle
-            away = (Symbol("away") - r) / Call("sqrt", number(1) + steep * steep)
-            away = substitute(away, {_PHI: Symbol("turned") - Symbol("seen")})
+            away = (Symbol("@away") - r) / Call("sqrt", number(1) + steep * steep)
+            away = substitute(away, {_PHI: Symbol("@turned") - Symbol("@seen")})
             used = (
-                ("away", Distance(cam.center, point)),
-                ("turned", Angle(cam.name)),
-                ("seen", Bearing(cam.center, point)),
+                ("@away", Distance(cam.center, point)),
+                ("@turned", Angle(cam.name)),
+                ("@seen", Bearing(cam.center, point)),
             )
         return [ConstraintRow("contact", "contact force", Composed(away, used, LENGTH), unilateral=True)]
 
@@ -150,10 +162,10 @@ connections:
         """Of a follower that stays on a line through the centre: there it is seen at the angle across/along, which is
         zero, so that the edge is r - r' across/along to the first order; that is enough, and along is r."""
         steep = divide(differentiate(r, _PHI), r)
-        away = Symbol("along") - r + steep * Symbol("across")
+        away = Symbol("@along") - r + steep * Symbol("@across")
         used: _Parts = (
-            ("along", Displacement(point, cam.center, side)),
-            ("across", Displacement(point, cam.center, side.normal())),
+            ("@along", Displacement(point, cam.center, side)),
+            ("@across", Displacement(point, cam.center, side.normal())),
             (_PHI, Angle(cam.name, side.body, direction_angle(side))),
         )
         away = away / Call("sqrt", number(1) + steep * steep)
@@ -175,15 +187,37 @@ connections:
         if side is not None and self._is_radial(names, cam, point, side):
             used = ((_PHI, Angle(cam.name, side.body, direction_angle(side))),)
             return Composed(Call("atan", steep), used, DIMENSIONLESS)
-        steep = substitute(steep, {_PHI: Symbol("turned") - Symbol("seen")})
-        along, across = Symbol("along"), Symbol("across")
+        steep = substitute(steep, {_PHI: Symbol("@turned") - Symbol("@seen")})
+        along, across = Symbol("@along"), Symbol("@across")
         used = (
-            ("along", Displacement(point, cam.center, guide)),
-            ("across", Displacement(point, cam.center, guide.normal())),
-            ("turned", Angle(cam.name)),
-            ("seen", Bearing(cam.center, point)),
+            ("@along", Displacement(point, cam.center, guide)),
+            ("@across", Displacement(point, cam.center, guide.normal())),
+            ("@turned", Angle(cam.name)),
+            ("@seen", Bearing(cam.center, point)),
         )
         return Composed(Call("atan", divide(across + steep * along, along - steep * across)), used, DIMENSIONLESS)
+
+    def edge_radius(self, names: Names) -> Measure | Message:
+        """Of the edge that is cut: r + r'' under a flat face, else that of the path of the middle less the roller."""
+        with names.quietly():
+            parts = self._parts(names)
+        if parts is None:
+            return Message("{connection} has no edge, which is one of cams", connection=self.own_name(names))
+        cam, point, side = parts
+        r = self._radius(names)
+        first = differentiate(r, _PHI)
+        second = differentiate(first, _PHI)
+        used: _Parts
+        if side is not None and (self.form == "flat" or self._is_radial(names, cam, point, side)):
+            used = ((_PHI, Angle(cam.name, side.body, direction_angle(side))),)
+        else:
+            used = ("@turned", Angle(cam.name)), ("@seen", Bearing(cam.center, point))
+        if self.form == "flat":
+            return Composed(r + second, used, LENGTH)
+        path = (r * r + first * first) ** divide(number(3), number(2)) / (r * r + 2 * first * first - r * second)
+        if len(used) == 2:
+            path = substitute(path, {_PHI: Symbol("@turned") - Symbol("@seen")})
+        return Composed(path - self._roller(names), used, LENGTH)
 
     # -- its edge -----------------------------------------------------------------------------
     def _look_for_undercut(self, names: Names, r: Expr) -> None:

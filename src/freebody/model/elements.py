@@ -240,6 +240,11 @@ class ConstraintRow:
         return self.target if self.general is None else self.general
 
     @property
+    def transmits(self) -> bool:
+        """Whether it has a reaction at all: a row that only says what a coordinate is has none."""
+        return bool(self.reaction)
+
+    @property
     def name(self) -> str:
         return f"{self.connection}.{self.component}"
 

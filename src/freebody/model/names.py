@@ -18,6 +18,7 @@ from freebody.language.units import (
 )
 from freebody.measures.base import Measure
 from freebody.measures.geometry import COMPASS, GROUND, ONE, ZERO, Components, Direction, Point
+from freebody.model.curves import CurvePlace
 from freebody.model.elements import AppliedLoad, Attitude, BodyPlane, ConstraintRow, Line, RigidBody
 from freebody.model.formulas import Formulas
 from freebody.model.noting import did_you_mean
@@ -89,6 +90,10 @@ class Joining(Protocol):
         """The bodies whose bearings carry forces of it that it does not tell."""
         ...
 
+    def curve_place(self, names: Names) -> CurvePlace | None:
+        """Where it keeps a point beside a curve, if its foot there is a coordinate of its own."""
+        ...
+
     def brings(self, names: Names) -> dict[str, AppliedLoad]:
         """Loads that belong to it, by their names."""
         ...
@@ -99,6 +104,10 @@ class Joining(Protocol):
 
     def aside_of_way(self, names: Names) -> Measure | Message:
         """Of a cam: by how much it pushes aside of the way on which its follower is guided."""
+        ...
+
+    def edge_radius(self, names: Names) -> Measure | Message:
+        """Of a cam: the radius of curvature of its edge where it touches."""
         ...
 
     def mentions(self, names: Names) -> set[str]:

@@ -120,6 +120,28 @@ def _travel(names: Names, found: Found, path: Path) -> Measure:
 
 
 @_phrase(
+    "parameter of CONNECTION",
+    r"parameter of (?P<of>[A-Za-z_]\w*)",
+    """
+bodies: {bead: {particle: {mass: 1 kg}}}
+parameters: {R: 1 m}
+connections: {wire: {curved_rail: {point: bead, x: R*(s + sin(s)), y: R*(1 - cos(s))}}}
+measures: {s: parameter of wire}
+""",
+)
+def _parameter(names: Names, found: Found, path: Path) -> Measure:
+    """The parameter s of a curve where a point or the contact of a body is on it."""
+    connection = names.connections.get(cast("str", found["of"]))
+    with names.quietly():
+        place = None if connection is None else connection.curve_place(names)
+    if place is None:
+        told = Message("{name} is no rail along a curve in a parameter, x: ..., y: ... in s", name=found["of"])
+        names.problem(told, *path)
+        return Displacement(names.ground_origin, names.ground_origin, RIGHT)
+    return place.parameter
+
+
+@_phrase(
     "distance from POINT to POINT",
     rf"distance (?:from|of) (?P<start>{_POINT}) (?:to|from) (?P<end>{_POINT})",
     """

@@ -1,7 +1,9 @@
-"""Pressure angle: by how much a cam pushes aside of the way on which its follower is guided.
+"""Cams: by how much one pushes aside of the way on which its follower is guided, and how its edge is curved.
 
-It is the angle between the normal of the edge and the guide; friction in the guide jams the follower where it is large,
-so that it is kept below 30 to 35 degrees. Source: Norton, Design of Machinery, sec. 8.6; Shigley & Uicker, sec. 6.6.
+The pressure angle is that between the normal of the edge and the guide; friction in the guide jams the follower where
+it is large, so that it is kept below 30 to 35 degrees. Where the edge would have no positive radius of curvature under
+a flat face, or the path of a roller a smaller one than the roller, it cannot be cut (undercut). Source: Norton, Design
+of Machinery, sec. 8.6 and 8.7; Shigley & Uicker, Theory of Machines and Mechanisms, sec. 6.6.
 """
 
 from __future__ import annotations
@@ -15,7 +17,10 @@ from freebody.questions.base import NAME, Described, Found, Path, Quantity, aske
 from freebody.questions.motion import OfMeasure
 
 if TYPE_CHECKING:
-    from freebody.model.names import Names
+    from collections.abc import Callable
+
+    from freebody.measures.base import Measure
+    from freebody.model.names import Joining, Names
 
 EXAMPLE = """
 bodies:
@@ -43,15 +48,39 @@ class PressureAngle(OfMeasure, kind="pressure angle"):
         return Sentence("what.pressure_angle", {"connection": self.connection})
 
 
+@dataclass(frozen=True)
+class EdgeRadius(OfMeasure, kind="radius of curvature"):
+    """Of the edge of a cam, where it touches its follower; in undercut it is not positive."""
+
+    connection: str
+
+    example = EXAMPLE.replace("pressure angle", "radius of curvature")
+
+    def sentence(self, system: Described) -> Sentence:
+        return Sentence("what.edge_radius", {"connection": self.connection})
+
+
 @asked("pressure angle of CAM", rf"pressure angle of (?:the )?(?P<of>{NAME})", rank=75)
 def _pressure_angle(names: Names, found: Found, path: Path) -> Quantity | None:
-    connection = names.connections.get(found["of"])
+    measure = _of_cam(names, found["of"], path, lambda cam: cam.aside_of_way(names))
+    return None if measure is None else PressureAngle(measure, 0, f"pressure angle of {found['of']}", found["of"])
+
+
+@asked("radius of curvature of CAM", rf"radius of curvature of (?:the )?(?P<of>{NAME})", rank=75)
+def _edge_radius(names: Names, found: Found, path: Path) -> Quantity | None:
+    measure = _of_cam(names, found["of"], path, lambda cam: cam.edge_radius(names))
+    return None if measure is None else EdgeRadius(measure, 0, f"radius of curvature of {found['of']}", found["of"])
+
+
+def _of_cam(names: Names, name: str, path: Path, measure_of: Callable[[Joining], Measure | Message]) -> Measure | None:
+    """A measure of the cam of that name; None with a problem noted."""
+    connection = names.connections.get(name)
     if connection is None:
-        hint = did_you_mean(found["of"], names.connections)
-        names.unknown(found["of"], Message("there is no connection {name}.{hint}", name=found["of"], hint=hint), *path)
+        hint = did_you_mean(name, names.connections)
+        names.unknown(name, Message("there is no connection {name}.{hint}", name=name, hint=hint), *path)
         return None
-    measure = connection.aside_of_way(names)
+    measure = measure_of(connection)
     if isinstance(measure, str):
         names.problem(measure, *path)
         return None
-    return PressureAngle(measure, 0, f"pressure angle of {found['of']}", found["of"])
+    return measure

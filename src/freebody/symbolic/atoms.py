@@ -2,11 +2,21 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from typing import Any, Literal
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import FLOAT_FUNCTIONS, Call, Expr, multiply, number
+from freebody.language.expression import (
+    FLOAT_FUNCTIONS,
+    Call,
+    Expr,
+    GivenCall,
+    multiply,
+    number,
+    value_of_given,
+)
 from freebody.language.sentences import Message
 from freebody.symbolic.field import Field, Generator, Ratio
 
@@ -109,6 +119,42 @@ def function_atom(
     return atom
 
 
+def given_atom(field: Field, call: GivenCall, argument: Ratio) -> Ratio:
+    """A function that is given in numbers: its name in formulas, its form where numbers are wanted."""
+    key = ("given", call.function, call.forms, argument.key())
+    known = field.known(key)
+    if known is not None:
+        return known
+    atom = field.generator(
+        Generator(
+            replace(call, argument=field.expression(argument)),
+            "function",
+            compute=lambda v, f: value_of_given(call, field.evaluate(argument, v, f), _Of(f)),
+            made_of=field.ingredients(argument),
+            remake=lambda follow: given_atom(field, call, follow(argument)),
+        ),
+        key=key,
+    )
+    inner, slope = field.rate(argument), call.derivative()
+    if slope is not None and not inner.is_zero():
+        field.set_rate(atom, given_atom(field, slope, argument) * inner)
+    return atom
+
+
+class _Of(dict[str, Any]):
+    """The functions of an arithmetic (a module of them) by name."""
+
+    def __init__(self, functions: Any) -> None:
+        super().__init__({"abs": abs, "sign": _sign, "number": float, "pi": math.pi})
+        self._functions = functions
+
+    def __contains__(self, name: object) -> bool:
+        return name != "given" and (super().__contains__(name) or hasattr(self._functions, str(name)))
+
+    def __missing__(self, name: str) -> Any:
+        return getattr(self._functions, name)
+
+
 def elliptic_atom(
     field: Field, phi: Ratio, k: Ratio, again: Callable[[Ratio, Ratio], Ratio], sine: Callable[[Ratio], Ratio]
 ) -> Ratio:
@@ -168,4 +214,4 @@ def _legendre(
 
 
 def _sign(x: Any) -> int:
-    return (x > 0) - (x < 0)
+    return (x > 0) * 1 - (x < 0) * 1

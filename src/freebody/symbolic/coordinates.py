@@ -114,7 +114,7 @@ class CoordinateChoice:
             self._lines.made_for(row.connection, row.measure)
             angle = self._bodies.angle_of(row.measure)
             value = row.measure.value(self._absolute) if angle is None else angle
-            found.append(RowEquation(row.name, value - self._target(row)))
+            found.append(RowEquation(row.name, value - self._target(row), defines=not row.transmits))
         return found + self._lines.new_equations()
 
     def equation(self, row: ConstraintRow) -> Ratio:

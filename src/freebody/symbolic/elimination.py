@@ -10,16 +10,18 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from dataclasses import field as initial
 
 from freebody.errors import CannotAnswer
 from freebody.measures.geometry import Vector
 from freebody.symbolic.field import Field, Ratio
 from freebody.symbolic.functions import known_angle
+from freebody.symbolic.signs import Sign, sign_of
 
 # the name of equations that state a known value; they go before all others
 GIVEN = "given"
+MOST_OF_A_PRODUCT = 200  # terms of an equation that is looked at for factors
 MOST_OF_AN_ANGLE = 8  # terms of an equation by which a closed loop is solved for an angle
 
 
@@ -35,10 +37,12 @@ class Unknown:
 
 @dataclass(frozen=True)
 class RowEquation:
-    """value = 0, from the row of that name."""
+    """value = 0, from the row of that name. defines: it says where something is in coordinates of its own, and goes
+    before what is held there."""
 
     name: str
     value: Ratio
+    defines: bool = False
 
 
 @dataclass(frozen=True)
@@ -81,10 +85,19 @@ class Elimination:
         # by identity; the equation is kept so that its identity is not given away again
         self._options: dict[int, tuple[RowEquation, list[tuple[tuple[int, int], int, Ratio]]]] = {}
         open_equations = self._unsettled(self.equations)
-        while step := self._next_step(open_equations):
+        while True:
+            step = self._next_step(open_equations)
+            if step is None:
+                shorter = [self._without_factors(e) for e in open_equations]
+                if any(e is not s for e, s in zip(open_equations, shorter, strict=True)):
+                    open_equations = self._unsettled(shorter)
+                    continue
+                step = self._over_what_never_vanishes(open_equations)
+            if step is None:
+                break
             used, values = step
             rest = [e for e in open_equations if all(e is not u for u in used)]
-            open_equations = [self._insert(e, values) for e in rest]
+            open_equations = [self._insert(e, values, cancels=any(u.defines for u in used)) for e in rest]
             self.solved += list(values.items())
             open_equations = self._unsettled(open_equations)
         self.loops = open_equations
@@ -127,6 +140,18 @@ class Elimination:
             step = self._known_turn(open_equations) or self._explicit_angle(open_equations)
         return step
 
+    def _over_what_never_vanishes(self, equations: list[RowEquation]) -> EliminationStep | None:
+        """A position from an equation that is linear in it, with a coefficient of one sign everywhere: (1 + x^2) y = h,
+        exp(x) y = h."""
+        for unknown in sorted(self.unknowns.values(), key=lambda u: u.rank):
+            if unknown.rank[0] > 0:
+                break
+            for equation in equations:
+                linear = self._linear(equation.value, unknown.index)
+                if linear is not None and sign_of(linear[0]) in (Sign.POSITIVE, Sign.NEGATIVE):
+                    return [equation], {unknown.index: self.field.lowest_terms(-linear[1] / linear[0])}
+        return None
+
     def _unsettled(self, equations: list[RowEquation]) -> list[RowEquation]:
         """The equations that still say something; redundant ones are noted."""
         return [e for e in equations if not self._is_settled(e)]
@@ -140,11 +165,23 @@ class Elimination:
             return True
         return False
 
-    def _insert(self, equation: RowEquation, values: dict[int, Ratio]) -> RowEquation:
+    def _insert(self, equation: RowEquation, values: dict[int, Ratio], *, cancels: bool) -> RowEquation:
+        """cancels: more that will be put in takes out what stands below, as of a height over a curve."""
         if not self.field.ingredients(equation.value) & values.keys():
             return equation
         value = self.field.follow(equation.value, values)
-        return RowEquation(equation.name, value.numerator())
+        return replace(equation, value=self.field.lowest_terms(value) if cancels else value.numerator())
+
+    def _without_factors(self, equation: RowEquation) -> RowEquation:
+        """An equation without the factors that do not vanish on the branch: sqrt(1 + f'^2) (y - f) = 0 says y = f."""
+        value = equation.value.numerator()
+        if len(value.num) > MOST_OF_A_PRODUCT:
+            return equation
+        _unit, factors = self.field.factor(value.num)
+        kept = [base for base, _exponent in factors if self.is_zero(base)]
+        if len(kept) != 1 or kept[0] == value or not self.field.ingredients(kept[0]) & self._moving:
+            return equation
+        return replace(equation, value=kept[0])
 
     def _is_still(self, x: Ratio) -> bool:
         return not self.field.ingredients(x) & self._moving
@@ -165,7 +202,12 @@ class Elimination:
             found: list[tuple[tuple[int, int], int, Ratio]] = []
             for index in equation.value.generators() & self.unknowns.keys():
                 linear = self._linear(equation.value, index)
-                if linear is not None and self._is_still(linear[0]) and not linear[0].is_zero():
+                if linear is None or linear[0].is_zero():
+                    continue
+                slope = linear[0]
+                if equation.defines:  # rather x = X(s) + h n(s) than h from it: what stands below counts
+                    slope = self.field.lowest_terms(slope / equation.value.denominator())
+                if self._is_still(slope):
                     found.append((self.unknowns[index].rank, index, -linear[1] / linear[0]))
             self._options[id(equation)] = equation, sorted(found, key=lambda item: item[0])
         return self._options[id(equation)][1]
@@ -178,7 +220,8 @@ class Elimination:
         names = {line.name for line in self.lines}
         for equation in equations:
             for rank, index, value in self._single_options(equation)[:1]:
-                key = (-1, 0) if equation.name == GIVEN else rank, equation.name in names
+                is_first = equation.name == GIVEN or equation.defines
+                key = (-1, 0) if is_first else rank, equation.name in names
                 if best is None or key < best:
                     best, found = key, (equation, {index: value})
         return None if found is None else ([found[0]], found[1])

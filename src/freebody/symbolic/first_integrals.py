@@ -271,12 +271,25 @@ class FirstIntegrals:
         return self._potential(SymbolicState(self.model))
 
     def _potential(self, state: SymbolicState) -> Ratio:
-        if any(isinstance(row.measure, NonholonomicForm) for row in self.model.system.constraint_rows):
-            raise CannotAnswer(_DRIVEN)
         total = self.field.zero
         for push in self.model.system.applied_loads:
             total = total + self.potential_of(push, state)
+        self._check_forms(total)
         return total
+
+    def _check_forms(self, potential: Ratio) -> None:
+        """What holds velocities at zero does no work; but the energy gives a speed only where there is one, and where
+        neither mass nor potential knows of a place that velocities alone lead to (how far a disk has turned)."""
+        model, f = self.model, self.field
+        forms = [row for row in model.system.constraint_rows if isinstance(row.measure, NonholonomicForm)]
+        if not forms:
+            return
+        looped = set[int]().union(*(f.ingredients(e.value) for e in model.loops))
+        led = {d.index for d in model.dependent} - looped
+        used = [potential, *(x for row in model.dynamics.mass_matrix for x in row)]
+        is_led = any(led & f.ingredients(f.lowest_terms(x)) for x in used)
+        if is_led or model.degrees_of_freedom != 1 or any(row.in_symbols is not None for row in forms):
+            raise CannotAnswer(_DRIVEN)
 
     def potential_of(self, push: AppliedLoad, state: SymbolicState) -> Ratio:
         """Of one load; along the motion, where it has none of its own."""

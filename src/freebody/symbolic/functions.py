@@ -15,8 +15,8 @@ from collections.abc import Callable, Mapping
 from fractions import Fraction
 from typing import Any, Literal
 
-from freebody.language.expression import Call, Expr, evaluate
-from freebody.symbolic.atoms import elliptic_atom, function_atom, unit_pair
+from freebody.language.expression import Call, Expr, GivenCall, evaluate
+from freebody.symbolic.atoms import elliptic_atom, function_atom, given_atom, unit_pair
 from freebody.symbolic.field import MAX_POWER, Field, Generator, Ratio
 
 Complex = tuple[Ratio, Ratio]
@@ -391,9 +391,12 @@ def functions(field: Field, is_negative: IsNegative | None = None) -> Mapping[st
     def elliptic_f(phi: Ratio, k: Ratio) -> Ratio:
         return elliptic_atom(field, phi, k, elliptic_f, sin)
 
+    def given(call: GivenCall, x: Ratio) -> Ratio:
+        return given_atom(field, call, x)
+
     named = (cos, sin, tan, exp, log, sinh, cosh, tanh, asin, acos, atan, sign)
     table: dict[str, Any] = {function.__name__: function for function in named}
-    table |= {"elliptic_K": elliptic_k, "elliptic_F": elliptic_f}
+    table |= {"elliptic_K": elliptic_k, "elliptic_F": elliptic_f, "given": given}
     return table | {"number": field.element, "pi": field.pi, "sqrt": root, "abs": absolute}
 
 

@@ -8,7 +8,7 @@ from fractions import Fraction
 from typing import Any
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import Expr, domain, evaluate
+from freebody.language.expression import Expr, GivenCall, domain, evaluate
 from freebody.language.notation import to_text
 from freebody.language.sentences import Message
 from freebody.measures.geometry import GROUND, NO_DIRECTION, Pose, SpatialPose, Vector
@@ -311,6 +311,11 @@ def _dual_functions(plain: FieldGeometry) -> dict[str, Any]:
     def number(x: Fraction) -> Dual:
         return Dual(plain.field.element(x))
 
+    def given(call: GivenCall, x: Dual) -> Dual:
+        slope = call.derivative()
+        return x.chain(f["given"](call, x.value), plain.field.zero if slope is None else f["given"](slope, x.value))
+
     made["number"] = number
+    made["given"] = given
     made["pi"] = Dual(plain.field.pi)
     return made

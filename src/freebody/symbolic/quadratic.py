@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from freebody.symbolic.field import Ratio
+from freebody.symbolic.signs import Sign, sign_of
 
 
 def roots(c: Sequence[Ratio], is_negative: Callable[[Ratio], bool] | None = None) -> list[Ratio] | None:
@@ -17,3 +18,8 @@ def roots(c: Sequence[Ratio], is_negative: Callable[[Ratio], bool] | None = None
         root = field.sqrt(field.lowest_terms(c[1] * c[1] - 4 * c[0] * c[2]), is_negative)
         return [(-c[1] - root) / (2 * c[2]), (-c[1] + root) / (2 * c[2])]
     return None
+
+
+def has_no_real_root(c: Sequence[Ratio]) -> bool:
+    """Whether c_0 + c_1 x + c_2 x^2 vanishes nowhere, for all values of the parameters."""
+    return len(c) == 3 and sign_of(c[0].field.lowest_terms(c[1] * c[1] - 4 * c[0] * c[2])) is Sign.NEGATIVE

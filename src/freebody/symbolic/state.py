@@ -149,7 +149,9 @@ class SymbolicState:
 def law_polynomial(push: AppliedLoad) -> list[Expr]:
     """Coefficients c_k of a law sum c_k value^k. Raises CannotAnswer if the load has no such potential."""
     if isinstance(push.measure, NonholonomicForm):
-        raise CannotAnswer(Message("{load} turns with a body and has no potential energy", load=push.load))
+        raise CannotAnswer(
+            Message("the direction of {load} changes with the motion, so it has no potential energy", load=push.load)
+        )
     symbols = free_symbols(push.law)
     if push.measures or push.general is not None or {"@rate", "t"} & symbols or "rate(" in str(push.law):
         raise CannotAnswer(

@@ -16,6 +16,7 @@ from freebody.loads.base import Load
 from freebody.measures.base import Measure
 from freebody.measures.geometry import ONE, ZERO, Components, Direction, Point
 from freebody.measures.turned import points_in
+from freebody.model.curves import CurvePlace
 from freebody.model.elements import (
     AppliedLoad,
     Attitude,
@@ -76,6 +77,7 @@ class SystemDescription:
     looks: Looks = field(default_factory=Looks)  # what its author wants otherwise in pictures
     style: HouseStyle = field(default_factory=HouseStyle)  # and in worked solutions
     states: Mapping[str, ControllerState] = field(default_factory=dict[str, ControllerState])  # of controllers
+    feet: Mapping[str, CurvePlace] = field(default_factory=dict[str, CurvePlace])  # of what is beside curves
 
     @property
     def moving(self) -> tuple[RigidBody, ...]:
@@ -88,13 +90,13 @@ class SystemDescription:
 
     @cached_property
     def material(self) -> dict[str, RigidBody]:
-        """The bodies that there are: without what carries the states of controllers."""
-        carriers = {state.carrier for state in self.states.values()}
+        """The bodies that there are: without what carries the states of controllers, and the feet on curves."""
+        carriers = {it.carrier for it in (*self.states.values(), *self.feet.values())}
         return {name: body for name, body in self.bodies.items() if name not in carriers}
 
     @cached_property
     def all_moving(self) -> tuple[RigidBody, ...]:
-        """Beside them, after them, what carries the states of controllers: what the two routes calculate with."""
+        """Beside them, after them, what carries states and feet: what the two routes calculate with."""
         return tuple(b for b in self.bodies.values() if not b.fixed)
 
     @cached_property

@@ -65,6 +65,7 @@ def in_one_order(system: System) -> System:
             sorted(system.constraint_rows, key=lambda row: (-n_rows[row.connection], natural(row.connection)))
         ),
         states=_sorted(system.states, natural),
+        feet=_sorted(system.feet, natural),
         attitudes=tuple(sorted(system.attitudes, key=lambda attitude: natural(attitude.connection))),
         applied_loads=tuple(
             sorted(system.applied_loads, key=lambda push: (natural(push.load), natural(push.component)))

@@ -37,6 +37,7 @@ def cut_out(system: System, group: frozenset[str]) -> System:
         blows=blows,
         measures=measures,
         states={name: state for name, state in system.states.items() if state.carrier in kept},
+        feet={name: foot for name, foot in system.feet.items() if foot.carrier in kept},
         offered=tuple((name, m) for name, m in system.offered if stays(m.bodies())),
         start={name: e for name, e in system.start.items() if name in measures},
         start_rates={name: e for name, e in system.start_rates.items() if name in measures},

@@ -20,6 +20,7 @@ from freebody.system.reading.connections import (
     parted,
     read_attitudes,
     read_bounds,
+    read_feet,
     read_rows,
     rows_to_ask_for,
 )
@@ -58,8 +59,9 @@ def read_system(document: Document, file: str | None) -> SystemDescription:
     striking, closing = striking_when(names, loads), closing_when(source)
     held, offered = read_rows(names, connections, closing_at_start(source), closing)
     held, later = parted(names, held, closing)
-    states = names.states.values()
-    held = [*held, *(row for state in states for row in state.rows())]
+    feet = read_feet(names, connections)
+    carried = [*names.states.values(), *feet.values()]
+    held = [*held, *(row for it in carried for row in it.rows())]
     blows = gathered(closing, striking, later, list(impulses))
     contacts, limits, brakes = read_bounds(names, connections, closing)
     validities = read_validities(names, connections, loads)
@@ -83,11 +85,12 @@ def read_system(document: Document, file: str | None) -> SystemDescription:
         title=title(source),
         about=plain(str(source.data.get("about") or "")).strip(),
         parameters=names.parameters,
-        bodies=names.bodies | {state.carrier: state.body() for state in states},
+        bodies=names.bodies | {it.carrier: it.body() for it in carried},
         constraint_rows=tuple(held),
         applied_loads=tuple(applied_loads),
         measures=measures,
         states=names.states,
+        feet=feet,
         offered=tuple(offered),
         start=start,
         start_rates=rates,

@@ -43,7 +43,7 @@ class ReactionSymbol:
 
 def reaction_symbols(system: System) -> Mapping[str, ReactionSymbol]:
     """By the name of the row, for all rows of a system."""
-    rows = system.rows
+    rows = [row for row in system.rows if row.transmits]
     taken = _taken(system)
     found: dict[str, ReactionSymbol] = {}
     wishes = {row.name: list(_wishes(row, system)) for row in rows}

@@ -9,7 +9,7 @@ evaluation   values in any arithmetic
 from __future__ import annotations
 
 from freebody.language.expression.calculus import differentiate, substitute
-from freebody.language.expression.evaluation import FLOAT_FUNCTIONS, evaluate, rate_key
+from freebody.language.expression.evaluation import FLOAT_FUNCTIONS, evaluate, rate_key, value_of_given
 from freebody.language.expression.inspection import depth, domain, free_symbols, has_jump, in_one_order, n_operations
 from freebody.language.expression.rates import replace_rates
 from freebody.language.expression.tree import (
@@ -19,9 +19,11 @@ from freebody.language.expression.tree import (
     MINUS_ONE,
     ONE,
     PI,
+    PLACE,
     ZERO,
     Call,
     Expr,
+    GivenCall,
     Number,
     Operand,
     PowerOf,
@@ -49,9 +51,11 @@ __all__ = [
     "MINUS_ONE",
     "ONE",
     "PI",
+    "PLACE",
     "ZERO",
     "Call",
     "Expr",
+    "GivenCall",
     "Number",
     "Operand",
     "PowerOf",
@@ -79,5 +83,6 @@ __all__ = [
     "replace_rates",
     "substitute",
     "symbol",
+    "value_of_given",
     "whole_exponent",
 ]

@@ -19,6 +19,7 @@ from freebody.language.expression.tree import (
     ZERO,
     Call,
     Expr,
+    GivenCall,
     Number,
     PowerOf,
     ProductOf,
@@ -86,6 +87,9 @@ def differentiate(expr: Expr, name: str) -> Expr:
             if all(differentiate(x, name) == ZERO for x in children(expr)):
                 return ZERO
             raise ExpressionError(Message("elliptic integrals are not differentiated here"))
+        case GivenCall(argument=argument):
+            change, slope = differentiate(argument, name), expr.derivative()
+            return ZERO if change == ZERO or slope is None else multiply(slope, change)
         case Call(function, argument):
             change = ZERO if function == "rate" else differentiate(argument, name)
             return ZERO if change == ZERO else multiply(_DERIVATIVES[function](argument), change)

@@ -12,8 +12,10 @@ from freebody.errors import ExpressionError
 from freebody.language.expression.elliptic import elliptic_F, elliptic_K
 from freebody.language.expression.tree import (
     ELEMENTARY,
+    PLACE,
     Call,
     Expr,
+    GivenCall,
     Number,
     PowerOf,
     ProductOf,
@@ -104,11 +106,22 @@ def _evaluate_call(expr: Call, values: Mapping[str, Any], functions: Mapping[str
                 Message("{key} has no value here; known are {values}", key=key, values=_listed(values))
             )
         return functions["rate"](_evaluate(expr.argument, values, functions))
+    if isinstance(expr, GivenCall):
+        place = _evaluate(expr.argument, values, functions)
+        if "given" in functions:
+            return functions["given"](expr, place)
+        return value_of_given(expr, place, functions)
     if expr.function not in functions:
         raise ExpressionError(
             Message("the function {function} is not known to this arithmetic", function=expr.function)
         )
     return functions[expr.function](*(_evaluate(x, values, functions) for x in children(expr)))
+
+
+def value_of_given(call: GivenCall, argument: Any, functions: Mapping[str, Any]) -> Any:
+    """A function that is given in numbers, by its form."""
+    place = _evaluate(call.place, {PLACE.name: argument}, functions)
+    return _evaluate(call.forms[0], {PLACE.name: place}, functions)
 
 
 def _evaluate_power(

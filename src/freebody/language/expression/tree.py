@@ -13,7 +13,7 @@ import keyword
 import math
 import re
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import TypeAlias, cast
 
@@ -130,12 +130,34 @@ class Call(_Operators):
         return Call(self.function, change(self.argument), None if self.modulus is None else change(self.modulus))
 
 
+@dataclass(frozen=True, slots=True)
+class GivenCall(Call):
+    """A function that is given in numbers, as a curve through points: formulas keep its name, numbers take its form.
+
+    forms: of the function and of its derivatives, in `PLACE`; those beyond are zero. place: what `PLACE` is there of
+    the argument, which also is `PLACE` in it. dimension: of its values."""
+
+    forms: tuple[Expr, ...] = ()
+    place: Expr = Symbol("@place")
+    dimension: object = None
+
+    def of(self, change: Callable[[Expr], Expr]) -> GivenCall:
+        """The same function of a changed argument."""
+        return replace(self, argument=change(self.argument))
+
+    def derivative(self) -> GivenCall | None:
+        """Its derivative by the argument; None where that is zero."""
+        rest = self.forms[1:]
+        return replace(self, function=f"{self.function}'", forms=rest) if rest else None
+
+
 Expr: TypeAlias = Number | Symbol | Sum | ProductOf | PowerOf | Call
 Operand: TypeAlias = Expr | int | float | Fraction
 
 ZERO = Number(Fraction(0))
 ONE = Number(Fraction(1))
 MINUS_ONE = Number(Fraction(-1))
+PLACE = Symbol("@place")  # in the forms of a given function: where it is looked at
 PI = Symbol("pi")
 
 

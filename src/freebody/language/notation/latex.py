@@ -34,7 +34,10 @@ class _Latex(Typesetter):
         return rf"\left|{argument}\right|"
 
     def operator(self, function: str) -> str:
-        return _OPERATORS[function]
+        if function in _OPERATORS:
+            return _OPERATORS[function]
+        name = function.rstrip("'")  # of a function that is given in numbers
+        return rf"\operatorname{{{name}}}" + function[len(name) :]
 
     def applied(self, argument: str, is_bare: bool) -> str:
         return f" {argument}" if is_bare else self.in_brackets(argument)

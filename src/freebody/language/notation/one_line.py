@@ -118,6 +118,10 @@ def _text_power(base: str, exponent: Expr, written: str) -> str:
 
 
 def _python_call(call: Call, argument: str) -> str:
+    """lift''(x), the second derivative of what is given in numbers, is lift_dd(x)."""
+    if call.function.endswith("'"):
+        name = call.function.rstrip("'")
+        return f"{name}_{'d' * (len(call.function) - len(name))}({argument})"
     return f"{call.function}({argument})"
 
 

@@ -35,6 +35,9 @@ class _Typst(Typesetter):
         return f"abs({argument})"
 
     def operator(self, function: str) -> str:
+        if function.rstrip("'") != function:  # a derivative of what is given in numbers
+            name = function.rstrip("'")
+            return f'op("{name}"){function[len(name) :]}'
         return _OPERATORS.get(function, function)
 
     def applied(self, argument: str, is_bare: bool) -> str:

@@ -10,9 +10,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 from difflib import get_close_matches
 from fractions import Fraction
+from typing import cast
 
 from freebody.errors import UnitError
-from freebody.language.expression import Call, Expr, Number, PowerOf, ProductOf, Sum, Symbol
+from freebody.language.expression import Call, Expr, GivenCall, Number, PowerOf, ProductOf, Sum, Symbol
 from freebody.language.notation import to_python
 from freebody.language.sentences import Message
 from freebody.language.units.dimension import DIMENSIONLESS, TIME, Dimension
@@ -49,6 +50,9 @@ def _dimension_of(expr: Expr, dimensions: Mapping[str, Dimension]) -> Dimension 
             return None if None in parts else result
         case PowerOf(base, exponent):
             return _dimension_of_power(base, exponent, dimensions)
+        case GivenCall(function, argument, dimension=own):
+            _dimension_of_call(function, argument, dimensions)
+            return cast("Dimension | None", own)
         case Call(function, argument, modulus):
             if modulus is not None:
                 _dimension_of_call(function, modulus, dimensions)

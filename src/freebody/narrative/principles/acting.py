@@ -65,7 +65,7 @@ class Acting:
         self.model = model
         self.system: System = model.system
         self.symbols = drawn_symbols(self.system) if symbols is None else symbols
-        held = {row.name: row for row in self.system.constraint_rows}
+        held = {row.name: row for row in self.system.constraint_rows if row.transmits}
         self.rows: dict[str, ConstraintRow] = held if rows is None else dict(rows)
         self.known = known
         self.is_at_rest = here is not None

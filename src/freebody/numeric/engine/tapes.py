@@ -7,8 +7,10 @@ from fractions import Fraction
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import (
+    PLACE,
     Call,
     Expr,
+    GivenCall,
     Number,
     PowerOf,
     ProductOf,
@@ -16,6 +18,7 @@ from freebody.language.expression import (
     Symbol,
     free_symbols,
     rate_key,
+    substitute,
     whole_exponent,
 )
 from freebody.language.sentences import Message
@@ -107,6 +110,8 @@ class Tapes:
                         return self._emit(tape.SQRT, place(base))
                     return self._emit(tape.WHOLE_POWER, place(base), constant=float(exponent.value))
                 return self._emit(tape.POWER, place(base), place(exponent))
+            case GivenCall(argument=argument, forms=forms, place=where):
+                return place(substitute(forms[0], {PLACE.name: substitute(where, {PLACE.name: argument})}))
             case Call(function, argument) if function in _OPS:
                 return self._emit(_OPS[function], place(argument))
             case _:

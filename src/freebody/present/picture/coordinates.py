@@ -42,7 +42,9 @@ class Coordinates:
         self.figures = {figure.index: figure for figure in drawing.scene.figures if figure.index != GROUND}
 
     def draw(self, called: str, measure: Measure, sense: int = 1) -> None:
-        """sense: -1 for one that grows against the measure."""
+        """sense: -1 for one that grows against the measure. Of what no body shows, as the foot on a curve, nothing."""
+        if any(body not in self.places.index and body not in self.places.poses for body in measure.bodies()):
+            return
         match measure:
             case Combination(((Number(factor), own),)) if abs(factor) == 1:
                 self.draw(called, own, sense * int(factor))

@@ -169,6 +169,14 @@ class QuestionSolver:
             setup = self.setup if system is self.system else Setup(system)
             formula = QuestionSolver(setup, asked)
             found = formula._find()
+            is_of_turn = formula.question.quantity.is_of_turn
+            if is_of_turn and q.relation != "=":
+                told = Message(
+                    "where the extreme of a turn is changes with {name}; ask for the value of {name} at which it is so",
+                    name=q.parameter,
+                )
+                raise CannotAnswer(told)
+            setup = formula.setup if is_of_turn else setup  # over a turn that of the motion without its drive
             roots = _roots(q.of, found.element)
             needs = formula._completion().conditions
             needed = [[] if isinstance(x, Fraction) else needs(found, x, k) for k, x in enumerate(roots)]

@@ -51,6 +51,11 @@ class Mobility(Result):
         return self.rank.n_coordinates - self.rank.rank
 
     @property
+    def _n_defining(self) -> int:
+        """Rows that say no more than what coordinates of their own are, the feet on curves: as many as these."""
+        return sum(not row.transmits for row in self.system.constraint_rows)
+
+    @property
     def finite_freedom(self) -> int:
         """Freedoms of the motion that starts here: those nearby where the pose is singular."""
         return self.degrees_of_freedom if self.nearby is None else self.nearby
@@ -99,8 +104,8 @@ class Mobility(Result):
             "degrees_of_freedom": self.degrees_of_freedom,
             "nearby_degrees_of_freedom": self.nearby,
             "gruebler": self.gruebler.to_plain(),
-            "coordinates": self.rank.n_coordinates,
-            "rank": self.rank.rank,
+            "coordinates": self.rank.n_coordinates - self._n_defining,
+            "rank": self.rank.rank - self._n_defining,
             "rank_by": self.rank.how,
             "rank_is_exact": self.rank.is_exact,
             "redundant": [list(rows) for rows in self.redundant],
@@ -146,7 +151,9 @@ class Mobility(Result):
 
     def _blocks(self) -> Iterator[Block]:
         yield count_section(self.gruebler)
-        independent = f"{self.rank.rank} of {self.gruebler.n_constraints} constraints are independent"
+        independent = (
+            f"{self.rank.rank - self._n_defining} of {self.gruebler.n_constraints} constraints are independent"
+        )
         yield Section(("Rank",), (line(independent), *entries(*self._rank())))
         if self.motions is not None:
             yield from motion_sections(self.motions)
@@ -166,9 +173,9 @@ class Mobility(Result):
                 yield Section(title, tuple(entries(*said)))
 
     def _rank(self) -> Iterator[Entry]:
-        rank = self.rank
-        yield entry("found by", rank.how)
-        yield entry("mobility", f"{rank.n_coordinates} - {rank.rank} = {self.degrees_of_freedom}")
+        n, held = self.rank.n_coordinates - self._n_defining, self.rank.rank - self._n_defining
+        yield entry("found by", self.rank.how)
+        yield entry("mobility", f"{n} - {held} = {self.degrees_of_freedom}")
         if self.nearby is not None and self.nearby < self.degrees_of_freedom:
             shaky = f"motions that start here {self.nearby}: the rest gives way to first order only"
             branching = f"at nearby poses {self.nearby}: the pose is singular, motions branch (bifurcation)"

@@ -116,7 +116,7 @@ def gruebler(system: System) -> Gruebler:
 def _held(system: System, name: str, rows: list[ConstraintRow]) -> ConstraintCount:
     from freebody.measures.geometry import GROUND
 
-    bodies = list(dict.fromkeys(body for row in rows for body in row.measure.bodies()))
+    bodies = [b for b in dict.fromkeys(b for row in rows for b in row.measure.bodies()) if b in system.material]
     named = [body for body in bodies if body != GROUND]
     fixed_or_single = len(named) < 2
     between = (GROUND, *named) if fixed_or_single and GROUND in bodies else tuple(named)

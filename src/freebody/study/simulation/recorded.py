@@ -200,7 +200,7 @@ def _reactions(result: MeasuredMotion) -> dict[str, Any]:
     data: dict[str, Any] = {}
     names = reaction_names(result.rows)
     for k, row in enumerate(result.rows):
-        if state_name(row.connection):
+        if state_name(row.connection) or not row.transmits:
             continue
         unique = result.course.unique[:, k]
         values = np.where(unique, row.sign * result.course.multipliers[:, k], np.nan)

@@ -19,7 +19,7 @@ from freebody.symbolic.laws.base import MotionLaw
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.motion import SmoothMotion
 from freebody.symbolic.phases.course import ClosedFormMotion, CourseZero, LawMotion, UniformMotion
-from freebody.symbolic.quadratic import roots
+from freebody.symbolic.quadratic import has_no_real_root, roots
 from freebody.symbolic.start import StartState
 from freebody.symbolic.unknowns import Coordinate
 from freebody.symbolic.zeros import reals, without_root, zeros_of
@@ -96,6 +96,8 @@ class EnergyMotion(ClosedFormMotion):
         found: list[Ratio] = []
         for base, _exponent in factors:
             parts = base.coefficients(index) if index in base.generators() else []
+            if has_no_real_root(parts):
+                continue
             if len(parts) == 3 and not any(index in f.ingredients(p) for p in parts):
                 found += roots(parts, self.model.samples.is_negative) or []
             elif index in f.ingredients(base):

@@ -12,6 +12,7 @@ from freebody.language.expression import free_symbols, substitute
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.model.carriers import is_distance_kept
+from freebody.model.curves import CurvePlace
 from freebody.model.elements import Attitude, ConstraintRow, DryFriction, UnilateralConstraint
 from freebody.model.named_angles import offered_name
 from freebody.model.names import Names
@@ -109,6 +110,13 @@ def read_rows(
             kept.append(row)
     order = {id(row): k for k, row in enumerate(rows)}
     return sorted(kept, key=lambda row: order[id(row)]), offered
+
+
+def read_feet(names: Names, connections: Mapping[str, Connection]) -> dict[str, CurvePlace]:
+    """Where connections keep points beside curves, by name; what is wrong with them their rows have told."""
+    with names.quietly():
+        found = {name: connection.curve_place(names) for name, connection in connections.items()}
+    return {name: place for name, place in found.items() if place is not None}
 
 
 def read_attitudes(names: Names, connections: Mapping[str, Connection]) -> tuple[Attitude, ...]:
