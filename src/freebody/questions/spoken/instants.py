@@ -57,6 +57,11 @@ def timed(names: Names, sentence: Sentence) -> Groups:
             of = next((name for _, name in main.names), "")
             yield [f"equilibrium of {measure}" for measure in lookup.deflections(names, of)]
         return
+    own = [name for _, name in main.names]
+    is_alone = main.only("name", "instant", *SILENT) and len(own) == 1 and own[0] in names.measures
+    if is_alone and not others and main.all("instant") == ["in equilibrium"]:  # y in equilibrium
+        yield [f"equilibrium of {own[0]}"]
+        return
     if main.all("quantity") == ["depth"] and main.all("instant") == ["in equilibrium"] and not others:
         for group in quantities(names, main.without("instant").without("ask")):
             yield [f"equilibrium of {measure}" for measure in group]

@@ -34,6 +34,8 @@ class Asked(Protocol):
     def quantity(self) -> Quantity: ...
     @property
     def event(self) -> object | None: ...
+    @property
+    def transition(self) -> object | None: ...
 
 
 AskedT = TypeVar("AskedT", bound=Asked)
@@ -82,11 +84,14 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
         return []
     if len(text) > LONGEST:
         return []
+    if JOINT in text and not isinstance(each := _read_quietly(names, text, read), Unread):
+        del names.problems[n_before:]
+        return [*zip(each, text.split(JOINT), strict=True)]
     told = names.problems[n_before:]
     del names.problems[n_before:]
     nearest, instead = _nearest(names, text, read)
-    if len(nearest) != 1 and (each := _several(names, text, read)):
-        return each
+    if len(nearest) != 1 and (parted := _several(names, text, read)):
+        return parted
     if not nearest and not instead:
         instead = _lacking(names, text, read)
     if not nearest and not instead:
@@ -105,7 +110,7 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
         names.problem(several_ways, "find")
     elif (other := _other_value(names, text)) is not None:
         names.problem(other, "find")
-    elif _is_specific(told) or instead or _has_form(told):
+    elif _is_specific(told) or instead or (_has_form(told) and " " not in text):
         names.problems += (
             told if _is_specific(told) and not (_is_of_words(names, told) and instead) else instead or told
         )
@@ -147,7 +152,8 @@ def _several(names: Names, text: str, read: Callable[[str], AskedT | None]) -> l
 
 def _fits_event(asked: Asked) -> bool:
     """Whether what is asked can be meant when it is said to be: a period has no instant."""
-    return asked.event is None or asked.quantity.scope not in _TIMELESS
+    is_timed = asked.event is not None or asked.transition is not None
+    return not is_timed or asked.quantity.scope not in _TIMELESS
 
 
 def _one(names: Names, text: str, read: Callable[[str], AskedT | None]) -> list[tuple[AskedT, str]]:
