@@ -40,8 +40,8 @@ _PLACES = {
     "turning point": poses.turning,
     "level": poses.level,
     "upright pose": poses.upright,
-    "at separation": lambda names, _: ["contact is lost"] if joining.strikes(names) else [],
-    "after engagement": lambda names, _: [f"slipping of {name} ends" for name in losing.clutches(names)],
+    "at separation": losing.separated,
+    "after engagement": losing.engaged,
 }
 _BLOWS = ("after the impact", "before the impact")
 _TIMED = {text: f" {text}" for text in ("in steady motion", "when t grows", "at the dead points")}

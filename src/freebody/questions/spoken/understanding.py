@@ -140,7 +140,7 @@ def _several(names: Names, text: str, read: Callable[[str], AskedT | None]) -> l
             every = (_one_or_each(names, elements, said, read) for said in part.texts)
             before = [asked for asked, _ in found_here]
             fitting = (one for one in every if one and all(_fits_event(asked) for asked, _ in one))
-            some = next((one for one in fitting if all(asked not in before for asked, _ in one)), [])
+            some = next((one for one in fitting if all(asked not in before for asked, _ in one)), None)
             some = some or (_there(names, part.there, found_here[0][1], read) if found_here and part.there else [])
             if not some or any(asked in before for asked, _ in some):  # nothing that is said is dropped
                 break
@@ -182,7 +182,7 @@ def _there(names: Names, text: str, first: str, read: Callable[[str], AskedT | N
     if event is None:
         return []
     said = (f"{text} {mark} {event[1]}" for mark in ("when", "until"))
-    return next((found for one in said if (found := _one(names, one, read))), [])
+    return next((found for one in said if (found := _one(names, one, read))), None) or []
 
 
 def _is_plural(text: str, ways: dict[str, tuple[AskedT, ...]]) -> bool:
@@ -244,9 +244,8 @@ def _nearest(
                 if not instead and isinstance(asked, Unread) and _is_specific(asked.problems):
                     instead = asked.problems
                     open_ = _each_value(names, words, instead)
-    found = open_ and _read_quietly(names, JOINT.join(open_), read)
-    if found and not nearest and not isinstance(found, Unread):
-        return {JOINT.join(open_): found}, instead
+    if open_ and not nearest and not isinstance(asked := _read_quietly(names, JOINT.join(open_), read), Unread):
+        return {JOINT.join(open_): asked}, instead
     return nearest, instead
 
 
