@@ -104,6 +104,9 @@ def straight_tangent(field: Field, is_negative: Callable[[Ratio], bool] | None) 
         square = v.x * v.x + v.y * v.y
         length = field.sqrt(square - offset * offset, is_negative)
         if offset.is_zero():
+            along = v.y if v.x.is_zero() else v.x if v.y.is_zero() else None
+            if along is not None and is_negative is not None and length not in (along, -along):
+                length = -along if is_negative(along) else along  # the square of a sine hides that it is a square
             return length, atan2(field, v.y, v.x, length)
         cos = (length * v.x + offset * v.y) / square
         sin = (length * v.y - offset * v.x) / square

@@ -94,7 +94,7 @@ class System(SystemDescription):
                 "'{text}' asks for several things; ask for one of\n    {several}", text=text, several=several
             )
             raise InputError(told)
-        return found[0]
+        return next(iter(found))
 
     def asked(self, text: str) -> tuple[Question, ...]:
         """What a text asks for: one question, or several. Raises InputError if it cannot be read."""

@@ -55,6 +55,8 @@ def _extreme(names: Names, clause: Clause, degrees: list[str]) -> Groups:
     """The greatest or least of something over the motion."""
     if len(degrees) != 1 or degrees[0] not in ("greatest", "least"):
         return
+    if len(clause.all("quantity")) > 1 and clause.has("preposition", "and"):
+        return  # the largest of one, and another
     whole = " over the motion" if clause.has("instant", "over the motion") else ""
     whole = " over a turn" if clause.has("instant", "over a turn") else whole
     clause = clause.without("instant", "over the motion", "over a turn")

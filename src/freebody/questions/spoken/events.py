@@ -83,10 +83,8 @@ def _instants(names: Names, clause: Clause) -> Groups:
             yield (poses.level if instant == "level" else poses.upright)(names, of)
         elif instant in ("at the impact", "in the impact"):
             yield [f"{of or 'it'} hits"]
-        elif instant == "at separation":
-            yield ["contact is lost"]
-        elif instant == "after engagement":
-            yield from _engages(names, "", "")
+        elif instant in ("at separation", "after engagement"):
+            yield (losing.separated if instant == "at separation" else losing.engaged)(names)
 
 
 # -- what is equal to something ---------------------------------------------------------------
@@ -362,7 +360,7 @@ def _tightens(names: Names, who: str, other: str) -> Groups:
 
 def _engages(names: Names, who: str, other: str) -> Groups:
     """What a clutch joins turns alike where it no longer slips."""
-    yield [f"slipping of {name} ends" for name in losing.clutches(names)]
+    yield losing.engaged(names)
 
 
 _TOLD: dict[frozenset[str], Callable[..., Groups]] = {

@@ -40,8 +40,8 @@ _PLACES = {
     "turning point": poses.turning,
     "level": poses.level,
     "upright pose": poses.upright,
-    "at separation": lambda names, _: ["contact is lost"] if joining.strikes(names) else [],
-    "after engagement": lambda names, _: [f"slipping of {name} ends" for name in losing.clutches(names)],
+    "at separation": losing.separated,
+    "after engagement": losing.engaged,
 }
 _BLOWS = ("after the impact", "before the impact")
 _TIMED = {text: f" {text}" for text in ("in steady motion", "when t grows", "at the dead points")}
@@ -56,6 +56,11 @@ def timed(names: Names, sentence: Sentence) -> Groups:
         if main.only("ask", "quantity", "instant", "name", "verb", *SILENT):
             of = next((name for _, name in main.names), "")
             yield [f"equilibrium of {measure}" for measure in lookup.deflections(names, of)]
+        return
+    own = [name for _, name in main.names]
+    is_alone = main.only("name", "instant", *SILENT) and len(own) == 1 and own[0] in names.measures
+    if is_alone and not others and main.all("instant") == ["in equilibrium"]:  # y in equilibrium
+        yield [f"equilibrium of {own[0]}"]
         return
     if main.all("quantity") == ["depth"] and main.all("instant") == ["in equilibrium"] and not others:
         for group in quantities(names, main.without("instant").without("ask")):

@@ -90,7 +90,10 @@ def _lasting(names: Names, head: Clause, state: Clause, modal: set[str]) -> str 
     if state.has("quantity") and set(state.all("quantity")) != {"equilibrium"}:
         return None
     bodies = [name for _, name in state.names if name in names.bodies and not lookup.is_all_that_moves(names, name)]
-    if any(names.bodies[name].fixed for name in bodies):
+    joints = [
+        name for _, name in state.names if "." in name or (name in names.connections and name not in names.bodies)
+    ]
+    if any(names.bodies[name].fixed for name in bodies) or (joints and verbs & {"rise", "fall"}):
         return None  # what is held already
     if bodies and not joining.is_rough(names) and _is_subject(state):
         return None  # that one of several bodies stays where it is
@@ -173,7 +176,7 @@ def _end(head: Clause, state: Clause, modal: set[str], lasts: str) -> str:
         return "least"
     if starts and _is_push(head) and "fall" not in ends_rest and not state.has("updown", "down"):
         return "largest"
-    if starts and _is_push(head) and state.has("mark", "to"):  # the torque needed to lower the load
+    if starts and _is_push(head) and (state.has("mark", "to") or ends_rest == {"fall"}):  # needed to lower the load
         return "least"
     return "range"
 

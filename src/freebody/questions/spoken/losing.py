@@ -48,6 +48,16 @@ def clutches(names: Names) -> list[str]:
     return [name for name in brakes if len(free & names.connections[name].mentions(names)) > 1]
 
 
+def engaged(names: Names, _body: str = "") -> list[str]:
+    """The condition that what a clutch joins turns alike: it no longer slips."""
+    return [f"slipping of {name} ends" for name in clutches(names)]
+
+
+def separated(names: Names, _body: str = "") -> list[str]:
+    """The condition that what touches parts."""
+    return ["contact is lost"] if joining.strikes(names) else []
+
+
 def has_kinetic_energy_alone(names: Names) -> bool:
     """Whether no load but weight acts, and all ways that are measured are level."""
     if not names.loads and not lookup.places(names, ""):

@@ -41,6 +41,8 @@ def motion(names: Names, quantity: str, rest: Clause) -> Groups:
             yield [f"{quantity.removeprefix('angular ')} of {angles[0]}"]
         elif len(whole) == 1:
             yield [f"{quantity} of {whole[0]}{end}"]
+        elif len(names.measures) == 1 and not end and names.measures.keys() <= {*lookup.places(names, "")}:
+            yield [f"{quantity} of {measure}" for measure in names.measures]  # of what moves as one
         return
     if not of and quantity.startswith("angular") and not lookup.turning(names) and not end:
         yield [f"{quantity.removeprefix('angular ')} of {angle}" for angle in lookup.angles(names, "")]
@@ -52,7 +54,12 @@ def motion(names: Names, quantity: str, rest: Clause) -> Groups:
             else [name for name in lookup.measured(names) if name not in lookup.angles(names, "")]
             or lookup.moving(names)
         )
-        yield [f"{quantity} of {name}{end}" for name in moving]
+        turned = [name for name in moving if joining.axle_of(names, name) == "center" and not end]
+        plain = quantity.removeprefix("angular ")
+        yield [
+            f"angular {'velocity' if plain == 'speed' else plain} of {n}" if n in turned else f"{quantity} of {n}{end}"
+            for n in moving
+        ]
         return
     [name] = of
     if name in names.loads and quantity.split()[-1] in ("velocity", "speed"):  # of the motor: of what it drives
@@ -179,6 +186,8 @@ def _position(names: Names, quantity: str, rest: Clause) -> Groups:
     name = next(iter(of), "")
     if along and name:
         yield [f"position of {name}{along}"]
+    elif name and not lookup.places(names, name) and not lookup.angles(names, name):
+        yield [f"position of {name} along {guide}" for guide in joining.guides(names, name)]
     elif not along:
         yield lookup.places(names, name)
         yield lookup.angles(names, name)

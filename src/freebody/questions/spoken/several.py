@@ -49,7 +49,8 @@ def _pieces(text: str, language: str) -> Iterator[list[str]]:
     """A text parted at all of its conjunctions, at the last one, and at the first one."""
     never = several(language, "never")
     cuts = [found for found in several(language, "and").finditer(text) if found.start() > 0]
-    cuts = [cut for cut in cuts if not never.search(text[: cut.start()]) and not _leads_on(text[cut.end() :], language)]
+    cuts = [cut for cut in cuts if not never.search(text[: cut.start()])]
+    cuts = [cut for cut in cuts if _is_open(text[: cut.start()]) or not _leads_on(text[cut.end() :], language)]
     if not cuts or len(cuts) >= MOST:
         return
     label = several(language, "label")
@@ -57,6 +58,11 @@ def _pieces(text: str, language: str) -> Iterator[list[str]]:
         begins, ends = [0, *(cut.end() for cut in chosen)], [*(cut.start() for cut in chosen), len(text)]
         found = [text[a:b].strip(" ,;.?!") for a, b in zip(begins, ends, strict=True)]
         yield [without for piece in found if (without := re.sub(rf"^{label.pattern}", "", piece))]
+
+
+def _is_open(text: str) -> bool:
+    """Whether something is to follow behind a text: just before, and after, the impact."""
+    return re.search(r"\b(?:before|after|vor|nach)$", text, re.IGNORECASE) is not None
 
 
 def _leads_on(text: str, language: str) -> bool:
@@ -87,7 +93,7 @@ def _part(elements: Elements, pieces: list[str], k: int, language: str) -> Part:
         found += [f"{' '.join(first[:-j])} {own} {tail}" for j in range(1, min(_BORROWED, len(first))) if tail]
     if k < len(pieces) - 1 and tail:
         found.append(f"{own} {tail}")
-    if is_asked or k == 0:
+    if is_asked or k == 0 or " " in own:  # x alone would be that measure
         found.append(own)
     there = several(language, "there").sub(" ", own)
     is_there = k > 0 and there != own

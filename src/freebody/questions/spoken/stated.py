@@ -48,6 +48,10 @@ def stated(names: Names, words: list[Word]) -> Groups:
         if len(ways) == 1 and any(word.kind == "name" and word.what in names.parameters for word in rest):
             equations = [Equation(ways[0], values[0].what), *equations]
             rest = [word for word in rest if word not in values]
+    lands = Word("verb", "hit") in rest and any(w.kind == "name" and w.what in names.parameters for w in rest)
+    if len(equations) == 1 and lands and equations[0].measure in lookup.level(names, ""):  # it lands at x = 12 m
+        low = lookup.falling(names, "")
+        equations += [Equation(low[0], "0")] if len(low) == 1 else []
     if not equations or any(word.kind in ("relation", "not", "value", "turns") for word in rest):
         return
     if any(word.kind == "degree" for word in rest):

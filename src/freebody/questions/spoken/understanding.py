@@ -34,6 +34,8 @@ class Asked(Protocol):
     def quantity(self) -> Quantity: ...
     @property
     def event(self) -> object | None: ...
+    @property
+    def transition(self) -> object | None: ...
 
 
 AskedT = TypeVar("AskedT", bound=Asked)
@@ -82,11 +84,14 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
         return []
     if len(text) > LONGEST:
         return []
+    if JOINT in text and not isinstance(each := _read_quietly(names, text, read), Unread):
+        del names.problems[n_before:]
+        return [*zip(each, text.split(JOINT), strict=True)]
     told = names.problems[n_before:]
     del names.problems[n_before:]
     nearest, instead = _nearest(names, text, read)
-    if len(nearest) != 1 and (each := _several(names, text, read)):
-        return each
+    if len(nearest) != 1 and (parted := _several(names, text, read)):
+        return parted
     if not nearest and not instead:
         instead = _lacking(names, text, read)
     if not nearest and not instead:
@@ -105,7 +110,7 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
         names.problem(several_ways, "find")
     elif (other := _other_value(names, text)) is not None:
         names.problem(other, "find")
-    elif _is_specific(told) or instead or _has_form(told):
+    elif _is_specific(told) or instead or (_has_form(told) and " " not in text):
         names.problems += (
             told if _is_specific(told) and not (_is_of_words(names, told) and instead) else instead or told
         )
@@ -135,7 +140,7 @@ def _several(names: Names, text: str, read: Callable[[str], AskedT | None]) -> l
             every = (_one_or_each(names, elements, said, read) for said in part.texts)
             before = [asked for asked, _ in found_here]
             fitting = (one for one in every if one and all(_fits_event(asked) for asked, _ in one))
-            some = next((one for one in fitting if all(asked not in before for asked, _ in one)), [])
+            some = next((one for one in fitting if all(asked not in before for asked, _ in one)), None)
             some = some or (_there(names, part.there, found_here[0][1], read) if found_here and part.there else [])
             if not some or any(asked in before for asked, _ in some):  # nothing that is said is dropped
                 break
@@ -147,7 +152,8 @@ def _several(names: Names, text: str, read: Callable[[str], AskedT | None]) -> l
 
 def _fits_event(asked: Asked) -> bool:
     """Whether what is asked can be meant when it is said to be: a period has no instant."""
-    return asked.event is None or asked.quantity.scope not in _TIMELESS
+    is_timed = asked.event is not None or asked.transition is not None
+    return not is_timed or asked.quantity.scope not in _TIMELESS
 
 
 def _one(names: Names, text: str, read: Callable[[str], AskedT | None]) -> list[tuple[AskedT, str]]:
@@ -176,7 +182,7 @@ def _there(names: Names, text: str, first: str, read: Callable[[str], AskedT | N
     if event is None:
         return []
     said = (f"{text} {mark} {event[1]}" for mark in ("when", "until"))
-    return next((found for one in said if (found := _one(names, one, read))), [])
+    return next((found for one in said if (found := _one(names, one, read))), None) or []
 
 
 def _is_plural(text: str, ways: dict[str, tuple[AskedT, ...]]) -> bool:
@@ -238,9 +244,8 @@ def _nearest(
                 if not instead and isinstance(asked, Unread) and _is_specific(asked.problems):
                     instead = asked.problems
                     open_ = _each_value(names, words, instead)
-    found = open_ and _read_quietly(names, JOINT.join(open_), read)
-    if found and not nearest and not isinstance(found, Unread):
-        return {JOINT.join(open_): found}, instead
+    if open_ and not nearest and not isinstance(asked := _read_quietly(names, JOINT.join(open_), read), Unread):
+        return {JOINT.join(open_): asked}, instead
     return nearest, instead
 
 
