@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from freebody import ModelError, System
+from posed import posed
 
 MODEL = """
 parameters: {{m1: 2 kg, m2: 3 kg, R: 0.1 m, g: 9.81 m/s^2}}
@@ -45,3 +46,38 @@ def test_a_rope_over_a_pulley_without_inertia_has_one_tension() -> None:
 def test_over_a_pulley_that_takes_a_moment_it_has_two(mass: str, more: str) -> None:
     with pytest.raises(ModelError, match="several values of tension"):
         system(mass, more).solve("tension of rope")
+
+
+HELD_PULLEYS = {
+    # a peg that is welded to the ground
+    "peg": (
+        "B: {particle: {mass: m2}}, p: {disk: {mass: 1 kg, radius: R}}",
+        "fix: {weld: [ground.O, p.center]}",
+        "[A, over p, B]",
+        "1",
+    ),
+    # a movable pulley whose guide keeps it from turning
+    "guided": (
+        "fix: {disk: {radius: R}}, p: {disk: {mass: m2, radius: R}, at: [2*R, -1 m]}",
+        "axle: {pin: [ground.O, fix.center]}, guide: {slider: {body: p, along: up}}",
+        "[A, over fix, under p, ground.C]",
+        "2",
+    ),
+}
+
+
+@pytest.mark.parametrize("case", HELD_PULLEYS)
+def test_over_a_pulley_that_cannot_turn_the_rope_slides(case: str) -> None:
+    """It would be held fast if it did not: with n strands on m2, a = n g (n m1 - m2)/(n^2 m1 + m2)."""
+    bodies, held, path, strands = HELD_PULLEYS[case]
+    model = f"""
+parameters: {{m1: 3 kg, m2: 2 kg, g: 9.81 m/s^2, R: 0.1 m}}
+ground: {{points: {{O: [0, 0], C: [3*R, 0]}}}}
+bodies: {{A: {{particle: {{mass: m1}}}}, {bodies}}}
+connections: {{{held}, rope: {{string: {{path: {path}}}}}}}
+loads: {{weight: {{gravity: g}}}}
+measures: {{x: drop of A}}
+start: {{x: 1 m, rate(x): 0}}
+"""
+    found, n = posed(model, "acceleration of x"), int(strands)
+    assert found.value == pytest.approx(n * 9.81 * (n * 3 - 2) / (n**2 * 3 + 2))

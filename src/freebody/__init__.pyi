@@ -1079,7 +1079,7 @@ class String(_String):
     """`string: {from: left, over: [pulley], to: right}`; longer ways as a list, with hubs and drums:
     `string: {path: [wound on drum radius r at right, under moving, over fixed, ground.A]}`.
 
-    The string does not slip on the pulleys that it `grips` (default: all that are bodies); over the others it
+    The string does not slip on the pulleys that it `grips` (default: all bodies that can turn); over the others it
     slides without friction. Each stretch between grips keeps its length and has one tension, positive when it
     pulls. A body that nothing else holds hangs on the string and moves up and down, below the point where its lead
     leaves the pulley, if it has no position or is put there; a lead to a body on a straight guide runs along the

@@ -53,10 +53,9 @@ class EllipticTime:
     halves: int | None = None
     integral: Callable[[Ratio, Ratio], Ratio] | None = None
 
-    @property
-    def factors(self) -> tuple[Ratio, Ratio]:
-        """Modulus and scale."""
-        return self.modulus, self.scale
+    def told(self, place: Ratio) -> tuple[str, dict[str, Ratio]]:
+        """The key of the sentence that tells it, and what stands in it."""
+        return "course.elliptic", {"phi": self.amplitude(place), "k": self.modulus, "scale": self.scale}
 
     def at(self, place: Ratio) -> Ratio:
         return self._of(self.amplitude(place))

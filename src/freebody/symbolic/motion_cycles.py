@@ -33,7 +33,10 @@ class MotionCycles(MotionLaws):
         found = way.period()
         if found is None:
             raise CannotAnswer(
-                Message("no closed form was found for the period: the time is no elliptic integral of the first kind")
+                Message(
+                    "no closed form was found for the period: the time is neither elementary nor an elliptic integral "
+                    "of the first kind"
+                )
             )
         time, needs, says = found
         return Reached(time, c, q0, u0, [], needs, says=says, integral=way.integral)

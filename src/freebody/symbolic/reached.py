@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from freebody.language.sentences import Message
+from freebody.symbolic.algebraic_time import AlgebraicTime
 from freebody.symbolic.elliptic import EllipticTime
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.unknowns import Coordinate
@@ -26,7 +27,7 @@ class Reached:
     why_no_time: str = ""
     says: list[str] = field(default_factory=list[str])  # conditions that have no formula
     limits: dict[int, Ratio] | None = None  # as the time grows without end: what tends to a value
-    integral: EllipticTime | None = None  # of the time, where energy gives it
+    integral: EllipticTime | AlgebraicTime | None = None  # of the time, where energy gives it
     timed: list[tuple[Ratio, str]] = field(default_factory=list[tuple[Ratio, str]])  # what the time needs besides
     bound: dict[int, Ratio] = field(default_factory=dict[int, Ratio])  # angles of closed loops that the event gives
     settled: Ratio | None = None  # by when it is there, but for round-off

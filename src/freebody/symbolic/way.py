@@ -13,6 +13,7 @@ from functools import cached_property
 
 from freebody.errors import CannotAnswer, NeverHappens, NotReached
 from freebody.language.sentences import Message
+from freebody.symbolic.algebraic_time import AlgebraicTime, algebraic_time
 from freebody.symbolic.elliptic import EllipticTime, elliptic_time
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
@@ -114,9 +115,10 @@ class EnergyPath:
 
     # -- the time -----------------------------------------------------------------------------
     @cached_property
-    def integral(self) -> EllipticTime | None:
+    def integral(self) -> EllipticTime | AlgebraicTime | None:
         """The time along the way up to a constant, where it has a closed form."""
-        return elliptic_time(self.model, self.c, self.square, self.q0, self.u0)
+        plain = algebraic_time(self.model, self.c, self.square, self.q0)
+        return elliptic_time(self.model, self.c, self.square, self.q0, self.u0) if plain is None else plain
 
     def time_to(self, at: Ratio) -> tuple[Ratio, list[Need]] | None:
         """How long it takes to a place, as `to` goes there."""

@@ -17,7 +17,7 @@ from freebody.connections.string.laying import StringRun, check_ends, run_over, 
 from freebody.connections.string.node import StringNode
 from freebody.connections.string.sections import StringSection, sections_of
 from freebody.connections.string.way import is_held, named_on, read_way
-from freebody.language.expression import Expr
+from freebody.language.expression import Expr, free_symbols
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS
 from freebody.measures.angle import Angle
@@ -38,7 +38,7 @@ class String(Connection, kind="string"):
     """`string: {from: left, over: [pulley], to: right}`; longer ways as a list, with hubs and drums:
     `string: {path: [wound on drum radius r at right, under moving, over fixed, ground.A]}`.
 
-    The string does not slip on the pulleys that it `grips` (default: all that are bodies); over the others it
+    The string does not slip on the pulleys that it `grips` (default: all bodies that can turn); over the others it
     slides without friction. Each stretch between grips keeps its length and has one tension, positive when it
     pulls. A body that nothing else holds hangs on the string and moves up and down, below the point where its lead
     leaves the pulley, if it has no position or is put there; a lead to a body on a straight guide runs along the
@@ -180,7 +180,8 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
         pulleys = {node.body for node in run.way[1:-1] if node.radius != ZERO}
         pulleys = {p for p in pulleys if names.known(p).turns and not names.known(p).fixed}
         if self.grips is None:
-            return pulleys - set(self.friction if isinstance(self.friction, dict) else ())
+            free = {p for p in pulleys if not self._is_kept_from_turning(names, p)}
+            return free - set(self.friction if isinstance(self.friction, dict) else ())
         for k, name in enumerate(self.grips):
             if name not in pulleys:
                 body = names.body(name, "grips", k)
@@ -191,6 +192,23 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
                     told = Message("the string does not run over {name}, so it cannot grip it", name=name)
                     names.problem(told, "grips", k)
         return set(self.grips) & pulleys
+
+    def _is_kept_from_turning(self, names: Names, body: str) -> bool:
+        """Whether a connection holds the angle of a body to what does not turn: over such a peg the string slides."""
+        with names.quietly():
+            for other in names.connections.values():
+                if isinstance(other, String) or body not in other.mentions(names):
+                    continue
+                for row in other.rows(names):
+                    angle, is_still = row.measure, row.target is None or not free_symbols(row.target)
+                    if isinstance(angle, Combination) and len(angle.terms) == 1:
+                        angle = angle.terms[0][1]
+                    if not is_still or row.closes or not isinstance(angle, Angle):
+                        continue
+                    turning = set(angle.bodies())
+                    if body in turning and all(names.known(name).fixed for name in turning - {body, GROUND}):
+                        return True
+        return False
 
     def _hanging(self, names: Names, run: StringRun) -> list[ConstraintRow]:
         """Holds every body that hangs on this string, and on no other, across its lead."""

@@ -31,6 +31,11 @@ from freebody.symbolic.tidy import tidy
 
 def derive(context: Context, question: Question, answer: Answer, method: Method) -> list[DerivationStage]:
     """The derivation of a quantity at an event. Raises CannotAnswer where the solver has no formula either."""
+    with context.setup.motion.on_one_side():
+        return _derived(context, question, answer, method)
+
+
+def _derived(context: Context, question: Question, answer: Answer, method: Method) -> list[DerivationStage]:
     event = question.event
     assert isinstance(event, QuestionEvent)
     setup = context.setup

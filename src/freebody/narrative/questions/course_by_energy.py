@@ -14,6 +14,7 @@ from freebody.narrative.questions.event_way import TIME, EventWay, at_start, coo
 from freebody.narrative.questions.kept_momenta import places_by_momenta, tell_momenta
 from freebody.questions.motion import rates_of
 from freebody.questions.reading import QuestionEvent
+from freebody.symbolic.algebraic_time import AlgebraicTime
 from freebody.symbolic.elliptic import EllipticTime
 from freebody.symbolic.field import Field, Ratio
 from freebody.symbolic.first_integrals import is_driven
@@ -89,11 +90,11 @@ def square_line(context: Context, script: Script, c: Coordinate, lines: list[int
     return script.line(left, square, why=why, args=args, uses=lines, when=when)
 
 
-def say_integral(script: Script, c: Coordinate, law: EllipticTime, field: Field, line: int) -> None:
-    """By which substitution the time becomes an elliptic integral."""
+def say_integral(script: Script, c: Coordinate, law: EllipticTime | AlgebraicTime, field: Field, line: int) -> None:
+    """By which substitution the time becomes an elliptic integral, or an elementary one."""
     script.say("course.separated", line=line, name=Symbol(c.name), rate=rates_of(c.name, 1))
-    phi, k, scale = (tidy(field.lowest_terms(x)) for x in (law.amplitude(field.variable(c.index)), *law.factors))
-    script.say("course.elliptic", phi=phi, k=k, scale=scale)
+    key, found = law.told(field.variable(c.index))
+    script.say(key, rate=rates_of(c.name, 1), **{name: tidy(field.lowest_terms(x)) for name, x in found.items()})
 
 
 def time_by_energy(way: EventWay) -> list[int]:

@@ -202,7 +202,9 @@ def _by_cases(setup: Setup, question: Question) -> Answer | None:
 def _on_one_side(setup: Setup, question: Question) -> Answer | None:
     """What is so on the side on which the parameters are at the model's own values, where they decide which way a
     motion by energy goes; None where that leads to no closed form either."""
-    if question.event is None and question.quantity.scope not in ("repeated motion", "whole motion"):
+    wanted = question.quantity.wanted
+    asked = wanted.of if wanted is not None and wanted.relation == "=" else question.quantity
+    if question.event is None and getattr(asked, "scope", "") not in ("repeated motion", "whole motion"):
         return None
     with setup.motion.on_one_side():
         found = QuestionSolver(setup, question).answer()
