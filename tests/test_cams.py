@@ -145,3 +145,123 @@ def test_what_has_no_pressure_angle_is_told_so(question: str, told: str) -> None
     flat = "{cam: {cam: disk, follower: tappet, base_radius: a, lift: e*cos(phi), along: up}}"
     with pytest.raises(fb.FreebodyError, match=told):
         fb.System.from_text(MECHANISM.format(cam=flat)).question(question)
+
+
+# -- through points ---------------------------------------------------------------------------------
+def through(n: int, more: str = "") -> str:
+    """A flat-faced cam through n points of the eccentric circle of `MECHANISM`."""
+    points = ", ".join(f"[{360 * k / n} deg, {8 * np.cos(2 * np.pi * k / n)} mm]" for k in range(n))
+    return f"{{cam: {{cam: disk, follower: tappet, base_radius: a, along: up, points: [{points}]{more}}}}}"
+
+
+def test_a_cam_through_points_moves_its_follower_along_scipys_spline_turn_after_turn() -> None:
+    from scipy.interpolate import CubicSpline
+
+    n = 10
+    phi = np.linspace(0.0, 2 * np.pi, n + 1)
+    spline = CubicSpline(phi, 0.008 * np.cos(phi), bc_type="periodic")
+    motion = fb.System.from_text(MECHANISM.format(cam=through(n))).simulate(0.9, every=0.05)  # nearly three turns
+    at = 0.4 + 20 * motion.recording.times
+    for order, name in ((0, "y"), (1, "y_rate"), (2, "y_acceleration")):
+        expected = spline(at % (2 * np.pi), order) * 20.0**order + (0.03 if order == 0 else 0.0)
+        assert motion.recording.series[name].values == pytest.approx(expected, rel=1e-7, abs=1e-7), name
+    pushed = 0.5 * (9.81 + spline(at % (2 * np.pi), 2) * 400)
+    assert motion.recording.series["it.contact_force"].values == pytest.approx(pushed, rel=1e-7, abs=1e-7)
+
+
+def test_a_cam_through_many_points_of_a_known_one_is_nearly_that_one() -> None:
+    a, side, torque = values(through(72))
+    acceleration = -0.008 * 400 * np.cos(0.4)
+    assert a == pytest.approx(acceleration, rel=1e-3)
+    assert side == pytest.approx(0.0, abs=1e-9)
+    assert torque == pytest.approx(-0.5 * (9.81 + acceleration) * 0.008 * np.sin(0.4), rel=1e-3)
+
+
+def test_a_monotone_curve_does_not_overshoot_beside_a_dwell() -> None:
+    dwell = "[[0 deg, 0 mm], [60 deg, 0 mm], [120 deg, 8 mm], [180 deg, 8 mm], [240 deg, 8 mm], [300 deg, 0 mm]]"
+    lowest = []
+    for curve in ("cubic", "pchip"):
+        curved = f"points: {dwell}, through: {curve}"
+        cam = f"{{cam: {{cam: disk, follower: tappet, base_radius: 60 mm, along: up, {curved}}}}}"
+        heights = fb.System.from_text(MECHANISM.format(cam=cam)).simulate(0.4, every=0.002).series["y"][0]
+        lowest.append(float(np.min(heights)))
+    assert lowest[0] < 0.0599  # a spline swings through
+    assert lowest[1] == pytest.approx(0.06, abs=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("points", "told"),
+    [
+        ("[[0 deg, 0 mm], [90 deg, 1 mm], [80 deg, 2 mm], [270 deg, 1 mm]]", "the angles of the points grow"),
+        ("[[0 deg, 0 mm], [90 deg, 1 mm], [180 deg, 2 mm]]", "at least 4 points, found 3"),
+        ("[[0 deg, 0 mm], [90 deg, 1 mm], [180 deg, 2 mm], [360 deg, 1 mm]]", "0 m, not 0.001 m"),
+        ("[[0 deg, 0 mm], [90 deg, 1 mm], [180 deg, 2 mm], [400 deg, 1 mm]]", "more than one turn"),
+        ("[[0 deg, 0 mm], [90 deg], [180 deg, 2 mm], [270 deg, 1 mm]]", "an angle and a lift"),
+        (
+            "[[0 deg, 0 mm], [90 deg, 40 mm], [180 deg, 0 mm], [270 deg, 40 mm]]",
+            "undercut: .* Take a base radius",
+        ),
+    ],
+)
+def test_points_that_make_no_cam_are_refused_with_what_would_do(points: str, told: str) -> None:
+    cam = f"{{cam: {{cam: disk, follower: tappet, base_radius: a, along: up, points: {points}}}}}"
+    with pytest.raises(fb.ModelError, match=told):
+        fb.System.from_text(MECHANISM.format(cam=cam))
+
+
+def test_the_example_through_points_is_told_in_its_lift() -> None:
+    solution = fb.System.load(Path(__file__).parents[1] / "examples" / "cam_through_points.yaml").solve()
+    shown = {answer.id: answer.to_plain()["expression"] for answer in solution.answers}
+    assert shown["acceleration"] == "Omega**2*lift_dd(Omega*t)"
+    assert shown["force"] == "m*Omega**2*lift_dd(Omega*t) + m*g + F"
+    assert shown["torque"] == "lift_d(Omega*t)*(m*Omega**2*lift_dd(Omega*t) + m*g + F)"
+    assert shown["jump"] == "sqrt(-(m*g + F)/(m*lift_dd(pi)))"
+    assert shown["edge"] == "lift_dd(Omega*t) + lift(Omega*t) + r"
+
+
+def test_the_edge_of_an_eccentric_circle_has_its_radius_of_curvature_everywhere() -> None:
+    flat = "{cam: {cam: disk, follower: tappet, base_radius: a, lift: e*cos(phi), along: up}}"
+    for cam in (flat, ROLLER):
+        system = fb.System.from_text(MECHANISM.format(cam=cam))
+        reference = Reference(system)
+        q = reference.assemble()
+        snapshot = reference.snapshot(q, reference.velocities(q))
+        assert system.question("radius of curvature of it").quantity.value(system, snapshot) == pytest.approx(0.03)
+
+
+def test_a_force_is_asked_for_that_just_keeps_a_cam_closed_over_a_turn() -> None:
+    # N = m g + F + m h/2 Omega^2 cos(phi) is least at the top
+    system = fb.System.load(Path(__file__).parents[1] / "examples" / "cam_with_flat_follower.yaml")
+    (answer,) = system.solve("value of F for which least contact force of cam over a turn = 0").answers
+    assert answer.value == pytest.approx(0.4 * (0.012 / 2 * 1e4 - 9.81), rel=1e-9)
+
+
+SPRING = """
+parameters: {m: 0.4 kg, k: 4 kN/m, F_0: 60 N, h: 12 mm, r: 30 mm, Omega: 200 rad/s}
+
+bodies:
+  disk: {body: {inertia: 0.01 kg m^2}}
+  tappet: {rectangle: {mass: m, width: 40 mm, height: 20 mm}}
+
+connections:
+  axle: {pin: [ground.O, disk]}
+  motor: {driver: {measure: phi, follows: Omega*t}}
+  guide: {slider: {body: tappet, along: up}}
+  cam: {cam: {cam: disk, follower: tappet.bottom, base_radius: r, lift: h/2*(1 - cos(phi)), along: up}}
+
+loads:
+  spring: {law: {measure: y, force: -F_0 - k*(y - r)}}
+
+measures:
+  phi: {angle of disk from up}
+  y: {height of tappet.bottom above ground.O}
+
+start: {phi: 0}
+
+"""
+
+
+def test_the_least_spring_rate_that_keeps_a_cam_closed_is_that_of_the_textbook() -> None:
+    # N = F_0 + k (y - r) + m y'' is least at the top, where y'' = -h Omega^2/2 (Norton, Design of Machinery, ch. 15)
+    (answer,) = fb.System.from_text(SPRING).solve("least k so that the cam keeps touching").answers
+    assert answer.value == pytest.approx(0.4 * 200**2 / 2 - 60 / 0.012, rel=1e-9)

@@ -95,6 +95,17 @@ start: {x: 0, rate(x): v}
 """,
         {"normal force of it at start": "m*(g - 2*a*v**2)"},
     ),
+    # down a straight curve as down an incline, 2/3 g sin(beta) along it
+    "rolling on a straight curve": (
+        "rolling_on_curve",
+        """
+parameters: {m: 2 kg, r: 0.1 m, beta: 20 deg, g: 9.81 m/s^2}
+bodies: {disk: {disk: {mass: m, radius: r}}}
+connections: {it: {rolling_on_curve: {body: disk, y: -x*tan(beta)}}}
+loads: {weight: {gravity: g}}
+""",
+        {"acceleration of disk along right": "2/3*g*sin(beta)*cos(beta)", "normal force of it": "m*g*cos(beta)"},
+    ),
     # the cam at rest carries the tappet: N = m g, held by a torque of N times lift'
     "cam that carries a tappet": (
         "cam",

@@ -180,6 +180,8 @@ def test_a_condition_says_the_same_in_words_and_to_machines(name: str) -> None:
         words = re.sub(r"^at every .* with | \([^()+*/·]*\)$", "", condition["text"])
         words = re.sub(r"\|(.*)\|", r"abs(\1)", words)
         found = re.fullmatch("([^<>≤≥≠=]+) ([<>≤≥≠=]) ([^<>≤≥≠=]+)", words)
+        if "'(" in words:  # the derivative of what is given by points, of which there is no formula to be read
+            continue
         if found is None or "°" in found[3] or found[1].startswith(("conserved", "stable", "steady", "for all")):
             continue
         left, sign, right = found.groups()
@@ -700,6 +702,47 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
         "bottom": "m*g*(1 + 4*a**2*x_0**2)",
         "period": "2*pi/sqrt(2*a*g)",
     },
+    # at rest tan(psi) = 2 a x <= mu; N = m (g cos(psi) + v^2/rho) slides against mu N, downhill to the left
+    "bead_on_a_rough_wire": {
+        "rests": "mu/(2*a)",
+        "rough": "2*a*x_0",
+        "equation": "(mu - 2*a*x)*(g + 2*a*rate(x)**2)/(1 + 4*a**2*x**2)",
+        "friction": "mu*m*(g + 2*a*rate(x)**2)/sqrt(1 + 4*a**2*x**2)",
+    },
+    # the arc 4 R sin(s) from the bottom swings harmonically; N = m g cos(s) + m v^2/rho with rho = 4 R cos(s)
+    "cycloid_pendulum": {
+        "equation": "tan(s)*(rate(s)**2 - g/(4*R))",
+        "normal": "m*g*abs(cos(s)) + m*(4*R*cos(s)*rate(s))**2/(4*R*abs(cos(s)))",
+        "speed": "2*sqrt(R*g)*sin(s_0)",
+        "bottom": "m*g*(1 + sin(s_0)**2)",
+        "period": "4*pi*sqrt(R/g)",
+    },
+    # 3/4 m v^2 = m g times what the centre falls, from a x_0^2 + r cos(psi_0) to r; its path has the radius 1/(2 a) - r
+    "disk_in_parabolic_bowl": {
+        "speed": "sqrt(4/3*g*(a*x_0**2 + r/sqrt(1 + 4*a**2*x_0**2) - r))",
+        "normal": "m*g + m*4/3*g*(a*x_0**2 + r/sqrt(1 + 4*a**2*x_0**2) - r)/(1/(2*a) - r)",
+        "period": "2*pi*sqrt(3/2*(1/(2*a) - r)/g)",
+    },
+    # the path of the centre has the radius 1/(h k^2) + r at the top
+    "wheel_over_a_hump": {
+        "speed": "v",
+        "normal": "m*g - m*v**2/(1/(h*k**2) + r)",
+        "fast": "sqrt(g*(1/(h*k**2) + r))",
+        "turning": "-v/r",
+    },
+    # rho = (b^2 cos^2(s) + c^2 sin^2(s))^(3/2)/(b c), at the ends of the axis b^2/c
+    "car_in_an_elliptic_loop": {
+        "top": "m*(v**2*c/b**2 - g)",
+        "slowest": "b*sqrt(g/c)",
+        "normal": "m*b*(g*cos(s) + c*rate(s)**2)/sqrt(b**2*cos(s)**2 + c**2*sin(s)**2)",
+        "bottom": "sqrt(v**2 + 4*c*g)",
+    },
+    # N = m (g cos(psi) + v^2/rho) = m (g + y'' x'^2)/sqrt(1 + y'^2) with y' = -h/b exp(-x/b)
+    "sled_on_a_run_out": {
+        "normal": "m*(g + h/b**2*exp(-x/b)*rate(x)**2)/sqrt(1 + h**2/b**2*exp(-2*x/b))",
+        "start": "m*(g + h*v**2/b**2)/sqrt(1 + h**2/b**2)",
+        "speed": "sqrt(v**2*(1 + h**2/b**2) + 2*g*h*(1 - exp(-1)))",
+    },
     # y = r + h/2 (1 - cos(phi)); m y'' = N - F - m g; the face is pushed h/2 sin(phi) beside the centre
     "cam_with_flat_follower": {
         "acceleration": "h/2*Omega**2*cos(Omega*t)",
@@ -897,6 +940,7 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
 }
 # whose formulas are worked out by hand in tests of their own
 ELSEWHERE = {
+    "cam_through_points": "test_cams.py",
     "bead_on_turning_hoop": "test_first_integrals.py",
     "isolated_machine": "test_small_motion.py",
     "rod_caught_by_a_peg": "test_blows_on_the_way.py",
