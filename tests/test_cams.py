@@ -234,3 +234,34 @@ def test_a_force_is_asked_for_that_just_keeps_a_cam_closed_over_a_turn() -> None
     system = fb.System.load(Path(__file__).parents[1] / "examples" / "cam_with_flat_follower.yaml")
     (answer,) = system.solve("value of F for which least contact force of cam over a turn = 0").answers
     assert answer.value == pytest.approx(0.4 * (0.012 / 2 * 1e4 - 9.81), rel=1e-9)
+
+
+SPRING = """
+parameters: {m: 0.4 kg, k: 4 kN/m, F_0: 60 N, h: 12 mm, r: 30 mm, Omega: 200 rad/s}
+
+bodies:
+  disk: {body: {inertia: 0.01 kg m^2}}
+  tappet: {rectangle: {mass: m, width: 40 mm, height: 20 mm}}
+
+connections:
+  axle: {pin: [ground.O, disk]}
+  motor: {driver: {measure: phi, follows: Omega*t}}
+  guide: {slider: {body: tappet, along: up}}
+  cam: {cam: {cam: disk, follower: tappet.bottom, base_radius: r, lift: h/2*(1 - cos(phi)), along: up}}
+
+loads:
+  spring: {law: {measure: y, force: -F_0 - k*(y - r)}}
+
+measures:
+  phi: {angle of disk from up}
+  y: {height of tappet.bottom above ground.O}
+
+start: {phi: 0}
+
+"""
+
+
+def test_the_least_spring_rate_that_keeps_a_cam_closed_is_that_of_the_textbook() -> None:
+    # N = F_0 + k (y - r) + m y'' is least at the top, where y'' = -h Omega^2/2 (Norton, Design of Machinery, ch. 15)
+    (answer,) = fb.System.from_text(SPRING).solve("least k so that the cam keeps touching").answers
+    assert answer.value == pytest.approx(0.4 * 200**2 / 2 - 60 / 0.012, rel=1e-9)

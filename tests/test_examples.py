@@ -739,12 +739,6 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
         "normal": "m*b*(g*cos(s) + c*rate(s)**2)/sqrt(b**2*cos(s)**2 + c**2*sin(s)**2)",
         "bottom": "sqrt(v**2 + 4*c*g)",
     },
-    # N = F_0 + k (y - r) + m y'' is least at the top, where y'' = -h Omega^2/2
-    "cam_spring": {
-        "force": "F_0 + k*h/2*(1 - cos(Omega*t)) + m*h/2*Omega**2*cos(Omega*t)",
-        "rate": "m*Omega**2/2 - F_0/h",
-        "speed": "sqrt(2*(F_0 + k*h)/(m*h))",
-    },
     # N = m (g cos(psi) + v^2/rho) = m (g + y'' x'^2)/sqrt(1 + y'^2) with y' = -h/b exp(-x/b)
     "sled_on_a_run_out": {
         "normal": "m*(g + h/b**2*exp(-x/b)*rate(x)**2)/sqrt(1 + h**2/b**2*exp(-2*x/b))",
