@@ -367,6 +367,27 @@ def test_transmitted_motion_of_a_shaken_base(agrees: Agree) -> None:
     agrees(ask(BASE, "steady amplitude of x"), "q1", f"Y*sqrt(k**2 + (c*Omega)**2)/{BELOW}")
 
 
+def test_a_spring_between_points_of_one_guide_is_as_long_as_they_are_apart(agrees: Agree) -> None:
+    """The same, where the spring and the damper join the points: sqrt((y - Y sin(W t))^2) is no square of a polynomial
+    in cosines."""
+    joined = """
+parameters: {m: 2 kg, k: 200 N/m, c: 4 N s/m, Y: 0.01 m, Omega: 5 rad/s, l0: 0.3 m, g: 9.81 m/s^2}
+bodies: {block: {particle: {mass: m}}, base: {particle: {mass: 1 kg}}}
+connections:
+  a: {slider: {body: block, along: up}}
+  b: {slider: {body: base, along: up}}
+  shaker: {driver: {measure: y, follows: Y*sin(Omega*t)}}
+measures: {x: y of block, y: y of base}
+loads:
+  weight: {gravity: g}
+  spring: {spring: {first: base, second: block, stiffness: k, length: l0}}
+  damper: {damper: {first: base, second: block, damping: c}}
+start: {x: l0}
+"""
+    agrees(ask(joined, "equilibrium of x"), "q1", "l0 - m*g/k")
+    agrees(ask(joined, "steady amplitude of x"), "q1", f"Y*sqrt(k**2 + (c*Omega)**2)/{BELOW}")
+
+
 def test_rotor_out_of_balance(agrees: Agree) -> None:
     # RAO sec. 3.7, with M the frame alone: X = m e W^2/sqrt((k - (M + m) W^2)^2 + (c W)^2)
     below = "sqrt((k - (M + m)*Omega**2)**2 + (c*Omega)**2)"
