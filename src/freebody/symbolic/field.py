@@ -390,7 +390,8 @@ class Field(PolynomialRing):
             return Ratio(self, self.reduce(num.derivative(name)), None)
         den = self.current(x.den)
         slope = den.derivative(name)
-        if slope == 0:  # a square of it, once reduced, would no more show that it cancels
+        is_plain = all(self.generators[g].kind != "root" for g in self.used(den))  # a root goes with its square
+        if slope == 0 and is_plain:  # a square of sines, once reduced, would no more show that it cancels
             return self.quotient(num.derivative(name), den)
         return self.quotient(num.derivative(name) * den - num * slope, den * den)
 

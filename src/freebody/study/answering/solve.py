@@ -295,7 +295,7 @@ def _in_phases(system: System, questions: Sequence[Question]) -> Solution:
         return replace(at_pose, answers=tuple(found.get(q.id) or refused(q, str(error)) for q in questions))
     phases = phases_of(tree)
     found = [at_rest(system, q) if q.quantity.scope == "rest" else answer(tree, q) for q in questions]
-    answers = found if phases.first_model is None else with_plain_numbers(system, phases.first_model, found)
+    answers = with_plain_numbers(system, phases.first_model, found)
     return Solution.of(system, phases.first_model, answers, phases, assumed_at_start(tree.home, answers))
 
 
