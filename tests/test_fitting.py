@@ -219,3 +219,27 @@ def test_exact_derivatives_save_motions_and_say_the_same(tmp_path: Path, monkeyp
     assert exact.values == pytest.approx(near.values, rel=1e-7)
     assert exact.errors == pytest.approx(near.errors, rel=1e-5)
     assert exact.n_motions + exact.n_tangents < near.n_motions / 2
+
+
+GALILEO = [33, 130, 298, 526, 824, 1192, 1620, 2104]  # punti of 29/30 mm after 1 to 8 times of 0.55 s
+
+
+def test_a_table_of_galileo_tells_the_slope_of_his_plane(tmp_path: Path) -> None:
+    """Ms. Gal. 72, f. 107v, in the units of Drake, Galileo at Work, 1978, ch. 5, who finds 1.7 degrees. A ball rolls by
+    s = (5/14) g sin(alpha) t^2, so that linear regression gives sin(alpha) = (14/5) sum(s t^2)/(g sum(t^4))."""
+    t, s = 0.55 * np.arange(1, 9), np.array(GALILEO) * 0.029 / 30
+    table = written(tmp_path / "galileo.csv", {"t [s]": t, "s [m]": s})
+    system = fb.System.from_text("""
+parameters: {m: 0.1 kg, r: 10 mm, alpha: 2 deg, g: 9.81 m/s^2}
+ground: {lines: {slope: {along: -alpha}}}
+bodies: {ball: {sphere: {mass: m, radius: r}}}
+connections: {rolls: {rolling: {body: ball, on: slope}}}
+loads: {weight: {gravity: g}}
+measures: {s: travel of ball along slope}
+start: {s: 0, rate(s): 0}
+""")
+    found = system.fit(table, ["alpha"])
+    assert math.sin(found.values["alpha"]) == pytest.approx(14 / 5 * (s @ t**2) / (9.81 * (t**4).sum()), rel=1e-8)
+    assert math.degrees(found.values["alpha"]) == pytest.approx(1.7, abs=0.05)
+    both = system.fit(table, ["alpha", "g"])
+    assert math.isnan(both.estimate.errors[0]) or math.isinf(both.estimate.errors[0])

@@ -131,8 +131,9 @@ class Fit(Result):
             [u.name, number_text(float(x)), f"± {e:.2g}" if math.isfinite(e) else "not told by the data", u.unit]
             for u, x, e in zip(self.unknowns, self.found, self.estimate.errors, strict=True)
         ]
+        n = len(self.unknowns)
         yield from entries(
-            entry("data", f"{self.n_data} values, {len(self.unknowns)} unknowns"),
+            entry("data", f"{self.n_data} values, {n} {'unknown' if n == 1 else 'unknowns'}"),
             *(
                 []
                 if self.has_converged
