@@ -12,6 +12,7 @@ The Illustrated Principles of Pool and Billiards, 2004, TP A.4.
 from __future__ import annotations
 
 import math
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -19,6 +20,7 @@ import pytest
 import freebody as fb
 
 G = 9.81
+EXAMPLES = Path(__file__).parents[1] / "examples"
 TABLE = "space: true\nground: {planes: {table: {normal: up}}}\nloads: {weight: {gravity: 9.81 m/s^2}}\n"
 
 
@@ -182,3 +184,20 @@ def test_cube_that_tumbles_comes_to_lie_on_a_face() -> None:
     assert record.states[-1].sum() == 4
     energies = [collision.energy_change for collision in record.collisions]
     assert max(energies) <= 1e-12
+
+
+def test_questions_have_the_numbers_of_the_simulated_motion() -> None:
+    """A ball with side spin: its slip u = v + w x r keeps its direction and ends after 2|u|/(7 mu g) (Coriolis)."""
+    m, R, mu, v, back, side, g = 0.17, 0.028, 0.2, 2.0, 40.0, 30.0, 9.81
+    system = fb.System.load(EXAMPLES / "ball_with_side_spin.yaml")
+    u = np.array([v + R * back, -R * side])
+    duration = 2 * math.hypot(*u) / (7 * mu * g)
+    end = np.array([v, 0.0]) - mu * g * duration * u / math.hypot(*u)
+    for question, value in (
+        ("velocity of x at t = 0.6 s", end[0]),
+        ("velocity of z at t = 0.6 s", end[1]),
+        ("normal force of contact at start", m * g),
+    ):
+        [answer] = system.solve(question).answers
+        assert answer.value == pytest.approx(value, rel=1e-7)
+        assert "its direction follows the slip" in answer.reason

@@ -18,10 +18,10 @@ def setup_of(system: System) -> Setup:
         return prepared(system).setup
     if not has_phases(system):
         return Setup(system)
-    from freebody.study.phases.home import is_crowded
     from freebody.study.phases.tree import tree_of
+    from freebody.study.phases.without_phases import why_no_phases
 
-    if is_crowded(system):
+    if why_no_phases(system):
         return Setup(system, 2)
     tree = tree_of(system)
     return tree.roots[0].phase.setup if tree.roots else tree.home

@@ -272,14 +272,14 @@ def _in_phases(system: System, questions: Sequence[Question]) -> Solution:
     """The motion changes its law on the way: one phase after the other."""
     from freebody.study.friction.answers import answer as at_rest
     from freebody.study.phases.ask import answer
-    from freebody.study.phases.home import is_crowded
     from freebody.study.phases.result import phases_of
     from freebody.study.phases.tree import tree_of
+    from freebody.study.phases.without_phases import why_no_phases
     from freebody.study.settled import start_mode
 
     try:
-        if is_crowded(system):
-            return _too_many_places(system, questions)
+        if reason := why_no_phases(system):
+            return _without_phases(system, questions, reason)
         if system.has_values and (system.bounds or system.dry_friction):
             start_mode(system)  # refuses bodies that are inside others
         tree = tree_of(system)
@@ -299,16 +299,24 @@ def _in_phases(system: System, questions: Sequence[Question]) -> Solution:
     return Solution.of(system, phases.first_model, answers, phases, assumed_at_start(tree.home, answers))
 
 
-def _too_many_places(system: System, questions: Sequence[Question]) -> Solution:
-    """No formulas for a crowd: the questions are answered with the reason."""
-    reason = Message(
-        "{n} places can touch, and the formulas would be a case distinction over all of them that "
-        "nobody could read; freebody simulate follows the motion",
-        n=len(system.bounds),
-    )
-    model = Setup(system, 2).model
-    answers = tuple(refused(q, reason) for q in questions)
-    coordinates = tuple(c.name for c in model.coordinates)
-    return Solution(
-        system, model.degrees_of_freedom - len(system.states), coordinates, (), tuple(model.redundant), answers
-    )
+def _without_phases(system: System, questions: Sequence[Question], reason: str) -> Solution:
+    """Where the phases of the motion have no formulas: freedoms, and the numbers of the simulated motion."""
+    from freebody.study.answering.simulated_numbers import number_with_changes
+    from freebody.study.friction.answers import answer as at_rest
+
+    setup = Setup(system)
+    model = setup.model
+    dof = model.degrees_of_freedom - len(system.states)
+    answers: list[Answer] = []
+    for q in questions:
+        if q.quantity.scope == "structure":
+            answers.append(made(q, number(dof), float(dof), evidence=proof.freedom(setup, q.text, dof)))
+        elif q.quantity.scope == "rest":
+            answers.append(at_rest(system, q))
+        else:
+            answers.append(answered(system, q, partial(_refused_for, reason), partial(number_with_changes, system, q)))
+    return Solution(system, dof, tuple(c.name for c in model.coordinates), (), tuple(model.redundant), tuple(answers))
+
+
+def _refused_for(reason: str) -> Answer:
+    raise CannotAnswer(reason)

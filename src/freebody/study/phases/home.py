@@ -35,30 +35,14 @@ from freebody.system.modes import ContactMode, depends_on_time, ideal_bounds, in
 from freebody.system.system import System
 from freebody.tolerances import ROUND_OFF, ROUNDED, TOUCHES
 
-MOST_PLACES = 64  # at which bodies can ever touch: each is looked at by what could end a phase
-MOST_TOUCHING = 12  # at which they touch when the motion begins: each opens, slips or sticks
 _LONG_ANGLE, _LONG_TIME = 3, 12  # operations: what is longer gets a symbol
 _N_STARTS = 3  # numbers of the parameters at which the rates of the start are looked at
-
-
-def _refuse_slip_in_planes(system: System) -> None:
-    """Phases are told apart by the signs of slips along lines; a slip in a plane has a direction instead."""
-    turning = [rub for rub in system.dry_friction if rub.across is not None]
-    if turning:
-        raise CannotAnswer(
-            Message(
-                "I cannot solve this in closed form, because the friction of {names} acts in a plane, and its "
-                "direction follows the slip; freebody simulate follows the motion in numbers",
-                names=", ".join(dict.fromkeys(rub.row.connection for rub in turning)),
-            )
-        )
 
 
 class Home:
     """A system at its start, without friction: conditions, times and values of all phases are elements of its field."""
 
     def __init__(self, system: System) -> None:
-        _refuse_slip_in_planes(system)
         touching = closed_at_start(system)
         self.moving = parted_at_start(system, touching)  # touch, with a gap that grows or shrinks at the start
         self.closed = touching - self.moving
@@ -328,11 +312,6 @@ def _with_angles(system: System, setup: Setup) -> System:
             if all(abs(a) < ROUND_OFF for a in angles):
                 bodies[body.name] = replace(body, start=replace(body.start, angle=ZERO))
     return system if bodies == system.bodies else replace(system, bodies=bodies)
-
-
-def is_crowded(system: System) -> bool:
-    """Whether more can touch than a case distinction has room for."""
-    return len(system.bounds) > MOST_PLACES or len(closed_at_start(system)) > MOST_TOUCHING
 
 
 @lru_cache(maxsize=4)

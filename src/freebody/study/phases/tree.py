@@ -29,6 +29,7 @@ from freebody.study.phases.nodes import PhaseEnd, PhaseImpact, PhaseNode, PhaseS
 from freebody.study.phases.numbers import Chosen
 from freebody.study.phases.phase import Phase, Placed
 from freebody.study.phases.reached import STRIKES, pending
+from freebody.study.phases.without_phases import insist_on_phases
 from freebody.symbolic.conditions import Condition
 from freebody.symbolic.decide import decide
 from freebody.symbolic.field import Ratio
@@ -49,6 +50,7 @@ class PhaseTree(Home):
     """The phases of a system."""
 
     def __init__(self, system: System) -> None:
+        insist_on_phases(system)
         super().__init__(system)
         self.n_nodes = 0
         self.reasons: list[str] = []

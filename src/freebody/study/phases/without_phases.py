@@ -1,0 +1,39 @@
+"""Motions that are not put together from phases, and why."""
+
+from __future__ import annotations
+
+from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
+from freebody.study.phases.home import closed_at_start
+from freebody.system.system import System
+
+MOST_PLACES = 64  # at which bodies can ever touch: each is looked at by what could end a phase
+MOST_TOUCHING = 12  # at which they touch when the motion begins: each opens, slips or sticks
+
+
+def why_no_phases(system: System) -> str:
+    """What a case distinction has no room for; nothing where there is one."""
+    if turning := [rub.row.connection for rub in system.dry_friction if rub.across is not None]:
+        # phases are told apart by the signs of slips along lines
+        return Message(
+            "the friction of {names} acts in a plane, and its direction follows the slip",
+            names=", ".join(dict.fromkeys(turning)),
+        )
+    if len(system.bounds) > MOST_PLACES or len(closed_at_start(system)) > MOST_TOUCHING:
+        return Message(
+            "{n} places can touch, and the formulas would be a case distinction over all of them that nobody could "
+            "read",
+            n=len(system.bounds),
+        )
+    return ""
+
+
+def insist_on_phases(system: System) -> None:
+    """Raises CannotAnswer where there are none."""
+    if why := why_no_phases(system):
+        raise CannotAnswer(
+            Message(
+                "I cannot solve this in closed form, because {why}; freebody simulate follows the motion in numbers",
+                why=why,
+            )
+        )
