@@ -19,6 +19,7 @@ from freebody.numeric.reference import Reference
 from freebody.numeric.snapshot import snapshot_of
 from freebody.study.synthesis import fitting
 from freebody.study.synthesis.certificate import certified, seen_alike
+from freebody.study.synthesis.curves import centre_point_curve, circle_point_curve, inverted, opposite_poles
 from freebody.study.synthesis.fewer import by_pivot, curve, on_lines, pole, slides
 from freebody.study.synthesis.five import five_positions
 from freebody.study.synthesis.linkage import Linkage, cognates
@@ -119,6 +120,81 @@ def test_the_curves_of_four_positions_pass_through_the_pivots_of_the_four_bar() 
         (found,) = on_lines(positions, P12, [math.atan2(r[1], r[0])])
         near = min(found, key=lambda d: float(np.abs(d.moving - moving).max()))
         assert near.fixed == pytest.approx(fixed, abs=1e-8)
+
+
+def pole_by_hand(a: Position, b: Position) -> Array:
+    """The centre of the rotation from one position to another: half way, and by half the chord over tan(angle/2)
+    across it."""
+    p, q = np.array((a.x, a.y)), np.array((b.x, b.y))
+    across = np.array((p[1] - q[1], q[0] - p[0]))
+    return 0.5 * (p + q) + 0.5 * across / math.tan(0.5 * (b.angle - a.angle))
+
+
+def seen_under(G: Array, a: Array, b: Array) -> float:
+    """The directed angle at which G sees the line from a to b."""
+    z = complex(*(b - G)) / complex(*(a - G))
+    return math.atan2(z.imag, z.real)
+
+
+CURVED = {
+    "of a four-bar": FourBar().positions(ANGLES[:4]),
+    "with an angle beyond half a turn": [
+        Position(*x) for x in ((0, 0, 0.1), (1, 0.4, -0.5), (1.7, 0.1, 2.0), (2, -1, 3.6))
+    ],
+    # poles at the corners of a kite: a straight line and a circle
+    "that fall apart": [Position(*x) for x in ((-1, 0, -0.6), (-0.3, 0.5, -0.2), (0.3, 0.5, 0.2), (1, 0, 0.6))],
+}
+
+
+@pytest.mark.parametrize("positions", list(CURVED.values()), ids=list(CURVED))
+def test_a_centre_point_sees_opposite_sides_of_the_pole_quadrilateral_under_equal_angles(
+    positions: list[Position],
+) -> None:
+    """Up to half a turn (Burmester), with poles by the formula of a rotation; in the picture's square and beyond."""
+    P12, P23, P34, P14 = (pole_by_hand(positions[i], positions[j]) for i, j in ((0, 1), (1, 2), (2, 3), (0, 3)))
+    for name, place in opposite_poles(positions):
+        assert place == pytest.approx(dict(zip(("12", "23", "34", "14"), (P12, P23, P34, P14), strict=True))[name])
+    runs = centre_point_curve(positions, np.array((-4.0, -4.0)), 8.0)
+    points = np.vstack(runs)
+    assert len(points) > 200
+    for G in points:
+        if min(float(np.linalg.norm(G - p)) for p in (P12, P23, P34, P14)) > 0.02:
+            between = seen_under(G, P12, P23) - seen_under(G, P14, P34)
+            assert abs(math.sin(between)) < 1e-6
+
+
+@pytest.mark.parametrize("positions", list(CURVED.values()), ids=list(CURVED))
+def test_the_four_places_of_a_circle_point_have_one_centre_on_the_centre_point_curve(positions: list[Position]) -> None:
+    """The centre of the circle through three of the places is as far from the fourth, and back from the fixed plane:
+    the places of a centre point, as the moving plane sees it, are on a circle too."""
+    for curve_of, seen in ((circle_point_curve, positions), (centre_point_curve, inverted(positions))):
+        for W in np.vstack(curve_of(positions, np.array((-4.0, -4.0)), 8.0)):
+            at = places(seen, W)
+            sides = at[1:3] - at[0]
+            if abs(np.linalg.det(sides)) < 1e-3:  # nearly on a line
+                continue
+            centre = at[0] + np.linalg.solve(sides, 0.5 * (sides * sides).sum(axis=1))
+            r = np.linalg.norm(at - centre, axis=1)
+            assert float(np.ptp(r)) < 1e-6 * (1 + float(r[0]))
+
+
+def test_the_curves_pass_through_the_pivots_and_are_drawn_with_them(tmp_path: Path) -> None:
+    bar = FourBar()
+    positions = bar.positions(ANGLES[:4])
+    B, C, _phi, _P = bar.at(ANGLES[0])
+    low = np.array((-4.0, -4.0))
+    for curve_of, pivots in ((centre_point_curve, (bar.A, bar.D)), (circle_point_curve, (B, C))):
+        points = np.vstack(curve_of(positions, low, 8.0))
+        for pivot in pivots:
+            assert float(np.linalg.norm(points - pivot, axis=1).min()) < 8.0 / 240
+    rows = [{"at": [p.x, p.y], "angle": f"{p.angle!r} rad"} for p in positions]
+    found = fb.synthesise({"task": "motion", "positions": rows}, most=1)
+    svg = found.curves().svg()
+    assert "centre-point curve" in svg
+    assert "opposite poles" in svg
+    assert any("Burmester" in str(block) for block in found.report.blocks)
+    with pytest.raises(InputError, match="four positions"):
+        fb.synthesise({"task": "motion", "positions": rows[:3]}, most=1).curves()
 
 
 def test_a_fixed_pivot_tells_the_moving_one_of_three_positions() -> None:
@@ -337,13 +413,15 @@ def test_certified_candidates_are_models_that_are_at_the_positions(tmp_path: Pat
 def test_the_command_prints_writes_and_ends_with_whether_something_was_found(tmp_path: Path) -> None:
     (tmp_path / "task.yaml").write_text(LOADER, encoding="utf-8")
     args = ("synthesise", str(tmp_path / "task.yaml"), "--most", "1", "--json")
-    ran = freebody(*args, "-o", str(tmp_path / "out"), "--plot", str(tmp_path / "it.svg"))
+    ran = freebody(
+        *args, "-o", str(tmp_path / "out"), "--plot", str(tmp_path / "it.svg"), "--curves", str(tmp_path / "c.svg")
+    )
     assert ran.returncode == 0, ran.stderr
     told = json.loads(ran.stdout)
     assert told["certified"] == 1
     assert told["candidates"][0]["verdict"] == "certified"
     assert (tmp_path / "out" / "candidate_1.yaml").exists()
-    assert "<svg" in (tmp_path / "it.svg").read_text(encoding="utf-8")
+    assert all("<svg" in (tmp_path / name).read_text(encoding="utf-8") for name in ("it.svg", "c.svg"))
     assert freebody("synthesise", str(tmp_path / "none.yaml")).returncode == 2
 
 
