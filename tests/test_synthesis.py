@@ -17,7 +17,7 @@ from command import freebody
 from freebody.errors import CannotAnswer, InputError, ModelError
 from freebody.numeric.reference import Reference
 from freebody.numeric.snapshot import snapshot_of
-from freebody.study.synthesis import fitting
+from freebody.study.synthesis import loop
 from freebody.study.synthesis.certificate import certified, seen_alike
 from freebody.study.synthesis.curves import centre_point_curve, circle_point_curve, inverted, opposite_poles
 from freebody.study.synthesis.fewer import by_pivot, curve, on_lines, pole, slides
@@ -152,8 +152,9 @@ def test_a_centre_point_sees_opposite_sides_of_the_pole_quadrilateral_under_equa
 ) -> None:
     """Up to half a turn (Burmester), with poles by the formula of a rotation; in the picture's square and beyond."""
     P12, P23, P34, P14 = (pole_by_hand(positions[i], positions[j]) for i, j in ((0, 1), (1, 2), (2, 3), (0, 3)))
-    for name, place in opposite_poles(positions):
-        assert place == pytest.approx(dict(zip(("12", "23", "34", "14"), (P12, P23, P34, P14), strict=True))[name])
+    found = opposite_poles(positions)
+    assert [name for name, _place in found] == ["12", "23", "34", "14"]
+    assert np.array([place for _name, place in found]) == pytest.approx(np.array((P12, P23, P34, P14)))
     runs = centre_point_curve(positions, np.array((-4.0, -4.0)), 8.0)
     points = np.vstack(runs)
     assert len(points) > 200
@@ -173,7 +174,7 @@ def test_the_four_places_of_a_circle_point_have_one_centre_on_the_centre_point_c
             sides = at[1:3] - at[0]
             if abs(np.linalg.det(sides)) < 1e-3:  # nearly on a line
                 continue
-            centre = at[0] + np.linalg.solve(sides, 0.5 * (sides * sides).sum(axis=1))
+            centre = at[0] + np.asarray(np.linalg.solve(sides, 0.5 * (sides * sides).sum(axis=1)), dtype=np.float64)
             r = np.linalg.norm(at - centre, axis=1)
             assert float(np.ptp(r)) < 1e-6 * (1 + float(r[0]))
 
@@ -311,13 +312,99 @@ def test_slopes_of_the_fitted_curve_are_those_of_differences() -> None:
     x = np.concatenate(([0.1, -0.2, 0.3, 0.5, 1.3, 1.1, 1.2, 0.4, 0.6], rng.uniform(0, math.tau, 7)))
     target = rng.normal(size=7) + 1j * rng.normal(size=7)
     for side in (-1, 1):
-        slopes = fitting.slopes(x, side, target)
+        slopes = loop.slopes(x, side, target)
         h = 1e-6
         steps = [
-            (fitting.residuals(x + h * e, side, target) - fitting.residuals(x - h * e, side, target)) / (2 * h)
+            (loop.residuals(x + h * e, side, target) - loop.residuals(x - h * e, side, target)) / (2 * h)
             for e in np.eye(len(x))
         ]
         assert slopes == pytest.approx(np.column_stack(steps), abs=1e-7)
+
+
+def off_the_sextic(linkage: Linkage, points: Array) -> float:
+    """The coupler curve's equation at points, without any angle: with b, c from P to B and C in axes of the coupler,
+    |P - A + b e^(i phi)|^2 = AB^2 and the same for D are linear in cos phi and sin phi; by Cramer's rule
+    (n1^2 + n2^2 - delta^2) = 0. Source: Wampler, Morgan & Sommese 1992, eq. 3 to 5."""
+    assert linkage.D is not None
+    assert linkage.P is not None
+    unit = (1.0, 1j)
+    B, C, P0, A, D = (x @ unit for x in (linkage.B[0], linkage.C[0], linkage.P[0], linkage.A, linkage.D))
+    worst = 0.0
+    for P in points @ unit:
+        rows = [
+            (
+                (P - pivot).conjugate() * (end - P0),
+                (abs(end - pivot) ** 2 - abs(P - pivot) ** 2 - abs(end - P0) ** 2) / 2,
+            )
+            for pivot, end in ((A, B), (D, C))
+        ]
+        (w1, k1), (w2, k2) = rows
+        delta = -w1.real * w2.imag + w1.imag * w2.real
+        n1, n2 = -k1 * w2.imag + k2 * w1.imag, w1.real * k2 - w2.real * k1
+        terms = (n1 * n1, n2 * n2, -delta * delta)
+        worst = max(worst, abs(sum(terms)) / sum(abs(x) for x in terms))
+    return worst
+
+
+def is_rigid(linkage: Linkage) -> bool:
+    """Whether links and the traced point keep their distances over all points."""
+    assert linkage.D is not None
+    assert linkage.P is not None
+    pairs = ((linkage.A, linkage.B), (linkage.B, linkage.C), (linkage.C, linkage.D), (linkage.P, linkage.B))
+    kept = [np.linalg.norm(a - b, axis=1) for a, b in (*pairs, (linkage.P, linkage.C))]
+    return max(float(np.ptp(x)) for x in kept) < 1e-9 * linkage.size
+
+
+WIPER = [[0.0, 0.0], [0.01, 0.015], [0.03, 0.022], [0.05, 0.016], [0.062, 0.003]]
+
+
+def test_five_points_without_crank_angles_lie_on_the_coupler_curves_of_certified_linkages() -> None:
+    found = fb.synthesise({"task": "path", "closed": False, "points": WIPER}, most=3)
+    assert len(found.certified) == 3
+    assert "not complete" in found.about
+    for c in found.certified:
+        assert c.linkage.P is not None
+        assert np.abs(c.linkage.P - np.array(WIPER)).max() < 1e-10
+        assert is_rigid(c.linkage)
+        assert off_the_sextic(c.linkage, np.array(WIPER)) < 1e-8
+        turned = np.unwrap(c.linkage.crank_angles)
+        assert (np.diff(turned) > 0).all() or (np.diff(turned) < 0).all()
+        assert c.certificate is not None
+        assert c.certificate.turns_fully
+    least = [c.transmission for c in found.certified]
+    assert least == sorted(least, reverse=True)
+
+
+def test_an_arc_is_led_through_by_a_crank_that_swings() -> None:
+    """Six points of the double rocker with lengths 2, 1, 2, 2.5."""
+    bar = FourBar(2.0, 1.0, 2.0, (2.5, 0.0))
+    points = np.array([bar.at(float(theta))[3] for theta in np.linspace(0.8, 1.2, 6)])
+    task = {"task": "path", "closed": False, "full_turn": False, "points": points.tolist()}
+    found = fb.synthesise(task, most=2)
+    assert found.certified
+    for c in found.certified:
+        assert is_rigid(c.linkage)
+        assert c.linkage.missed < 1e-9
+        assert off_the_sextic(c.linkage, points) < 1e-8
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("n", "last", "off"), [(9, 6.0, 1e-8), (14, 3.0, 1e-4)], ids=["nine points", "an arc of many"])
+def test_a_four_bar_comes_back_from_points_of_its_path_alone(n: int, last: float, off: float) -> None:
+    bar = FourBar()
+    points = np.array([bar.at(float(theta))[3] for theta in np.linspace(0.2, last, n)])
+    found = fb.synthesise({"task": "path", "closed": False, "points": points.tolist()}, most=3)
+    lengths = [list(c.linkage.lengths.values()) for c in found.certified]
+    assert min(np.abs(np.array(x) - (1.0, 3.0, 2.5, math.hypot(3, 0.5))).max() for x in lengths) < off
+
+
+@pytest.mark.slow
+def test_nine_points_that_no_search_comes_through_are_only_approached() -> None:
+    rng = np.random.default_rng(1)
+    points = [[math.cos(t) + 0.1 * rng.normal(), math.sin(t) / 2 + 0.1 * rng.normal()] for t in np.linspace(0, 5.7, 9)]
+    found = fb.synthesise({"task": "path", "points": points}, most=1)
+    assert "none of 64 local searches" in found.about
+    assert min(c.linkage.missed for c in found.candidates) > 1e-3
 
 
 # -- defects ----------------------------------------------------------------------------------
@@ -433,6 +520,7 @@ def test_the_command_prints_writes_and_ends_with_whether_something_was_found(tmp
         ("task: motion\npositions: [{at: [0, 0]}, {at: [1 kg, 0], angle: 0}]", "kg"),
         ("task: motion\nposition: []\npositions: []", "a task has no position. Did you mean positions"),
         ("task: path\npoints: [[0, 0], [1, 0]]", "need crank angles"),
+        ("task: path\nclosed: perhaps\npoints: [[0, 0], [1, 0]]", "closed is true or false"),
         ("task: function\nframe: 0 m\npairs: [[1, 1], [1.1, 1], [1.2, 1]]", "length greater than 0"),
         ("task: function\npairs: [[40, 1], [1.1, 1], [1.2, 1]]", "has no unit"),
         ("task: motion\npositions: [" + ", ".join("{at: [0, 0], angle: 0}" for _ in range(6)) + "]", "at most 5"),

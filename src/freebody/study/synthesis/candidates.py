@@ -26,7 +26,7 @@ from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.numeric.jets import Array
 from freebody.study.synthesis.fewer import by_pivot, by_points, curve, on_lines, slides
-from freebody.study.synthesis.fitting import fitted
+from freebody.study.synthesis.fitting import MOST_EXACT, fitted
 from freebody.study.synthesis.five import five_positions
 from freebody.study.synthesis.linkage import Linkage, cognates
 from freebody.study.synthesis.positions import Dyad, Position, bar, places, rotation, rows_of, size_of
@@ -48,12 +48,30 @@ class Found:
 def candidates(task: Task) -> Found:
     """Raises CannotAnswer where the task determines none."""
     if task.points is not None:
-        return Found(
-            (),
-            tuple(fitted(task.points)),
-            Message("fitted to {n} points: the best of local searches, not proved", n=task.n),
-        )
+        return _of_points(task, task.points)
     return _of_function(task) if task.kind == "function" else _of_positions(task)
+
+
+def _of_points(task: Task, points: Array) -> Found:
+    """A path without crank angles: exactly through few points, near many."""
+    fits = fitted(points, is_closed=task.is_closed, full_turn=task.full_turn)
+    if task.n > MOST_EXACT:
+        about = Message("fitted to {n} points: the best of local searches, not proved", n=task.n)
+    elif fits.is_met:
+        about = Message(
+            "{k} linkages through all {n} points, from {m} local searches; the search is not complete",
+            k=len(fits.linkages),
+            n=task.n,
+            m=fits.n_searches,
+        )
+    else:
+        about = Message(
+            "none of {m} local searches has come through all {n} points, so the nearest are shown; the search is not "
+            "complete",
+            n=task.n,
+            m=fits.n_searches,
+        )
+    return Found((), fits.linkages, about)
 
 
 # -- motion and path --------------------------------------------------------------------------

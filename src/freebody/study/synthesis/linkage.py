@@ -40,7 +40,7 @@ class Defect:
 class Linkage:
     """A (2,); B, C: (n, 2) in every position; D: (n, 2), the ground pivot, or of a slider-crank nothing but C; along:
     (2,) in which a slider moves, none of a four-bar; P: (n, 2) the point that is traced; missed: [m]
-    how far it is at worst from where it was wanted."""
+    how far it is at worst from where it was wanted, 0 but for rounding where it is there."""
 
     A: Array
     B: Array

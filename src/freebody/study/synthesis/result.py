@@ -135,7 +135,7 @@ class Synthesis(Result):
         task = self.task
         yield from entries(
             entry("task", f"{task.kind} generation, {task.linkage}, {task.n} {TASKS[task.kind]}"),
-            entry("dyads", str(self.about)),
+            entry("search" if task.is_fitted else "dyads", str(self.about)),
             entry("candidates", Message("{n}, of which {k} certified", n=len(self.candidates), k=len(self.certified))),
         )
         yield from self._table(self.candidates[:_MOST_SHOWN])

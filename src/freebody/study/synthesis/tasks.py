@@ -5,7 +5,7 @@
       - {at: [0, 0], angle: 0 deg}        frame: 0.3 m                        - {at: [0, 0], crank: 0 deg}
 
 `linkage` is four-bar or slider-crank; `full_turn: false` lets the crank swing; `pivots` are fixed pivots of three
-positions, `samples` how many dyads of a family are tried.
+positions, `samples` how many dyads of a family are tried; `closed: false` of a path without crank angles: an arc.
 """
 
 from __future__ import annotations
@@ -31,16 +31,17 @@ from freebody.system.reading.source import Source
 
 TASKS = {"motion": "positions", "function": "pairs", "path": "points"}
 LINKAGES = ("four-bar", "slider-crank")
-_KEYS = ("title", "about", "task", "linkage", "full_turn", "frame", "pivots", "samples", *TASKS.values())
+_KEYS = ("title", "about", "task", "linkage", "full_turn", "closed", "frame", "pivots", "samples", *TASKS.values())
 _LEAST = {"motion": 2, "function": 3, "path": 2}
 SAMPLES = 24
-FEWEST_TO_FIT = 6
+FEWEST_TO_FIT = 5
 
 
 @dataclass(frozen=True)
 class Task:
-    """kind: motion, function or path; positions: of the coupler; pairs: (n, 2) of input and output; points: (n, 2) with
-    crank angles (n,), where these are given. pivots: chosen fixed pivots."""
+    """kind: motion, function or path; positions: of the coupler, or of a path with crank angles; pairs: (n, 2) of input
+    and output; points: (n, 2) of a path without crank angles; is_closed: whether that leads from the last point to the
+    first. pivots: chosen fixed pivots."""
 
     title: str
     kind: str
@@ -49,6 +50,7 @@ class Task:
     pairs: Array | None = None
     points: Array | None = None
     full_turn: bool = True
+    is_closed: bool = True
     frame: float = 1.0
     pivots: tuple[Array, ...] = ()
     samples: int = SAMPLES
@@ -61,7 +63,7 @@ class Task:
 
     @property
     def is_fitted(self) -> bool:
-        """Whether a path of many points is approached only."""
+        """Whether a path without crank angles is met, or approached, by searches."""
         return self.kind == "path" and not self.positions
 
 
@@ -111,7 +113,8 @@ class _Reader:
             "title": str(self.data.get("title", f"{kind} generation by a {linkage}")),
             "kind": kind,
             "linkage": linkage,
-            "full_turn": self.data.get("full_turn", True) is True,
+            "full_turn": self._is("full_turn"),
+            "is_closed": self._is("closed"),
             "frame": self._length(self.data.get("frame", 1), "frame"),
             "pivots": tuple(self._pivots()),
             "samples": self._samples(),
@@ -155,6 +158,12 @@ class _Reader:
         )
         self.names.problem(told, key)
         return None
+
+    def _is(self, key: str) -> bool:
+        value = self.data.get(key, True)
+        if not isinstance(value, bool):
+            self.names.problem(Message("{key} is true or false", key=key), key)
+        return value is True
 
     def _samples(self) -> int:
         value = self.data.get("samples", SAMPLES)
