@@ -18,12 +18,14 @@ from freebody.errors import CannotAnswer, InputError, ModelError
 from freebody.numeric.reference import Reference
 from freebody.numeric.snapshot import snapshot_of
 from freebody.study.synthesis import loop
-from freebody.study.synthesis.certificate import certified, seen_alike
-from freebody.study.synthesis.curves import centre_point_curve, circle_point_curve, inverted, opposite_poles
+from freebody.study.synthesis.certificate import certified, model_text, seen_alike
+from freebody.study.synthesis.curves import centre_point_curve, circle_point_curve, opposite_poles
 from freebody.study.synthesis.fewer import by_pivot, curve, on_lines, pole, slides
 from freebody.study.synthesis.five import five_positions
 from freebody.study.synthesis.linkage import Linkage, cognates
-from freebody.study.synthesis.positions import Position, places, rows_of
+from freebody.study.synthesis.picture import coupler_curve
+from freebody.study.synthesis.positions import Position, inverted, places, rows_of
+from freebody.study.synthesis.result import Synthesis
 
 Array = NDArray[np.float64]
 ANGLES = (0.2, 0.7, 1.3, 1.9, 2.8)
@@ -220,6 +222,102 @@ def test_the_slider_of_four_positions_is_the_wrist_pin_of_a_slider_crank() -> No
     assert d.fixed == pytest.approx((1.0, 0.0), abs=1e-9)
     for one in slides(found[:3], [0.3, 1.0, 2.0]):
         assert one.residual < 1e-9
+
+
+# -- at infinity ------------------------------------------------------------------------------
+def positions_of_a_rod_on_a_slide() -> list[Position]:
+    """Crank 1, rod 3, its pin on the line y = 0.4."""
+    made: list[Position] = []
+    for theta in ANGLES:
+        B = np.array((math.cos(theta), math.sin(theta)))
+        made.append(Position(float(B[0]), float(B[1]), math.asin((0.4 - B[1]) / 3.0)))
+    return made
+
+
+def positions_of_a_rod_in_a_swivel() -> list[Position]:
+    """Crank 1; the rod's axis, 0.4 to the left of which the swivel (3, 0.2) is: the triangle of both and the foot."""
+    made: list[Position] = []
+    for theta in ANGLES:
+        x, y = 3.0 - math.cos(theta), 0.2 - math.sin(theta)
+        turned = math.atan2(y, x) - math.asin(0.4 / math.hypot(x, y))
+        made.append(Position(math.cos(theta), math.sin(theta), turned))
+    return made
+
+
+def motion(linkage: str, positions: list[Position]) -> Synthesis:
+    rows = [{"at": [p.x, p.y], "angle": f"{p.angle!r} rad"} for p in positions]
+    return fb.synthesise({"task": "motion", "linkage": linkage, "positions": rows}, most=3)
+
+
+def test_five_positions_of_a_rod_on_a_slide_have_their_slide_and_no_line_through_a_pivot() -> None:
+    found = motion("slider-crank", positions_of_a_rod_on_a_slide())
+    assert "1 of them with the fixed pivot at infinity" in found.about
+    lengths = [list(c.linkage.lengths.values()) for c in found.certified]
+    assert min(np.abs(np.array(x) - (1.0, 3.0, 0.4)).max() for x in lengths) < 1e-8
+    none = motion("inverted-slider-crank", positions_of_a_rod_on_a_slide())
+    assert not none.candidates
+    assert "no line of the coupler goes through a fixed pivot" in none.about
+
+
+def test_five_positions_of_a_rod_in_a_swivel_have_their_line_and_no_slide() -> None:
+    """Mirror images of each other: the fixed plane, seen from the rod, is on a slide."""
+    found = motion("inverted-slider-crank", positions_of_a_rod_in_a_swivel())
+    assert "1 with the moving pivot at infinity" in found.about
+    lengths = [list(c.linkage.lengths.values()) for c in found.certified]
+    assert min(np.abs(np.array(x) - (1.0, math.hypot(3, 0.2), 0.4)).max() for x in lengths) < 1e-8
+    none = motion("slider-crank", positions_of_a_rod_in_a_swivel())
+    assert not none.candidates
+    assert "no point of the coupler stays on a straight line" in none.about
+
+
+def test_most_five_positions_have_nothing_at_infinity() -> None:
+    found = motion("four-bar", FourBar().positions())
+    assert "none at infinity, so that no slide can take the place of a pin" in found.about
+
+
+@pytest.mark.parametrize("n", [3, 4, 5])
+def test_the_coupler_of_an_inverted_slider_crank_goes_through_its_swivel_in_every_position(n: int) -> None:
+    """The line through the places of two points of the coupler's line is 0 from D; B is at its crank's end."""
+    positions = positions_of_a_rod_in_a_swivel()[:n]
+    found = motion("inverted-slider-crank", positions)
+    assert found.certified
+    for c in found.certified:
+        linkage = c.linkage
+        assert linkage.D is not None
+        assert linkage.along is not None
+        first, second = (places(positions, linkage.C[0] + r * linkage.along) for r in (0.0, 1.0))
+        for a, b in zip(first, second, strict=True):
+            (x, y), (u, v) = b - a, linkage.D - a
+            assert abs(x * v - y * u) < 1e-8 * linkage.size
+        assert float(np.ptp(np.linalg.norm(linkage.B - linkage.A, axis=1))) < 1e-8 * linkage.size
+        assert fb.System.from_text(model_text(linkage, "swivel")).mobility().degrees_of_freedom == 1
+        curve = coupler_curve(linkage)
+        assert linkage.P is not None
+        step = float(np.linalg.norm(np.diff(curve, axis=0), axis=1).max())
+        for P in linkage.P:
+            assert float(np.linalg.norm(curve - P, axis=1).min()) < step
+
+
+def test_a_short_swivel_stops_the_crank_at_the_angle_where_the_slot_is_across() -> None:
+    """BD = 0.4: cos theta = (1 + d^2 - 0.16)/(2 d) for D = (1.2, 0)."""
+    D = np.array((1.2, 0.0))
+    B = np.array([(math.cos(t), math.sin(t)) for t in (1.0, 1.6, 2.4)])
+    e: list[tuple[float, float]] = []
+    for b in B:
+        x, y = D - b
+        turned = math.atan2(y, x) - math.asin(0.4 / math.hypot(x, y))
+        e.append((math.cos(turned), math.sin(turned)))
+    lines = np.array(e)
+    s = float((D - B[0]) @ lines[0])
+    C = np.array([b + s * t + 0.4 * np.array((-t[1], t[0])) for b, t in zip(B, lines, strict=True)])
+    linkage = Linkage(np.zeros(2), B, C, D, lines[0])
+    assert linkage.lines == pytest.approx(lines)
+    assert linkage.limits[1] == pytest.approx((1 + 1.44 - 0.16) / 2.4)
+    assert {d.name for d in linkage.defects(full_turn=True)} == {"no full turn"}
+    certificate = certified(linkage, "swivel", full_turn=False)
+    assert not certificate.defects
+    assert not certificate.turns_fully
+    assert seen_alike(linkage, certificate) is None
 
 
 # -- functions --------------------------------------------------------------------------------
@@ -520,6 +618,10 @@ def test_the_command_prints_writes_and_ends_with_whether_something_was_found(tmp
         ("task: motion\npositions: [{at: [0, 0]}, {at: [1 kg, 0], angle: 0}]", "kg"),
         ("task: motion\nposition: []\npositions: []", "a task has no position. Did you mean positions"),
         ("task: path\npoints: [[0, 0], [1, 0]]", "need crank angles"),
+        (
+            "task: function\nlinkage: inverted-slider-crank\npairs: [[1, 1], [2, 1], [3, 1]]",
+            "by four-bars and slider-cranks only",
+        ),
         ("task: path\nclosed: perhaps\npoints: [[0, 0], [1, 0]]", "closed is true or false"),
         ("task: function\nframe: 0 m\npairs: [[1, 1], [1.1, 1], [1.2, 1]]", "length greater than 0"),
         ("task: function\npairs: [[40, 1], [1.1, 1], [1.2, 1]]", "has no unit"),

@@ -46,7 +46,8 @@ def curve_picture(
         shapes.append(line(quadrilateral, "muted", -1, 1.0, 1.0, 0.9, is_closed=True, dashes=(2.0, 2.0)))
     shapes += [Shape(at(run), _CENTRES, 1.5) for run in centre_point_curve(positions, low, side)]
     shapes += [Shape(at(run), _CIRCLES, 1.5, dashes=(6.0, 2.5)) for run in circle_point_curve(positions, low, side)]
-    pivots = [(d.moving, _CIRCLES) for d in dyads] + [(d.fixed, _CENTRES) for d in dyads if not d.is_slide]
+    pivots = [(d.moving, _CIRCLES) for d in dyads if not d.is_line]
+    pivots += [(d.fixed, _CENTRES) for d in dyads if not d.is_slide]
     shapes += [_spot(at(place)[0], 1.8, ink) for place, ink in pivots if _is_seen(at(place))]
     for more, told in (_places(positions, at), _poles(seen, at), _bars(linkage, at)):
         shapes, words = shapes + more, words + told
@@ -103,12 +104,12 @@ def _poles(poles: Sequence[tuple[str, Array]], at: Placed) -> Drawn:
 
 
 def _bars(linkage: Linkage | None, at: Placed) -> Drawn:
-    """Two dyads in position 1, with the coupler between them; a slide as its line."""
+    """Two dyads in position 1, with the coupler between them; what stands for a bar at infinity is a straight line."""
     if linkage is None:
         return [], []
     shapes: list[Shape] = []
     ends = [("A", linkage.A, "B", linkage.B[0])]
-    if linkage.D is not None:
+    if linkage.D is not None and linkage.along is None:
         ends.append(("D", linkage.D, "C", linkage.C[0]))
     shapes.append(Shape(at(np.array((linkage.B[0], linkage.C[0]))), Ink("body", 2), 1.6))
     pins = [(name, place) for a, A, b, B in ends for name, place in ((a, A), (b, B))]
@@ -117,7 +118,7 @@ def _bars(linkage: Linkage | None, at: Placed) -> Drawn:
         reach = 24.0 * linkage.along / np.linalg.norm(linkage.along)
         middle = at(linkage.C[0])[0]
         shapes.append(Shape(np.array((middle - reach, middle + reach)), Ink(), 2.0))
-        pins.append(("C", linkage.C[0]))
+        pins.append(("D" if linkage.is_inverted else "C", linkage.C[0]))
     words: list[Word] = []
     middle = at(np.mean([place for _name, place in pins], axis=0))[0]
     for name, place in pins:

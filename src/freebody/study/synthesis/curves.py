@@ -9,7 +9,6 @@ Source: McCarthy & Soh, Geometric Design of Linkages, 2nd ed. 2011, sec. 5.4.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from importlib import import_module
 from typing import Any
@@ -19,7 +18,7 @@ import numpy as np
 from freebody.errors import CannotAnswer
 from freebody.numeric.jets import Array
 from freebody.study.synthesis.fewer import pole
-from freebody.study.synthesis.positions import Position, displacements, places, rows_of
+from freebody.study.synthesis.positions import Position, inverted, places, rows_of
 
 _GRID = 240  # cells of a side, by whose corners the curve is found
 _POWERS = tuple((i, j) for i in range(4) for j in range(4 - i))  # of a cubic in (u, v)
@@ -37,15 +36,6 @@ def circle_point_curve(positions: Sequence[Position], low: Array, side: float) -
 def centre_point_curve(positions: Sequence[Position], low: Array, side: float) -> list[Array]:
     """(n, 2) runs of it in the fixed plane, within a square with the lower left corner `low`."""
     return circle_point_curve(inverted(positions), low, side)
-
-
-def inverted(positions: Sequence[Position]) -> tuple[Position, ...]:
-    """The fixed plane as it is seen from the moving one: X_j = R_j^-1 (X - d_j), in position 1 the same."""
-    found: list[Position] = []
-    for R, d in displacements(positions):
-        x, y = -R.T @ d
-        found.append(Position(float(x), float(y), -math.atan2(R[1, 0], R[0, 0])))
-    return tuple(found)
 
 
 def opposite_poles(positions: Sequence[Position]) -> list[tuple[str, Array]]:

@@ -96,7 +96,7 @@ class Synthesis(Result):
             "complete": str(self.about),
             "dyads": [
                 {
-                    "moving": _list(d.moving),
+                    "line" if d.is_line else "moving": _list(d.moving),
                     "direction" if d.is_slide else "fixed": _list(d.fixed),
                     "residual": d.residual,
                 }
