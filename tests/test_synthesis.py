@@ -22,7 +22,7 @@ from freebody.study.synthesis.certificate import certified, model_text, seen_ali
 from freebody.study.synthesis.curves import centre_point_curve, circle_point_curve, opposite_poles
 from freebody.study.synthesis.fewer import by_pivot, curve, on_lines, pole, slides
 from freebody.study.synthesis.five import five_positions
-from freebody.study.synthesis.linkage import Linkage, cognates
+from freebody.study.synthesis.linkage import Linkage, cognates, driven_at_other_end
 from freebody.study.synthesis.picture import coupler_curve
 from freebody.study.synthesis.positions import Position, inverted, places, rows_of
 from freebody.study.synthesis.result import Synthesis
@@ -384,6 +384,17 @@ def test_cognates_trace_the_same_points_and_the_crank_turns_as_the_coupler_did()
         assert np.abs(gone).max() < 1e-12
 
 
+def test_a_four_bar_driven_at_its_other_end_traces_the_same_points() -> None:
+    bar = FourBar().linkage()
+    other = driven_at_other_end(bar)
+    assert other.residual < 1e-12
+    assert other.lengths == pytest.approx(
+        {"crank": 2.5, "coupler": 3.0, "rocker": 1.0, "frame": bar.lengths["frame"]}, rel=1e-12
+    )
+    assert "no full turn" in {d.name for d in other.defects(full_turn=True)}
+    assert other.P is bar.P
+
+
 def test_a_four_bar_comes_back_from_five_points_of_its_path_and_crank_angles() -> None:
     bar = FourBar()
     points = [{"at": [float(x) for x in bar.at(theta)[3]], "crank": f"{theta!r} rad"} for theta in ANGLES]
@@ -482,7 +493,8 @@ def test_an_arc_is_led_through_by_a_crank_that_swings() -> None:
     assert found.certified
     for c in found.certified:
         assert is_rigid(c.linkage)
-        assert c.linkage.missed < 1e-9
+        assert c.linkage.P is not None
+        assert np.abs(c.linkage.P - points).max() < 1e-9
         assert off_the_sextic(c.linkage, points) < 1e-8
 
 
@@ -492,6 +504,7 @@ def test_a_four_bar_comes_back_from_points_of_its_path_alone(n: int, last: float
     bar = FourBar()
     points = np.array([bar.at(float(theta))[3] for theta in np.linspace(0.2, last, n)])
     found = fb.synthesise({"task": "path", "closed": False, "points": points.tolist()}, most=3)
+    assert all(is_rigid(c.linkage) for c in found.candidates)
     lengths = [list(c.linkage.lengths.values()) for c in found.certified]
     assert min(np.abs(np.array(x) - (1.0, 3.0, 2.5, math.hypot(3, 0.5))).max() for x in lengths) < off
 

@@ -28,7 +28,7 @@ from freebody.numeric.jets import Array
 from freebody.study.synthesis.fewer import by_pivot, by_points, curve, on_lines, slides
 from freebody.study.synthesis.fitting import MOST_EXACT, fitted
 from freebody.study.synthesis.five import five_positions
-from freebody.study.synthesis.linkage import Linkage, cognates
+from freebody.study.synthesis.linkage import Linkage, cognates, driven_at_other_end
 from freebody.study.synthesis.positions import (
     Dyad,
     Position,
@@ -43,6 +43,7 @@ from freebody.study.synthesis.positions import (
 from freebody.study.synthesis.tasks import Task
 
 _SAME = 1e-7  # in sizes: a dyad that says nothing
+_ALIKE = 1e-3  # of the size: lengths of the same linkage
 _REACH = 50.0  # sizes: a family's dyads that reach farther are left out
 
 
@@ -65,12 +66,13 @@ def candidates(task: Task) -> Found:
 def _of_points(task: Task, points: Array) -> Found:
     """A path without crank angles: exactly through few points, near many."""
     fits = fitted(points, is_closed=task.is_closed, full_turn=task.full_turn)
+    linkages = _with_cognates(task, fits.linkages) if fits.is_met and task.n <= MOST_EXACT else fits.linkages
     if task.n > MOST_EXACT:
         about = Message("fitted to {n} points: the best of local searches, not proved", n=task.n)
     elif fits.is_met:
         about = Message(
-            "{k} linkages through all {n} points, from {m} local searches; the search is not complete",
-            k=len(fits.linkages),
+            "{k} linkages through all {n} points, from {m} local searches and by cognates; the search is not complete",
+            k=len(linkages),
             n=task.n,
             m=fits.n_searches,
         )
@@ -81,7 +83,23 @@ def _of_points(task: Task, points: Array) -> Found:
             n=task.n,
             m=fits.n_searches,
         )
-    return Found((), fits.linkages, about)
+    return Found((), linkages, about)
+
+
+def _with_cognates(task: Task, found: Sequence[Linkage]) -> tuple[Linkage, ...]:
+    """With those that trace the same curve and have no defect: cognates, each driven at either ground pivot."""
+    every = list(found)
+    for linkage in found:
+        for c in cognates(linkage):
+            for one in (c, driven_at_other_end(c)):
+                is_new = all(_lengths_apart(one, other) > _ALIKE * one.size for other in every)
+                if is_new and not any(one.defects(full_turn=task.full_turn)):
+                    every.append(one)
+    return tuple(every)
+
+
+def _lengths_apart(a: Linkage, b: Linkage) -> float:
+    return max(abs(x - y) for x, y in zip(a.lengths.values(), b.lengths.values(), strict=True))
 
 
 # -- motion and path --------------------------------------------------------------------------

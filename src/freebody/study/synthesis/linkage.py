@@ -18,7 +18,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
@@ -275,6 +275,12 @@ def cognates(linkage: Linkage) -> list[Linkage]:
         c1 = a1 + ratio * (p - a1)
         found.append(Linkage(A, _plane(a1), _plane(c1), _plane(a + ratio * (d - a)), P=linkage.P))
     return found
+
+
+def driven_at_other_end(linkage: Linkage) -> Linkage:
+    """The same four-bar with its rocker as the crank."""
+    assert linkage.D is not None
+    return replace(linkage, A=linkage.D, B=linkage.C, C=linkage.B, D=linkage.A)
 
 
 def _complex(x: Array) -> Any:
