@@ -320,6 +320,21 @@ def test_a_short_swivel_stops_the_crank_at_the_angle_where_the_slot_is_across() 
     assert seen_alike(linkage, certificate) is None
 
 
+def test_the_slide_is_found_where_the_first_two_positions_are_turned_alike() -> None:
+    """At crank angles 0.7 and pi - 0.7 the crank's end is as high, so that the rod is parallel to itself."""
+    made: list[Position] = []
+    for theta in (0.7, math.pi - 0.7, 1.3, 0.2):
+        x, y = math.cos(theta), math.sin(theta)
+        made.append(Position(x, y, math.asin((0.4 - y) / 3.0)))
+    (d,) = slides(made, [])
+    first = made[0]
+    pin = np.array((first.x + 3.0 * math.cos(first.angle), first.y + 3.0 * math.sin(first.angle)))
+    assert d.moving == pytest.approx(pin, abs=1e-9)
+    assert np.ptp(places(made, d.moving)[:, 1]) < 1e-9
+    for one in slides(made[:3], [0.3, 1.0, 2.0]):
+        assert one.residual < 1e-9
+
+
 # -- functions --------------------------------------------------------------------------------
 def function_pairs(angles: tuple[float, ...]) -> list[list[str]]:
     """Crank 0.4, coupler 0.9, rocker 0.7 on a frame of 1 m."""

@@ -125,7 +125,7 @@ def _of_positions(task: Task) -> Found:
 
 
 def _no_guide(n: int, *, is_inverted: bool) -> str:
-    """Of five positions all are found; of fewer those within reach, about the pole of positions 1 and 2."""
+    """Of five positions all are found; of fewer those within reach."""
     if n < 5:
         return Message("no slide was found within reach")
     if is_inverted:

@@ -51,7 +51,7 @@ def curve_picture(
     shapes += [_spot(at(place)[0], 1.8, ink) for place, ink in pivots if _is_seen(at(place))]
     for more, told in (_places(positions, at), _poles(seen, at), _bars(linkage, at)):
         shapes, words = shapes + more, words + told
-    kinds = [("centre-point curve", _CENTRES), ("circle-point curve in position 1 (dashed)", _CIRCLES)]
+    kinds = [("centre-point curve", _CENTRES), ("circle-point curve (dashed)", _CIRCLES)]
     more, told = legend([*kinds, *([("opposite poles", _POLES)] if seen else [])], -14.0)
     says = "centre-point curve and circle-point curve of four positions, with opposite poles and dyads"
     return picture(title, says, [*shapes, *more], [*words, *told])
