@@ -17,12 +17,15 @@ from command import freebody
 from freebody.errors import CannotAnswer, InputError, ModelError
 from freebody.numeric.reference import Reference
 from freebody.numeric.snapshot import snapshot_of
-from freebody.study.synthesis import fitting
-from freebody.study.synthesis.certificate import certified, seen_alike
+from freebody.study.synthesis import loop
+from freebody.study.synthesis.certificate import certified, model_text, seen_alike
+from freebody.study.synthesis.curves import centre_point_curve, circle_point_curve, opposite_poles
 from freebody.study.synthesis.fewer import by_pivot, curve, on_lines, pole, slides
 from freebody.study.synthesis.five import five_positions
-from freebody.study.synthesis.linkage import Linkage, cognates
-from freebody.study.synthesis.positions import Position, places, rows_of
+from freebody.study.synthesis.linkage import Linkage, cognates, driven_at_other_end
+from freebody.study.synthesis.picture import coupler_curve
+from freebody.study.synthesis.positions import Position, inverted, places, rows_of
+from freebody.study.synthesis.result import Synthesis
 
 Array = NDArray[np.float64]
 ANGLES = (0.2, 0.7, 1.3, 1.9, 2.8)
@@ -121,6 +124,82 @@ def test_the_curves_of_four_positions_pass_through_the_pivots_of_the_four_bar() 
         assert near.fixed == pytest.approx(fixed, abs=1e-8)
 
 
+def pole_by_hand(a: Position, b: Position) -> Array:
+    """The centre of the rotation from one position to another: half way, and by half the chord over tan(angle/2)
+    across it."""
+    p, q = np.array((a.x, a.y)), np.array((b.x, b.y))
+    across = np.array((p[1] - q[1], q[0] - p[0]))
+    return 0.5 * (p + q) + 0.5 * across / math.tan(0.5 * (b.angle - a.angle))
+
+
+def seen_under(G: Array, a: Array, b: Array) -> float:
+    """The directed angle at which G sees the line from a to b."""
+    z = complex(*(b - G)) / complex(*(a - G))
+    return math.atan2(z.imag, z.real)
+
+
+CURVED = {
+    "of a four-bar": FourBar().positions(ANGLES[:4]),
+    "with an angle beyond half a turn": [
+        Position(*x) for x in ((0, 0, 0.1), (1, 0.4, -0.5), (1.7, 0.1, 2.0), (2, -1, 3.6))
+    ],
+    # poles at the corners of a kite: a straight line and a circle
+    "that fall apart": [Position(*x) for x in ((-1, 0, -0.6), (-0.3, 0.5, -0.2), (0.3, 0.5, 0.2), (1, 0, 0.6))],
+}
+
+
+@pytest.mark.parametrize("positions", list(CURVED.values()), ids=list(CURVED))
+def test_a_centre_point_sees_opposite_sides_of_the_pole_quadrilateral_under_equal_angles(
+    positions: list[Position],
+) -> None:
+    """Up to half a turn (Burmester), with poles by the formula of a rotation; in the picture's square and beyond."""
+    P12, P23, P34, P14 = (pole_by_hand(positions[i], positions[j]) for i, j in ((0, 1), (1, 2), (2, 3), (0, 3)))
+    found = opposite_poles(positions)
+    assert [name for name, _place in found] == ["12", "23", "34", "14"]
+    assert np.array([place for _name, place in found]) == pytest.approx(np.array((P12, P23, P34, P14)))
+    runs = centre_point_curve(positions, np.array((-4.0, -4.0)), 8.0)
+    points = np.vstack(runs)
+    assert len(points) > 200
+    for G in points:
+        if min(float(np.linalg.norm(G - p)) for p in (P12, P23, P34, P14)) > 0.02:
+            between = seen_under(G, P12, P23) - seen_under(G, P14, P34)
+            assert abs(math.sin(between)) < 1e-6
+
+
+@pytest.mark.parametrize("positions", list(CURVED.values()), ids=list(CURVED))
+def test_the_four_places_of_a_circle_point_have_one_centre_on_the_centre_point_curve(positions: list[Position]) -> None:
+    """The centre of the circle through three of the places is as far from the fourth, and back from the fixed plane:
+    the places of a centre point, as the moving plane sees it, are on a circle too."""
+    for curve_of, seen in ((circle_point_curve, positions), (centre_point_curve, inverted(positions))):
+        for W in np.vstack(curve_of(positions, np.array((-4.0, -4.0)), 8.0)):
+            at = places(seen, W)
+            sides = at[1:3] - at[0]
+            if abs(np.linalg.det(sides)) < 1e-3:  # nearly on a line
+                continue
+            centre = at[0] + np.asarray(np.linalg.solve(sides, 0.5 * (sides * sides).sum(axis=1)), dtype=np.float64)
+            r = np.linalg.norm(at - centre, axis=1)
+            assert float(np.ptp(r)) < 1e-6 * (1 + float(r[0]))
+
+
+def test_the_curves_pass_through_the_pivots_and_are_drawn_with_them(tmp_path: Path) -> None:
+    bar = FourBar()
+    positions = bar.positions(ANGLES[:4])
+    B, C, _phi, _P = bar.at(ANGLES[0])
+    low = np.array((-4.0, -4.0))
+    for curve_of, pivots in ((centre_point_curve, (bar.A, bar.D)), (circle_point_curve, (B, C))):
+        points = np.vstack(curve_of(positions, low, 8.0))
+        for pivot in pivots:
+            assert float(np.linalg.norm(points - pivot, axis=1).min()) < 8.0 / 240
+    rows = [{"at": [p.x, p.y], "angle": f"{p.angle!r} rad"} for p in positions]
+    found = fb.synthesise({"task": "motion", "positions": rows}, most=1)
+    svg = found.curves().svg()
+    assert "centre-point curve" in svg
+    assert "opposite poles" in svg
+    assert any("Burmester" in str(block) for block in found.report.blocks)
+    with pytest.raises(InputError, match="four positions"):
+        fb.synthesise({"task": "motion", "positions": rows[:3]}, most=1).curves()
+
+
 def test_a_fixed_pivot_tells_the_moving_one_of_three_positions() -> None:
     bar = FourBar()
     found = by_pivot(bar.positions(ANGLES[:3]), bar.D)
@@ -142,6 +221,117 @@ def test_the_slider_of_four_positions_is_the_wrist_pin_of_a_slider_crank() -> No
     )
     assert d.fixed == pytest.approx((1.0, 0.0), abs=1e-9)
     for one in slides(found[:3], [0.3, 1.0, 2.0]):
+        assert one.residual < 1e-9
+
+
+# -- at infinity ------------------------------------------------------------------------------
+def positions_of_a_rod_on_a_slide() -> list[Position]:
+    """Crank 1, rod 3, its pin on the line y = 0.4."""
+    made: list[Position] = []
+    for theta in ANGLES:
+        B = np.array((math.cos(theta), math.sin(theta)))
+        made.append(Position(float(B[0]), float(B[1]), math.asin((0.4 - B[1]) / 3.0)))
+    return made
+
+
+def positions_of_a_rod_in_a_swivel() -> list[Position]:
+    """Crank 1; the rod's axis, 0.4 to the left of which the swivel (3, 0.2) is: the triangle of both and the foot."""
+    made: list[Position] = []
+    for theta in ANGLES:
+        x, y = 3.0 - math.cos(theta), 0.2 - math.sin(theta)
+        turned = math.atan2(y, x) - math.asin(0.4 / math.hypot(x, y))
+        made.append(Position(math.cos(theta), math.sin(theta), turned))
+    return made
+
+
+def motion(linkage: str, positions: list[Position]) -> Synthesis:
+    rows = [{"at": [p.x, p.y], "angle": f"{p.angle!r} rad"} for p in positions]
+    return fb.synthesise({"task": "motion", "linkage": linkage, "positions": rows}, most=3)
+
+
+def test_five_positions_of_a_rod_on_a_slide_have_their_slide_and_no_line_through_a_pivot() -> None:
+    found = motion("slider-crank", positions_of_a_rod_on_a_slide())
+    assert "1 of them with the fixed pivot at infinity" in found.about
+    lengths = [list(c.linkage.lengths.values()) for c in found.certified]
+    assert min(np.abs(np.array(x) - (1.0, 3.0, 0.4)).max() for x in lengths) < 1e-8
+    none = motion("inverted-slider-crank", positions_of_a_rod_on_a_slide())
+    assert not none.candidates
+    assert "no line of the coupler goes through a fixed pivot" in none.about
+
+
+def test_five_positions_of_a_rod_in_a_swivel_have_their_line_and_no_slide() -> None:
+    """Mirror images of each other: the fixed plane, seen from the rod, is on a slide."""
+    found = motion("inverted-slider-crank", positions_of_a_rod_in_a_swivel())
+    assert "1 with the moving pivot at infinity" in found.about
+    lengths = [list(c.linkage.lengths.values()) for c in found.certified]
+    assert min(np.abs(np.array(x) - (1.0, math.hypot(3, 0.2), 0.4)).max() for x in lengths) < 1e-8
+    none = motion("slider-crank", positions_of_a_rod_in_a_swivel())
+    assert not none.candidates
+    assert "no point of the coupler stays on a straight line" in none.about
+
+
+def test_most_five_positions_have_nothing_at_infinity() -> None:
+    found = motion("four-bar", FourBar().positions())
+    assert "none at infinity, so that no slide can take the place of a pin" in found.about
+
+
+@pytest.mark.parametrize("n", [3, 4, 5])
+def test_the_coupler_of_an_inverted_slider_crank_goes_through_its_swivel_in_every_position(n: int) -> None:
+    """The line through the places of two points of the coupler's line is 0 from D; B is at its crank's end."""
+    positions = positions_of_a_rod_in_a_swivel()[:n]
+    found = motion("inverted-slider-crank", positions)
+    assert found.certified
+    for c in found.certified:
+        linkage = c.linkage
+        assert linkage.D is not None
+        assert linkage.along is not None
+        first, second = (places(positions, linkage.C[0] + r * linkage.along) for r in (0.0, 1.0))
+        for a, b in zip(first, second, strict=True):
+            (x, y), (u, v) = b - a, linkage.D - a
+            assert abs(x * v - y * u) < 1e-8 * linkage.size
+        assert float(np.ptp(np.linalg.norm(linkage.B - linkage.A, axis=1))) < 1e-8 * linkage.size
+        assert fb.System.from_text(model_text(linkage, "swivel")).mobility().degrees_of_freedom == 1
+        curve = coupler_curve(linkage)
+        assert linkage.P is not None
+        step = float(np.linalg.norm(np.diff(curve, axis=0), axis=1).max())
+        for P in linkage.P:
+            assert float(np.linalg.norm(curve - P, axis=1).min()) < step
+
+
+def test_a_short_swivel_stops_the_crank_at_the_angle_where_the_slot_is_across() -> None:
+    """BD = 0.4: cos theta = (1 + d^2 - 0.16)/(2 d) for D = (1.2, 0)."""
+    D = np.array((1.2, 0.0))
+    B = np.array([(math.cos(t), math.sin(t)) for t in (1.0, 1.6, 2.4)])
+    e: list[tuple[float, float]] = []
+    for b in B:
+        x, y = D - b
+        turned = math.atan2(y, x) - math.asin(0.4 / math.hypot(x, y))
+        e.append((math.cos(turned), math.sin(turned)))
+    lines = np.array(e)
+    s = float((D - B[0]) @ lines[0])
+    C = np.array([b + s * t + 0.4 * np.array((-t[1], t[0])) for b, t in zip(B, lines, strict=True)])
+    linkage = Linkage(np.zeros(2), B, C, D, lines[0])
+    assert linkage.lines == pytest.approx(lines)
+    assert linkage.limits[1] == pytest.approx((1 + 1.44 - 0.16) / 2.4)
+    assert {d.name for d in linkage.defects(full_turn=True)} == {"no full turn"}
+    certificate = certified(linkage, "swivel", full_turn=False)
+    assert not certificate.defects
+    assert not certificate.turns_fully
+    assert seen_alike(linkage, certificate) is None
+
+
+def test_the_slide_is_found_where_the_first_two_positions_are_turned_alike() -> None:
+    """At crank angles 0.7 and pi - 0.7 the crank's end is as high, so that the rod is parallel to itself."""
+    made: list[Position] = []
+    for theta in (0.7, math.pi - 0.7, 1.3, 0.2):
+        x, y = math.cos(theta), math.sin(theta)
+        made.append(Position(x, y, math.asin((0.4 - y) / 3.0)))
+    (d,) = slides(made, [])
+    first = made[0]
+    pin = np.array((first.x + 3.0 * math.cos(first.angle), first.y + 3.0 * math.sin(first.angle)))
+    assert d.moving == pytest.approx(pin, abs=1e-9)
+    assert np.ptp(places(made, d.moving)[:, 1]) < 1e-9
+    for one in slides(made[:3], [0.3, 1.0, 2.0]):
         assert one.residual < 1e-9
 
 
@@ -209,6 +399,17 @@ def test_cognates_trace_the_same_points_and_the_crank_turns_as_the_coupler_did()
         assert np.abs(gone).max() < 1e-12
 
 
+def test_a_four_bar_driven_at_its_other_end_traces_the_same_points() -> None:
+    bar = FourBar().linkage()
+    other = driven_at_other_end(bar)
+    assert other.residual < 1e-12
+    assert other.lengths == pytest.approx(
+        {"crank": 2.5, "coupler": 3.0, "rocker": 1.0, "frame": bar.lengths["frame"]}, rel=1e-12
+    )
+    assert "no full turn" in {d.name for d in other.defects(full_turn=True)}
+    assert other.P is bar.P
+
+
 def test_a_four_bar_comes_back_from_five_points_of_its_path_and_crank_angles() -> None:
     bar = FourBar()
     points = [{"at": [float(x) for x in bar.at(theta)[3]], "crank": f"{theta!r} rad"} for theta in ANGLES]
@@ -235,13 +436,101 @@ def test_slopes_of_the_fitted_curve_are_those_of_differences() -> None:
     x = np.concatenate(([0.1, -0.2, 0.3, 0.5, 1.3, 1.1, 1.2, 0.4, 0.6], rng.uniform(0, math.tau, 7)))
     target = rng.normal(size=7) + 1j * rng.normal(size=7)
     for side in (-1, 1):
-        slopes = fitting.slopes(x, side, target)
+        slopes = loop.slopes(x, side, target)
         h = 1e-6
         steps = [
-            (fitting.residuals(x + h * e, side, target) - fitting.residuals(x - h * e, side, target)) / (2 * h)
+            (loop.residuals(x + h * e, side, target) - loop.residuals(x - h * e, side, target)) / (2 * h)
             for e in np.eye(len(x))
         ]
         assert slopes == pytest.approx(np.column_stack(steps), abs=1e-7)
+
+
+def off_the_sextic(linkage: Linkage, points: Array) -> float:
+    """The coupler curve's equation at points, without any angle: with b, c from P to B and C in axes of the coupler,
+    |P - A + b e^(i phi)|^2 = AB^2 and the same for D are linear in cos phi and sin phi; by Cramer's rule
+    (n1^2 + n2^2 - delta^2) = 0. Source: Wampler, Morgan & Sommese 1992, eq. 3 to 5."""
+    assert linkage.D is not None
+    assert linkage.P is not None
+    unit = (1.0, 1j)
+    B, C, P0, A, D = (x @ unit for x in (linkage.B[0], linkage.C[0], linkage.P[0], linkage.A, linkage.D))
+    worst = 0.0
+    for P in points @ unit:
+        rows = [
+            (
+                (P - pivot).conjugate() * (end - P0),
+                (abs(end - pivot) ** 2 - abs(P - pivot) ** 2 - abs(end - P0) ** 2) / 2,
+            )
+            for pivot, end in ((A, B), (D, C))
+        ]
+        (w1, k1), (w2, k2) = rows
+        delta = -w1.real * w2.imag + w1.imag * w2.real
+        n1, n2 = -k1 * w2.imag + k2 * w1.imag, w1.real * k2 - w2.real * k1
+        terms = (n1 * n1, n2 * n2, -delta * delta)
+        worst = max(worst, abs(sum(terms)) / sum(abs(x) for x in terms))
+    return worst
+
+
+def is_rigid(linkage: Linkage) -> bool:
+    """Whether links and the traced point keep their distances over all points."""
+    assert linkage.D is not None
+    assert linkage.P is not None
+    pairs = ((linkage.A, linkage.B), (linkage.B, linkage.C), (linkage.C, linkage.D), (linkage.P, linkage.B))
+    kept = [np.linalg.norm(a - b, axis=1) for a, b in (*pairs, (linkage.P, linkage.C))]
+    return max(float(np.ptp(x)) for x in kept) < 1e-9 * linkage.size
+
+
+WIPER = [[0.0, 0.0], [0.01, 0.015], [0.03, 0.022], [0.05, 0.016], [0.062, 0.003]]
+
+
+def test_five_points_without_crank_angles_lie_on_the_coupler_curves_of_certified_linkages() -> None:
+    found = fb.synthesise({"task": "path", "closed": False, "points": WIPER}, most=3)
+    assert len(found.certified) == 3
+    assert "not complete" in found.about
+    for c in found.certified:
+        assert c.linkage.P is not None
+        assert np.abs(c.linkage.P - np.array(WIPER)).max() < 1e-10
+        assert is_rigid(c.linkage)
+        assert off_the_sextic(c.linkage, np.array(WIPER)) < 1e-8
+        turned = np.unwrap(c.linkage.crank_angles)
+        assert (np.diff(turned) > 0).all() or (np.diff(turned) < 0).all()
+        assert c.certificate is not None
+        assert c.certificate.turns_fully
+    least = [c.transmission for c in found.certified]
+    assert least == sorted(least, reverse=True)
+
+
+def test_an_arc_is_led_through_by_a_crank_that_swings() -> None:
+    """Six points of the double rocker with lengths 2, 1, 2, 2.5."""
+    bar = FourBar(2.0, 1.0, 2.0, (2.5, 0.0))
+    points = np.array([bar.at(float(theta))[3] for theta in np.linspace(0.8, 1.2, 6)])
+    task = {"task": "path", "closed": False, "full_turn": False, "points": points.tolist()}
+    found = fb.synthesise(task, most=2)
+    assert found.certified
+    for c in found.certified:
+        assert is_rigid(c.linkage)
+        assert c.linkage.P is not None
+        assert np.abs(c.linkage.P - points).max() < 1e-9
+        assert off_the_sextic(c.linkage, points) < 1e-8
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("n", "last", "off"), [(9, 6.0, 1e-8), (14, 3.0, 1e-4)], ids=["nine points", "an arc of many"])
+def test_a_four_bar_comes_back_from_points_of_its_path_alone(n: int, last: float, off: float) -> None:
+    bar = FourBar()
+    points = np.array([bar.at(float(theta))[3] for theta in np.linspace(0.2, last, n)])
+    found = fb.synthesise({"task": "path", "closed": False, "points": points.tolist()}, most=3)
+    assert all(is_rigid(c.linkage) for c in found.candidates)
+    lengths = [list(c.linkage.lengths.values()) for c in found.certified]
+    assert min(np.abs(np.array(x) - (1.0, 3.0, 2.5, math.hypot(3, 0.5))).max() for x in lengths) < off
+
+
+@pytest.mark.slow
+def test_nine_points_that_no_search_comes_through_are_only_approached() -> None:
+    rng = np.random.default_rng(1)
+    points = [[math.cos(t) + 0.1 * rng.normal(), math.sin(t) / 2 + 0.1 * rng.normal()] for t in np.linspace(0, 5.7, 9)]
+    found = fb.synthesise({"task": "path", "points": points}, most=1)
+    assert "none of 64 local searches" in found.about
+    assert min(c.linkage.missed for c in found.candidates) > 1e-3
 
 
 # -- defects ----------------------------------------------------------------------------------
@@ -337,13 +626,15 @@ def test_certified_candidates_are_models_that_are_at_the_positions(tmp_path: Pat
 def test_the_command_prints_writes_and_ends_with_whether_something_was_found(tmp_path: Path) -> None:
     (tmp_path / "task.yaml").write_text(LOADER, encoding="utf-8")
     args = ("synthesise", str(tmp_path / "task.yaml"), "--most", "1", "--json")
-    ran = freebody(*args, "-o", str(tmp_path / "out"), "--plot", str(tmp_path / "it.svg"))
+    ran = freebody(
+        *args, "-o", str(tmp_path / "out"), "--plot", str(tmp_path / "it.svg"), "--curves", str(tmp_path / "c.svg")
+    )
     assert ran.returncode == 0, ran.stderr
     told = json.loads(ran.stdout)
     assert told["certified"] == 1
     assert told["candidates"][0]["verdict"] == "certified"
     assert (tmp_path / "out" / "candidate_1.yaml").exists()
-    assert "<svg" in (tmp_path / "it.svg").read_text(encoding="utf-8")
+    assert all("<svg" in (tmp_path / name).read_text(encoding="utf-8") for name in ("it.svg", "c.svg"))
     assert freebody("synthesise", str(tmp_path / "none.yaml")).returncode == 2
 
 
@@ -355,6 +646,11 @@ def test_the_command_prints_writes_and_ends_with_whether_something_was_found(tmp
         ("task: motion\npositions: [{at: [0, 0]}, {at: [1 kg, 0], angle: 0}]", "kg"),
         ("task: motion\nposition: []\npositions: []", "a task has no position. Did you mean positions"),
         ("task: path\npoints: [[0, 0], [1, 0]]", "need crank angles"),
+        (
+            "task: function\nlinkage: inverted-slider-crank\npairs: [[1, 1], [2, 1], [3, 1]]",
+            "by four-bars and slider-cranks only",
+        ),
+        ("task: path\nclosed: perhaps\npoints: [[0, 0], [1, 0]]", "closed is true or false"),
         ("task: function\nframe: 0 m\npairs: [[1, 1], [1.1, 1], [1.2, 1]]", "length greater than 0"),
         ("task: function\npairs: [[40, 1], [1.1, 1], [1.2, 1]]", "has no unit"),
         ("task: motion\npositions: [" + ", ".join("{at: [0, 0], angle: 0}" for _ in range(6)) + "]", "at most 5"),

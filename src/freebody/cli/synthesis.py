@@ -18,6 +18,10 @@ def synthesise(
     ] = None,
     report: Annotated[Path | None, typer.Option("--report", help="Write a report: .html, .md, .tex, .pdf ...")] = None,
     plot: Annotated[Path | None, typer.Option("--plot", help="Draw a candidate: .svg, .png, .pdf or .tex.")] = None,
+    curves: Annotated[
+        Path | None,
+        typer.Option("--curves", help="Draw Burmester's curves of four positions: .svg, .png ..."),
+    ] = None,
     show: Annotated[int, typer.Option("--show", help="Which candidate is drawn.")] = 1,
     most: Annotated[int, typer.Option("--most", help="How many candidates are followed all round.")] = 10,
     as_json: Json = False,
@@ -31,13 +35,15 @@ def synthesise(
         from freebody.present.report.write import check_report_path
         from freebody.study.synthesis.synthesise import synthesise as run
 
-        if plot is not None:
-            check_writable(checked_path(plot))
+        for path in (plot, curves):
+            if path is not None:
+                check_writable(checked_path(path))
         if report is not None:
             check_report_path(report)
         found = run(file, most=most, out=out)
     print_result(found, None, as_json=as_json, out=report)
     drawn = [] if plot is None else [found.picture(show).write(plot)]
+    drawn += [] if curves is None else [found.curves(show).write(curves)]
     if not as_json:
         print_written([*found.files, *drawn])
     if not found.is_complete:

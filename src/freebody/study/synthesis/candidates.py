@@ -26,13 +26,24 @@ from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.numeric.jets import Array
 from freebody.study.synthesis.fewer import by_pivot, by_points, curve, on_lines, slides
-from freebody.study.synthesis.fitting import fitted
+from freebody.study.synthesis.fitting import MOST_EXACT, fitted
 from freebody.study.synthesis.five import five_positions
-from freebody.study.synthesis.linkage import Linkage, cognates
-from freebody.study.synthesis.positions import Dyad, Position, bar, places, rotation, rows_of, size_of
+from freebody.study.synthesis.linkage import Linkage, cognates, driven_at_other_end
+from freebody.study.synthesis.positions import (
+    Dyad,
+    Position,
+    bar,
+    inverted,
+    lines_from,
+    places,
+    rotation,
+    rows_of,
+    size_of,
+)
 from freebody.study.synthesis.tasks import Task
 
 _SAME = 1e-7  # in sizes: a dyad that says nothing
+_ALIKE = 1e-3  # of the size: lengths of the same linkage
 _REACH = 50.0  # sizes: a family's dyads that reach farther are left out
 
 
@@ -48,29 +59,78 @@ class Found:
 def candidates(task: Task) -> Found:
     """Raises CannotAnswer where the task determines none."""
     if task.points is not None:
-        return Found(
-            (),
-            tuple(fitted(task.points)),
-            Message("fitted to {n} points: the best of local searches, not proved", n=task.n),
-        )
+        return _of_points(task, task.points)
     return _of_function(task) if task.kind == "function" else _of_positions(task)
+
+
+def _of_points(task: Task, points: Array) -> Found:
+    """A path without crank angles: exactly through few points, near many."""
+    fits = fitted(points, is_closed=task.is_closed, full_turn=task.full_turn)
+    linkages = _with_cognates(task, fits.linkages) if fits.is_met and task.n <= MOST_EXACT else fits.linkages
+    if task.n > MOST_EXACT:
+        about = Message("fitted to {n} points: the best of local searches, not proved", n=task.n)
+    elif fits.is_met:
+        about = Message(
+            "{k} linkages through all {n} points, from {m} local searches and by cognates; the search is not complete",
+            k=len(linkages),
+            n=task.n,
+            m=fits.n_searches,
+        )
+    else:
+        about = Message(
+            "none of {m} local searches has come through all {n} points, so the nearest are shown; the search is not "
+            "complete",
+            n=task.n,
+            m=fits.n_searches,
+        )
+    return Found((), linkages, about)
+
+
+def _with_cognates(task: Task, found: Sequence[Linkage]) -> tuple[Linkage, ...]:
+    """With those that trace the same curve and have no defect: cognates, each driven at either ground pivot."""
+    every = list(found)
+    for linkage in found:
+        for c in cognates(linkage):
+            for one in (c, driven_at_other_end(c)):
+                is_new = all(_lengths_apart(one, other) > _ALIKE * one.size for other in every)
+                if is_new and not any(one.defects(full_turn=task.full_turn)):
+                    every.append(one)
+    return tuple(every)
+
+
+def _lengths_apart(a: Linkage, b: Linkage) -> float:
+    return max(abs(x - y) for x, y in zip(a.lengths.values(), b.lengths.values(), strict=True))
 
 
 # -- motion and path --------------------------------------------------------------------------
 def _of_positions(task: Task) -> Found:
     positions = task.positions
+    if task.linkage != "four-bar" and len(positions) == 2:
+        raise CannotAnswer(Message("two positions leave a slide free: give at least three"))
     bars, about = _bars(task, positions)
     P = np.array([(p.x, p.y) for p in positions])
-    if task.linkage == "slider-crank":
-        guides = _slides(task, positions)
-        pairs = [(a, b) for a in bars for b in guides]
-        made = [_slider_crank(positions, a, b, P) for a, b in pairs if _differ(a, b, positions)]
+    if task.linkage != "four-bar":
+        is_inverted = task.linkage == "inverted-slider-crank"
+        guides = _lines(task, positions) if is_inverted else _slides(task, positions)
+        if not guides:
+            about = "; ".join((about, _no_guide(len(positions), is_inverted=is_inverted)))
+        make = _inverted if is_inverted else _slider_crank
+        made = [make(positions, a, b, P) for a in bars for b in guides if _differ(a, b, positions)]
         return Found((*bars, *guides), tuple(made), about)
     pairs = [(a, b) for a, b in permutations(bars, 2) if _differ(a, b, positions)]
     four = [_four_bar(positions, a, b, P) for a, b in pairs]
     if task.kind == "path":
         four = [c for linkage in four if _is_first(linkage) for c in cognates(linkage)]
     return Found(bars, tuple(four), about)
+
+
+def _no_guide(n: int, *, is_inverted: bool) -> str:
+    """Of five positions all are found; of fewer those within reach."""
+    if n < 5:
+        return Message("no slide was found within reach")
+    if is_inverted:
+        return Message("no line of the coupler goes through a fixed pivot")
+    return Message("no point of the coupler stays on a straight line")
 
 
 def _is_first(linkage: Linkage) -> bool:
@@ -88,12 +148,20 @@ def _bars(task: Task, positions: Sequence[Position]) -> tuple[tuple[Dyad, ...], 
     if n == 5:
         five = five_positions(positions)
         about = [Message("{n} real dyads, {k} complex", n=len(five.dyads), k=five.n_complex)]
+        if n := sum(d.is_slide for d in five.dyads):
+            about.append(Message("{n} of them with the fixed pivot at infinity, a slide", n=n))
         if five.n_infinite:
-            about.append(Message("{n} at infinity", n=five.n_infinite))
+            about.append(
+                Message(
+                    "{n} with the moving pivot at infinity, a line of the coupler through a pivot", n=five.n_infinite
+                )
+            )
+        if not n and not five.n_infinite:
+            about.append(Message("none at infinity, so that no slide can take the place of a pin"))
         about.append(
             Message("proved: these are all") if five.is_proved else Message("not proved: some of them nearly coincide")
         )
-        return tuple(d for d in five.dyads if not d.is_slide or task.linkage == "slider-crank"), "; ".join(about)
+        return tuple(d for d in five.dyads if d.is_bar), "; ".join(about)
     if task.pivots and n <= 3:
         found = [_at_pivot(positions, G) for G in task.pivots]
         return tuple(d for d in found if d is not None), Message("fixed pivots as chosen")
@@ -136,24 +204,27 @@ def _sobol(n: int, dimensions: int) -> Array:
 
 
 def _slides(task: Task, positions: Sequence[Position]) -> list[Dyad]:
-    n = len(positions)
-    if n == 5:
+    if len(positions) == 5:
         return [d for d in five_positions(positions).dyads if d.is_slide]
-    if n == 2:
-        return []
     angles = [math.pi * (k + 0.5) / task.samples for k in range(task.samples)]
     return [d for d in slides(positions, angles) if _reach(d, positions) <= _REACH]
 
 
+def _lines(task: Task, positions: Sequence[Position]) -> list[Dyad]:
+    """Lines of the coupler through fixed points: slides of the fixed plane, as the coupler sees it."""
+    return lines_from(_slides(task, inverted(positions)))
+
+
 def _reach(d: Dyad, positions: Sequence[Position]) -> float:
-    far = np.abs(d.moving).max() if d.is_slide else max(np.abs(d.moving).max(), np.abs(d.fixed).max())
+    far = max(0.0 if d.is_line else np.abs(d.moving).max(), 0.0 if d.is_slide else np.abs(d.fixed).max())
     return float(far) / (size_of(positions) + max(abs(p.x) + abs(p.y) for p in positions))
 
 
 def _differ(a: Dyad, b: Dyad, positions: Sequence[Position]) -> bool:
+    """Whether the pivots of a bar are not those of another dyad, as far as that has some."""
     size = size_of(positions)
-    is_apart = float(np.linalg.norm(a.moving - b.moving)) > _SAME * size
-    return is_apart and (a.is_slide or b.is_slide or float(np.linalg.norm(a.fixed - b.fixed)) > _SAME * size)
+    is_moving_apart = b.is_line or float(np.linalg.norm(a.moving - b.moving)) > _SAME * size
+    return is_moving_apart and (b.is_slide or float(np.linalg.norm(a.fixed - b.fixed)) > _SAME * size)
 
 
 def _four_bar(positions: Sequence[Position], a: Dyad, b: Dyad, P: Array) -> Linkage:
@@ -162,6 +233,10 @@ def _four_bar(positions: Sequence[Position], a: Dyad, b: Dyad, P: Array) -> Link
 
 def _slider_crank(positions: Sequence[Position], a: Dyad, b: Dyad, P: Array) -> Linkage:
     return Linkage(a.fixed, places(positions, a.moving), places(positions, b.moving), None, b.fixed, P)
+
+
+def _inverted(positions: Sequence[Position], a: Dyad, b: Dyad, P: Array) -> Linkage:
+    return Linkage(a.fixed, places(positions, a.moving), places(positions, b.fixed), b.fixed, b.moving, P)
 
 
 # -- function ---------------------------------------------------------------------------------

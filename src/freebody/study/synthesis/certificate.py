@@ -20,6 +20,7 @@ from freebody.numeric.reference import Reference
 from freebody.study.mobility.grashof import dimensions
 from freebody.study.mobility.linkages import linkages
 from freebody.study.synthesis.linkage import Defect, Linkage
+from freebody.study.synthesis.positions import rotation
 from freebody.system.system import System
 
 _KEPT = 1e-7  # of the size: gaps in a position
@@ -40,23 +41,28 @@ class Certificate:
 
 def model_text(linkage: Linkage, title: str) -> str:
     """The candidate in position 1 as a model file."""
-    names = ["crank", "coupler"] + ([] if linkage.is_slider else ["rocker"])
+    names = _bodies(linkage)
     lines = ["freebody: 1", f"title: {title}", ""]
     points = [f"A: {_point(linkage.A)}"] + ([] if linkage.D is None else [f"D: {_point(linkage.D)}"])
     if linkage.is_slider:
         assert linkage.along is not None
         points.append(f"S: {_point(linkage.C[0])}")
     lines += ["ground:", f"  points: {{{', '.join(points)}}}"]
-    if linkage.along is not None:
-        x, y = (repr(float(v)) for v in linkage.along)
-        lines.append(f"  lines: {{slide: {{through: ground.S, along: [{x}, {y}]}}}}")
+    if linkage.is_slider:
+        assert linkage.along is not None
+        lines.append(f"  lines: {{slide: {{through: ground.S, along: {_numbers(linkage.along)}}}}}")
     lines += ["", "bodies:"]
     pose = pose_of(linkage, 0)
-    lengths = list(linkage.lengths.values())
+    lengths = [_length(linkage.A, linkage.B[0]), _length(linkage.B[0], linkage.C[0])]
+    lengths += [] if linkage.D is None else [_length(linkage.D, linkage.C[0])]
     for k, name in enumerate(names):
+        if name == "slider":
+            continue
         traced = ""
         if name == "coupler" and linkage.P is not None:
-            traced = f", points: {{P: {_point(_local(linkage, pose[1][2]))}}}"
+            traced = f", points: {{P: {_point(_local(linkage, linkage.P[0], pose[1][2]))}}}"
+        if name == "coupler" and linkage.is_inverted:
+            traced += f", lines: {{slot: {{through: coupler.end, along: {_numbers(_slot(linkage, pose[1][2]))}}}}}"
         near = f", near: {{angle: {float(pose[k][2])!r} rad}}"
         lines.append(f"  {name}: {{rod: {{mass: 1 kg, length: {lengths[k]!r} m}}{traced}{near if k else ''}}}")
     if linkage.is_slider:
@@ -64,6 +70,8 @@ def model_text(linkage: Linkage, title: str) -> str:
     lines += ["", "connections:", "  A: {pin: [ground.A, crank.start]}", "  B: {pin: [crank.end, coupler.start]}"]
     if linkage.is_slider:
         lines += ["  C: {pin: [coupler.end, slider]}", "  slide: {slider: {body: slider, along: slide}}"]
+    elif linkage.is_inverted:
+        lines.append("  D: {slot: {pin: ground.D, on: coupler, along: coupler.slot}}")
     else:
         lines += ["  C: {pin: [coupler.end, rocker.end]}", "  D: {pin: [ground.D, rocker.start]}"]
     lines += ["", "measures:", "  theta: {angle of crank}", "", f"start: {{theta: {float(pose[0][2])!r} rad}}", ""]
@@ -74,18 +82,35 @@ def _point(at: Array) -> str:
     return f"[{float(at[0])!r} m, {float(at[1])!r} m]"
 
 
-def _local(linkage: Linkage, angle: float) -> Array:
-    """The traced point in axes of the coupler, whose origin is the middle of the rod."""
-    assert linkage.P is not None
-    r = linkage.P[0] - 0.5 * (linkage.B[0] + linkage.C[0])
-    c, s = math.cos(angle), math.sin(angle)
-    return np.array((c * r[0] + s * r[1], -s * r[0] + c * r[1]))
+def _numbers(v: Array) -> str:
+    return f"[{float(v[0])!r}, {float(v[1])!r}]"
+
+
+def _length(a: Array, b: Array) -> float:
+    return float(np.linalg.norm(b - a))
+
+
+def _bodies(linkage: Linkage) -> list[str]:
+    return ["crank", "coupler", *(["slider"] if linkage.is_slider else [] if linkage.is_inverted else ["rocker"])]
+
+
+def _local(linkage: Linkage, point: Array, angle: float) -> Array:
+    """A point of position 1 in axes of the coupler, whose origin is the middle of the rod."""
+    return rotation(-angle) @ (point - 0.5 * (linkage.B[0] + linkage.C[0]))
+
+
+def _slot(linkage: Linkage, angle: float) -> Array:
+    """The direction of the coupler's line in its axes."""
+    assert linkage.along is not None
+    return rotation(-angle) @ linkage.along
 
 
 def pose_of(linkage: Linkage, k: int) -> list[Array]:
     """(x, y, angle) of the middles of crank, coupler and rocker, or of the slider, in position k."""
     A, B, C, D = linkage.A, linkage.B[k], linkage.C[k], linkage.D
     found = [_rod(A, B), _rod(B, C)]
+    if linkage.is_inverted:
+        return found
     return [*found, np.append(C, 0.0) if D is None else _rod(D, C)]
 
 
@@ -127,9 +152,7 @@ def _q(reference: Reference, linkage: Linkage, k: int) -> Array:
     """The pose as the model counts its coordinates."""
     q = np.array(reference.assemble(), dtype=np.float64)
     at = 0
-    for part, name in zip(
-        pose_of(linkage, k), ("crank", "coupler", "slider" if linkage.is_slider else "rocker"), strict=True
-    ):
+    for part, name in zip(pose_of(linkage, k), _bodies(linkage), strict=True):
         n = 2 if name == "slider" else 3
         q[at : at + n] = part[:n]
         at += n

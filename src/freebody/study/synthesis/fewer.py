@@ -118,15 +118,19 @@ def by_points(positions: Sequence[Position], W: Array, part: float) -> Dyad:
 
 def slides(positions: Sequence[Position], angles: Sequence[float]) -> list[Dyad]:
     """Points that move on straight lines: of four positions one, of three those of a circle, on lines at `angles`
-    through the pole.
+    through a pole. Raises CannotAnswer where all are turned alike.
 
     The places of W lie on a line if (A_j, B_j) = W - R_j W - d_j are parallel for all j; any two of them are on a
-    circle through the pole of both positions."""
+    circle through the pole of both positions. Two positions that have a pole are taken first."""
+    first, second = turned_pair(positions)
+    order = [first, second, *(k for k in range(len(positions)) if k not in (first, second))]
+    ordered = [positions[k] for k in order]
     if len(positions) == 3:
-        return [d for a in angles for d in _slide_on(positions, np.array((math.cos(a), math.sin(a))))]
-    if len(positions) == 4:
-        return _ball_point(positions)
-    return []
+        found = [d for a in angles for d in _slide_on(ordered, np.array((math.cos(a), math.sin(a))))]
+    else:
+        found = _ball_point(ordered)
+    R, d = displacements(positions)[first]
+    return [slide(positions, R.T @ (x.moving - d)) for x in found]
 
 
 def _parallel(positions: Sequence[Position], W: Array, i: int, j: int) -> float:
@@ -136,10 +140,7 @@ def _parallel(positions: Sequence[Position], W: Array, i: int, j: int) -> float:
 
 def _slide_on(positions: Sequence[Position], along: Array) -> list[Dyad]:
     """On a line through the pole of two positions the circle has one point more."""
-    try:
-        through = pole(positions)
-    except CannotAnswer:
-        return []
+    through = pole(positions)
     size = size_of(positions)
     a, b = (_parallel(positions, through + r * along, 0, 1) / r for r in (size, -size))  # q r^2 + p r
     q, p = (a - b) / (2 * size), 0.5 * (a + b)
@@ -151,11 +152,8 @@ def _slide_on(positions: Sequence[Position], along: Array) -> list[Dyad]:
 
 
 def _ball_point(positions: Sequence[Position]) -> list[Dyad]:
-    """Two circles through the pole of positions 1 and 2 meet once more."""
-    try:
-        P = pole(positions)
-    except CannotAnswer:
-        return []
+    """Two circles through the pole of positions 1 and 2 of four meet once more."""
+    P = pole(positions)
     size = size_of(positions)
     circles = [_circle(positions, P, size, j) for j in (1, 2)]
     (c1, g1), (c2, g2) = circles  # c |X|^2 + g . X = 0 with X = W - P

@@ -32,13 +32,14 @@ from freebody.study.synthesis.positions import Dyad, Position, bar, size_of, sli
 _flint: Any = flint
 _BITS = 768
 _DEGREE = 9  # of the resultant, before what lies at infinity is taken away
+_FAR = 1e9  # sizes: at infinity
 _TURNED = (Fraction(3, 5), Fraction(4, 5))  # axes in which no point stands above another by chance
 
 
 @dataclass(frozen=True)
 class FivePositions:
-    """dyads: the real solutions; n_complex: how many are not real; n_infinite: how many lie at infinity (points of the
-    moving plane that stay on a line of it); is_proved: whether these are certainly all."""
+    """dyads: the real solutions, bars and slides; n_complex: how many are not real; n_infinite: how many moving pivots
+    lie at infinity (lines of the moving plane through a fixed pivot); is_proved: whether these are certainly all."""
 
     dyads: tuple[Dyad, ...]
     n_complex: int
@@ -64,7 +65,8 @@ class _Moved:
 
 def five_positions(positions: Sequence[Position]) -> FivePositions:
     """All dyads that lead the moving plane through five positions. Raises CannotAnswer where the positions do not
-    determine them, or where three of them are turned alike."""
+    determine them, or where three of them are turned alike. A moving pivot that lies farther away than rounding of the
+    positions can tell from infinity counts as one there."""
     with _flint.ctx.workprec(_BITS):
         moved = _ordered(_displacements(positions))
         quartic, n_infinite = _quartic(moved)
@@ -75,8 +77,9 @@ def five_positions(positions: Sequence[Position]) -> FivePositions:
             roots, is_proved = _close_roots(quartic), False
         real = [root.real for root in roots if root.imag.contains(0)]
         dyads = [_dyad(positions, moved, u) for u in real]
-    found = sorted(dyads, key=lambda d: tuple(d.moving))
-    return FivePositions(tuple(found), len(roots) - len(real), n_infinite, is_proved)
+    near = [d for d in dyads if float(np.abs(d.moving).max()) < _FAR * size_of(positions)]
+    found = sorted(near, key=lambda d: tuple(d.moving))
+    return FivePositions(tuple(found), len(roots) - len(real), n_infinite + len(dyads) - len(near), is_proved)
 
 
 # -- data in balls ----------------------------------------------------------------------------

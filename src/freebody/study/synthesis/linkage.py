@@ -1,4 +1,4 @@
-"""A candidate: a four-bar or a slider-crank in all precision positions, and its defects.
+"""A candidate: a four-bar or a slider-crank, also inverted, in all precision positions, and its defects.
 
 With the pins A and D on the ground, B on the crank and C on the rocker (or the slider), lengths a = AB, b = BC, c = CD,
 d = AD, the branch is the side on which coupler and output enclose the transmission angle, sigma = sign (C-B) x (D-C).
@@ -8,6 +8,8 @@ d = AD, the branch is the side on which coupler and output enclose the transmiss
                           if both limits  cos theta = (a^2 + d^2 - (b +- c)^2)/(2 a d)  exist, else one
 
 For a slide with the line at the offset e the limits are  r sin beta = e +- l  with beta from the slide's direction.
+Inverted, a line of the coupler at the offset e from B goes through the pivot D: with s along it s^2 + e^2 = BD^2 =
+a^2 + d^2 - 2 a d cos theta, so that the loop closes for  cos theta <= (a^2 + d^2 - e^2)/(2 a d); sigma = sign s.
 Source: McCarthy & Soh, Geometric Design of Linkages, 2nd ed. 2011, sec. 2.4 and 5.7; Norton, Design of Machinery, 5th
 ed. 2012, sec. 3.5 and 4.12 (defects of branch, circuit and order).
 """
@@ -16,7 +18,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
@@ -38,9 +40,12 @@ class Defect:
 
 @dataclass(frozen=True)
 class Linkage:
-    """A (2,); B, C: (n, 2) in every position; D: (n, 2), the ground pivot, or of a slider-crank nothing but C; along:
-    (2,) in which a slider moves, none of a four-bar; P: (n, 2) the point that is traced; missed: [m]
-    how far it is at worst from where it was wanted."""
+    """A (2,); B, C: (n, 2) in every position; D: (2,) the ground pivot, or of a slider-crank nothing but C; along: (2,)
+    in which a slider moves, none of a four-bar; P: (n, 2) the point that is traced; missed: [m] how far it is at worst
+    from where it was wanted, 0 but for rounding where it is there.
+
+    With D and along it is inverted: the line of the coupler through C, in position 1 in the direction `along`, goes
+    through D; in position 1 that is where C is."""
 
     A: Array
     B: Array
@@ -55,8 +60,26 @@ class Linkage:
         return self.D is None
 
     @property
+    def is_inverted(self) -> bool:
+        return self.D is not None and self.along is not None
+
+    @property
     def n(self) -> int:
         return len(self.B)
+
+    @cached_property
+    def lines(self) -> Array:
+        """(n, 2) the direction of the coupler's line in every position, of an inverted slider-crank."""
+        assert self.along is not None
+        turned = _complex(self.C - self.B) / _complex(self.C[0] - self.B[0]) * _complex(self.along)
+        return _plane(turned)
+
+    @cached_property
+    def travel(self) -> Array:
+        """(n,) s: how far D is from B along the coupler's line, of an inverted slider-crank."""
+        assert self.D is not None
+        found: Array = np.einsum("ij,ij->i", self.D - self.B, self.lines)
+        return found
 
     @cached_property
     def lengths(self) -> dict[str, float]:
@@ -64,6 +87,8 @@ class Linkage:
         a, b = (float(np.linalg.norm(x)) for x in (self.B[0] - self.A, self.C[0] - self.B[0]))
         if self.D is None:
             return {"crank": a, "rod": b, "offset": self.offset}
+        if self.is_inverted:
+            return {"crank": a, "frame": float(np.linalg.norm(self.D - self.A)), "offset": self.offset}
         return {
             "crank": a,
             "coupler": b,
@@ -73,9 +98,10 @@ class Linkage:
 
     @property
     def offset(self) -> float:
-        """Of the slide's line from the crank's pivot, positive to the left of its direction."""
+        """Of the slide's line from the crank's pivot, or of the coupler's line from B, positive to the left of its
+        direction."""
         assert self.along is not None
-        return cross(self.along, self.C[0] - self.A)
+        return cross(self.along, self.C[0] - (self.B[0] if self.is_inverted else self.A))
 
     @cached_property
     def crank_angles(self) -> Array:
@@ -88,6 +114,8 @@ class Linkage:
     @cached_property
     def branches(self) -> Array:
         """(n,) -1 or 1."""
+        if self.is_inverted:
+            return np.sign(self.travel)
         if self.D is None:
             assert self.along is not None
             return np.sign((self.C - self.B) @ self.along)
@@ -99,7 +127,9 @@ class Linkage:
         a = np.linalg.norm(self.B - self.A, axis=1)
         b = np.linalg.norm(self.C - self.B, axis=1)
         kept = [a, b]
-        if self.D is not None:
+        if self.is_inverted:
+            kept.append(np.array([cross(e, self.D - x) for e, x in zip(self.lines, self.B, strict=True)]))
+        elif self.D is not None:
             kept.append(np.linalg.norm(self.C - self.D, axis=1))
         elif self.along is not None:
             kept.append(np.array([cross(self.along, x - self.A) for x in self.C]))
@@ -116,6 +146,9 @@ class Linkage:
         if self.D is None:
             r, rod, e = self.lengths.values()
             return (e - rod) / r, (e + rod) / r
+        if self.is_inverted:
+            a, d, e = self.lengths.values()
+            return -math.inf, (a * a + d * d - e * e) / (2 * a * d)
         a, b, c, d = self.lengths.values()
         return tuple((a * a + d * d - x * x) / (2 * a * d) for x in (b + c, b - c))  # type: ignore[return-value]
 
@@ -137,6 +170,8 @@ class Linkage:
     def transmission(self) -> float:
         """The least angle [deg] at which the coupler drives the output in the positions, 0 to 90."""
         angles: list[float] = []
+        if self.is_inverted:
+            return math.degrees(math.atan2(float(np.abs(self.travel).min()), abs(self.offset)))
         for k in range(self.n):
             u = self.C[k] - self.B[k]
             v = (
@@ -150,7 +185,8 @@ class Linkage:
     # -- defects ------------------------------------------------------------------------------
     def defects(self, *, full_turn: bool) -> Iterator[Defect]:
         """What is wrong with it. full_turn: whether the crank has to turn fully."""
-        if min(abs(x) for name, x in self.lengths.items() if name != "offset") <= 1e-6 * self.size:
+        links = [x for name, x in self.lengths.items() if name != "offset"]
+        if min(*links, float(np.linalg.norm(self.C[0] - self.B[0]))) <= 1e-6 * self.size:
             yield Defect("degenerate", Message("a link has no length"))
             return
         if self.residual > 1e-6:
@@ -239,6 +275,12 @@ def cognates(linkage: Linkage) -> list[Linkage]:
         c1 = a1 + ratio * (p - a1)
         found.append(Linkage(A, _plane(a1), _plane(c1), _plane(a + ratio * (d - a)), P=linkage.P))
     return found
+
+
+def driven_at_other_end(linkage: Linkage) -> Linkage:
+    """The same four-bar with its rocker as the crank."""
+    assert linkage.D is not None
+    return replace(linkage, A=linkage.D, B=linkage.C, C=linkage.B, D=linkage.A)
 
 
 def _complex(x: Array) -> Any:

@@ -38,7 +38,9 @@ def linkage_picture(title: str, linkage: Linkage) -> Picture:
         shapes.append(Shape(at(np.array((linkage.A, linkage.B[k]))), crank, width))
         corners = [linkage.B[k], linkage.C[k], *([] if linkage.P is None else [linkage.P[k]])]
         shapes.append(Shape(at(np.array(corners)), coupler, width, is_closed=len(corners) > 2))
-        if linkage.D is not None:
+        if linkage.is_inverted:
+            shapes.append(Shape(at(_slot(linkage, k, size)), coupler, width, dashes=(3.0, 2.0)))
+        elif linkage.D is not None:
             shapes.append(Shape(at(np.array((linkage.C[k], linkage.D))), rocker, width))
     pins = [linkage.A, linkage.B[0], linkage.C[0], *([] if linkage.D is None else [linkage.D])]
     shapes += [_dot(at(x)[0]) for x in pins]
@@ -49,6 +51,14 @@ def linkage_picture(title: str, linkage: Linkage) -> Picture:
             shapes.append(_dot(place))
             words.append(small(str(k + 1), (float(place[0]) + 5.0, float(place[1]) + 6.0), "ink"))
     return picture(title, title, shapes, words)
+
+
+def _slot(linkage: Linkage, k: int, size: float) -> Array:
+    """The coupler's line in a position, from beside B to beyond D."""
+    assert linkage.D is not None
+    e = linkage.lines[k]
+    s = float(linkage.travel[k])
+    return np.array((linkage.D - s * e, linkage.D + math.copysign(0.1 * size, s) * e))
 
 
 def _dot(at: Array) -> Shape:
@@ -69,19 +79,27 @@ def coupler_curve(linkage: Linkage, n: int = 361) -> Array:
     close; nothing without such a point."""
     if linkage.P is None:
         return np.zeros((0, 2))
-    lengths = list(linkage.lengths.values())
-    a, b = lengths[:2]
+    a = linkage.lengths["crank"]
     base = linkage.along if linkage.D is None else linkage.D - linkage.A
     assert base is not None
     start = math.atan2(base[1], base[0])
     B = linkage.A + a * np.column_stack([f(np.linspace(0, math.tau, n) + start) for f in (np.cos, np.sin)])
     sigma = float(linkage.branches[0])
     with np.errstate(invalid="ignore"):
-        C = _on_slide(linkage, B, b, sigma) if linkage.D is None else _on_circle(B, linkage.D, b, lengths[2], sigma)
+        C = _driven(linkage, B, sigma)
     z = (C - B) @ np.array((1.0, 1j))
     first = (linkage.C[0] - linkage.B[0]) @ np.array((1.0, 1j))
     traced = (linkage.P[0] - linkage.B[0]) @ np.array((1.0, 1j)) * z / first
     return B + np.column_stack((traced.real, traced.imag))
+
+
+def _driven(linkage: Linkage, B: Array, sigma: float) -> Array:
+    """C where the crank's end is B."""
+    if linkage.is_inverted:
+        return _through_pivot(linkage, B, sigma)
+    if linkage.D is None:
+        return _on_slide(linkage, B, linkage.lengths["rod"], sigma)
+    return _on_circle(B, linkage.D, linkage.lengths["coupler"], linkage.lengths["rocker"], sigma)
 
 
 def _on_circle(B: Array, D: Array, b: float, c: float, sigma: float) -> Array:
@@ -91,6 +109,17 @@ def _on_circle(B: Array, D: Array, b: float, c: float, sigma: float) -> Array:
     part = (b * b - c * c + L2) / (2 * L2)
     height = np.sqrt(b * b / L2 - part * part)
     return B + part[:, None] * r - sigma * height[:, None] * np.column_stack((-r[:, 1], r[:, 0]))
+
+
+def _through_pivot(linkage: Linkage, B: Array, sigma: float) -> Array:
+    """C of the coupler whose line goes through D: D - B = (s + i e) times its direction, s^2 = BD^2 - e^2."""
+    assert linkage.D is not None
+    r = (linkage.D - B) @ np.array((1.0, 1j))
+    s = sigma * np.sqrt(np.abs(r) ** 2 - linkage.offset**2)
+    unit = np.array((1.0, 1j))
+    turned = r / (s + 1j * linkage.offset) / (linkage.lines[0] @ unit)
+    arm = ((linkage.C[0] - linkage.B[0]) @ unit) * turned
+    return B + np.column_stack((arm.real, arm.imag))
 
 
 def _on_slide(linkage: Linkage, B: Array, rod: float, sigma: float) -> Array:

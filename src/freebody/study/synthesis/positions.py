@@ -36,13 +36,23 @@ class Position:
 
 @dataclass(frozen=True)
 class Dyad:
-    """A bar between a fixed point and one of the moving plane, or a slide. moving: (2,) W in position 1; fixed: (2,) G;
-    of a slide, which has none, the direction in which W moves. residual: [m] how far W is off at worst."""
+    """A bar between a fixed point and one of the moving plane, or what stands for it where one of them is at infinity.
+
+    bar     moving: (2,) W in position 1; fixed: (2,) G
+    slide   G at infinity: W moves on a straight line; fixed: its direction
+    line    W at infinity: a straight line of the moving plane goes through G; moving: its direction in position 1
+
+    residual: [m] how far W, or G, is off at worst."""
 
     moving: Array
     fixed: Array
     is_slide: bool = False
     residual: float = 0.0
+    is_line: bool = False
+
+    @property
+    def is_bar(self) -> bool:
+        return not (self.is_slide or self.is_line)
 
     @property
     def length(self) -> float:
@@ -64,6 +74,20 @@ def displacements(positions: Sequence[Position]) -> list[tuple[Array, Array]]:
         R = rotation(p.angle - first.angle)
         found.append((R, np.array((p.x, p.y)) - R @ p1))
     return found
+
+
+def inverted(positions: Sequence[Position]) -> tuple[Position, ...]:
+    """The fixed plane as it is seen from the moving one: X_j = R_j^-1 (X - d_j), in position 1 the same."""
+    found: list[Position] = []
+    for R, d in displacements(positions):
+        x, y = -R.T @ d
+        found.append(Position(float(x), float(y), -math.atan2(R[1, 0], R[0, 0])))
+    return tuple(found)
+
+
+def lines_from(slides: Sequence[Dyad]) -> list[Dyad]:
+    """Slides of the inverted positions as lines of the moving plane."""
+    return [Dyad(d.fixed, d.moving, residual=d.residual, is_line=True) for d in slides if d.is_slide]
 
 
 def rows_of(positions: Sequence[Position], W: Array) -> Array:

@@ -18,6 +18,7 @@ from freebody.present.picture.picture import Picture
 from freebody.present.report.blocks import Block, Figure, Report, Section
 from freebody.present.report.results import Result, entries, entry, summary, table
 from freebody.study.synthesis.certificate import Certificate, model_text
+from freebody.study.synthesis.curve_picture import curve_picture
 from freebody.study.synthesis.linkage import Defect, Linkage
 from freebody.study.synthesis.picture import linkage_picture
 from freebody.study.synthesis.positions import Dyad
@@ -95,7 +96,7 @@ class Synthesis(Result):
             "complete": str(self.about),
             "dyads": [
                 {
-                    "moving": _list(d.moving),
+                    "line" if d.is_line else "moving": _list(d.moving),
                     "direction" if d.is_slide else "fixed": _list(d.fixed),
                     "residual": d.residual,
                 }
@@ -134,10 +135,20 @@ class Synthesis(Result):
         task = self.task
         yield from entries(
             entry("task", f"{task.kind} generation, {task.linkage}, {task.n} {TASKS[task.kind]}"),
-            entry("dyads", str(self.about)),
+            entry("search" if task.is_fitted else "dyads", str(self.about)),
             entry("candidates", Message("{n}, of which {k} certified", n=len(self.candidates), k=len(self.certified))),
         )
-        shown = self.candidates[:_MOST_SHOWN]
+        yield from self._table(self.candidates[:_MOST_SHOWN])
+        drawn = self.certified[:3]
+        for k, c in enumerate(drawn, 1):
+            told = Message("candidate {k}: {case}", k=k, case=c.certificate.case if c.certificate else "")
+            yield Figure(self.picture(k), (told,), k)
+        if self.has_curves:
+            yield Figure(self.curves(), (Message("Burmester's curves of the four positions"),), len(drawn) + 1)
+
+    def _table(self, shown: tuple[Candidate, ...]) -> Iterator[Block]:
+        """Dimensions and verdicts, and what is wrong."""
+        task = self.task
         if not shown:
             return
         names = list(shown[0].linkage.lengths)
@@ -173,17 +184,30 @@ class Synthesis(Result):
         said = [entry(str(k), *(f"{d.name}: {d.why}" for d in c.defects)) for k, c in enumerate(shown, 1) if c.defects]
         if said:
             yield Section(("Defects",), tuple(entries(*said)))
-        for k, c in enumerate(self.certified[:3], 1):
-            picture = self.picture(k)
-            yield Figure(
-                picture, (Message("candidate {k}: {case}", k=k, case=c.certificate.case if c.certificate else ""),), k
-            )
 
     def picture(self, k: int = 1) -> Picture:
         """Candidate k, from 1, in all positions with its coupler curve. Raises InputError if there is none."""
+        return linkage_picture(self.task.title, self._candidate(k).linkage)
+
+    @property
+    def has_curves(self) -> bool:
+        """Whether the coupler has four positions, whose dyads lie on two curves."""
+        return len(self.task.positions) == 4
+
+    def curves(self, k: int = 1) -> Picture:
+        """Centre-point and circle-point curve of four positions, of a motion with the dyads of candidate k, from 1.
+        Raises InputError if there are none."""
+        task = self.task
+        if not self.has_curves:
+            raise InputError(Message("Burmester's curves belong to four positions of a coupler"))
+        is_made_of_dyads = task.kind == "motion" and (k > 1 or self.candidates)
+        linkage = self._candidate(k).linkage if is_made_of_dyads else None
+        return curve_picture(task.title, task.positions, self.dyads, linkage)
+
+    def _candidate(self, k: int) -> Candidate:
         if not 1 <= k <= len(self.candidates):
             raise InputError(Message("there is no candidate {k}; there are {n}", k=k, n=len(self.candidates)))
-        return linkage_picture(self.task.title, self.candidates[k - 1].linkage)
+        return self.candidates[k - 1]
 
 
 def _list(x: Array) -> list[float]:
