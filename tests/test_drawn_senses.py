@@ -44,7 +44,7 @@ def test_what_may_act_either_way_is_positive_at_the_start(name: str) -> None:
     except fb.FreebodyError:
         pytest.skip("no motion begins here")
     symbols, largest = drawn_symbols(system), max(map(abs, reactions.values()), default=0.0)
-    for row in system.rows:
+    for row in (row for row in system.rows if row.name in symbols):  # the foot on a curve is no body
         directed = row.unilateral or row.reaction == "tension" or len(row.component.split()[-1]) <= 1
         if directed or "moment" in row.reaction or "torque" in row.reaction:
             assert symbols[row.name].sign == row.sign

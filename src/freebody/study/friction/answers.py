@@ -9,7 +9,7 @@ from fractions import Fraction
 from functools import lru_cache, singledispatchmethod
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import Symbol
+from freebody.language.expression import ZERO, Symbol
 from freebody.language.notation import compared, joined, reworded, to_text
 from freebody.language.sentences import Message, in_turn
 from freebody.questions.base import Quantity
@@ -244,7 +244,8 @@ class _Answerer:
                 elif is_needed:
                     yield Message("there is no lower limit: {x} need only be larger than 0", x=to_text(Symbol(name)))
                 else:
-                    yield Message("there is no lower limit: {x} = 0 will do", x=to_text(Symbol(name)))
+                    told = Message("there is no lower limit: {x} = 0 will do", x=to_text(Symbol(name)))
+                    yield reworded(told, compared(Symbol(name), "=", ZERO))
             elif ends.is_linear:  # the linear program has no bound
                 yield Message("there is no {end} limit", end=end)
             else:
