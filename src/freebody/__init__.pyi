@@ -293,9 +293,9 @@ class Cam(_Cam):
     `along: lever.y`). `form: edge`: the point of the follower itself runs on the edge; `form: roller` with a
     `roller_radius`: it is the middle of a roller; of these `along` says on which side of the cam they are; guided
     through its centre, they have plain formulas. The lift is a formula in phi, the angle of the cam from where its x
-    axis points at the follower, or goes through `points: [[0 deg, 0 mm], [30 deg, 2 mm], ...]` of a turn: `through:
-    cubic` (a periodic spline, smooth to the acceleration) or `pchip` (no overshoot beside dwells, but the acceleration
-    jumps at the points). The contact force is positive where the cam pushes (1 row)."""
+    axis points at the follower, or goes through `points: [[0 deg, 0 mm], [30 deg, 2 mm], ...]` of a turn:
+    `through: cubic` (a periodic spline, smooth to the acceleration) or `pchip` (no overshoot beside dwells, but the
+    acceleration jumps at the points). The contact force is positive where the cam pushes (1 row)."""
 
     def __init__(
         self,
