@@ -36,7 +36,16 @@ CLOSING = [
     if any(str(c.get("closes", "")).startswith("when") for c in DOCUMENTS[name].get("connections", {}).values())
 ]
 COPIED = [name for name in PLANAR if any("copies" in str(b) for b in DOCUMENTS[name].get("bodies", {}).values())]
-EXAMPLES = [name for name in PLANAR if name not in (*CLOSING, *COPIED)]  # copies are for the plane only as well
+CURVED = [  # as are curves in a parameter, and circles that roll on curves
+    name
+    for name in PLANAR
+    if any(
+        kind == "rolling_on_curve" or (kind == "curved_rail" and "x" in spec)
+        for c in DOCUMENTS[name].get("connections", {}).values()
+        for kind, spec in c.items()
+    )
+]
+EXAMPLES = [name for name in PLANAR if name not in (*CLOSING, *COPIED, *CURVED)]  # copies are for the plane as well
 # nothing can touch or rub: any pose near by is possible
 SMOOTH = [
     name
@@ -64,6 +73,7 @@ TOLERANCE, CLOSE, SEED = 1e-12, 1e-9, 5
 REFUSED = {
     "moreau": "time stepping.*is for models of the plane",
     "closes": "connections close in mid-motion in models of the plane only",
+    "curves": "rolling on a curve is for models of the plane|a curve in a parameter lies in the plane",
 }
 LOADS_ABOUT = ("torque", "motor", "torsional_spring", "torsional_damper", "angular_impulse")
 
@@ -261,6 +271,12 @@ def test_closing_in_mid_motion_is_refused_in_space(name: str) -> None:
         fb.System.from_data(in_space(without_questions(DOCUMENTS[name])))
 
 
+@pytest.mark.parametrize("name", CURVED)
+def test_curves_in_a_parameter_are_refused_in_space(name: str) -> None:
+    with pytest.raises(InputError, match=REFUSED["curves"]):
+        fb.System.from_data(in_space(without_questions(DOCUMENTS[name])))
+
+
 def test_time_stepping_is_refused_in_space() -> None:
     with pytest.raises(InputError, match=REFUSED["moreau"]):
         fb.simulate(both("bouncing_ball")[1], 1.0, method="moreau", step=1e-3)
@@ -272,7 +288,7 @@ KINDS = {
     f"{kind.kind}": kind.example
     for kinds in (Connection.kinds, Load.kinds)
     for kind in kinds.values()
-    if kind.__module__.startswith("freebody.") and "space: true" not in kind.example and kind.kind != "weld"
+    if kind.__module__.startswith("freebody.") and "space: true" not in kind.example and kind.kind not in ("weld", "rolling_on_curve")
 }
 
 

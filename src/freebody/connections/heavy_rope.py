@@ -115,7 +115,7 @@ start: {x: 0.4 m, rate(x): 0}
     def _kept_aside(
         self, names: Names, point: Point, center: Point, along: Direction, arm: Expr
     ) -> Iterable[ConstraintRow]:
-        others = (c for c in names.connections.values() if c is not self)
+        others = (c for c in names.connections.values() if c is not self and not c.keeps_flat(names))
         if not any(point.body in other.mentions(names) for other in others):
             across = Displacement(point, center, along.normal())
             yield ConstraintRow(f"{point.body} hangs", "sideways force", across, negate(arm), ends=(point.body,))
