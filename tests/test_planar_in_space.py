@@ -288,7 +288,9 @@ KINDS = {
     f"{kind.kind}": kind.example
     for kinds in (Connection.kinds, Load.kinds)
     for kind in kinds.values()
-    if kind.__module__.startswith("freebody.") and "space: true" not in kind.example and kind.kind not in ("weld", "rolling_on_curve")
+    if kind.__module__.startswith("freebody.")
+    and "space: true" not in kind.example
+    and kind.kind not in ("weld", "rolling_on_curve")
 }
 
 

@@ -238,7 +238,8 @@ def ends(names: Names, sentence: Sentence) -> Groups:
         elif mark == "while" and clause.all("verb") == ["slide"] and clause.only("verb", "name", "pronoun"):
             yield [f"slipping of {name} ends" for _, name in clause.names] or ["slipping ends"]
     elif not sentence.others:
-        if sentence.main.has("quantity", *COUNTED) and sentence.main.only(*_TO_THE_END):  # how many turns are left
+        is_open = sentence.main.has("quantity", "turns") and not (sentence.main.has("ask") or sentence.main.has("verb"))
+        if not is_open and sentence.main.has("quantity", *COUNTED) and sentence.main.only(*_TO_THE_END):
             who = [name for _, name in sentence.main.names if name in names.bodies]
             clutches = losing.clutches(names)
             stopping = [f"{name} stops" for name in losing.runs_down(names) if not who or who == [name]]

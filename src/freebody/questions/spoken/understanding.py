@@ -121,6 +121,9 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
             _near(names, text),
             lambda question: None if isinstance(asked := _read_quietly(names, question, read), Unread) else asked,
         )
+        if _has_form(told) and not any(_is_of_form(told, fit) for fit in fits):  # misspelt, and no example of it
+            names.problems += told
+            return []
         askable = "\n    ".join(fits)
         none = Message("cannot read '{text}'. One can ask for\n    {askable}", text=text, askable=askable)
         names.unknown(text, none, "find")
@@ -287,6 +290,12 @@ def _is_of_words(names: Names, problems: list[Problem]) -> bool:
         or ("hint" in m.arguments and not kinds.isdisjoint(str(x) for x in m.arguments.values()))
         for m in messages
     )
+
+
+def _is_of_form(told: list[Problem], question: str) -> bool:
+    """Whether a question begins as the form does that somebody is told of."""
+    form = next(str(p.message.arguments["form"]) for p in told if _has_form([p]) and isinstance(p.message, Message))
+    return question.startswith(tuple(head.strip() for head in form.partition(" of ")[0].split("|")))
 
 
 def _has_form(problems: list[Problem]) -> bool:
