@@ -284,13 +284,12 @@ def test_time_stepping_is_refused_in_space() -> None:
 
 # -- all connections and loads of the plane ---------------------------------------------------
 GRAVITY = {"weight_of_all": {"gravity": "9.81 m/s^2"}}
+NOT_THERE = ("weld", "rolling_on_curve")
 KINDS = {
     f"{kind.kind}": kind.example
     for kinds in (Connection.kinds, Load.kinds)
     for kind in kinds.values()
-    if kind.__module__.startswith("freebody.")
-    and "space: true" not in kind.example
-    and kind.kind not in ("weld", "rolling_on_curve")
+    if kind.__module__.startswith("freebody.") and "space: true" not in kind.example and kind.kind not in NOT_THERE
 }
 
 
