@@ -155,7 +155,7 @@ def test_cases_that_cannot_be_assembled_are_violations_with_their_status() -> No
 @pytest.mark.parametrize(
     ("given", "words"),
     [
-        ({"over": {"q": "1..2 m"}}, "q is no parameter and no named measure"),
+        ({"over": {"q": "1..2 m"}}, "q is no parameter, no named measure and no state"),
         ({"over": {"a": "1..2"}}, "a is in m; 1 is not"),
         ({"over": {"a": "2..1 m"}}, "a: the range is empty"),
         ({"over": {"a": "1, 2 m"}}, "between two bounds"),

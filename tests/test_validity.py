@@ -136,7 +136,7 @@ def test_what_the_file_divides_by_stays_excluded_when_it_cancels() -> None:
     assert "law of s has no value" in start.reason
     numbers = ask(CANCELLED.replace("u: a}", "u: 1 m}"), "acceleration of u at start")
     assert numbers.value is None
-    assert numbers.notes == (f"{NOT_VALID}: a ≠ 1 (law of s)",)
+    assert numbers.notes[0] == f"{NOT_VALID}: a ≠ 1 (law of s)"
 
 
 def test_a_motion_does_not_start_where_a_law_divides_by_zero() -> None:
