@@ -192,7 +192,7 @@ def test_momentum_balances_on_every_body_to_round_off(name: str) -> None:
     columns = reference.frame.columns
     turning = gyroscopic(v, reference.masses, columns.values()) if system.space else np.zeros(len(v))
     for b, body in enumerate(system.all_moving):
-        if body.name not in system.bodies:
+        if body.name.startswith("⌒"):
             continue  # the foot on a curve, which carries nothing
         own = list(columns[body.name])
         force, size = turning[own], 1e-2
