@@ -342,10 +342,27 @@ def test_what_cannot_be_read_is_answered_with_questions_of_this_model() -> None:
     assert any(question.startswith("tension of rope at ") for question in suggested)
 
 
-@pytest.mark.parametrize("said", ["größte Kraft F, damit upper nicht rutscht"])
+@pytest.mark.parametrize(
+    "said",
+    [
+        "größte Kraft F, damit upper nicht rutscht",
+        "largest F so that upper does not slide on lower",
+        "maximum force F for which both blocks move together",
+        "How large may F be so that the upper block sticks to the lower one?",
+        "größte Kraft F, sodass sich beide Blöcke gemeinsam bewegen",
+    ],
+)
 def test_that_one_of_two_bodies_does_not_slip_is_not_that_nothing_moves(said: str) -> None:
-    with pytest.raises(ModelError):
-        fb.System.from_text(STACKED).question(said)
+    """Both have the acceleration F/M - mu1 g, which friction can give the upper one up to mu2 g."""
+    system = fb.System.from_text(STACKED)
+    assert system.question(said).understood == "largest F so that top does not slip"
+    [answer] = fb.solve(system, question=said).answers
+    assert answer.value == pytest.approx((0.2 + 0.4) * (5 + 2) * 9.81)
+
+
+@pytest.mark.parametrize("said", ["friction force between the blocks", "Reibkraft zwischen den Blöcken"])
+def test_the_contact_between_two_bodies_is_that_which_joins_both(said: str) -> None:
+    assert fb.System.from_text(STACKED).question(said).understood == "friction force of top"
 
 
 def test_what_can_be_meant_in_two_ways_is_refused_with_both() -> None:

@@ -37,6 +37,13 @@ def is_all_that_slips(names: Names, body: str) -> bool:
     return bool(rough(names, "")) and rough(names, "") == rough(names, body)
 
 
+def slipping(names: Names, things: list[str]) -> str | None:
+    """The only rough contact of all things that are named, where other contacts are rough as well."""
+    own = [thing for thing in things if thing in names.connections or thing in names.bodies or is_joined(names, thing)]
+    found = [name for name in rough(names, "") if all(touches(names, name, thing) for thing in own)]
+    return found[0] if own and len(found) == 1 < len(rough(names, "")) else None
+
+
 def led_round(names: Names) -> list[tuple[str, str]]:
     """Bodies that a link leads round a point of the ground, each with its length."""
     found: list[tuple[str, str]] = []

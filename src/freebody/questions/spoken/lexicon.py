@@ -204,6 +204,13 @@ def several(language: str, what: str) -> re.Pattern[str]:
 
 
 @cache
+def pairs(language: str) -> tuple[tuple[re.Pattern[str], str], ...]:
+    """Patterns for what stands for two things, and how it is said of them by their names."""
+    rules = cast("list[list[str]]", _file(language)["several"]["pairs"])
+    return tuple((re.compile(pattern, re.IGNORECASE), written) for pattern, written in rules)
+
+
+@cache
 def counted_by(language: str) -> dict[str, int]:
     """Words that say how many things are meant."""
     table = _file(language)["several"]

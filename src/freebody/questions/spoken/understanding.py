@@ -15,10 +15,11 @@ from freebody.language.units.quantity import parse_quantity
 from freebody.questions.spoken import strings
 from freebody.questions.spoken.composing import JOINT
 from freebody.questions.spoken.compounds import in_english_nouns
+from freebody.questions.spoken.keeping import is_kept
 from freebody.questions.spoken.lexicon import Word, languages, several
 from freebody.questions.spoken.meaning import meanings
 from freebody.questions.spoken.naming import Elements, elements_of, linked
-from freebody.questions.spoken.several import each_of, parts
+from freebody.questions.spoken.several import each_of, paired, parts
 from freebody.questions.spoken.suggesting import MOST, suggestions
 from freebody.questions.spoken.words import Unknown, respelt, words_of
 
@@ -57,10 +58,11 @@ class Meaning:
     """One way in which the names of a text can be meant.
 
     texts: in the words of the grammar, as they are tried in turn, each with all elements that the model has for what is
-    not named; distance: how far the names are from those written."""
+    not named; distance: how far the names are from those written; words: what its words mean, one after the other."""
 
     texts: Iterator[list[str]]
     distance: int
+    words: tuple[Word, ...]
 
 
 @dataclass(frozen=True)
@@ -236,6 +238,7 @@ def _nearest(
         for wordings in meaning.texts:
             tried = {words: _read_quietly(names, words, read) for words in wordings}
             here = {words: asked for words, asked in tried.items() if not isinstance(asked, Unread)}
+            here = {words: asked for words, asked in here.items() if is_kept(names, meaning.words, words)}
             if here:
                 distance = meaning.distance
                 nearest |= {words: asked for words, asked in here.items() if asked not in nearest.values()}
@@ -301,12 +304,13 @@ def _meanings(names: Names, text: str, *, guess: bool = False) -> list[Meaning]:
     text = re.sub(r"\w+(?:-\w+)+", lambda said: _joined(said[0], elements), text)
     found: list[Meaning] = []
     for language in languages():
-        for way in linked(elements, in_english_nouns(text, language, elements.taken)):
+        told = paired(elements, in_english_nouns(text, language, elements.taken), language)
+        for way in linked(elements, told):
             try:
                 words = words_of(way.text, language, guess=guess)
             except Unknown:
                 continue
-            found.append(Meaning(meanings(names, words), way.distance))
+            found.append(Meaning(meanings(names, words), way.distance, tuple(words)))
     return sorted(found, key=lambda meaning: meaning.distance)
 
 
