@@ -365,6 +365,11 @@ def test_the_contact_between_two_bodies_is_that_which_joins_both(said: str) -> N
     assert fb.System.from_text(STACKED).question(said).understood == "friction force of top"
 
 
+def test_of_two_strings_of_which_one_has_two_tensions_none_is_dropped() -> None:
+    found = [question.understood for question in example("compound_atwood").asked("tension in the rope")]
+    assert found == ["tension of rope1", "tension of rope2 at B", "tension of rope2 at C"]
+
+
 def test_what_can_be_meant_in_two_ways_is_refused_with_both() -> None:
     with pytest.raises(ModelError, match=r"can be meant in several ways. Ask for\s+speed of left\s+speed of right"):
         example("atwood_machine").question("How fast is the block moving?")

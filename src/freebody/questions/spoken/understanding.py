@@ -100,7 +100,7 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
         right = {language: _respelt(names, text, language) for language in languages()}
         for said in dict.fromkeys(other for other in right.values() if other != text):
             nearest = nearest or _nearest(names, said, read)[0]
-    if len(nearest) > 1 and len(nearest) <= ONE_BY_ONE and _is_plural(text, nearest):
+    if len(nearest) > 1 and len(nearest) <= ONE_BY_ONE and (_is_plural(text, nearest) or _are_tensions(nearest)):
         return [one for words, asked in nearest.items() for one in zip(asked, words.split(JOINT), strict=True)]
     if len(nearest) == 1:
         return next([*zip(asked, words.split(JOINT), strict=True)] for words, asked in nearest.items())
@@ -194,6 +194,13 @@ def _is_plural(text: str, ways: dict[str, tuple[AskedT, ...]]) -> bool:
     return said and len(heads) == 1
 
 
+def _are_tensions(ways: dict[str, tuple[AskedT, ...]]) -> bool:
+    """Whether a text can be meant of several strings: it is asked of all."""
+    strings_ = [re.match(r"tension of (\w+)", words) for words in ways]
+    named = [found[1] for found in strings_ if found is not None]
+    return len(set(named)) == len(ways)
+
+
 def _same_value(names: Names, text: str) -> str | None:
     """The text without the value of a parameter that the file gives as well; not zero, which may change what holds."""
     for found in _IN_PASSING.finditer(text):
@@ -225,7 +232,7 @@ def _nearest(
     """What can be meant by the names that are nearest to those written, by its words; and, where nothing can, what is
     wrong with the first text that has words of the grammar."""
     nearest: dict[str, tuple[AskedT, ...]] = {}
-    open_: list[str] = []  # of which of several values is meant is not said
+    left_open: dict[str, int] = {}  # questions for each of several values, where of which is meant is not said
     distance: int | None = None
     instead: list[Problem] = []
     tried_at = 0
@@ -235,6 +242,8 @@ def _nearest(
         if distance is None and meaning.distance > tried_at and _leave_open(instead):
             break  # which of several values is meant says no other name that the words may be
         tried_at = meaning.distance
+        lacking: list[Problem] = []
+        open_ = ""
         for wordings in meaning.texts:
             tried = {words: _read_quietly(names, words, read) for words in wordings}
             here = {words: asked for words, asked in tried.items() if not isinstance(asked, Unread)}
@@ -244,11 +253,17 @@ def _nearest(
                 nearest |= {words: asked for words, asked in here.items() if asked not in nearest.values()}
                 break
             for words, asked in tried.items():
-                if not instead and isinstance(asked, Unread) and _is_specific(asked.problems):
-                    instead = asked.problems
-                    open_ = _each_value(names, words, instead)
-    if open_ and not nearest and not isinstance(asked := _read_quietly(names, JOINT.join(open_), read), Unread):
-        return {JOINT.join(open_): asked}, instead
+                if not lacking and isinstance(asked, Unread) and _is_specific(asked.problems):
+                    lacking, instead = asked.problems, instead or asked.problems
+                    open_ = JOINT.join(_each_value(names, words, lacking))
+        else:
+            if open_ and is_kept(names, meaning.words, open_):
+                left_open.setdefault(open_, meaning.distance)
+    for words, at in left_open.items():
+        distance = at if distance is None else distance
+        asked = _read_quietly(names, words, read)
+        if at == distance and not isinstance(asked, Unread) and asked not in nearest.values():
+            nearest[words] = asked
     return nearest, instead
 
 
