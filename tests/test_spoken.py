@@ -460,6 +460,13 @@ def test_a_question_reads_the_same_in_the_file_on_the_command_line_and_in_python
     assert f"understood  {in_python.understood}" in found.output
 
 
+def test_when_a_question_of_a_file_is_meant_is_read_as_people_speak() -> None:
+    text = re.sub(r"\nquestions:.*\Z", "\n", path_of("hoist").read_text("utf-8"), flags=re.DOTALL)
+    asked = "questions: [{find: speed of the load, when: it has moved 2 m}]\n"
+    [question] = fb.System.from_text(f"{text}{asked}").questions
+    assert meaning(question) == meaning(example("hoist").question("speed of load when y has changed by 2 m"))
+
+
 @pytest.mark.parametrize("said", ["tension in the hinge", "Seilkraft im Gelenk"])
 def test_a_force_that_a_connection_has_not_is_told_so(said: str) -> None:
     with pytest.raises(ModelError, match="hinge has no tension"):

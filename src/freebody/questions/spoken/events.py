@@ -230,7 +230,7 @@ def _with_value(names: Names, clause: Clause, verbs: list[str]) -> Groups:
     elif doing <= {"reach"} and of and of[-1] in names.measures:
         yield [f"{of[-1]} = {value}"]
     elif (doing and doing <= {"move", "slide", "roll", "fly", "reach"}) or not doing:
-        yield [f"{way} = {value}" for way in lookup.ways(names, who)]
+        yield [lookup.come(names, way, value) for way in lookup.went(names, who)]
 
 
 # -- what happens -----------------------------------------------------------------------------
@@ -259,7 +259,7 @@ def _who(names: Names, clause: Clause) -> tuple[str, str]:
             continue  # what stops it
         owner = name.partition(".")[0]
         is_body = name in names.connections or (owner in names.bodies and not names.bodies[owner].fixed)
-        if not who and is_body and before in ("", "of", "by", "between", "and"):
+        if not who and (is_body or name in names.measures) and before in ("", "of", "by", "between", "and"):
             who = name
         elif not other:
             other = name
@@ -313,6 +313,9 @@ def _is_rough_to(names: Names, who: str, other: str) -> bool:
 
 
 def _stops(names: Names, who: str, other: str) -> Groups:
+    if who in names.measures:
+        yield [f"rate({who}) = 0"] if not other else []
+        return
     yield [f"{who or 'it'} stops"] if not other else []
 
 
