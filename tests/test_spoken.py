@@ -550,3 +550,33 @@ def test_phrases_are_found_whatever_their_order_in_a_file() -> None:
 def test_another_value_of_a_parameter_in_passing_is_refused_with_the_way_to_set_it(said: str) -> None:
     with pytest.raises(ModelError, match=r"--set 'mu=0\.3'"):
         example("bowling_ball").question(said)
+
+
+@pytest.mark.parametrize("said", ["what happens if mu is doubled", "Was passiert, wenn mu verdoppelt wird?"])
+def test_what_a_change_of_a_parameter_does_is_told_by_asking_twice(said: str) -> None:
+    with pytest.raises(ModelError, match=r"--set 'mu=0\.24'"):
+        example("bowling_ball").question(said)
+
+
+@pytest.mark.parametrize(
+    ("name", "said", "suggested"),
+    [
+        ("screw_jack", "mechanical advantage", "mechanical advantage of weight to lever"),
+        ("slider_crank", "quick return ratio", "time ratio of position of piston along cylinder"),
+        (
+            "planetary_gear_by_teeth",
+            "how fast does the planet turn if the carrier turns with 2 rad/s",
+            "ratio of angular velocity of planet to angular velocity of carrier",
+        ),
+    ],
+)
+def test_what_lacks_an_operand_is_answered_with_complete_questions(name: str, said: str, suggested: str) -> None:
+    with pytest.raises(ModelError) as error:
+        example(name).question(said)
+    assert suggested in [line.strip() for line in str(error.value).splitlines()]
+
+
+def test_a_spring_is_longer_by_what_it_pulls_with_over_its_stiffness() -> None:
+    """At y = 0.6 m the spring of 0.5 m is longer by 0.1 m."""
+    [answer] = fb.solve(example("mass_on_spring"), question="extension of the spring when y = 0.6 m").answers
+    assert answer.value == pytest.approx(0.1)

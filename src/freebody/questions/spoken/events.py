@@ -19,23 +19,8 @@ if TYPE_CHECKING:
     from freebody.model.names import Names
 
 HAPPENS = (  # verbs of what comes at an instant; the others are of what goes on
-    *(
-        "hit",
-        "leave",
-        "stop",
-        "turn_back",
-        "return",
-        "reach",
-        "start",
-        "end",
-        "slack",
-        "taut",
-        "vanish",
-        "top",
-        "bottom",
-        "begin_roll",
-        "engage",
-    ),
+    *("hit", "leave", "stop", "turn_back", "return", "reach", "start", "end", "slack", "taut"),
+    *("vanish", "top", "bottom", "begin_roll", "engage"),
 )
 _WAYS = ("distance", "displacement", "distance travelled", "angle", "height")
 _POSES = {"horizontal": poses.level, "vertical": poses.upright, "upright": poses.uppermost}

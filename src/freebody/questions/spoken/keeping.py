@@ -134,6 +134,7 @@ def _bodies(names: Names, thing: str) -> set[str]:
     found = {body} if body in names.bodies else set[str]()
     if thing in names.connections:
         found |= names.connections[thing].mentions(names)
+        found |= {body for row in names.constraint_rows if row.connection == thing for body in row.measure.bodies()}
     if thing in names.measures:
         found |= {*names.measures[thing].bodies()}
     for load in names.applied_loads:

@@ -4,14 +4,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator
-from contextlib import suppress
 from dataclasses import dataclass
 from itertools import islice
 from typing import TYPE_CHECKING, Protocol, TypeVar
 
-from freebody.errors import Problem, UnitError
+from freebody.errors import Problem
 from freebody.language.sentences import Message
-from freebody.language.units.quantity import parse_quantity
 from freebody.questions.spoken import strings
 from freebody.questions.spoken.composing import JOINT
 from freebody.questions.spoken.compounds import in_english_nouns
@@ -19,6 +17,7 @@ from freebody.questions.spoken.keeping import is_kept
 from freebody.questions.spoken.lexicon import Word, languages, several
 from freebody.questions.spoken.meaning import meanings
 from freebody.questions.spoken.naming import Elements, elements_of, linked
+from freebody.questions.spoken.other_values import other_value, same_value
 from freebody.questions.spoken.several import each_of, paired, parts
 from freebody.questions.spoken.suggesting import MOST, suggestions
 from freebody.questions.spoken.words import Unknown, respelt, words_of
@@ -42,11 +41,6 @@ class Asked(Protocol):
 AskedT = TypeVar("AskedT", bound=Asked)
 
 _APOSTROPHE = re.compile(r"(?<=\w)['’](?=(?:s|t|d|re|ll|m|ve)\b)|(?<=s)['’](?=\s)")
-_IN_PASSING = re.compile(  # a parameter and a value behind a word that says for what
-    r"\b(?:if|for|with|when|where|at|wenn|falls|für|mit|bei) (?P<name>\w+)(?: ?= ?| is| equals| was| of| ist| von|) ?"
-    r"(?P<value>\d+(?:\.\d+)?(?: ?[A-Za-z°][A-Za-z0-9/^]*)?)(?=[ ,.?!]|$)",
-    re.IGNORECASE,
-)
 ONE_BY_ONE = 8  # things of which one phrase may ask for each
 LONGEST = 300  # characters of a question: what is longer is none
 _TIMELESS = ("whole motion", "repeated motion", "small motion", "every motion", "structure", "linkage")
@@ -104,13 +98,13 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
         return [one for words, asked in nearest.items() for one in zip(asked, words.split(JOINT), strict=True)]
     if len(nearest) == 1:
         return next([*zip(asked, words.split(JOINT), strict=True)] for words, asked in nearest.items())
-    if not nearest and (passing := _same_value(names, text)) is not None:
+    if not nearest and (passing := same_value(names, text)) is not None:
         return understood(names, passing, read)
     if nearest:
         ways = "\n    ".join(islice(nearest, MOST))
         several_ways = Message("'{text}' can be meant in several ways. Ask for\n    {ways}", text=text, ways=ways)
         names.problem(several_ways, "find")
-    elif (other := _other_value(names, text)) is not None:
+    elif (other := other_value(names, text)) is not None:
         names.problem(other, "find")
     elif _is_specific(told) or instead or (_has_form(told) and " " not in text):
         names.problems += (
@@ -199,31 +193,6 @@ def _are_tensions(ways: dict[str, tuple[AskedT, ...]]) -> bool:
     strings_ = [re.match(r"tension of (\w+)", words) for words in ways]
     named = [found[1] for found in strings_ if found is not None]
     return len(set(named)) == len(ways)
-
-
-def _same_value(names: Names, text: str) -> str | None:
-    """The text without the value of a parameter that the file gives as well; not zero, which may change what holds."""
-    for found in _IN_PASSING.finditer(text):
-        parameter = names.parameters.get(found["name"])
-        if parameter is not None and parameter.value is not None:
-            with suppress(UnitError, ValueError):
-                if parse_quantity(found["value"]).value == parameter.value != 0.0:
-                    return " ".join((text[: found.start()] + text[found.end() :]).split()).strip(" ,")
-    return None
-
-
-def _other_value(names: Names, text: str) -> Message | None:
-    """What is said of a text in which a parameter has another value in passing: if mu is 0.3, when does it roll?"""
-    for found in _IN_PASSING.finditer(text):
-        parameter = names.parameters.get(found["name"])
-        if parameter is not None and parameter.value is not None:
-            return Message(
-                "the file gives {name} its value; ask without '{said}', with --set '{name}={value}'",
-                name=found["name"],
-                said=found[0],
-                value=found["value"],
-            )
-    return None
 
 
 def _nearest(
