@@ -580,3 +580,21 @@ def test_a_spring_is_longer_by_what_it_pulls_with_over_its_stiffness() -> None:
     """At y = 0.6 m the spring of 0.5 m is longer by 0.1 m."""
     [answer] = fb.solve(example("mass_on_spring"), question="extension of the spring when y = 0.6 m").answers
     assert answer.value == pytest.approx(0.1)
+
+
+HUMP = """
+parameters: {m: 1000 kg, R: 50 m, v: 20 m/s, g: 9.81 m/s^2}
+bodies:
+  hill: {disk: {radius: R}, fixed: true, at: [0, 0]}
+  car: {particle: {mass: m}, at: [0, R], velocity: [v, 0]}
+connections: {road: {contact: {between: [car, hill]}}}
+loads: {weight: {gravity: g}}
+measures: {phi: angle of line from ground.O to car from up clockwise}
+"""
+
+
+def test_the_speed_at_which_a_car_leaves_a_hump_at_its_top_is_that_of_a_circle_of_no_force() -> None:
+    """m v^2/R = m g."""
+    system = fb.System.from_text(HUMP)
+    [answer] = fb.solve(system, question="At what speed does the car leave the road at the top?").answers
+    assert answer.value == pytest.approx(math.sqrt(50 * 9.81))
