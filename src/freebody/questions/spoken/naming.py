@@ -41,6 +41,7 @@ _JOINT_WORDS = ("joint", "connection", "support")
 _ROPES = ("rope", "string", "cord", "thread", "cable", "wire")
 _LINE_WORDS = ("surface", "slope", "incline", "plane")
 _POINT_WORDS = ("point", "end")
+_ARTICLES = ("the", "a", "an", "it")
 
 
 @dataclass(frozen=True)
@@ -147,6 +148,10 @@ def _readings(elements: Elements, tokens: Sequence[str], k: int) -> Iterator[tup
     is_unit = k > 1 and tokens[k - 2][0].isdigit() and not tokens[k - 1].strip()
     if is_unit or not re.match(r"[^\W\d]", tokens[k]):
         yield tokens[k], 1, WRITTEN
+        return
+    around = tokens[k - 2].lower() if k > 1 else "", tokens[k + 2].lower() if k + 2 < len(tokens) else ""
+    if around[0] == "to" and around[1] in _ARTICLES and is_verb(tokens[k].lower()):
+        yield tokens[k], 1, WRITTEN  # the force to lower the load, where a pulley is called lower
         return
     seen: dict[str, int] = {}
     for n in range(_LONGEST, 0, -1):
