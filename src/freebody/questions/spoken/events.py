@@ -267,7 +267,7 @@ def _leaves(names: Names, who: str, other: str) -> Groups:
     if other in names.loads:
         return  # nothing is said of where a spring no longer pushes
     free = {row.connection for row in names.constraint_rows if row.unilateral or row.reaction == "tension"}
-    if who in names.connections and who not in free:
+    if any(name in names.connections and name not in free for name in (who, other)):
         return  # it holds on both sides
     if who or other:
         yield [f"{who or 'it'} leaves {other}".strip()]

@@ -36,7 +36,7 @@ def is_kept(names: Names, words: Sequence[Word], text: str) -> bool:
     numbers = {float(number) for number in _NUMBER.findall(text)}
     told = [float(number) for word in words if word.kind == "value" for number in _NUMBER.findall(word.what)]
     is_of_all = _OF_ALL.search(text) is not None
-    cut = next((k for k, word in enumerate(words) if _begins_state(word)), len(words)) if is_of_all else len(words)
+    cut = _begin_of_state(names, words) if is_of_all else len(words)
     for k, word in enumerate(words):
         for thing in _THING.findall(word.what) if word.kind in ("name", "value") else ():
             if not _is_thing(names, thing) or _stands(names, thing, things):
@@ -47,9 +47,18 @@ def is_kept(names: Names, words: Sequence[Word], text: str) -> bool:
     return all(number in numbers for number in told)
 
 
-def _begins_state(word: Word) -> bool:
-    """Whether what is to be so begins: all that is before it is said of the parameter that is asked for."""
-    return word.kind in ("mark", "not") or (word.kind == "verb" and word.what not in ("exert", "act"))
+def _begin_of_state(names: Names, words: Sequence[Word]) -> int:
+    """Where what is to be so begins: all before it is said of the parameter that is asked for. Who does something
+    stands before the verb."""
+    doing = (k for k, word in enumerate(words) if word.kind == "verb" and word.what not in ("exert", "act"))
+    marks = (k for k, word in enumerate(words) if word.kind in ("mark", "not"))
+    cut = min((*doing, *marks), default=len(words))
+    while 0 < cut < len(words) and words[cut].kind != "mark":
+        before = words[cut - 1]
+        if before.kind != "filler" and (before.kind != "name" or before.what in names.parameters):
+            break
+        cut -= 1
+    return cut
 
 
 def _is_meant(names: Names, thing: str, things: set[str], text: str) -> bool:

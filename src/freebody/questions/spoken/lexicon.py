@@ -160,6 +160,12 @@ def is_verb(token: str) -> bool:
 
 
 @cache
+def stands_for_all(token: str) -> bool:
+    """Whether a word alone, in any language, stands for the whole system: the machine."""
+    return any(word == Word("pronoun", "system") for own in languages() for word, _ in phrases_at(token, 0, own))
+
+
+@cache
 def vocabulary(language: str) -> frozenset[str]:
     """All words of a language that are written in full."""
     said = (
