@@ -501,11 +501,11 @@ def test_as_long_as_it_does_not_slip_is_a_limit() -> None:
     ],
 )
 def test_a_slip_of_the_hand_is_put_right_and_no_other_word(written: str, meant: str) -> None:
-    assert respelt(written, "en", set()) == meant
+    assert respelt(written, "en", set[str]()) == meant
 
 
 def test_a_german_word_with_another_first_part_is_no_misspelling() -> None:
-    assert respelt("anfangsbeschleunigung", "de", set()) == "anfangsbeschleunigung"
+    assert respelt("anfangsbeschleunigung", "de", set[str]()) == "anfangsbeschleunigung"
 
 
 @pytest.mark.parametrize(

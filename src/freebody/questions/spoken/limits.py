@@ -99,7 +99,8 @@ def _lasting(names: Names, head: Clause, state: Clause, modal: set[str]) -> str 
         return None  # that one of several bodies stays where it is
     if (joint := joining.slipping(names, [name for _, name in state.names])) is not None:
         lasts = verbs <= {"slide", "start", "move"} and "slide" in verbs
-        return f"{joint} does not slip" if lasts or (verbs == {"hold"} and not state.has("not")) else None
+        is_between = len(state.names) > 1 and verbs == {"hold"} and not state.has("not")
+        return f"{joint} does not slip" if lasts or is_between else None
     holds = verbs & {"hold", "stop"} or state.has("instant", "in equilibrium") or state.has("quantity", "equilibrium")
     ends = verbs & _ENDS_REST
     is_denied = _is_denied(state)
