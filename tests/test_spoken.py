@@ -360,6 +360,20 @@ def test_that_one_of_two_bodies_does_not_slip_is_not_that_nothing_moves(said: st
     assert answer.value == pytest.approx((0.2 + 0.4) * (5 + 2) * 9.81)
 
 
+@pytest.mark.parametrize(
+    "said",
+    [
+        "largest F so that the upper stays at rest",
+        "range of F that the upper does not move",
+        "Does the upper hold?",
+        "range of F for which upper stays at rest",
+    ],
+)
+def test_that_one_of_two_bodies_rests_is_not_that_nothing_moves(said: str) -> None:
+    with pytest.raises(ModelError):
+        fb.System.from_text(STACKED).question(said)
+
+
 @pytest.mark.parametrize("said", ["friction force between the blocks", "Reibkraft zwischen den Blöcken"])
 def test_the_contact_between_two_bodies_is_that_which_joins_both(said: str) -> None:
     assert fb.System.from_text(STACKED).question(said).understood == "friction force of top"
