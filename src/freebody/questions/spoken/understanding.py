@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import difflib
 import re
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
@@ -41,6 +42,7 @@ class Asked(Protocol):
 AskedT = TypeVar("AskedT", bound=Asked)
 
 _APOSTROPHE = re.compile(r"(?<=\w)['’](?=(?:s|t|d|re|ll|m|ve)\b)|(?<=s)['’](?=\s)")
+_LEAST_LIKE = 0.9  # of the beginning of a text to a form of the grammar
 ONE_BY_ONE = 8  # things of which one phrase may ask for each
 LONGEST = 300  # characters of a question: what is longer is none
 _TIMELESS = ("whole motion", "repeated motion", "small motion", "every motion", "structure", "linkage")
@@ -106,7 +108,7 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
         names.problem(several_ways, "find")
     elif (other := other_value(names, text)) is not None:
         names.problem(other, "find")
-    elif _is_specific(told) or instead or (_has_form(told) and " " not in text):
+    elif _is_specific(told) or instead or _is_misspelt(told, text):
         names.problems += (
             told if _is_specific(told) and not (_is_of_words(names, told) and instead) else instead or told
         )
@@ -276,9 +278,16 @@ def _is_of_words(names: Names, problems: list[Problem]) -> bool:
     )
 
 
-def _has_form(problems: list[Problem]) -> bool:
-    """Whether they say which form of the grammar a text is like."""
-    return any(isinstance(p.message, Message) and "form" in p.message.arguments for p in problems)
+def _is_misspelt(problems: list[Problem], text: str) -> bool:
+    """Whether they say which form of the grammar a text is like, and it is one word, or begins but for a slip as it."""
+    forms = [str(p.message.arguments["form"]) for p in problems if isinstance(p.message, Message) and _has_form(p)]
+    openings = [re.split(r" (?=[A-Z]{2})", form)[0] for form in forms]
+    begun = [difflib.SequenceMatcher(None, opening, text[: len(opening)]).ratio() for opening in openings]
+    return bool(forms) and (" " not in text or max(begun) > _LEAST_LIKE)
+
+
+def _has_form(problem: Problem) -> bool:
+    return isinstance(problem.message, Message) and "form" in problem.message.arguments
 
 
 def _meanings(names: Names, text: str, *, guess: bool = False) -> list[Meaning]:
