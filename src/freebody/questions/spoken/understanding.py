@@ -281,9 +281,9 @@ def _is_of_words(names: Names, problems: list[Problem]) -> bool:
 def _is_misspelt(problems: list[Problem], text: str) -> bool:
     """Whether they say which form of the grammar a text is like, and it is one word, or begins but for a slip as it."""
     forms = [str(p.message.arguments["form"]) for p in problems if isinstance(p.message, Message) and _has_form(p)]
-    openings = [re.split(r" (?=[A-Z]{2})", form)[0] for form in forms]
+    openings = [re.split(r" (?=[A-Z]{2})", form)[0].removesuffix(" of") for form in forms]
     begun = [difflib.SequenceMatcher(None, opening, text[: len(opening)]).ratio() for opening in openings]
-    return bool(forms) and (" " not in text or max(begun) > _LEAST_LIKE)
+    return bool(forms) and (" " not in text or _LEAST_LIKE < max(begun) < 1.0)
 
 
 def _has_form(problem: Problem) -> bool:
