@@ -55,7 +55,7 @@ def _begin_of_state(names: Names, words: Sequence[Word]) -> int:
     cut = min((*doing, *marks), default=len(words))
     while 0 < cut < len(words) and words[cut].kind != "mark":
         before = words[cut - 1]
-        if before.kind != "filler" and (before.kind != "name" or before.what in names.parameters):
+        if before.kind != "filler" and (before.kind != "name" or before.what in {*names.parameters, *names.loads}):
             break
         cut -= 1
     return cut
