@@ -206,9 +206,9 @@ def test_a_tension_that_is_not_one_is_asked_for_by_its_place() -> None:
         asked(HALF_TURN, "tension of rope at drum")
 
 
-def test_the_tension_of_a_rope_is_that_of_each_of_its_parts() -> None:
-    questions = [answer.question for answer in asked(HALF_TURN, "tension of rope").answers]
-    assert questions == ["tension of rope at hand", "tension of rope at load"]
+def test_without_a_place_each_tension_of_a_rope_is_asked_for() -> None:
+    found = [question.understood for question in fb.System.from_text(HALF_TURN).asked("tension of rope")]
+    assert found == ["tension of rope at hand", "tension of rope at load"]
 
 
 MASSLESS = BAND.replace("disk: {mass: m, radius: R}", "disk: {radius: R}")

@@ -342,10 +342,46 @@ def test_what_cannot_be_read_is_answered_with_questions_of_this_model() -> None:
     assert any(question.startswith("tension of rope at ") for question in suggested)
 
 
-@pytest.mark.parametrize("said", ["größte Kraft F, damit upper nicht rutscht"])
+@pytest.mark.parametrize(
+    "said",
+    [
+        "größte Kraft F, damit upper nicht rutscht",
+        "largest F so that upper does not slide on lower",
+        "maximum force F for which both blocks move together",
+        "How large may F be so that the upper block sticks to the lower one?",
+        "größte Kraft F, sodass sich beide Blöcke gemeinsam bewegen",
+    ],
+)
 def test_that_one_of_two_bodies_does_not_slip_is_not_that_nothing_moves(said: str) -> None:
+    """Both have the acceleration F/M - mu1 g, which friction can give the upper one up to mu2 g."""
+    system = fb.System.from_text(STACKED)
+    assert system.question(said).understood == "largest F so that top does not slip"
+    [answer] = fb.solve(system, question=said).answers
+    assert answer.value == pytest.approx((0.2 + 0.4) * (5 + 2) * 9.81)
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "largest F so that the upper stays at rest",
+        "range of F that the upper does not move",
+        "Does the upper hold?",
+        "range of F for which upper stays at rest",
+    ],
+)
+def test_that_one_of_two_bodies_rests_is_not_that_nothing_moves(said: str) -> None:
     with pytest.raises(ModelError):
         fb.System.from_text(STACKED).question(said)
+
+
+@pytest.mark.parametrize("said", ["friction force between the blocks", "Reibkraft zwischen den Blöcken"])
+def test_the_contact_between_two_bodies_is_that_which_joins_both(said: str) -> None:
+    assert fb.System.from_text(STACKED).question(said).understood == "friction force of top"
+
+
+def test_of_two_strings_of_which_one_has_two_tensions_none_is_dropped() -> None:
+    found = [question.understood for question in example("compound_atwood").asked("tension in the rope")]
+    assert found == ["tension of rope1", "tension of rope2 at B", "tension of rope2 at C"]
 
 
 def test_what_can_be_meant_in_two_ways_is_refused_with_both() -> None:
@@ -438,6 +474,13 @@ def test_a_question_reads_the_same_in_the_file_on_the_command_line_and_in_python
     assert f"understood  {in_python.understood}" in found.output
 
 
+def test_when_a_question_of_a_file_is_meant_is_read_as_people_speak() -> None:
+    text = re.sub(r"\nquestions:.*\Z", "\n", path_of("hoist").read_text("utf-8"), flags=re.DOTALL)
+    asked = "questions: [{find: speed of the load, when: it has moved 2 m}]\n"
+    [question] = fb.System.from_text(f"{text}{asked}").questions
+    assert meaning(question) == meaning(example("hoist").question("speed of load when y has changed by 2 m"))
+
+
 @pytest.mark.parametrize("said", ["tension in the hinge", "Seilkraft im Gelenk"])
 def test_a_force_that_a_connection_has_not_is_told_so(said: str) -> None:
     with pytest.raises(ModelError, match="hinge has no tension"):
@@ -472,11 +515,11 @@ def test_as_long_as_it_does_not_slip_is_a_limit() -> None:
     ],
 )
 def test_a_slip_of_the_hand_is_put_right_and_no_other_word(written: str, meant: str) -> None:
-    assert respelt(written, "en", set()) == meant
+    assert respelt(written, "en", set[str]()) == meant
 
 
 def test_a_german_word_with_another_first_part_is_no_misspelling() -> None:
-    assert respelt("anfangsbeschleunigung", "de", set()) == "anfangsbeschleunigung"
+    assert respelt("anfangsbeschleunigung", "de", set[str]()) == "anfangsbeschleunigung"
 
 
 @pytest.mark.parametrize(
@@ -521,3 +564,51 @@ def test_phrases_are_found_whatever_their_order_in_a_file() -> None:
 def test_another_value_of_a_parameter_in_passing_is_refused_with_the_way_to_set_it(said: str) -> None:
     with pytest.raises(ModelError, match=r"--set 'mu=0\.3'"):
         example("bowling_ball").question(said)
+
+
+@pytest.mark.parametrize("said", ["what happens if mu is doubled", "Was passiert, wenn mu verdoppelt wird?"])
+def test_what_a_change_of_a_parameter_does_is_told_by_asking_twice(said: str) -> None:
+    with pytest.raises(ModelError, match=r"--set 'mu=0\.24'"):
+        example("bowling_ball").question(said)
+
+
+@pytest.mark.parametrize(
+    ("name", "said", "suggested"),
+    [
+        ("screw_jack", "mechanical advantage", "mechanical advantage of weight to lever"),
+        ("slider_crank", "quick return ratio", "time ratio of position of piston along cylinder"),
+        (
+            "planetary_gear_by_teeth",
+            "how fast does the planet turn if the carrier turns with 2 rad/s",
+            "ratio of angular velocity of planet to angular velocity of carrier",
+        ),
+    ],
+)
+def test_what_lacks_an_operand_is_answered_with_complete_questions(name: str, said: str, suggested: str) -> None:
+    with pytest.raises(ModelError) as error:
+        example(name).question(said)
+    assert suggested in [line.strip() for line in str(error.value).splitlines()]
+
+
+def test_a_spring_is_longer_by_what_it_pulls_with_over_its_stiffness() -> None:
+    """At y = 0.6 m the spring of 0.5 m is longer by 0.1 m."""
+    [answer] = fb.solve(example("mass_on_spring"), question="extension of the spring when y = 0.6 m").answers
+    assert answer.value == pytest.approx(0.1)
+
+
+HUMP = """
+parameters: {m: 1000 kg, R: 50 m, v: 20 m/s, g: 9.81 m/s^2}
+bodies:
+  hill: {disk: {radius: R}, fixed: true, at: [0, 0]}
+  car: {particle: {mass: m}, at: [0, R], velocity: [v, 0]}
+connections: {road: {contact: {between: [car, hill]}}}
+loads: {weight: {gravity: g}}
+measures: {phi: angle of line from ground.O to car from up clockwise}
+"""
+
+
+def test_the_speed_at_which_a_car_leaves_a_hump_at_its_top_is_that_of_a_circle_of_no_force() -> None:
+    """m v^2/R = m g."""
+    system = fb.System.from_text(HUMP)
+    [answer] = fb.solve(system, question="At what speed does the car leave the road at the top?").answers
+    assert answer.value == pytest.approx(math.sqrt(50 * 9.81))

@@ -23,7 +23,7 @@ SHEET = {
     *("multi_bar_platform", "body_on_driven_roller", "disk_rolling_down_incline", "sphere_launched_down_incline"),
     *("planetary_gear", "atwood_machine", "disk_on_angled_shaft", "cardan_joint"),
 }
-LONG, LONG_ALONE, LONG_EXAMPLE = 0.2, 1.5, 3.0  # [s]
+LONG, LONG_ALONE, LONG_EXAMPLE = 0.15, 1.0, 5.0  # [s]
 HEAD = "# Left to the slow part of the tests; written by tools/list_long_tests.py from times of the processor.\n"
 
 

@@ -204,7 +204,19 @@ def _points(names: Names, given: object) -> float | None:
 
 
 def _understood(names: Names, text: str, when: object) -> list[tuple[Meant, str]]:
-    """What a text asks for, and the words of the grammar in which it does."""
+    """What a text asks for, and the words of the grammar in which it does. when: what the file says of it beside the
+    text, in words of the grammar or in others."""
+    if isinstance(when, str):
+        with names.quietly():
+            n_before = len(names.problems)
+            is_read = bool(_meant_by(names, text, when)) and len(names.problems) == n_before
+            together = [] if is_read else _meant_by(names, f"{text} when {when.removeprefix('when ')}", None)
+        if together:
+            return together
+    return _meant_by(names, text, when)
+
+
+def _meant_by(names: Names, text: str, when: object) -> list[tuple[Meant, str]]:
     found = understood(names, text, lambda words: _complete(names, as_condition(names, words.rstrip(" ?!")), when))
     return [(meant, as_condition(names, words)) for meant, words in found]
 

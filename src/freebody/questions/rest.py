@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Literal
 
 from freebody.language.sentences import Message
 from freebody.language.units import FORCE, LENGTH, TORQUE, Dimension
+from freebody.measures.geometry import GROUND, ZERO
 from freebody.model.elements import ConstraintRow, Parameter
 from freebody.model.noting import did_you_mean
 from freebody.questions.base import NAME, Found, Path, Quantity, angular_unit, asked
@@ -135,7 +136,7 @@ questions: {it: range of normal force of wall}
 
 # -- the grammar ------------------------------------------------------------------------------
 _REST = (
-    r"(?:(?:so )?that|for which|with which|such that|at which)? ?(?:it|the system|everything|the [a-z]+)? ?"
+    r"(?:(?:so )?that|for which|with which|such that|at which)? ?(?:it|the system|everything|the (?P<who>[a-z]+))? ?"
     r"(?:(?:stays?|remains?|is|keeps?|can stay)(?: (?:it|the system))? (?:at rest|in equilibrium|in place)"
     r"|holds?|does not (?:move|fall)|neither slips nor tips|(?:keeps|holds) (?:it|the system) at rest"
     r"|nothing moves|(?P<slips>does not (?:slip|slide)|nothing (?:slips|slides)))"
@@ -151,7 +152,7 @@ _WHICH: dict[str, Which] = {
 
 _RANGE = rf"(?:range|interval|values) of {_KIND}(?P<of>{NAME})"
 _END = rf"(?P<which>{'|'.join(_WHICH)}) {_KIND}(?P<of>{NAME}) {_REST}"
-_ENDED = _END.replace("(?P<of>", "(?:").replace("(?P<slips>", "(?:")
+_ENDED = _END.replace("(?P<of>", "(?:").replace("(?P<slips>", "(?:").replace("(?P<who>", "(?:")
 _STAYS = re.compile(rf"^(?:the )?(?:{_RANGE} {_REST}|{_ENDED})$")
 
 
@@ -186,7 +187,23 @@ def _end(names: Names, found: Found, path: Path) -> Quantity | None:
     return _limit(names, found, _WHICH[found["which"]], path)
 
 
+def _is_all(names: Names, who: str | None, path: Path) -> bool:
+    """Whether what is said to rest is all that moves; notes that it is not."""
+    moving = [name for name, body in names.bodies.items() if name != GROUND and not body.fixed and body.mass != ZERO]
+    if who in (None, "system") or len(moving) == 1:
+        return True
+    told = Message(
+        "rest is asked of the whole system, and {who} is not all of it; ask for what slips, e.g. largest F so that "
+        "CONNECTION does not slip",
+        who=who,
+    )
+    names.problem(told, *path)
+    return False
+
+
 def _limit(names: Names, found: Found, which: Which, path: Path) -> RestLimit | None:
+    if not _is_all(names, found["who"], path):
+        return None
     name = found["of"]
     p = _parameter(names, name, path)
     return None if p is None else RestLimit(name, which, p.dimension, p.is_angle, found["slips"] is not None)
@@ -231,12 +248,12 @@ def _parameter(names: Names, name: str, path: Path) -> Parameter | None:
 
 @asked(
     "does it hold",
-    rf"(?:[Dd]oes (?:it|the {NAME}) (?:hold|stay at rest|remain at rest)"
-    rf"|[Ii]s (?:it|the {NAME}) (?:at rest|in equilibrium))\??",
+    rf"(?:[Dd]oes (?:it|the (?P<who>{NAME})) (?:hold|stay at rest|remain at rest)"
+    rf"|[Ii]s (?:it|the (?P<whose>{NAME})) (?:at rest|in equilibrium))\??",
     rank=RANK,
 )
 def _holds(names: Names, found: Found, path: Path) -> Quantity | None:
-    return Holds()
+    return Holds() if _is_all(names, found["who"] or found["whose"], path) else None
 
 
 @asked(

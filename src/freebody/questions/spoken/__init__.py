@@ -6,14 +6,15 @@
     meanings(names, words)          meaning.py     what the words ask for together, in the words of the grammar
     understood(names, text, read)       understanding.py    the way to mean a text that the grammar reads
     parts(elements, text)           several.py      the questions that are asked in one
+    is_kept(names, words, text)         keeping.py          whether what is understood has all that was named
 
 Between words and meanings a sentence is parted into clauses (sentence.py); a clause is a condition (events.py), a
-quantity (asking.py, with a room for each family: of_motion.py, of_forces.py, of_systems.py; what a question word and a
-verb ask for together says frames.py), at an instant
-(instants.py), up to an event (counting.py), or a question turned round (turning_round.py, and what is to be so in
-so_that.py). Where an equation says when, what else is said of that instant describes it (stated.py); up to which value
-of a parameter rest lasts is put in many ways (limits.py). What a model has for words that name nothing stands in
-lookup.py, joining.py (connections), poses.py (what hangs, stands, lies level), strings.py, losing.py (what takes energy
-away) and given.py (parameters by what they are of). Nothing that is said
-is dropped, but words that lead to a question, adjectives that tell no thing from another, and adverbs of manner.
+quantity (asking.py, with a room for each family: of_motion.py, of_forces.py, of_systems.py; what a question word and
+a verb ask for together says frames.py), at an instant (instants.py), up to an event (counting.py), or a question
+turned round (turning_round.py, and what is to be so in so_that.py). Where an equation says when, what else is said of
+that instant describes it (stated.py); up to which value of a parameter rest lasts is put in many ways (limits.py).
+What a model has for words that name nothing stands in lookup.py, joining.py (connections), poses.py (what hangs,
+stands, lies level), strings.py, losing.py (what takes energy away) and given.py (parameters by what they are of).
+What is said of other values than the file gives is told in other_values.py. Nothing that is said is dropped, but
+words that lead to a question, adjectives that tell no thing from another, and adverbs of manner.
 """

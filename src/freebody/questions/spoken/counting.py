@@ -107,7 +107,7 @@ def stopping(names: Names, sentence: Sentence) -> Groups:
     if asked == ["stopping time"]:
         yield [f"time when {of or 'it'} stops"]
     elif asked == ["stopping distance"]:
-        yield [f"change of {way} until {of or 'it'} stops" for way in lookup.ways(names, of)]
+        yield [f"change of {way} until {of or 'it'} stops" for way in lookup.went(names, of)]
 
 
 def _is_of_event(main: Clause) -> bool:
@@ -211,7 +211,7 @@ def _heads_counted(names: Names, sentence: Sentence) -> Groups:
         elif "turn" in verbs and main.has("ask", "far", "much", "large"):
             yield [f"change of {name}" for name in lookup.angles(names, who)]
         else:
-            yield [f"{counted} {name}" for name in lookup.ways(names, who)]
+            yield [f"{counted} {name}" for name in lookup.went(names, who)]
     elif len(asked) == 1 == len(of) and asked[0] == "work" and who in names.loads:
         yield [f"work of {who}"]
     elif asked == ["work of friction"]:

@@ -19,23 +19,8 @@ if TYPE_CHECKING:
     from freebody.model.names import Names
 
 HAPPENS = (  # verbs of what comes at an instant; the others are of what goes on
-    *(
-        "hit",
-        "leave",
-        "stop",
-        "turn_back",
-        "return",
-        "reach",
-        "start",
-        "end",
-        "slack",
-        "taut",
-        "vanish",
-        "top",
-        "bottom",
-        "begin_roll",
-        "engage",
-    ),
+    *("hit", "leave", "stop", "turn_back", "return", "reach", "start", "end", "slack", "taut"),
+    *("vanish", "top", "bottom", "begin_roll", "engage"),
 )
 _WAYS = ("distance", "displacement", "distance travelled", "angle", "height")
 _POSES = {"horizontal": poses.level, "vertical": poses.upright, "upright": poses.uppermost}
@@ -230,7 +215,7 @@ def _with_value(names: Names, clause: Clause, verbs: list[str]) -> Groups:
     elif doing <= {"reach"} and of and of[-1] in names.measures:
         yield [f"{of[-1]} = {value}"]
     elif (doing and doing <= {"move", "slide", "roll", "fly", "reach"}) or not doing:
-        yield [f"{way} = {value}" for way in lookup.ways(names, who)]
+        yield [lookup.come(names, way, value) for way in lookup.went(names, who)]
 
 
 # -- what happens -----------------------------------------------------------------------------
@@ -259,7 +244,7 @@ def _who(names: Names, clause: Clause) -> tuple[str, str]:
             continue  # what stops it
         owner = name.partition(".")[0]
         is_body = name in names.connections or (owner in names.bodies and not names.bodies[owner].fixed)
-        if not who and is_body and before in ("", "of", "by", "between", "and"):
+        if not who and (is_body or name in names.measures) and before in ("", "of", "by", "between", "and"):
             who = name
         elif not other:
             other = name
@@ -282,7 +267,7 @@ def _leaves(names: Names, who: str, other: str) -> Groups:
     if other in names.loads:
         return  # nothing is said of where a spring no longer pushes
     free = {row.connection for row in names.constraint_rows if row.unilateral or row.reaction == "tension"}
-    if who in names.connections and who not in free:
+    if any(name in names.connections and name not in free for name in (who, other)):
         return  # it holds on both sides
     if who or other:
         yield [f"{who or 'it'} leaves {other}".strip()]
@@ -313,6 +298,9 @@ def _is_rough_to(names: Names, who: str, other: str) -> bool:
 
 
 def _stops(names: Names, who: str, other: str) -> Groups:
+    if who in names.measures:
+        yield [f"rate({who}) = 0"] if not other else []
+        return
     yield [f"{who or 'it'} stops"] if not other else []
 
 

@@ -9,10 +9,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from freebody.language.expression import Symbol, free_symbols
+from freebody.language.expression import Symbol, free_symbols, multiply, negate
 from freebody.language.units import FORCE, LENGTH, MASS, TIME, TORQUE, Dimension
 from freebody.measures.geometry import ZERO
-from freebody.model.elements import Parameter
+from freebody.model.elements import VALUE, Parameter
 from freebody.model.solids import ROD
 from freebody.questions.spoken.joining import given_of, is_at, is_joined
 
@@ -90,6 +90,13 @@ def parameters(names: Names, kind: str, of: str) -> list[str]:
     own = [spec for name, spec in names.connections.items() if not of or name == of or is_at(names, name, of)]
     written = {str(value) for spec in own for key, value in given_of(spec).items() if word in key}
     return [name for name in names.parameters if name in written]
+
+
+def stiffness(names: Names, spring: str) -> str | None:
+    """The parameter that is the stiffness of a spring whose force is in proportion to its extension."""
+    laws = [load.law for load in names.applied_loads if load.load == spring]
+    found = parameters(names, "stiffness", "")
+    return next((k for k in found if laws and all(law == negate(multiply(Symbol(k), VALUE)) for law in laws)), None)
 
 
 def of_kind(names: Names, kind: str) -> list[str]:

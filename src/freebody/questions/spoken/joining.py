@@ -37,6 +37,25 @@ def is_all_that_slips(names: Names, body: str) -> bool:
     return bool(rough(names, "")) and rough(names, "") == rough(names, body)
 
 
+def drivers(names: Names, body: str) -> list[str]:
+    """Connections that say how the angle of a body against the ground goes with time."""
+    rows = [row for row in names.constraint_rows if row.reaction == "driving torque"]
+    return [row.connection for row in rows if {*row.measure.bodies()} - {GROUND} == {body}]
+
+
+def driven(names: Names) -> list[str]:
+    """Named measures of which a connection says how they go with time."""
+    own = [row.measure for row in names.constraint_rows if row.reaction in ("driving torque", "driving force")]
+    return [name for name, measure in names.measures.items() if measure in own]
+
+
+def slipping(names: Names, things: list[str]) -> str | None:
+    """The only rough contact of all things that are named, where other contacts are rough as well."""
+    own = [thing for thing in things if thing in names.connections or thing in names.bodies or is_joined(names, thing)]
+    found = [name for name in rough(names, "") if all(touches(names, name, thing) for thing in own)]
+    return found[0] if own and len(found) == 1 < len(rough(names, "")) else None
+
+
 def led_round(names: Names) -> list[tuple[str, str]]:
     """Bodies that a link leads round a point of the ground, each with its length."""
     found: list[tuple[str, str]] = []

@@ -160,6 +160,12 @@ def is_verb(token: str) -> bool:
 
 
 @cache
+def stands_for_all(token: str) -> bool:
+    """Whether a word alone, in any language, stands for the whole system: the machine."""
+    return any(word == Word("pronoun", "system") for own in languages() for word, _ in phrases_at(token, 0, own))
+
+
+@cache
 def vocabulary(language: str) -> frozenset[str]:
     """All words of a language that are written in full."""
     said = (
@@ -201,6 +207,13 @@ def spelt(text: str, language: str) -> str:
 def several(language: str, what: str) -> re.Pattern[str]:
     """A pattern for what parts several questions in one, or for what stands for several things."""
     return re.compile(_file(language)["several"][what], re.IGNORECASE)
+
+
+@cache
+def pairs(language: str) -> tuple[tuple[re.Pattern[str], str], ...]:
+    """Patterns for what stands for two things, and how it is said of them by their names."""
+    rules = cast("list[list[str]]", _file(language)["several"]["pairs"])
+    return tuple((re.compile(pattern, re.IGNORECASE), written) for pattern, written in rules)
 
 
 @cache

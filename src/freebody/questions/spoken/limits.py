@@ -49,7 +49,7 @@ def limits(names: Names, words: list[Word], modal: set[str]) -> Groups:
     end = _end(head, state, modal, lasts)
     if end in ("least", "largest"):
         yield [f"{end} {parameter} so that {lasts}"]
-    elif end == "range" and lasts == _NO_TIP:
+    elif end == "range" and lasts not in (_REST, _NO_SLIP):
         yield [f"range of {parameter} for which {lasts}"]
     elif end == "range":
         yield [f"range of {parameter} that keeps it at rest"]
@@ -97,6 +97,10 @@ def _lasting(names: Names, head: Clause, state: Clause, modal: set[str]) -> str 
         return None  # what is held already
     if bodies and not joining.is_rough(names) and _is_subject(state):
         return None  # that one of several bodies stays where it is
+    if (joint := joining.slipping(names, [name for _, name in state.names])) is not None:
+        lasts = verbs <= {"slide", "start", "move"} and "slide" in verbs
+        is_between = len(state.names) > 1 and verbs == {"hold"} and not state.has("not")
+        return f"{joint} does not slip" if lasts or is_between else None
     holds = verbs & {"hold", "stop"} or state.has("instant", "in equilibrium") or state.has("quantity", "equilibrium")
     ends = verbs & _ENDS_REST
     is_denied = _is_denied(state)

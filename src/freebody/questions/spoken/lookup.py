@@ -84,6 +84,13 @@ def places(names: Names, body: str) -> list[str]:
     return [name for name in lengths if not body or body in names.measures[name].bodies()]
 
 
+def went(names: Names, body: str) -> list[str]:
+    """Measures of how far a body has come, wherever it starts: along a straight line of the ground."""
+    straight = [(name, names.measures[name]) for name in places(names, body)]
+    fixed = [n for n, m in straight if isinstance(m, Displacement) and {m.origin.body, m.along.body} == {GROUND}]
+    return ways(names, body) or fixed
+
+
 def angles(names: Names, body: str) -> list[str]:
     """Measures of how a body is turned against the ground, or all angles where none is named."""
     if body in names.measures:

@@ -45,7 +45,7 @@ def meanings(names: Names, words: list[Word]) -> Groups:
     if not words:
         return
     modal = {word.what for word in words if word.kind == "filler"} & {"may", "must"}
-    words = _from_rest(names, words)
+    words = _stretched(names, _from_rest(names, words))
     said = _signs_between([word for word in words if word.kind != "filler"])
     said = _bounded(_without_auxiliary(said))
     if said and said[-1].kind == "preposition" and said[-1].what in _LEADS_ON:
@@ -67,6 +67,13 @@ def meanings(names: Names, words: list[Word]) -> Groups:
             yield from told(names, sentence)
     yield from stated(names, words)
     yield from limits(names, lasting, modal)
+
+
+def _stretched(names: Names, words: list[Word]) -> list[Word]:
+    """By how much a spring is longer than without force is its deflection, where that is measured."""
+    is_measured = any(lookup.deflections(names, name) for name in (*lookup.springs(names), ""))
+    extension = Word("quantity", "extension")
+    return [Word("quantity", "deflection") if is_measured and word == extension else word for word in words]
 
 
 def _leads_nowhere(words: list[Word], k: int) -> bool:

@@ -25,6 +25,7 @@ from freebody.questions.spoken.lexicon import (
     is_verb,
     kinds_apart,
     quantity_words,
+    stands_for_all,
     things_alike,
 )
 from freebody.questions.spoken.telling import told_apart
@@ -41,6 +42,7 @@ _JOINT_WORDS = ("joint", "connection", "support")
 _ROPES = ("rope", "string", "cord", "thread", "cable", "wire")
 _LINE_WORDS = ("surface", "slope", "incline", "plane")
 _POINT_WORDS = ("point", "end")
+_ARTICLES = ("the", "a", "an", "it")
 
 
 @dataclass(frozen=True)
@@ -148,6 +150,10 @@ def _readings(elements: Elements, tokens: Sequence[str], k: int) -> Iterator[tup
     if is_unit or not re.match(r"[^\W\d]", tokens[k]):
         yield tokens[k], 1, WRITTEN
         return
+    around = tokens[k - 2].lower() if k > 1 else "", tokens[k + 2].lower() if k + 2 < len(tokens) else ""
+    if around[0] == "to" and around[1] in _ARTICLES and is_verb(tokens[k].lower()):
+        yield tokens[k], 1, WRITTEN  # the force to lower the load, where a pulley is called lower
+        return
     seen: dict[str, int] = {}
     for n in range(_LONGEST, 0, -1):
         window = tokens[k : k + 2 * n - 1]
@@ -172,6 +178,8 @@ def _readings(elements: Elements, tokens: Sequence[str], k: int) -> Iterator[tup
     is_thing = bool(seen) and all(distance >= INFERRED and "." not in name for name, distance in seen.items())
     if is_thing and k > 1 and tokens[k - 2].lower() == "the" and _is_noun(tokens[k : k + 3 : 2]):
         return  # the lift at rest
+    if seen and stands_for_all(tokens[k].lower()):
+        return  # the machine, where a body is called so
     is_article = tokens[k] == "a" and "".join(tokens[k + 2 : k + 3]).isalpha()  # a full turn, though a is a length
     is_word = tokens[k].isalpha() and tokens[k].islower() and (len(tokens[k]) > 1 or is_article)
     if not seen or is_word or tokens[k] not in elements.exact:

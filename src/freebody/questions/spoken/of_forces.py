@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from freebody.language.units import TORQUE
 from freebody.measures.geometry import GROUND
-from freebody.questions.spoken import joining, lookup, strings
+from freebody.questions.spoken import given, joining, lookup, strings
 from freebody.questions.spoken.composing import JOINT, SILENT, Groups, said_of, without_owners
 from freebody.questions.spoken.lexicon import leading
 from freebody.questions.spoken.words import Clause
@@ -57,6 +57,9 @@ def _transmitted(names: Names, quantity: str, rest: Clause) -> Groups:
         if not kinds and any(name in names.connections for _, name in rest.names):
             kinds = (quantity,)  # the grammar says that it has none
     joints = {name for _, name in rest.names if name in names.connections}
+    if quantity in ("torque", "driving torque") and not joints:
+        driven = [name for _, name in rest.names for name in joining.drivers(names, name)]
+        yield [f"driving torque of {name}" for name in driven if rest.only("name", *SILENT) and len(rest.names) == 1]
     driving = [  # what a motor or a clutch gives
         row.reaction
         for row in names.constraint_rows
@@ -317,3 +320,14 @@ def _pressure_angle(names: Names, quantity: str, rest: Clause) -> Groups:
         cams = [name for name, spec in names.connections.items() if not isinstance(spec.aside_of_way(names), str)]
     if rest.only("name", *SILENT) and len(rest.names) <= 1:
         yield [f"pressure angle of {name}" for name in of or cams]
+
+
+@said_of("extension")
+def _extension(names: Names, quantity: str, rest: Clause) -> Groups:
+    """By how much a spring is longer than without force: what it pulls with over its stiffness."""
+    of = [name for _, name in rest.names]
+    if len(of) > 1 or not rest.only("name", *SILENT):
+        return
+    for spring in lookup.springs(names):
+        stiffness = given.stiffness(names, spring)
+        yield [f"force in {spring} / {stiffness}"] if stiffness and spring in (of or [spring]) else []

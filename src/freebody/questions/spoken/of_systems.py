@@ -84,7 +84,10 @@ def _of_coordinate(names: Names, quantity: str, rest: Clause) -> Groups:
     if not of and quantity in ("steady amplitude", "phase lag", "resonance frequency") and rest.only("name", *SILENT):
         yield [f"{quantity} of {name}" for name in names.measures]
     if not of and quantity in ("stroke", "time ratio") and rest.only(*SILENT):
-        yield [f"{quantity} of {name}" for name in lookup.places(names, "")]
+        angles = [name for name in lookup.angles(names, "") if name not in joining.driven(names)]
+        yield [
+            f"{quantity} of {name}" for name in lookup.places(names, "") or (angles if joining.driven(names) else [])
+        ]
     if len(of) == 1 and rest.only("name", "instant", *SILENT):
         measures = lookup.places(names, of[0]) or lookup.angles(names, of[0])
         measures = measures or ([f"angle of {of[0]}"] if joining.axle_of(names, of[0]) else [])

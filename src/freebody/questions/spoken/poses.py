@@ -58,6 +58,19 @@ def uppermost(names: Names, body: str) -> list[str]:
     return _conditions(names, body, 90.0)
 
 
+def begins_uppermost(names: Names, body: str) -> bool:
+    """Whether the file places a body straight above the point of the ground that it goes round."""
+    placed = names.bodies[body].start.at
+    for measure in names.measures.values():
+        own, _ = _signed(measure)
+        if placed is None or not isinstance(own, Bearing) or own.end.body != body or own.start.body != GROUND:
+            continue
+        across, rise = (names.numeric(a - o) for a, o in zip(placed[1][:2], own.start.offset[:2], strict=True))
+        if across is not None and rise is not None and abs(across) < _NEAR < rise:
+            return True
+    return False
+
+
 def lowermost(names: Names, body: str) -> list[str]:
     """The condition that what goes round a point of the ground is straight below it."""
     return _conditions(names, body, -90.0)

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING
 from freebody.questions.spoken import strings
 from freebody.questions.spoken.compounds import in_english_nouns
 from freebody.questions.spoken.elements import Elements
-from freebody.questions.spoken.lexicon import Word, counted_by, languages, phrases_at, several
+from freebody.questions.spoken.lexicon import CLOSE, OPEN, Word, counted_by, languages, pairs, phrases_at, several
 from freebody.questions.spoken.naming import linked
 from freebody.questions.spoken.words import Unknown, words_of
 
@@ -145,6 +145,17 @@ def each_of(names: Names, elements: Elements, text: str) -> list[str]:
         if len(things) > 1 and n in (0, len(things)):
             return [f"{told[: found.start()]}{thing}{told[found.end() :]}" for thing in things]
     return []
+
+
+def paired(elements: Elements, text: str, language: str) -> str:
+    """The text with the names of two bodies for what stands for both: between the blocks, both blocks move together."""
+    for pattern, written in pairs(language):
+        if (found := pattern.search(text)) is not None:
+            things = _things(elements, found["thing"].lower(), language)
+            if len(things) == 2:
+                told = written.format(*(f"{OPEN}{thing}{CLOSE}" for thing in things))
+                return f"{text[: found.start()]}{told}{text[found.end() :]}"
+    return text
 
 
 def _ends(names: Names, text: str) -> list[str]:

@@ -51,6 +51,11 @@ def so(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
     yield from _failing_first(names, clause)
     if not plain:
         return
+    joint = joining.slipping(names, of)
+    slides = negated and "slide" in verbs <= {"slide", "start", "move"}
+    if joint is not None and (slides or (verbs == {"hold"} and not negated and len(of) > 1)):
+        yield [f"{joint} does not slip"]
+        return
     if set(clause.all("instant")) - {"in equilibrium", "at start", "at once"} and verbs & {"hold"}:
         return  # it stays at the top
     if any(names.bodies[name].fixed for name in of if name in names.bodies) and verbs & {"hold", "stop"}:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from freebody.language.units import DIMENSIONLESS
 from freebody.measures.geometry import GROUND
+from freebody.questions.spoken import joining, lookup
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -44,7 +45,11 @@ _COMMON = frozenset(  # words that say nothing of what is meant
     }
 )
 _LIMIT = re.compile(r"\b(?:slip|slid|hold|rest\b|moves?\b|stay|tip|rutsch|gleit|ruhe|kipp|hält)", re.IGNORECASE)
-_RATIO = re.compile(r"\bratio|übersetzung|verhältnis", re.IGNORECASE)
+_RATIO = re.compile(
+    r"\bratio|übersetzung|verhältnis|\bturns?\b.+\b(?:rad/s|rpm|turns?)\b|dreht.+\b(?:rad/s|U/min)\b", re.IGNORECASE
+)
+_ADVANTAGE = re.compile(r"\bmechanical advantage|kraftübersetzung|kraftverhältnis", re.IGNORECASE)
+_TIMES = re.compile(r"\btime ratio|quick return|return (?:stroke|time)|zeitverhältnis", re.IGNORECASE)
 
 
 def suggestions(names: Names, text: str, near: Iterable[str], read: Callable[[str], object | None]) -> list[str]:
@@ -55,7 +60,8 @@ def suggestions(names: Names, text: str, near: Iterable[str], read: Callable[[st
     typed = _words(text)
     others = sorted(dict.fromkeys(_askable(names)), key=lambda question: -_likeness(typed, _words(question)))
     found: dict[str, object] = {}
-    for question in (*near, *_limits(names, text), *_turning_points(names, text), *_ratios(names, text), *others):
+    first = [*_time_ratios(names, text), *_ratios(names, text), *_advantages(names, text)]
+    for question in (*first, *near, *_limits(names, text), *_turning_points(names, text), *others):
         if len(found) >= MOST:
             break
         asked = None if question in found else read(question)
@@ -113,6 +119,24 @@ def _ratios(names: Names, text: str) -> Iterator[str]:
         turning.sort(key=lambda name: name.lower() not in typed)
         pairs = permutations(turning[:2], 2)
         yield from (f"ratio of angular velocity of {a} to angular velocity of {b}" for a, b in pairs)
+
+
+def _advantages(names: Names, text: str) -> Iterator[str]:
+    """By how much one load outweighs another, if that is what a text is about: of all pairs of them."""
+    if _ADVANTAGE.search(text) is not None:
+        pairs = permutations(names.loads, 2)
+        yield from (f"mechanical advantage of {load} to {other}" for load, other in pairs)
+
+
+def _time_ratios(names: Names, text: str) -> Iterator[str]:
+    """Time ratios of what is measured and of what is guided, if that is what a text is about."""
+    if _TIMES.search(text) is not None:
+        yield from (f"time ratio of {name}" for name in names.measures)
+        yield from (
+            f"time ratio of position of {body} along {guide}"
+            for body in lookup.moving(names)
+            for guide in joining.guides(names, body)
+        )
 
 
 def _words(text: str) -> list[str]:

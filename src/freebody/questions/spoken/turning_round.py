@@ -6,8 +6,8 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from freebody.language.units import TORQUE
-from freebody.questions.spoken import given
-from freebody.questions.spoken.composing import Groups
+from freebody.questions.spoken import given, joining, lookup, poses
+from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.lexicon import Word
 from freebody.questions.spoken.so_that import so
 from freebody.questions.spoken.words import Clause
@@ -21,6 +21,7 @@ _FOR = (Word("ask", "from"), Word("ask", "for"), Word("ask", "up_to"))
 
 def parameters(names: Names, words: list[Word], whole: Callable[..., Groups]) -> Groups:
     """What words can ask for if they ask for a parameter. whole: what other words can ask for."""
+    yield from _leaving_at_top(names, Clause(words))
     parted = _parted(names, words)
     if parted is None:
         return
@@ -41,6 +42,23 @@ def parameters(names: Names, words: list[Word], whole: Callable[..., Groups]) ->
                     continue  # of a place that changes it is to be said when
                 # the least force with which it starts is the largest with which it does not
                 yield from _asked(parameter, text, "largest" if is_begun and end and text in _RESTS else end)
+
+
+def _leaving_at_top(names: Names, clause: Clause) -> Groups:
+    """At what speed does the car leave the road at the top: with which nothing presses there."""
+    is_speed = clause.all("quantity") in (["speed"], ["velocity"]) or clause.has("ask", "fast")
+    known = clause.only("ask", "quantity", "name", "verb", "instant", "degree", "mark", *SILENT)
+    if not (is_speed and known and clause.all("verb") == ["leave"] and clause.all("instant") == ["at the top"]):
+        return
+    bodies = [name for _, name in clause.names if name in lookup.moving(names)] or lookup.massive(names)
+    others = [name for _, name in clause.names if name not in bodies]
+    if len(bodies) == 1 and len(others) <= 1 and set(clause.all("degree")) <= {"least"}:
+        speeds = given.started_with(names, bodies)
+        joints = joining.joints(names, bodies[0], next(iter(others), ""), "normal force")
+        tops = [f"when {top}" for top in poses.uppermost(names, bodies[0])]
+        tops = ["at start"] if poses.begins_uppermost(names, bodies[0]) else tops
+        for top in tops if len(speeds) == len(joints) == 1 else ():
+            yield [f"value of {speeds[0]} for which normal force of {joints[0]} = 0 {top}"]
 
 
 def _asked(parameter: str, text: str, end: str) -> Groups:

@@ -2,23 +2,24 @@
 
 from __future__ import annotations
 
+import difflib
 import re
 from collections.abc import Callable, Iterator
-from contextlib import suppress
 from dataclasses import dataclass
 from itertools import islice
 from typing import TYPE_CHECKING, Protocol, TypeVar
 
-from freebody.errors import Problem, UnitError
+from freebody.errors import Problem
 from freebody.language.sentences import Message
-from freebody.language.units.quantity import parse_quantity
 from freebody.questions.spoken import strings
 from freebody.questions.spoken.composing import JOINT
 from freebody.questions.spoken.compounds import in_english_nouns
+from freebody.questions.spoken.keeping import is_kept
 from freebody.questions.spoken.lexicon import Word, languages, several
 from freebody.questions.spoken.meaning import meanings
 from freebody.questions.spoken.naming import Elements, elements_of, linked
-from freebody.questions.spoken.several import each_of, parts
+from freebody.questions.spoken.other_values import other_value, same_value
+from freebody.questions.spoken.several import each_of, paired, parts
 from freebody.questions.spoken.suggesting import MOST, suggestions
 from freebody.questions.spoken.words import Unknown, respelt, words_of
 
@@ -41,11 +42,7 @@ class Asked(Protocol):
 AskedT = TypeVar("AskedT", bound=Asked)
 
 _APOSTROPHE = re.compile(r"(?<=\w)['’](?=(?:s|t|d|re|ll|m|ve)\b)|(?<=s)['’](?=\s)")
-_IN_PASSING = re.compile(  # a parameter and a value behind a word that says for what
-    r"\b(?:if|for|with|when|where|at|wenn|falls|für|mit|bei) (?P<name>\w+)(?: ?= ?| is| equals| was| of| ist| von|) ?"
-    r"(?P<value>\d+(?:\.\d+)?(?: ?[A-Za-z°][A-Za-z0-9/^]*)?)(?=[ ,.?!]|$)",
-    re.IGNORECASE,
-)
+_LEAST_LIKE = 0.9  # of the beginning of a text to a form of the grammar
 ONE_BY_ONE = 8  # things of which one phrase may ask for each
 LONGEST = 300  # characters of a question: what is longer is none
 _TIMELESS = ("whole motion", "repeated motion", "small motion", "every motion", "structure", "linkage")
@@ -57,10 +54,11 @@ class Meaning:
     """One way in which the names of a text can be meant.
 
     texts: in the words of the grammar, as they are tried in turn, each with all elements that the model has for what is
-    not named; distance: how far the names are from those written."""
+    not named; distance: how far the names are from those written; words: what its words mean, one after the other."""
 
     texts: Iterator[list[str]]
     distance: int
+    words: tuple[Word, ...]
 
 
 @dataclass(frozen=True)
@@ -98,19 +96,19 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
         right = {language: _respelt(names, text, language) for language in languages()}
         for said in dict.fromkeys(other for other in right.values() if other != text):
             nearest = nearest or _nearest(names, said, read)[0]
-    if len(nearest) > 1 and len(nearest) <= ONE_BY_ONE and _is_plural(text, nearest):
+    if len(nearest) > 1 and len(nearest) <= ONE_BY_ONE and (_is_plural(text, nearest) or _are_tensions(nearest)):
         return [one for words, asked in nearest.items() for one in zip(asked, words.split(JOINT), strict=True)]
     if len(nearest) == 1:
         return next([*zip(asked, words.split(JOINT), strict=True)] for words, asked in nearest.items())
-    if not nearest and (passing := _same_value(names, text)) is not None:
+    if not nearest and (passing := same_value(names, text)) is not None:
         return understood(names, passing, read)
     if nearest:
         ways = "\n    ".join(islice(nearest, MOST))
         several_ways = Message("'{text}' can be meant in several ways. Ask for\n    {ways}", text=text, ways=ways)
         names.problem(several_ways, "find")
-    elif (other := _other_value(names, text)) is not None:
+    elif (other := other_value(names, text)) is not None:
         names.problem(other, "find")
-    elif _is_specific(told) or instead or (_has_form(told) and " " not in text):
+    elif _is_specific(told) or instead or _is_misspelt(told, text):
         names.problems += (
             told if _is_specific(told) and not (_is_of_words(names, told) and instead) else instead or told
         )
@@ -121,9 +119,6 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
             _near(names, text),
             lambda question: None if isinstance(asked := _read_quietly(names, question, read), Unread) else asked,
         )
-        if _has_form(told) and not any(_is_of_form(told, fit) for fit in fits):  # misspelt, and no example of it
-            names.problems += told
-            return []
         askable = "\n    ".join(fits)
         none = Message("cannot read '{text}'. One can ask for\n    {askable}", text=text, askable=askable)
         names.unknown(text, none, "find")
@@ -195,29 +190,11 @@ def _is_plural(text: str, ways: dict[str, tuple[AskedT, ...]]) -> bool:
     return said and len(heads) == 1
 
 
-def _same_value(names: Names, text: str) -> str | None:
-    """The text without the value of a parameter that the file gives as well; not zero, which may change what holds."""
-    for found in _IN_PASSING.finditer(text):
-        parameter = names.parameters.get(found["name"])
-        if parameter is not None and parameter.value is not None:
-            with suppress(UnitError, ValueError):
-                if parse_quantity(found["value"]).value == parameter.value != 0.0:
-                    return " ".join((text[: found.start()] + text[found.end() :]).split()).strip(" ,")
-    return None
-
-
-def _other_value(names: Names, text: str) -> Message | None:
-    """What is said of a text in which a parameter has another value in passing: if mu is 0.3, when does it roll?"""
-    for found in _IN_PASSING.finditer(text):
-        parameter = names.parameters.get(found["name"])
-        if parameter is not None and parameter.value is not None:
-            return Message(
-                "the file gives {name} its value; ask without '{said}', with --set '{name}={value}'",
-                name=found["name"],
-                said=found[0],
-                value=found["value"],
-            )
-    return None
+def _are_tensions(ways: dict[str, tuple[AskedT, ...]]) -> bool:
+    """Whether a text can be meant of several strings: it is asked of all."""
+    strings_ = [re.match(r"tension of (\w+)", words) for words in ways]
+    named = [found[1] for found in strings_ if found is not None]
+    return len(set(named)) == len(ways)
 
 
 def _nearest(
@@ -226,7 +203,7 @@ def _nearest(
     """What can be meant by the names that are nearest to those written, by its words; and, where nothing can, what is
     wrong with the first text that has words of the grammar."""
     nearest: dict[str, tuple[AskedT, ...]] = {}
-    open_: list[str] = []  # of which of several values is meant is not said
+    left_open: dict[str, int] = {}  # questions for each of several values, where of which is meant is not said
     distance: int | None = None
     instead: list[Problem] = []
     tried_at = 0
@@ -236,19 +213,28 @@ def _nearest(
         if distance is None and meaning.distance > tried_at and _leave_open(instead):
             break  # which of several values is meant says no other name that the words may be
         tried_at = meaning.distance
+        lacking: list[Problem] = []
+        open_ = ""
         for wordings in meaning.texts:
             tried = {words: _read_quietly(names, words, read) for words in wordings}
             here = {words: asked for words, asked in tried.items() if not isinstance(asked, Unread)}
+            here = {words: asked for words, asked in here.items() if is_kept(names, meaning.words, words)}
             if here:
                 distance = meaning.distance
                 nearest |= {words: asked for words, asked in here.items() if asked not in nearest.values()}
                 break
             for words, asked in tried.items():
-                if not instead and isinstance(asked, Unread) and _is_specific(asked.problems):
-                    instead = asked.problems
-                    open_ = _each_value(names, words, instead)
-    if open_ and not nearest and not isinstance(asked := _read_quietly(names, JOINT.join(open_), read), Unread):
-        return {JOINT.join(open_): asked}, instead
+                if not lacking and isinstance(asked, Unread) and _is_specific(asked.problems):
+                    lacking, instead = asked.problems, instead or asked.problems
+                    open_ = JOINT.join(_each_value(names, words, lacking))
+        else:
+            if open_ and is_kept(names, meaning.words, open_):
+                left_open.setdefault(open_, meaning.distance)
+    for words, at in left_open.items():
+        distance = at if distance is None else distance
+        asked = _read_quietly(names, words, read)
+        if at == distance and not isinstance(asked, Unread) and asked not in nearest.values():
+            nearest[words] = asked
     return nearest, instead
 
 
@@ -292,15 +278,16 @@ def _is_of_words(names: Names, problems: list[Problem]) -> bool:
     )
 
 
-def _is_of_form(told: list[Problem], question: str) -> bool:
-    """Whether a question begins as the form does that somebody is told of."""
-    form = next(str(p.message.arguments["form"]) for p in told if _has_form([p]) and isinstance(p.message, Message))
-    return question.startswith(tuple(head.strip() for head in form.partition(" of ")[0].split("|")))
+def _is_misspelt(problems: list[Problem], text: str) -> bool:
+    """Whether they say which form of the grammar a text is like, and it is one word, or begins but for a slip as it."""
+    forms = [str(p.message.arguments["form"]) for p in problems if isinstance(p.message, Message) and _has_form(p)]
+    openings = [re.split(r" (?=[A-Z]{2})", form)[0].removesuffix(" of") for form in forms]
+    begun = [difflib.SequenceMatcher(None, opening, text[: len(opening)]).ratio() for opening in openings]
+    return bool(forms) and (" " not in text or _LEAST_LIKE < max(begun) < 1.0)
 
 
-def _has_form(problems: list[Problem]) -> bool:
-    """Whether they say which form of the grammar a text is like."""
-    return any(isinstance(p.message, Message) and "form" in p.message.arguments for p in problems)
+def _has_form(problem: Problem) -> bool:
+    return isinstance(problem.message, Message) and "form" in problem.message.arguments
 
 
 def _meanings(names: Names, text: str, *, guess: bool = False) -> list[Meaning]:
@@ -310,12 +297,13 @@ def _meanings(names: Names, text: str, *, guess: bool = False) -> list[Meaning]:
     text = re.sub(r"\w+(?:-\w+)+", lambda said: _joined(said[0], elements), text)
     found: list[Meaning] = []
     for language in languages():
-        for way in linked(elements, in_english_nouns(text, language, elements.taken)):
+        told = paired(elements, in_english_nouns(text, language, elements.taken), language)
+        for way in linked(elements, told):
             try:
                 words = words_of(way.text, language, guess=guess)
             except Unknown:
                 continue
-            found.append(Meaning(meanings(names, words), way.distance))
+            found.append(Meaning(meanings(names, words), way.distance, tuple(words)))
     return sorted(found, key=lambda meaning: meaning.distance)
 
 

@@ -1,0 +1,152 @@
+"""Whether all that a question names stands in what is understood: a body, a contact, a parameter, a value.
+
+What is named stands there by its name, or by what it alone can mean: the force on the ball is that of the contact which
+the ball has, the velocity of x is that of the body whose way it is. A name that is not there has been dropped, and then
+another quantity is understood than was asked for: that the top block does not slide on the bottom one is no rest of
+both of them.
+"""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from freebody.language.expression import free_symbols
+from freebody.measures.geometry import GROUND
+from freebody.questions.spoken import given, joining, lookup
+from freebody.questions.spoken.lexicon import Word
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+_THING = re.compile(r"(?<![\w.])[^\W\d]\w*(?:\.[^\W\d]\w*)?")
+_OF_ALL = re.compile(
+    r"\b(?:it stays at rest|keeps it at rest|does it hold|it does not slip|nothing slips|it does not tip)\b"
+)
+_SLIPS = re.compile(r"\b(?:slips?|slipping|rolls?|rolling)\b")
+_TURNED_ROUND = re.compile(r"^(?:value|range|least|largest) (?:of )?\w+ (?:for|so) ")
+_NUMBER = re.compile(r"(?<![\w.])\d+(?:\.\d+)?")
+
+
+def is_kept(names: Names, words: Sequence[Word], text: str) -> bool:
+    """Whether each name and each number of what was asked stands in words of the grammar."""
+    things = {thing for thing in _THING.findall(text) if _is_thing(names, thing)}
+    numbers = {float(number) for number in _NUMBER.findall(text)}
+    told = [float(number) for word in words if word.kind == "value" for number in _NUMBER.findall(word.what)]
+    is_of_all = _OF_ALL.search(text) is not None
+    cut = _begin_of_state(names, words) if is_of_all else len(words)
+    for k, word in enumerate(words):
+        for thing in _THING.findall(word.what) if word.kind in ("name", "value") else ():
+            if not _is_thing(names, thing) or _stands(names, thing, things):
+                continue
+            is_said = k < cut and any(_is_of(names, thing, other) for other in things & names.parameters.keys())
+            if not is_said and not _is_meant(names, thing, things, text):
+                return False
+    return all(number in numbers for number in told)
+
+
+def _begin_of_state(names: Names, words: Sequence[Word]) -> int:
+    """Where what is to be so begins: all before it is said of the parameter that is asked for. Who does something
+    stands before the verb."""
+    doing = (k for k, word in enumerate(words) if word.kind == "verb" and word.what not in ("exert", "act"))
+    marks = (k for k, word in enumerate(words) if word.kind in ("mark", "not"))
+    cut = min((*doing, *marks), default=len(words))
+    while 0 < cut < len(words) and words[cut].kind != "mark":
+        before = words[cut - 1]
+        if before.kind != "filler" and (before.kind != "name" or before.what in {*names.parameters, *names.loads}):
+            break
+        cut -= 1
+    return cut
+
+
+def _is_meant(names: Names, thing: str, things: set[str], text: str) -> bool:
+    """Whether words of the grammar that name nothing mean a thing: that it all rests, slips, is struck."""
+    body = thing.partition(".")[0]
+    if _OF_ALL.search(text):
+        is_one = "slip" not in text and _n_freedoms(names) == 1
+        return "." not in thing and (joining.is_all_that_slips(names, body) or is_one)
+    if _SLIPS.search(text):  # the block slips on the belt, which is all that it touches
+        rough = [joint for other in things for joint in joining.rough(names, other)]
+        return bool(rough) and all(joining.touches(names, joint, thing) for joint in rough)
+    parameters = things & names.parameters.keys()
+    if parameters and _TURNED_ROUND.search(text):
+        return any(_is_of(names, thing, other) for other in parameters)
+    struck = {struck for joint in names.struck_at_start for struck in _bodies(names, joint)}
+    return "at start" in text and body in struck
+
+
+def _is_thing(names: Names, thing: str) -> bool:
+    return thing in names.parameters or lookup.is_known(names, thing)
+
+
+def _stands(names: Names, thing: str, things: set[str]) -> bool:
+    """Whether a thing is among others, or is the only one that they can mean."""
+    if thing in things:
+        return True
+    if thing in names.parameters:
+        return False
+    body = thing.partition(".")[0]
+    if body == GROUND or thing in names.bodies[GROUND].lines:
+        return _ground_stands(names, thing, things)
+    if any(other.partition(".")[0] == body for other in things):
+        return True
+    if thing in names.bodies:
+        return lookup.is_all_that_moves(names, body) or any(body in _bodies(names, other) for other in things)
+    if {joining.pinned_at(names, thing), joining.joined_at(names, thing)} & things:
+        return True
+    own = _bodies(names, thing) - {GROUND}
+    return any(own & (_bodies(names, other) - {GROUND}) for other in things)
+
+
+def _ground_stands(names: Names, thing: str, things: set[str]) -> bool:
+    """Whether a thing of the ground is what a contact touches, or the only one of its kind."""
+    if any(other in names.connections and joining.touches(names, other, thing) for other in things):
+        return True
+    return len(names.bodies[GROUND].lines) <= 1
+
+
+def _n_freedoms(names: Names) -> int:
+    """The degrees of freedom, where no constraint follows from others: what touches a side with several points of its
+    own can neither leave it nor turn."""
+    free = (3, 6) if names.space else (2, 3)
+    held = [row for row in names.constraint_rows if row.reaction != "friction force"]
+    touching = Counter(joint for joint, _ in {(row.connection, row.ends[:1]) for row in held if row.unilateral})
+    n_held = sum(not row.unilateral for row in held) + sum(min(n, 2) for n in touching.values())
+    return sum(free[names.bodies[body].turns] for body in lookup.moving(names)) - n_held
+
+
+def _is_of(names: Names, thing: str, parameter: str) -> bool:
+    """Whether a parameter is one of a thing: its mass, a size, how fast it starts, how hard it is pushed."""
+    body = thing.partition(".")[0]
+    if parameter in given.started_with(names, [body]):
+        return True
+    if body in names.bodies:
+        own = names.bodies[body]
+        sizes = [own.mass, own.inertia, *own.sizes, *(c for point in own.points.values() for c in point)]
+        if any(parameter in free_symbols(size) for size in sizes):
+            return True
+    if any(parameter in free_symbols(load.law) and body in _bodies(names, load.load) for load in names.applied_loads):
+        return True
+    joints = [name for name in names.connections if name == thing or joining.touches(names, name, thing)]
+    return any(
+        parameter in _THING.findall(str(value))
+        for joint in joints
+        for value in joining.given_of(names.connections[joint]).values()
+    )
+
+
+def _bodies(names: Names, thing: str) -> set[str]:
+    """The bodies that a thing is of, or between."""
+    body = thing.partition(".")[0]
+    found = {body} if body in names.bodies else set[str]()
+    if thing in names.connections:
+        found |= names.connections[thing].mentions(names)
+        found |= {body for row in names.constraint_rows if row.connection == thing for body in row.measure.bodies()}
+    if thing in names.measures:
+        found |= {*names.measures[thing].bodies()}
+    for load in names.applied_loads:
+        if load.load == thing:
+            found |= {*load.measure.bodies()}
+    return found

@@ -1,0 +1,68 @@
+"""Questions that say of a parameter in passing which value it has: that of the file, or another one."""
+
+from __future__ import annotations
+
+import re
+from contextlib import suppress
+from typing import TYPE_CHECKING
+
+from freebody.errors import UnitError
+from freebody.language.sentences import Message
+from freebody.language.units.quantity import parse_quantity
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+_IN_PASSING = re.compile(  # a parameter and a value behind a word that says for what
+    r"\b(?:if|for|with|when|where|at|wenn|falls|für|mit|bei) (?P<name>\w+)(?: ?= ?| is| equals| was| of| ist| von|) ?"
+    r"(?P<value>\d+(?:\.\d+)?(?: ?[A-Za-z°][A-Za-z0-9/^]*)?)(?=[ ,.?!]|$)",
+    re.IGNORECASE,
+)
+_CHANGED = re.compile(  # what happens if the force F is doubled
+    r"\b(?:if|when|wenn|falls) (?:(?:the|die|der|das|one|you|man) )?(?:(?:force|kraft|mass|masse|speed|torque) )?"
+    r"(?P<name>\w+) (?:is |gets |becomes |wird |sich )?"
+    r"(?:(?P<twice>doubles|doubled|verdoppelt)|(?P<half>halved|halves|halbiert)|(?P<thrice>tripled|triples|verdreifacht))",
+    re.IGNORECASE,
+)
+_FACTORS = {"twice": 2.0, "half": 0.5, "thrice": 3.0}
+
+
+def same_value(names: Names, text: str) -> str | None:
+    """The text without the value of a parameter that the file gives as well; not zero, which may change what holds."""
+    for found in _IN_PASSING.finditer(text):
+        parameter = names.parameters.get(found["name"])
+        if parameter is not None and parameter.value is not None:
+            with suppress(UnitError, ValueError):
+                if parse_quantity(found["value"]).value == parameter.value != 0.0:
+                    return " ".join((text[: found.start()] + text[found.end() :]).split()).strip(" ,")
+    return None
+
+
+def other_value(names: Names, text: str) -> Message | None:
+    """What is said of a text in which a parameter has another value in passing: if mu is 0.3, when does it roll?"""
+    for found in _IN_PASSING.finditer(text):
+        parameter = names.parameters.get(found["name"])
+        if parameter is not None and parameter.value is not None:
+            return Message(
+                "the file gives {name} its value; ask without '{said}', with --set '{name}={value}'",
+                name=found["name"],
+                said=found[0],
+                value=found["value"],
+            )
+    return _changed(names, text)
+
+
+def _changed(names: Names, text: str) -> Message | None:
+    """What is said of a text in which a parameter is to be a multiple of its value."""
+    for found in _CHANGED.finditer(text):
+        parameter = names.parameters.get(found["name"])
+        if parameter is not None and parameter.value is not None:
+            factor = next(factor for what, factor in _FACTORS.items() if found[what])
+            unit = "rad" if parameter.is_angle else str(parameter.dimension)
+            return Message(
+                "ask for one quantity, and for it again with --set '{name}={value}'; without the value of {name} in "
+                "the file the answer says how it depends on it",
+                name=found["name"],
+                value=f"{factor * parameter.value:g} {'' if unit == '1' else unit}".strip(),
+            )
+    return None
