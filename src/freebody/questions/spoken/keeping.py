@@ -27,6 +27,7 @@ _OF_ALL = re.compile(
 )
 _SLIPS = re.compile(r"\b(?:slips?|slipping|rolls?|rolling)\b")
 _TURNED_ROUND = re.compile(r"^(?:value|range|least|largest) (?:of )?\w+ (?:for|so) ")
+_STATES = ("move", "slide", "slip", "rest", "stay", "hold", "tip", "stand", "stick", "start")  # of the whole, too
 _NUMBER = re.compile(r"(?<![\w.])\d+(?:\.\d+)?")
 
 
@@ -50,10 +51,10 @@ def is_kept(names: Names, words: Sequence[Word], text: str) -> bool:
 def _begin_of_state(names: Names, words: Sequence[Word]) -> int:
     """Where what is to be so begins: all before it is said of the parameter that is asked for. Who does something
     stands before the verb."""
+    marks = [k for k, word in enumerate(words) if word.kind in ("mark", "not")]
     doing = (k for k, word in enumerate(words) if word.kind == "verb" and word.what not in ("exert", "act"))
-    marks = (k for k, word in enumerate(words) if word.kind in ("mark", "not"))
-    cut = min((*doing, *marks), default=len(words))
-    while 0 < cut < len(words) and words[cut].kind != "mark":
+    cut = marks[0] if marks else min(doing, default=len(words))
+    while 0 < cut < len(words) and (words[cut].kind == "not" or words[cut].what in _STATES):
         before = words[cut - 1]
         if before.kind != "filler" and (before.kind != "name" or before.what in {*names.parameters, *names.loads}):
             break
@@ -88,6 +89,8 @@ def _stands(names: Names, thing: str, things: set[str]) -> bool:
     if thing in names.parameters:
         return False
     body = thing.partition(".")[0]
+    if not things and thing in names.bodies and names.bodies[thing].fixed:
+        return True  # the period in the bowl
     if body == GROUND or thing in names.bodies[GROUND].lines:
         return _ground_stands(names, thing, things)
     if any(other.partition(".")[0] == body for other in things):
@@ -127,8 +130,11 @@ def _is_of(names: Names, thing: str, parameter: str) -> bool:
         sizes = [own.mass, own.inertia, *own.sizes, *(c for point in own.points.values() for c in point)]
         if any(parameter in free_symbols(size) for size in sizes):
             return True
-    if any(parameter in free_symbols(load.law) and body in _bodies(names, load.load) for load in names.applied_loads):
-        return True
+    for load in names.applied_loads:
+        if thing == load.load or body in _bodies(names, load.load):
+            places = [c for on in load.measure.bodies() for at in names.bodies[on].points.values() for c in at]
+            if any(parameter in free_symbols(x) for x in (load.law, *(places if thing == load.load else ()))):
+                return True
     joints = [name for name in names.connections if name == thing or joining.touches(names, name, thing)]
     return any(
         parameter in _THING.findall(str(value))
