@@ -8,6 +8,7 @@ from hypothesis import strategies as st
 from freebody.language.expression import (
     Call,
     Expr,
+    GivenCall,
     Number,
     Symbol,
     add,
@@ -134,3 +135,10 @@ def test_what_is_written_reads_back_with_the_same_value(expr):
     for text in (to_python(expr), to_text(expr)):
         assert "+ -" not in text
         assert value_of(parse(text)) == pytest.approx(value, rel=1e-6, abs=1e-6)
+
+
+def test_a_function_given_in_numbers_has_its_argument_in_brackets() -> None:
+    """lift''(pi) is no product of lift'' and pi; a sine goes without."""
+    lift = GivenCall("lift''", Symbol("pi"))
+    assert to_latex(lift) == r"\operatorname{lift}''\left(\pi\right)"
+    assert to_latex(Call("sin", Symbol("pi"))) == r"\sin \pi"

@@ -10,7 +10,18 @@ from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from typing import ClassVar
 
-from freebody.language.expression import Call, Expr, Number, PowerOf, ProductOf, Sum, Symbol, VectorSymbol, children
+from freebody.language.expression import (
+    Call,
+    Expr,
+    GivenCall,
+    Number,
+    PowerOf,
+    ProductOf,
+    Sum,
+    Symbol,
+    VectorSymbol,
+    children,
+)
 from freebody.language.notation.parts import (
     ATOM,
     LETTER_OF_INTEGRAL,
@@ -121,6 +132,8 @@ class Typesetter(ABC):
             case Call(function) if function in LETTER_OF_INTEGRAL:
                 arguments = [self.write(x)[0] for x in children(expr)]
                 return self.integral(LETTER_OF_INTEGRAL[function], arguments), ATOM
+            case GivenCall(function, argument):  # a name of one's own before a bare letter would be a product
+                return self.operator(function) + self.applied(self.write(argument)[0], False), PRODUCT
             case Call(function, argument):
                 return self.operator(function) + self._argument(argument, is_followed), PRODUCT
 
