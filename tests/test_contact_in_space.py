@@ -122,6 +122,14 @@ def test_contact_in_space_says_what_it_cannot_touch() -> None:
     assert "the friction of cloth acts in a plane" in answer.reason
 
 
+def test_a_misspelt_plane_is_told_as_such() -> None:
+    text = ball([1, 0, 0], [0, 0, 0]).replace("[ball, ground.table]", "[ball, ground.tabel]")
+    with pytest.raises(fb.ModelError) as told:
+        fb.System.from_text(text)
+    [problem] = told.value.problems  # nothing is said of connections of the plane
+    assert problem.message == "there is no plane ground.tabel. Did you mean ground.table?"
+
+
 def rest(load: float, mu: float) -> fb.Statics:
     """A puck on a slope of 30 deg, pushed across it."""
     model = f"""

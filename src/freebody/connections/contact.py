@@ -20,6 +20,7 @@ from freebody.model import glyphs
 from freebody.model.elements import DryFriction, UnilateralConstraint
 from freebody.model.friction import read_friction, read_restitution
 from freebody.model.glyphs import Glyph
+from freebody.model.noting import did_you_mean
 from freebody.model.spec import Formula
 
 if TYPE_CHECKING:
@@ -81,7 +82,18 @@ connections: {it: {contact: {between: [ball, floor], friction: 0.3, restitution:
     }
 
     def is_in_plane(self, names: Names) -> bool:
-        return not self._planes(names)
+        return not self._planes(names) and not self._misnamed(names)
+
+    def _misnamed(self, names: Names) -> list[str]:
+        """In space: what is called like a plane of a body that has some, and is nothing of it."""
+        found: list[str] = []
+        for text in (self.between or (self.among if isinstance(self.among, list) else [])) if names.space else ():
+            owner, _, name = text.rpartition(".")
+            body = names.bodies.get(owner or GROUND)
+            known = () if body is None else (*body.points, *body.lines, *body.planes)
+            if body is not None and body.planes and name not in known and text not in names.bodies:
+                found.append(text)
+        return found
 
     def _planes(self, names: Names) -> list[str]:
         """In space: the planes among what may touch."""
@@ -91,6 +103,11 @@ connections: {it: {contact: {between: [ball, floor], friction: 0.3, restitution:
     def bounds(self, names: Names, connection: str) -> tuple[list[UnilateralConstraint], list[DryFriction]]:
         """Of contacts with planes in space."""
         planes = self._planes(names)
+        for text in self._misnamed(names):
+            body = names.bodies[text.rpartition(".")[0] or GROUND]
+            hint = did_you_mean(text, [f"{body.name}.{plane}" for plane in body.planes])
+            told = Message("there is no plane {text}.{hint}", text=text, hint=hint)
+            names.problem(told, "between" if self.among is None else "among")
         found: tuple[list[UnilateralConstraint], list[DryFriction]] = [], []
         for pair in self._on_planes(names, connection, planes) if planes else ():
             for whole, part in zip(found, pair.elements(names), strict=True):
@@ -125,7 +142,7 @@ connections: {it: {contact: {between: [ball, floor], friction: 0.3, restitution:
 
     def pairs(self, names: Names, connection: str) -> list[OutlinePair]:
         """The pairs of outlines that may touch."""
-        if self._planes(names):
+        if self._planes(names) or self._misnamed(names):
             return []
         if self.spinning_resistance not in (0, "0"):
             told = Message("spinning_resistance is for contacts with planes in space")
