@@ -295,6 +295,13 @@ def test_a_way_that_no_rope_could_take_or_that_is_open_is_refused(way: str, said
         fb.System.from_text(TACKLE.replace("WAY", way))
 
 
+def test_between_wheels_that_hang_a_rope_runs_over_something() -> None:
+    way = "path: [ground.P, under lower, under upper, weight]"
+    text = TACKLE.replace("WAY", way).replace("  axle: {pin: [ground.Q, upper.center]}\n", "")
+    with pytest.raises(fb.ModelError, match=r"path: \[\.\.\., over pulley, under upper, \.\.\.\]"):
+        fb.System.from_text(text)
+
+
 def test_the_rope_under_the_lower_wheel_and_over_the_upper_one_is_a_tackle() -> None:
     """The load moves by x, the weight by 2x; both wheels are uniform disks that turn by x/r and 2x/r:
     (m1 + mp + 4 m2 + mp/2 + 4 mp/2) x'' = (m1 + mp - 2 m2) g."""

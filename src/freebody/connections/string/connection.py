@@ -166,12 +166,7 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
         run = run_over(names, way, self.leads)
         names.laying.pop()
         if (missed := unwrapped(names, run)) is not None:
-            told = Message(
-                "both leads of the string run to the same side of {wheel}, so it would not go round it: a string that "
-                "carries a wheel from below runs under it, path: [..., under {wheel}, ...]",
-                wheel=missed,
-            )
-            names.problem(told, "path" if self.path else "over")
+            names.problem(_not_round(missed), "path" if self.path else "over" if self.over else "under")
             return None
         return run
 
@@ -316,3 +311,18 @@ def _ranks(names: Names) -> dict[int, int]:
         waiting = [c for c in waiting if id(c) not in ranks]
         rank += 1
     return ranks
+
+
+def _not_round(wheel: StringNode) -> Message:
+    """What is told of a wheel that hangs on a string which would pass it."""
+    if wheel.way == "under":
+        return Message(
+            "both leads of the string run up on the same side of {wheel}, so it would not go round it: between wheels "
+            "that hang it runs over something above them, path: [..., over pulley, under {wheel}, ...]",
+            wheel=wheel.body,
+        )
+    return Message(
+        "both leads of the string run to the same side of {wheel}, so it would not go round it: a string that carries "
+        "a wheel from below runs under it, path: [..., under {wheel}, ...]",
+        wheel=wheel.body,
+    )

@@ -117,14 +117,14 @@ def check_ends(names: Names, run: StringRun) -> None:
             return
 
 
-def unwrapped(names: Names, run: StringRun) -> str | None:
+def unwrapped(names: Names, run: StringRun) -> StringNode | None:
     """A wheel that hangs on the string, although the string passes it straight on."""
     for node, before, after in zip(run.way[1:-1], run.leads, run.leads[1:], strict=False):
         if node.radius == ZERO or not node.hangs or before is None or after is None:
             continue
         (ax, ay), (bx, by) = _in_numbers(names, before), _in_numbers(names, after)
         if abs(ax * by - ay * bx) <= ROUND_OFF and ax * bx + ay * by > 0.0:
-            return node.body
+            return node
     return None
 
 
