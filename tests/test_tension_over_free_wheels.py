@@ -81,3 +81,26 @@ start: {{x: 1 m, rate(x): 0}}
 """
     found, n = posed(model, "acceleration of x"), int(strands)
     assert found.value == pytest.approx(n * 9.81 * (n * 3 - 2) / (n**2 * 3 + 2))
+
+
+@pytest.mark.parametrize("at", ["", ", at: [0.2 m, -1 m]"])
+def test_a_wheel_that_is_led_up_and_down_hangs_in_the_rope_that_runs_under_it(at: str) -> None:
+    """The weight moves by 2x where the wheel moves by x: a = 2 g (2 m1 - m2)/(4 m1 + m2), wherever the file puts it."""
+    [found] = (
+        System.from_text(f"""
+parameters: {{m1: 3 kg, m2: 2 kg, g: 9.81 m/s^2, R: 0.1 m}}
+ground: {{points: {{O: [0, 0], C: [0.3 m, 0]}}}}
+bodies: {{A: {{particle: {{mass: m1}}}}, fix: {{disk: {{radius: R}}}}, mov: {{disk: {{radius: R, mass: m2}}{at}}}}}
+connections:
+  axle: {{pin: [ground.O, fix.center]}}
+  guide: {{slider: {{body: mov, along: up}}}}
+  rope: {{string: {{path: [A, over fix, under mov, ground.C]}}}}
+loads: {{w: {{gravity: g}}}}
+measures: {{xA: drop of A}}
+start: {{xA: 1 m, rate(xA): 0}}
+questions: [acceleration of xA at start]
+""")
+        .solve()
+        .answers
+    )
+    assert found.value == pytest.approx(2 * 9.81 * (2 * 3 - 2) / (4 * 3 + 2))

@@ -118,9 +118,10 @@ def check_ends(names: Names, run: StringRun) -> None:
 
 
 def unwrapped(names: Names, run: StringRun) -> StringNode | None:
-    """A wheel that hangs on the string, although the string passes it straight on."""
+    """A wheel that hangs on the string or is led along it, although the string passes it straight on."""
     for node, before, after in zip(run.way[1:-1], run.leads, run.leads[1:], strict=False):
-        if node.radius == ZERO or not node.hangs or before is None or after is None:
+        is_carried = node.hangs or node.guide is not None
+        if node.radius == ZERO or not is_carried or before is None or after is None:
             continue
         (ax, ay), (bx, by) = _in_numbers(names, before), _in_numbers(names, after)
         if abs(ax * by - ay * bx) <= ROUND_OFF and ax * bx + ay * by > 0.0:
@@ -147,6 +148,9 @@ def _leads(names: Names, way: Sequence[StringNode]) -> list[Direction | None]:
             found.append(_of_hanging(a, b))
         elif along is None or (a.guide and b.guide and not is_parallel(names, a.guide, b.guide)):
             found.append(None)
+        elif abs(_in_numbers(names, along)[1]) > ROUNDED and any(n.guide and n.radius != ZERO for n in (a, b)):
+            rises = (_of_hanging(a, b) is UP) == (_in_numbers(names, along)[1] > 0.0)  # a wheel that is led up and down
+            found.append(along if rises else along.reversed())
         else:
             into_pulley = a.way == "end" and b.way != "end"
             ex, ey = _in_numbers(names, along)
