@@ -453,6 +453,12 @@ def test_only_the_cause_is_told_of_what_cannot_be_read(section: str, text: str, 
         ("[crate, floor]", "[crate, ground]", "name one of its lines: ground.floor"),
         ("mu: 0.4", "mu: 0.4, M: 3", "M must be a mass (kg), but has no unit: write M: 3 kg under parameters"),
         ("to: ground.B", "end: ground.B", "string has no end"),
+        ("{along: right}", "{along: right, solid: down}", "along and solid both say how the line runs; keep one"),
+        (
+            "{along: right}",
+            "{through: [0, 0]}",
+            "a line needs a direction, e.g. {along: right}, {angle",
+        ),
         ("contact: {between: [crate, floor],", "rolling: {body: bob, on: floor,", "write contact: {between: [wheel"),
     ],
 )

@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 
 import freebody as fb
+from freebody.language.expression import evaluate
 from freebody.study.answering.answer import NOT_VALID
 from freebody.study.setup import Setup
 
@@ -313,3 +314,17 @@ questions: [speed of bob, speed of bob when theta = 0, size of reaction of rod]
     told = system.explain().to_text()
     assert "There is no derivation" not in told
     assert "│θ'│" in told
+
+
+@pytest.mark.parametrize(
+    ("solid", "along"), [("down", "right"), ("up", "left"), ("left", "down"), ("right", "up"), ("-60 deg", "30 deg")]
+)
+def test_a_line_is_given_by_its_solid_side_as_by_its_direction(solid: str, along: str) -> None:
+    """The solid side lies a quarter turn clockwise from the way the line points."""
+
+    def free_side(line: str) -> list[float]:
+        text = f"ground: {{lines: {{wall: {{{line}}}}}}}\nbodies: {{b: {{particle: {{mass: 1 kg}}}}}}"
+        wall = fb.System.from_text(text).bodies["ground"].lines["wall"]
+        return [evaluate(component, {}) for component in wall.direction.normal().components]
+
+    assert free_side(f"solid: {solid}") == pytest.approx(free_side(f"along: {along}"), abs=1e-15)

@@ -68,6 +68,9 @@ REGISTRY = pint.UnitRegistry()
         ("2 min", 120.0, TIME),
         ("0 kg", 0.0, MASS),
         ("1 m/s/s", 1.0, ACCELERATION),
+        ("1/4 m", 0.25, LENGTH),
+        ("-3 / 8 kg", -0.375, MASS),
+        ("1/2 1/s", 0.5, ANGULAR_VELOCITY),
     ],
 )
 def test_quantities_are_read_into_si(text, value, dimension):
@@ -156,6 +159,9 @@ def test_usual_units_do_not_import_pint():
         (True, "'true' is not a number"),
         ("__import__('os')", "not a quantity"),
         ("3 m.__class__", "cannot be used"),
+        ("9,81 m/s^2", "decimals are written with a point"),
+        ("1/4/m", "a unit is needed before '4'"),
+        ("1/0 m", "a unit is needed before '0'"),
     ],
 )
 def test_what_is_no_mechanical_quantity_is_refused_with_a_reason(text, part):
@@ -244,6 +250,7 @@ def test_dimensions_that_do_not_fit_are_named_in_the_users_terms(text, message):
         ("180 deg - alpha", "pi - alpha"),
         ("L/2 + 5 cm", "L/2 + 0.05 m"),
         ("2*(b - 30 mm)", "2*b - 6 cm"),
+        ("1/4 m + 3 cm", "0.28 m"),
         ("L - m", None),  # a mass, whatever else its letter may mean
         ("L + 2 kg", None),
         ("L/2 m", None),  # can be read in two ways

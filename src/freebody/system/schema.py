@@ -51,6 +51,7 @@ def json_schema() -> dict[str, Any]:
             "through": {"anyOf": [_PAIR, {"type": "string"}]},
             "along": _HEADING,
             "angle": _FORMULA,
+            "solid": _HEADING,
         },
     }
     lines = _named({"anyOf": [line, _HEADING]})

@@ -35,9 +35,8 @@ class Quantity:
 
 LARGEST = 1e60  # whose fifth power is a number still
 
-_NUMBER = re.compile(
-    r"\s*(?P<sign>[-+−]?)\s*(?P<digits>(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+−]?[0-9]+)?)(?P<unit>.*)", re.S
-)
+_DIGITS = r"(?:[0-9]+\s*/\s*[1-9][0-9]*(?![0-9.]|\s*[/^])|(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+−]?[0-9]+)?)"
+_NUMBER = re.compile(rf"\s*(?P<sign>[-+−]?)\s*(?P<digits>{_DIGITS})(?P<unit>.*)", re.S)
 
 
 def parse_quantity(given: str | int | float | Fraction) -> Quantity:
@@ -56,7 +55,7 @@ def parse_quantity(given: str | int | float | Fraction) -> Quantity:
 
 
 # a number and a unit as a part of a sum or a product: units have no plus, times or brackets in what is read here
-_PART = re.compile(r"(?<![\w.])(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?\s*[A-Za-zµμ°][^-+−*()]*")
+_PART = re.compile(rf"(?<![\w.]){_DIGITS}\s*[A-Za-zµμ°][^-+−*()]*")
 
 
 def quantities_within(text: str, taken: Container[str]) -> tuple[str, dict[str, Quantity]]:
@@ -88,7 +87,7 @@ def _quantity_of_text(text: str) -> Quantity:
         raise UnitError(
             Message("'{text}' is not a quantity: write a number and a unit, as 9.81 m/s^2", text=text.strip())
         )
-    digits = found["digits"].replace("−", "-").lower()
+    digits = re.sub(r"\s", "", found["digits"].replace("−", "-").lower())
     if abs(int(digits.partition("e")[2][:6] or 0)) > 300:
         raise UnitError(
             Message("{digits} is too large or too small: the exponent of ten is at most 300", digits=digits)

@@ -12,13 +12,23 @@ from freebody.model.elements import BodyPlane, Line, RigidBody
 from freebody.model.names import Names
 from freebody.system.reading.source import known_keys
 
+# along: the way it points, solid on its right; angle: the same by an angle; solid: the side that is solid, across it
+_DIRECTIONS = ("along", "angle", "solid")
+
 
 def read_line(names: Names, body: RigidBody, name: str, spec: Any) -> Line:
     entry = cast("dict[str, Any]", spec) if isinstance(spec, dict) else {"along": spec}
-    known_keys(names, entry, ("through", "along", "angle"), Message("a line"))
-    if "along" not in entry and "angle" not in entry:
-        names.problem(Message("a line needs a direction, e.g. {{along: right}} or {{angle: -alpha}}"))
-    along = names.direction(entry.get("along", entry.get("angle", 0)), "along", body=body.name)
+    known_keys(names, entry, ("through", *_DIRECTIONS), Message("a line"))
+    given = [key for key in _DIRECTIONS if key in entry]
+    if not given:
+        names.problem(Message("a line needs a direction, e.g. {{along: right}}, {{angle: -alpha}} or {{solid: down}}"))
+    elif len(given) > 1:
+        told = Message("{first} and {second} both say how the line runs; keep one", first=given[0], second=given[1])
+        names.problem(told, given[1])
+    key = next(iter(given), "angle")
+    along = names.direction(entry.get(key, 0), key, body=body.name)
+    if key == "solid":
+        along = along.normal()
     label = _label(body, name)
     return Line(_through(names, body, entry.get("through")), replace(along, name=label), label)
 
