@@ -959,6 +959,21 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
         "most": "mu*m*g*a/(a + b - mu*h)",
         "lifts": "m*g*b/h",
     },
+    # across the slope T_1 = -P, down it T_2 = -m g sin(alpha), and T_1^2 + T_2^2 = (mu m g cos(alpha))^2 at the limit
+    "block_pulled_across_a_slope": {
+        "friction": "sqrt((m*g*sin(alpha))**2 + P**2)/(m*g*cos(alpha))",
+        "pull": "m*g*sqrt((mu*cos(alpha))**2 - sin(alpha)**2)",
+        "slope": "acos(sqrt(((m*g)**2 + P**2)/(1 + mu**2))/(m*g))",
+        "holds": "mu*m*g*cos(alpha) - sqrt((m*g*sin(alpha))**2 + P**2)",
+    },
+    # moments about horizontal axes through the foot: the walls push with m g/2 times the runs by the height, which are
+    # the legs of a right angle; friction balances both
+    "ladder_in_a_corner": {
+        "friction": "cos(alpha)/(2*sin(alpha))",
+        "angle": "atan(1/(2*mu))",
+        "front": "m*g*cos(alpha)*cos(beta)/(2*sin(alpha))",
+        "side": "m*g*cos(alpha)*sin(beta)/(2*sin(alpha))",
+    },
     # a_r = -s Omega^2, a_phi = 2 v Omega
     "telescopic_boom": {
         "torque": "m*s_0*(2*v*Omega + g*cos(beta))",

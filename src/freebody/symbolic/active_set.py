@@ -3,7 +3,8 @@
 At the limit every contact is in one of three states, read off the motion by which the system would fail:
 
     opens     N = 0 and, where there is friction, T = 0
-    slips     T = -c L where the slip grows, T = +c L where it falls; L the load of the friction
+    slips     T = -c L where the slip grows, T = +c L where it falls; L the load of the friction;
+              in a plane T_1^2 + T_2^2 = c^2 L^2, with the slip against T
     stays     nothing is known of its reaction
 
 Together with Q + J^T lambda = 0 these are more equations than reactions: eliminating the reactions leaves conditions
@@ -12,25 +13,27 @@ unique, say how far the other contacts are from failing, and the motion, from
 
     J v = 0 of held rows and contacts that stay,      opening = c |slip| where it slips,
 
-how the contacts move that fail: both are the conditions under which this and no other failure comes first.
+how the contacts move that fail: both are the conditions under which this and no other failure comes first. In a plane
+the motion is that of the plane that touches the circular cone at T, t_1 T_1 + t_2 T_2 = c^2 L l with t and l the forces
+at the limit.
 """
 
 from __future__ import annotations
 
-import itertools
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
+from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
 from freebody.model.elements import DryFriction
 from freebody.symbolic.field import Field, Ratio
-from freebody.symbolic.linear import RHS, Row, determinant, reduced
+from freebody.symbolic.linear import RHS, Row
 from freebody.symbolic.parameter_roots import Values, slope, without_roots_below
 from freebody.symbolic.state import SymbolicState
+from freebody.symbolic.surplus import ReducedColumns, combined, eliminate, overdetermined
 
 Slot = tuple[str, str]
-MOST_LEFT = 4  # unknowns in a determinant
-MOST_DETERMINANTS = 8
 
 
 @dataclass(frozen=True)
@@ -41,15 +44,6 @@ class Failure:
     opens: frozenset[str] = frozenset()
     slips: tuple[tuple[str, int], ...] = ()
     signs: tuple[tuple[str, int], ...] = ()
-
-
-@dataclass(frozen=True)
-class ReducedColumns:
-    """An elimination: pivot columns by the free ones, and what must vanish besides."""
-
-    pivots: dict[int, Row]
-    free: tuple[int, ...]
-    residuals: tuple[Ratio, ...]
 
 
 class RestEquations:
@@ -64,7 +58,8 @@ class RestEquations:
         self.field: Field = state.model.field
         self.system = state.model.system
         self.dry_friction = {rub.name: rub for rub in dry_friction}
-        self.rows = {row.name: row for row in (*self.system.constraint_rows, *(rub.row for rub in dry_friction))}
+        rubbing = (row for rub in dry_friction for row in rub.rows)
+        self.rows = {row.name: row for row in (*self.system.constraint_rows, *rubbing)}
         self.sized: list[str] = []
         self._number_columns()
         self.dry_friction = {rub.name: self._along_one(rub) for rub in dry_friction}
@@ -158,9 +153,10 @@ class RestEquations:
                 if force is None:
                     return None
                 load = load + share * force
-            if change is None:
+            slip = self.slip(failure, name, motion, at_end)
+            if change is None or slip is None:
                 return None
-            total = total - direction * change * load * self.rate(name, motion)
+            total = total - change * load * slip
         return total
 
     # -- equations ----------------------------------------------------------------------------
@@ -182,8 +178,8 @@ class RestEquations:
         slips = dict(failure.slips)
         for name, rub in self.dry_friction.items():
             if rub.load and set(rub.load) <= failure.opens:
-                rows.append({self.columns[name]: one})
-            elif name in slips:
+                rows += [{self.columns[row.name]: one} for row in rub.rows]
+            elif name in slips and rub.across is None:
                 direction = slips[name]
                 pressing, constant = self.load(rub, failure)
                 c = direction * self.coefficient(rub, direction)
@@ -207,8 +203,10 @@ class RestEquations:
         slips = dict(failure.slips)
         sized = [self.dry_friction[name] for name in self.sized if name in slips]
         found = overdetermined(self.field, self._rows(failure), columns, parameter)
-        if sized:
+        turning = self.turning(failure)
+        if sized or turning:
             reduced = self.reactions(failure)
+            found += [-x for rub in turning if (x := self.cone(reduced, rub, failure)) is not None]
             for rub in sized:
                 square, size = self.square(reduced, rub.name), self.size(reduced, rub.name)
                 if square is not None and size is not None:
@@ -234,6 +232,58 @@ class RestEquations:
             total = total + part * part
         return self.field.lowest_terms(total)
 
+    def turning(self, failure: Failure) -> list[DryFriction]:
+        """The frictions that slip in a plane."""
+        return [rub for n, _d in failure.slips if (rub := self.dry_friction[n]).across is not None]
+
+    def together(self, rub: DryFriction, failure: Failure) -> list[DryFriction]:
+        """The frictions that slip in one plane with the same coefficient: the feet of a body that does not turn. Their
+        forces are parallel, so that with their sums the law of one holds for all."""
+
+        def of(one: DryFriction) -> object:
+            ways = [{s: x for s, x in self.gradients[row.name].items() if s[1] in "xyz"} for row in one.rows]
+            return ways, self.coefficient(one, 1)
+
+        alike = [other for other in self.turning(failure) if other.load and of(other) == of(rub)]
+        return alike if rub in alike else [rub]
+
+    def forces(self, reduced: ReducedColumns, rub: DryFriction, failure: Failure) -> tuple[Ratio, Ratio, Ratio] | None:
+        """Both components of a friction in a plane and its load, summed over what slips together with it; None where
+        the sums are not unique."""
+        alike, one = self.together(rub, failure), self.field.one
+        loads = [self.load(other, failure) for other in alike]
+        sums: list[Row] = [{self.columns[other.rows[k].name]: one for other in alike} for k in range(2)]
+        sums.append({column: share for shares, _constant in loads for column, share in shares.items()})
+        first, second, load = (combined(self.field, reduced, total) for total in sums)
+        if first is None or second is None or load is None:
+            return None
+        return first, second, load + sum((c for _shares, c in loads), self.field.zero)
+
+    def cone(
+        self, reduced: ReducedColumns, rub: DryFriction, failure: Failure, at: Values | None = None
+    ) -> Ratio | None:
+        """How far a friction force in a plane is inside its cone, c^2 L^2 - T_1^2 - T_2^2; None if it is not unique."""
+        known = self.forces(reduced, rub, failure)
+        if known is None:
+            return None
+        c = self.field.follow(self.coefficient(rub, 1), at or {})
+        return self.field.lowest_terms((c * known[2]) ** 2 - known[0] ** 2 - known[1] ** 2)
+
+    def slip(
+        self, failure: Failure, name: str, motion: Mapping[Slot, Ratio], at_end: ReducedColumns | None
+    ) -> Ratio | None:
+        """The speed of a slip along a motion, positive where it goes the way it is meant to. In a plane that is the way
+        against the friction force T at the limit: -(T_1 s_1 + T_2 s_2)/|T|. None where this is not unique."""
+        rub = self.dry_friction[name]
+        if rub.across is None:
+            return dict(failure.slips)[name] * self.rate(name, motion)
+        known = None if at_end is None else self.forces(at_end, rub, failure)
+        if known is None:
+            return None
+        size = self.state.sqrt(self.field.lowest_terms(known[0] ** 2 + known[1] ** 2))
+        total = known[0] * self.rate(rub.row.name, motion) + known[1] * self.rate(rub.across.name, motion)
+        return None if size.is_zero() else self.field.lowest_terms(-total / size)
+
     def size(self, reduced: ReducedColumns, rub: str) -> Ratio | None:
         """The load of dry friction that slips, as its own column has it."""
         return self.reaction(reduced, _size_of(rub))
@@ -250,7 +300,7 @@ class RestEquations:
         right = row.get(RHS, self.field.zero) - row[column] * self.rows[name].sign * value
         return rest if right.is_zero() else rest | {RHS: right}
 
-    def power(self, failure: Failure, motion: Mapping[Slot, Ratio]) -> Ratio:
+    def power(self, failure: Failure, motion: Mapping[Slot, Ratio], at_end: ReducedColumns | None = None) -> Ratio:
         """What the loads do along a motion, less what friction of a given size and a given reaction take: positive
         where nothing holds the system."""
         total = self.field.zero
@@ -264,9 +314,14 @@ class RestEquations:
             for column, share in pressing.items():
                 if column in given:
                     known = known + share * self.rows[self.names[column]].sign * given[column]
-            total = total - direction * self.coefficient(self.dry_friction[name], direction) * known * self.rate(
-                name, motion
-            )
+            if known.is_zero():
+                continue
+            slip = self.slip(failure, name, motion, at_end)
+            if slip is None:
+                raise CannotAnswer(
+                    Message("the friction forces of {contact} are not unique", contact=self.rows[name].connection)
+                )
+            total = total - self.coefficient(self.dry_friction[name], direction) * known * slip
         if self.asked is not None:
             name, value = self.asked
             total = total + self.rows[name].sign * value * self.rate(name, motion)
@@ -274,10 +329,7 @@ class RestEquations:
 
     def reaction(self, reduced: ReducedColumns, name: str) -> Ratio | None:
         """A multiplier; None where it is not unique."""
-        column = self.columns[name]
-        if column not in reduced.pivots or set(reduced.pivots[column]) - {RHS}:
-            return None
-        return reduced.pivots[column].get(RHS, self.field.zero)
+        return combined(self.field, reduced, {self.columns[name]: self.field.one})
 
     def opening(self, name: str, motion: Mapping[Slot, Ratio]) -> Ratio:
         """The rate at which a row that cannot pull opens."""
@@ -298,6 +350,10 @@ class RestEquations:
             return None
         columns = {slot: k for k, slot in enumerate(self.slots)}
         states = self.decided(failure)
+        touching = self._touching_planes(failure, at)
+        if touching is None:
+            return None
+        states += touching
         if self.asked is not None:
             states.append({self.columns[self.asked[0]]: self.field.one})
         reduced = eliminate(self.field, states, [self.columns[name] for name in self.rows])
@@ -323,52 +379,22 @@ class RestEquations:
         v[self.slots[free]] = self.field.one
         return v
 
+    def _touching_planes(self, failure: Failure, at: Values) -> list[Row] | None:
+        """Of every friction that slips in a plane, the plane that touches its cone at the forces of the limit."""
+        turning = self.turning(failure)
+        at_end = self.reactions(failure, at) if turning else None
+        found: list[Row] = []
+        for rub in turning:
+            known = None if at_end is None else self.forces(at_end, rub, failure)
+            if known is None:
+                return None
+            c = self.field.follow(self.coefficient(rub, 1), at)
+            row: Row = {self.columns[row.name]: force for row, force in zip(rub.rows, known[:2], strict=True)}
+            for column, share in self.load(rub, failure)[0].items():
+                row[column] = self.field.lowest_terms(-c * c * known[2] * share)
+            found.append({k: x for k, x in row.items() if not x.is_zero()})
+        return found
+
 
 def _size_of(rub: str) -> str:
     return f"@load of {rub}"
-
-
-def eliminate(field: Field, rows: Sequence[Row], columns: Sequence[int]) -> ReducedColumns:
-    """Reduces sum of entry * column = RHS completely, the simplest entries as pivots; what is left of rows without
-    columns are the residuals."""
-    done, left = _reduced(field, rows, columns, None)
-    solved = {c for c, _row in done}
-    pivots = {column: {c: x if c == RHS else -x for c, x in row.items()} for column, row in done}
-    return ReducedColumns(
-        pivots, tuple(c for c in columns if c not in solved), tuple(row[RHS] for row in left if RHS in row)
-    )
-
-
-def overdetermined(field: Field, rows: Sequence[Row], columns: Sequence[int], parameter: int) -> list[Ratio]:
-    """What must vanish for equations to have a solution, as functions of a parameter.
-
-    Only entries without it are pivots, since others may vanish where a solution exists. What is left, n equations in
-    k < n unknowns, has one if the determinants of any k + 1 of them, right-hand side included, vanish."""
-    _done, left = _reduced(field, rows, columns, parameter)
-    left = [row for row in left if row]
-    unknown = sorted({c for row in left for c in row if c != RHS})
-    if len(unknown) > MOST_LEFT or len(left) <= len(unknown):
-        return []
-    chosen = itertools.islice(itertools.combinations(left, len(unknown) + 1), MOST_DETERMINANTS)
-    full = [*unknown, RHS]
-    found = [determinant([[row.get(c, field.zero) for c in full] for row in some]) for some in chosen]
-    return [x for x in found if not x.is_zero()]
-
-
-def _reduced(
-    field: Field, rows: Sequence[Row], columns: Sequence[int], without: int | None
-) -> tuple[list[tuple[int, Row]], list[Row]]:
-    """Pivot rows, completely reduced, and the rows that are left; no pivot contains the generator `without`."""
-    order = {c: k for k, c in enumerate(columns)}
-
-    def worth(column: int, entry: Ratio, row: Row) -> tuple[int, ...] | None:
-        if without is not None and without in field.ingredients(entry):
-            return None
-        return (1 + entry.n_terms if entry.generators() else 0, len(row), order[column])
-
-    def kept(x: Ratio) -> Ratio | None:
-        least = field.lowest_terms(x)
-        return None if least.is_zero() else least
-
-    done, left = reduced(field, rows, worth, kept)
-    return done, [row for _k, row in left]

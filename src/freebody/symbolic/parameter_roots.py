@@ -77,7 +77,7 @@ def _logarithms(field: Field, factor: Ratio, parameter: int, made: Sequence[int]
 
 
 def _angles(field: Field, factor: Ratio, parameter: int, made: Sequence[int]) -> list[Ratio]:
-    """a cos + b sin + d = 0 in one angle that is the parameter itself, plus what stands still."""
+    """a cos + b sin + d = 0, or a polynomial in the cosine, in one angle that is the parameter itself."""
     from freebody.symbolic.functions import functions
 
     pairs = field.pairs(made)
@@ -103,6 +103,8 @@ def _angles(field: Field, factor: Ratio, parameter: int, made: Sequence[int]) ->
         if (d - a).is_zero():
             return [2 * f["atan"](-a / b)]
         return [2 * f["atan"](x) for x in roots([d + a, 2 * b, d - a]) or ()]
+    if not any(j for _i, j in table):
+        return [way * f["acos"](x) for x in roots(factor.coefficients(cos)) or () for way in (1, -1)]
     return []
 
 

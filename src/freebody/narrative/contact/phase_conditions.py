@@ -29,6 +29,7 @@ _PURPOSES = {
     "a smaller one does not hold": "beyond",
     "friction is needed": "needed",
     "such a value exists": "within",
+    "there is such a limit": "real",
     "there is a lower limit": "lowest",
     "{contact} is open at the start": "open",
     "{contact} opens": "opens",

@@ -11,10 +11,11 @@ from contextlib import suppress
 from functools import singledispatchmethod
 
 from freebody.errors import CannotAnswer, RoutesDisagree
-from freebody.language.expression import Call, Expr, Symbol, free_symbols
+from freebody.language.expression import Call, Expr, Symbol, add, free_symbols, number, power
 from freebody.language.sentences import Message
 from freebody.narrative.contact.phase_conditions import sides_of, told_purpose
 from freebody.narrative.contact.phase_event import solved_argument
+from freebody.narrative.contact.rest_cone import tell_cone, turning
 from freebody.narrative.contact.rest_forces import acting_at_rest
 from freebody.narrative.contact.rest_newton import RestNewton
 from freebody.narrative.contact.rest_worlds import RestGlossary
@@ -108,7 +109,9 @@ class _RestTelling:
             elif len(rub.load) <= 1:
                 limit = tidy(ends.equations.coefficient(rub, 1))
                 limit = limit * Symbol(symbols[rub.load[0]].name) if rub.load else limit
-                found.append(Sentence("rest.friction", {"place": place, "force": Call("abs", symbol), "limit": limit}))
+                squares = [power(Symbol(symbols[row.name].name), number(2)) for row in rub.rows]
+                size = Call("abs", symbol) if rub.across is None else Call("sqrt", add(*squares))
+                found.append(Sentence("rest.friction", {"place": place, "force": size, "limit": limit}))
         with self.script.stage("stage.touching", "hint.touching"):
             self.script.say("rest.laws")
             self.script.add(Listing(tuple(found)))
@@ -139,13 +142,17 @@ class _RestTelling:
         self.script.glossary = told[-1][3]
         shown = [tidy(case.element) for _s, case, _l, _g in told]
         expected = self.answer.expression if isinstance(self.answer.expression, tuple) else (self.answer.expression,)
+        if len(shown) == 2 and shown[0] == shown[1]:
+            shown = shown[:1]  # at one value alone
         if tuple(shown) != tuple(expected):
             raise RoutesDisagree(
                 Message("the derivation ends in another formula than the solver. This is a defect of freebody")
             )
-        if len(told) == 2:
+        if len(shown) == 2:
             sides: tuple[Expr, ...] = (shown[0], symbol, shown[1])
             relations: tuple[Relation, ...] = ("≤", "≤")
+        elif len(told) == 2:
+            sides, relations = (symbol, shown[0]), ("=",)
         else:
             sides, relations = (symbol, shown[0]), (_AT[told[0][0]],)
         self.script.line(*sides, relations=relations, why="rest.values", args={"lines": lines}, uses=lines)
@@ -163,6 +170,14 @@ class _RestTelling:
         with script.stage("stage.failure", "hint.failure"):
             end = "upper" if limit.sign > 0 else "lower"
             script.say(f"rest.{'extreme' if row else 'fails'}_{end}", words=ready(case.words), name=symbol)
+        if not row and (rub := turning(equations, case.failure)) is not None:
+            names = (*(r.name for r in rub.rows), *rub.load)
+            symbols: dict[str, Expr] = {name: Symbol(self.symbols[name].name) for name in names}
+            line, rest = tell_cone(script, newton, equations, rub, symbols)
+            with script.stage("stage.solution", "hint.solution", n=len(names)):
+                line = self._solved(case, symbol, line, is_root=_has_roots(rest, ends.index))
+            self._conditions(case, newton, equations, line)
+            return line, glossary
         rows, said = newton.tell(script, (row,) if row else ())
         with script.stage("stage.solution", "hint.solution", n=len(rows) + len(said)):
             solver = newton.eliminator(script)
@@ -221,7 +236,7 @@ class _RestTelling:
         )
         if row is None or (sticks and rub is None):
             raise CannotAnswer(Message("there is no such contact"))
-        asked = (row.name, rub.name) if sticks and rub is not None else (row.name,)
+        asked = (row.name, *(r.name for r in rub.rows)) if sticks and rub is not None else (row.name,)
         reduced = eq.reactions(case.failure)
         if any(set(reduced.pivots.get(eq.columns[n], {eq.columns[n]: None})) - {RHS} for n in asked):
             raise CannotAnswer(Message("it is not unique"))

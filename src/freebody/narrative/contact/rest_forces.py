@@ -24,7 +24,8 @@ def acting_at_rest(touching: TouchingAtRest, equations: RestEquations, failure: 
     """Reactions, frictions and loads in the start pose, in one way to fail."""
     rows = {row.name: row for row in touching.rows}
     symbols = drawn_symbols(touching.system)
-    laws = {name: _law(equations, failure, name, sense, symbols) for name, sense in failure.slips}
+    along = [(name, sense) for name, sense in failure.slips if equations.dry_friction[name].across is None]
+    laws = {name: _law(equations, failure, name, sense, symbols) for name, sense in along}
     known = Known(laws, _gone(equations, failure))
     return Acting(equations.state.model, symbols=symbols, rows=rows, known=known, here=equations.here)
 
@@ -32,7 +33,8 @@ def acting_at_rest(touching: TouchingAtRest, equations: RestEquations, failure: 
 def _gone(equations: RestEquations, failure: Failure) -> dict[str, str]:
     """Rows without force: what opens, and the friction there."""
     opened = set(failure.opens)
-    free = [name for name, rub in equations.dry_friction.items() if rub.load and set(rub.load) <= opened]
+    open_ones = [rub for rub in equations.dry_friction.values() if rub.load and set(rub.load) <= opened]
+    free = [row.name for rub in open_ones for row in rub.rows]
     return {**dict.fromkeys(sorted(opened), "verge.opens"), **dict.fromkeys(free, "verge.free")}
 
 

@@ -29,14 +29,17 @@ def name_reactions(script: Script, glossary: Glossary, acting: Acting, rows: Ite
 def words_of(acting: Acting, name: str) -> Sentence:
     """What a reaction is, in words."""
     row = acting.rows[name]
-    args: dict[str, Argument] = {"reaction": f"@reaction.{row.reaction}", "connection": row.connection}
+    axis = row.component.split()[-1]
+    kind = row.reaction.removesuffix(f" {axis}")  # of two components the force that they are of
+    args: dict[str, Argument] = {"reaction": f"@reaction.{kind}", "connection": row.connection}
     alike = [r for r in acting.rows.values() if (r.connection, r.reaction) == (row.connection, row.reaction)]
     has_contact_point = acting.system.connections[row.connection].has_contact_point
     if row.ends and len(alike) > 1 and has_contact_point and place_of(row) != row.connection:
         return Sentence("symbol.reaction_at", {**args, "place": place_of(row)})
-    axis = row.component.split()[-1]
     if axis in ("x", "y", "z"):
         return Sentence("symbol.reaction_component", {**args, "axis": f"@{axis}"})
+    if kind != row.reaction:
+        return Sentence("symbol.reaction_row", {**args, "row": f"@{axis}"})
     if len(alike) > 1 and acting.system.space:
         return Sentence("symbol.reaction_row", {**args, "row": f"@{row.component}"})
     if row.ends and len(alike) > 1:

@@ -80,7 +80,7 @@ class PrincipleTable:
 
     def _on(self, body: str, parts: Sequence[Ratio]) -> list[tuple[Slot, Ratio]]:
         """Weights on a body, along its slots."""
-        return [((body, slot), w) for slot, w in zip(self.model.bodies.slots, parts, strict=False)]
+        return [((body, slot), self.acting.here(w)) for slot, w in zip(self.model.bodies.slots, parts, strict=False)]
 
 
 def _without_zeros(weights: Mapping[Slot, Ratio]) -> dict[Slot, Ratio]:

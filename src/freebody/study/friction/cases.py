@@ -18,13 +18,15 @@ from freebody.study.friction.failures import SeenFailure, how_it_fails, seen
 from freebody.study.friction.limits import HoldingEnd
 from freebody.study.friction.touching import TouchingAtRest
 from freebody.study.setup import Setup
-from freebody.symbolic.active_set import Failure, ReducedColumns, RestEquations, Slot
+from freebody.symbolic.active_set import Failure, RestEquations, Slot
 from freebody.symbolic.angle_factors import open_parts
 from freebody.symbolic.conditions import Condition, closed, insisted
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.inequalities import Inequality, Line, without_free, without_implied
 from freebody.symbolic.linear import RHS, Row
 from freebody.symbolic.parameter_roots import Values, solutions
+from freebody.symbolic.surplus import ReducedColumns
+from freebody.symbolic.zeros import reals
 from freebody.tolerances import ROUND_OFF
 
 MOST_CASES = 6
@@ -231,6 +233,7 @@ class Ends:
             reserves.append((at[self.index], ">=", Message("such a value exists")))
         elif self.low == 0.0:  # else all hold, down to the smallest that mean something
             reserves.append((above(at[self.index]), ">=", Message("there is a lower limit")))
+        reserves += [(x, ">=", Message("there is such a limit")) for x in reals(at[self.index])]
         found: list[Condition] = []
         for reserve in reserves:
             for condition in self._at_their_signs(reserve, here.draw):
@@ -268,6 +271,12 @@ class Ends:
             extra.append(reserve)
         for name, rub in eq.dry_friction.items():
             if name in eq.sized or name in slips or (rub.load and set(rub.load) <= failure.opens):
+                continue
+            if rub.across is not None:
+                reserve = eq.cone(at_end, rub, failure, at)
+                if reserve is None:
+                    return extra, False
+                extra.append((reserve, ">=", Message("{contact} does not slip", contact=_label(rub.row))))
                 continue
             pressing, constant = eq.load(rub, failure)
             for d in (1, -1):
@@ -311,52 +320,57 @@ class Ends:
         size: what fails first moves at rate one, the way it fails. The parameter must drive the motion beyond the
         limit; False where that condition is not known."""
         eq, failure = self.equations, here.failure
-        motion = self._of_size_one(here, motion, at)
+        motion = next(self._by_sizes(here, motion, at, at_end), motion)
         drive = eq.drive(failure, motion, at_end, self.index) if self.asked is None else None
         if self.is_linear:
-            drive = self.field.partial(eq.power(failure, motion), self.index)
+            drive = self.field.partial(eq.power(failure, motion, at_end), self.index)
         found: list[Inequality] = []
         if drive is not None:
             driven = sign * self._at_value(drive, at)
             if not (failure.slips or failure.opens) and (self.number(driven, here.draw) or 0.0) < 0.0:
                 driven = -driven  # nothing gives way, so the motion has no sense: both are ways to fail
             found.append((driven, ">", _MORE[sign]))
-        return found + self._this_way(failure, motion, at), drive is not None
+        return found + self._this_way(failure, motion, at, at_end), drive is not None
 
-    def _this_way(self, failure: Failure, motion: dict[Slot, Ratio], at: Values) -> list[Inequality]:
+    def _this_way(
+        self, failure: Failure, motion: dict[Slot, Ratio], at: Values, at_end: ReducedColumns | None = None
+    ) -> list[Inequality]:
         """That what slips does so that way, and what opens faster than sliding along the edge of the cone would."""
         eq = self.equations
         rates = {name: self._at_value(eq.rate(name, motion), at) for name in eq.rows}
         found: list[Inequality] = []
-        for name, direction in failure.slips:
-            if name != self.asked:
-                found.append(
-                    (direction * rates[name], ">=", Message("{contact} slips this way", contact=_label(eq.rows[name])))
-                )
+        for name, _direction in failure.slips:
+            if name != self.asked and (slip := eq.slip(failure, name, motion, at_end)) is not None:
+                what = Message("{contact} slips this way", contact=_label(eq.rows[name]))
+                found.append((self._at_value(slip, at), ">=", what))
         for name in sorted(failure.opens):
             opening = eq.rows[name].sign * rates[name]
             own = [rub for rub in eq.dry_friction.values() if rub.load == (name,)]
+            what = Message("{contact} opens", contact=_label(eq.rows[name]))
+            for rub in [rub for rub in own if rub.across is not None]:
+                c = self.field.follow(eq.coefficient(rub, 1), at)
+                squares = sum((rates[row.name] ** 2 for row in rub.rows), self.field.zero)
+                found.append((opening**2 - c**2 * squares, ">=", what))
+                own.remove(rub)
             for d in (1, -1):
                 sliding = self.field.zero
                 for rub in own:
                     c = self.field.follow(eq.coefficient(rub, d), at)
                     sliding = sliding + d * c * rates[rub.name]
-                found.append((opening - sliding, ">=", Message("{contact} opens", contact=_label(eq.rows[name]))))
+                found.append((opening - sliding, ">=", what))
         return found
 
-    def _of_size_one(self, here: SeenFailure, motion: dict[Slot, Ratio], at: Values) -> dict[Slot, Ratio]:
-        """The motion by the rate of the first row that is known to move."""
-        return next(self._by_sizes(here, motion, at), motion)
-
-    def _by_sizes(self, here: SeenFailure, motion: dict[Slot, Ratio], at: Values) -> Iterator[dict[Slot, Ratio]]:
+    def _by_sizes(
+        self, here: SeenFailure, motion: dict[Slot, Ratio], at: Values, at_end: ReducedColumns | None = None
+    ) -> Iterator[dict[Slot, Ratio]]:
         """The motion by the rate of every row that is known to move, one after the other."""
         eq = self.equations
-        sizes = [(name, direction) for name, direction in here.failure.slips if name != self.asked]
-        sizes += [(name, eq.rows[name].sign) for name in sorted(here.failure.opens)]
+        moving = [name for name, _direction in here.failure.slips if name != self.asked]
+        rates = [eq.slip(here.failure, name, motion, at_end) for name in moving]
+        rates += [eq.opening(name, motion) for name in sorted(here.failure.opens)]
         if self.asked is not None:
-            sizes.append((self.asked, 1 if here.rates[self.asked] > 0 else -1))
-        for name, direction in sizes:
-            rate = direction * self._at_value(eq.rate(name, motion), at)
+            rates.append((1 if here.rates[self.asked] > 0 else -1) * eq.rate(self.asked, motion))
+        for rate in (self._at_value(rate, at) for rate in rates if rate is not None):
             if not rate.is_zero():
                 yield {slot: self.field.lowest_terms(x / rate) for slot, x in motion.items()}
 

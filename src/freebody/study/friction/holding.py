@@ -8,13 +8,14 @@ random parameters are put together until they decide every draw as the linear pr
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from freebody.errors import CannotAnswer, UnitError
 from freebody.language.expression import ZERO, Expr
 from freebody.language.notation import Stated, compared, joined, reworded, to_python, to_text
 from freebody.language.sentences import Message, further
 from freebody.language.units import TIME, dimension_of
+from freebody.model.elements import DryFriction
 from freebody.numeric.friction_branches import margin
 from freebody.numeric.friction_limits import RestProblem, rest_problem
 from freebody.questions.reading import Question
@@ -33,6 +34,7 @@ from freebody.symbolic.conditions import Condition, relation_text, require
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.inequalities import without_implied
 from freebody.symbolic.linear import RHS
+from freebody.symbolic.surplus import ReducedColumns
 from freebody.symbolic.tidy import tidy
 from freebody.system.system import System
 from freebody.tolerances import ROUND_OFF
@@ -88,14 +90,35 @@ class RestHolding(Ends):
     def barrier(self, here: SeenFailure) -> FailureMode | None:
         """The inequality that prevents a failure; None if its motion has no closed form. The motion is measured by that
         of its rates with which fewest conditions are left."""
+        if (alone := self._cone_alone(here)) is not None:
+            return alone
         motion = self.equations.motion(here.failure, {})
         if motion is None:
             return None
         found = [b for m in self._by_sizes(here, motion, {}) if (b := self._barrier_of(here, m)) is not None]
         return min(found, key=lambda b: len(b.where), default=None)
 
+    def _cone_alone(self, here: SeenFailure) -> FailureMode | None:
+        """Where nothing but one body slips in a plane, without turning, and its forces are unique: these are inside the
+        cone."""
+        eq, failure = self.equations, Failure(slips=here.failure.slips)
+        slipping = eq.turning(failure)
+        if not slipping or failure != replace(here.failure, signs=()):
+            return None
+        if len(eq.together(slipping[0], failure)) != len(failure.slips):
+            return None
+        known = eq.forces(eq.reactions(failure), slipping[0], failure)
+        if known is None:
+            return None
+        size = eq.state.sqrt(self.field.lowest_terms(known[0] ** 2 + known[1] ** 2))
+        reserve = self.field.lowest_terms(eq.coefficient(slipping[0], 1) * known[2] - size)
+        return FailureMode(here.words, Condition(reserve, ">="))
+
     def _barrier_of(self, here: SeenFailure, motion: dict[Slot, Ratio]) -> FailureMode | None:
-        power = -self.equations.power(here.failure, motion)
+        try:
+            power = -self.equations.power(here.failure, motion)
+        except CannotAnswer:
+            return None
         if power.is_zero():
             return None
         parts = open_parts(self.field.lowest_terms(power))
@@ -197,6 +220,17 @@ def _answer(
     )
 
 
+def _friction(eq: RestEquations, reduced: ReducedColumns, rub: DryFriction) -> Ratio | None:
+    """A friction force, the size of one with two components; None if it is not unique."""
+    parts = [eq.reaction(reduced, row.name) for row in rub.rows]
+    squares = eq.field.zero
+    for part in parts:
+        if part is None:
+            return None
+        squares = squares + part * part
+    return parts[0] if rub.across is None else eq.state.sqrt(eq.field.lowest_terms(squares))
+
+
 def _unit_of(reserve: Expr, system: System) -> str:
     """The unit of a reserve, which has that of the inequality it was brought from."""
     names = {p.name: p.dimension for p in system.parameters.values()}
@@ -212,9 +246,9 @@ def _reserves(study: RestHolding, first: Looked) -> list[str]:
     eq = study.equations
     reduced = eq.reactions(Failure())
     found: list[str] = []
-    for name, rub in eq.dry_friction.items():
-        force = eq.reaction(reduced, name)
-        if force is None or not rub.of or rub.row.reaction != "friction force":
+    for rub in eq.dry_friction.values():
+        force = _friction(eq, reduced, rub)
+        if force is None or not rub.of or not rub.row.reaction.startswith("friction force"):
             continue
         pressing, constant = eq.load(rub, first.seen.failure)
         load = constant

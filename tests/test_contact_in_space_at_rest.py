@@ -1,0 +1,101 @@
+"""Rest on contacts in space: the closed forms of circular cones of friction, each worked out by hand.
+
+A foot slips when the resultant of both components of its friction has grown to mu N. Which way it slips is not known
+beforehand, but where equilibrium determines the forces these say where the limit is. Source: Hibbeler, Engineering
+Mechanics: Statics, 14th ed. 2016, sec. 8.2; Drucker, J. Appl. Mech. 21 (1954) 71-74.
+"""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+import freebody as fb
+
+PUCK = """
+space: true
+parameters: {m: 4 kg, P: 12 N, Q: 5 N, mu: 0.6, g: 9.81 m/s^2}
+ground: {planes: {table: {normal: up}}}
+bodies: {puck: {particle: {mass: m}}}
+connections: {table: {contact: {between: [puck, ground.table], friction: mu}}}
+loads:
+  weight: {gravity: g}
+  one: {force: {at: puck, along: [1, 0, 0], magnitude: P}}
+  other: {force: {at: puck, along: [0.6, 0, 0.8], magnitude: Q}}
+"""
+
+
+def value(text: str, question: str) -> fb.Answer:
+    [answer] = fb.System.from_text(text).solve(question).answers
+    return answer
+
+
+def test_two_oblique_forces_are_added_as_vectors() -> None:
+    """|P e_x + Q (0.6 e_x + 0.8 e_z)|^2 = P^2 + 1.2 P Q + Q^2 = (mu m g)^2."""
+    m, p, q, g = 4.0, 12.0, 5.0, 9.81
+    answer = value(PUCK, "least mu so that it stays at rest")
+    assert answer.expression is not None
+    assert answer.value == pytest.approx(math.sqrt(p * p + 1.2 * p * q + q * q) / (m * g), rel=1e-12)
+    limit = value(PUCK, "range of P that keeps it at rest")
+    root = math.sqrt((0.6 * m * g) ** 2 - (0.8 * q) ** 2)
+    assert limit.value == pytest.approx((-0.6 * q - root, -0.6 * q + root), rel=1e-12)
+
+
+def test_rest_on_a_slope_with_a_force_across_it_is_a_condition_on_the_resultant() -> None:
+    slope = """
+space: true
+parameters: {m: 4 kg, alpha: 20 deg, P: 12 N, mu: MU, g: 9.81 m/s^2}
+ground: {planes: {slope: {normal: [sin(alpha), cos(alpha), 0]}}}
+bodies: {block: {particle: {mass: m}}}
+connections: {slope: {contact: {between: [block, ground.slope], friction: mu}}}
+loads: {weight: {gravity: g}, pull: {force: {at: block, along: [0, 0, 1], magnitude: P}}}
+"""
+    needed = math.hypot(4 * 9.81 * math.sin(math.radians(20)), 12) / (4 * 9.81 * math.cos(math.radians(20)))
+    for mu in (0.99 * needed, 1.01 * needed):
+        answer = value(slope.replace("MU", str(mu)), "does it hold")
+        reserve = (mu - needed) * 4 * 9.81 * math.cos(math.radians(20))
+        assert answer.value == pytest.approx(reserve, rel=1e-9)
+        assert ("it holds" in str(answer.verdict)) == (mu > needed)
+
+
+def test_ball_that_is_pushed_at_rest_needs_an_arm_of_rolling_resistance_as_well() -> None:
+    """Pushed by F at its centre a ball needs the moment F R about the place where it touches, at most f m g."""
+    ball = """
+space: true
+parameters: {m: 10 kg, R: 0.3 m, f: 1 cm, P: 1 N, Q: 2 N, mu: 0.6, g: 9.81 m/s^2}
+ground: {planes: {floor: {normal: up}}}
+bodies: {ball: {sphere: {mass: m, radius: R}}}
+connections: {foot: {contact: {between: [ball, ground.floor], friction: mu, rolling_resistance: f}}}
+loads:
+  weight: {gravity: g}
+  one: {force: {at: ball, along: [1, 0, 0], magnitude: P}}
+  other: {force: {at: ball, along: [0, 0, 1], magnitude: Q}}
+"""
+    answer = value(ball, "largest P so that it stays at rest")
+    assert answer.value == pytest.approx(math.sqrt((0.01 * 10 * 9.81 / 0.3) ** 2 - 4), rel=1e-9)
+    assert any("ball rolls on floor" in note for note in answer.notes)
+
+
+@pytest.mark.slow
+def test_crate_on_four_feet_slips_as_one_body_although_its_forces_are_not_unique() -> None:
+    """The sums of the forces of the feet are unique, and parallel: mu = sqrt((m g sin)^2 + P^2)/(m g cos)."""
+    crate = """
+space: true
+parameters: {m: 10 kg, a: 1 m, b: 0.3 m, alpha: 15 deg, P: 20 N, mu: 0.5, g: 9.81 m/s^2}
+ground: {planes: {slope: {normal: [sin(alpha), cos(alpha), 0]}}}
+bodies: {crate: {box: {mass: m, size: [a, b, a]}, turned: -alpha about z}}
+connections: {it: {contact: {between: [crate, ground.slope], friction: mu}}}
+loads: {weight: {gravity: g}, push: {force: {at: crate, along: [0, 0, 1], magnitude: P}}}
+"""
+    answer = value(crate, "least mu so that it stays at rest")
+    down = 98.1 * math.sin(math.radians(15))
+    assert answer.value == pytest.approx(math.hypot(down, 20) / (98.1 * math.cos(math.radians(15))), rel=1e-12)
+
+
+@pytest.mark.parametrize("language", ["en", "de"])
+def test_the_limit_is_derived_from_both_components(language: str) -> None:
+    told = fb.System.from_text(PUCK).explain("least mu so that it stays at rest", language=language)
+    text = str(told)
+    assert "no derivation" not in text
+    assert ("Resultierende beider Komponenten" if language == "de" else "resultant of both components") in text
