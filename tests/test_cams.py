@@ -8,7 +8,9 @@ import numpy as np
 import pytest
 
 import freebody as fb
+from freebody.narrative.questions import happening
 from freebody.numeric.reference import Reference
+from freebody.study.answering.solve import solve
 
 # an eccentric circle of radius a, its middle e from the axle; it points at the follower where phi = 0
 MECHANISM = """
@@ -265,3 +267,17 @@ def test_the_least_spring_rate_that_keeps_a_cam_closed_is_that_of_the_textbook()
     # N = F_0 + k (y - r) + m y'' is least at the top, where y'' = -h Omega^2/2 (Norton, Design of Machinery, ch. 15)
     (answer,) = fb.System.from_text(SPRING).solve("least k so that the cam keeps touching").answers
     assert answer.value == pytest.approx(0.4 * 200**2 / 2 - 60 / 0.012, rel=1e-9)
+
+
+@pytest.mark.slow  # it answers the question of the opening four times
+def test_a_reason_of_the_formulas_is_not_looked_for_at_ever_other_numbers(monkeypatch: pytest.MonkeyPatch) -> None:
+    asked: list[str] = []
+
+    def counted(system: fb.System) -> fb.Solution:
+        asked.append(system.questions[0].text)
+        return solve(system)
+
+    monkeypatch.setattr(happening, "solve", counted)
+    text = SPRING + "questions: [least k so that the cam keeps touching]\n"
+    assert not fb.System.from_text(text).explain().is_complete
+    assert len(asked) <= 4  # of ten other numbers for each of three ways to ask

@@ -126,6 +126,35 @@ connections:
 loads: {weight: {gravity: g}, drive: {force: {at: wedge.corner1, along: right, magnitude: F}}}
 """
 
+# forces alone: a wedge is a particle that carries its face as a line
+WEDGE = """
+parameters: {W: 5 kN, alpha: 8 deg, mu: 0.2, P: 2 kN, g: 9.81 m/s^2}
+ground: {lines: {floor: {along: right}, wall: {along: up}}}
+bodies:
+  wedge: {particle: {mass: 0}, lines: {face: {along: -alpha}}}
+  block: {particle: {mass: W/g}}
+connections:
+  floor: {contact: {between: [wedge, floor], friction: mu}}
+  face: {contact: {between: [block, wedge.face], friction: mu}}
+  wall: {contact: {between: [block, wall], friction: mu}}
+loads: {weight: {gravity: g}, drive: {force: {at: wedge, along: right, magnitude: P}}}
+"""
+
+WEDGE_PAIR = """
+parameters: {W: 5 kN, alpha: 8 deg, mu: 0.2, P: 2 kN, g: 9.81 m/s^2}
+ground: {lines: {floor: {along: right}, wall: {along: up}}}
+bodies:
+  lower: {particle: {mass: 0}, lines: {face: {along: -alpha}}}
+  upper: {particle: {mass: 0}, lines: {top: {along: right}}}
+  block: {particle: {mass: W/g}}
+connections:
+  floor: {contact: {between: [lower, floor], friction: mu}}
+  face: {contact: {between: [upper, lower.face], friction: mu}}
+  stop: {contact: {between: [upper, wall]}}
+  top: {contact: {between: [block, upper.top], friction: mu}}
+loads: {weight: {gravity: g}, drive: {force: {at: lower, along: right, magnitude: P}}}
+"""
+
 CURB = """
 parameters: {m: 20 kg, R: 0.4 m, h: 0.1 m, mu: 0.8, F: 100 N, g: 9.81 m/s^2}
 ground: {lines: {floor: {along: right}}, points: {edge: [sqrt(R**2 - (R - h)**2), h]}}
@@ -228,6 +257,10 @@ def asked(model: str, question: str) -> fb.Solution:
             "largest F so that it stays at rest",
             f"mu*(M*g + {_FACE}*(cos(alpha) - mu*sin(alpha))) + {_FACE}*(sin(alpha) + mu*cos(alpha))",
         ),
+        # R2 (sin(alpha + phi), cos(alpha + phi)) on the block, N3 (-1, -tan(phi)) of the wall
+        (WEDGE, "largest P so that it stays at rest", "W*tan(alpha + 2*atan(mu))"),
+        # the block stands still, a smooth stop keeps the upper wedge: R (sin, cos)(alpha + phi), R cos = W
+        (WEDGE_PAIR, "largest P so that it stays at rest", "W*(tan(alpha + atan(mu)) + mu)"),
         # moments about the edge of the curb: F (R - h) = m g sqrt(R^2 - (R - h)^2)
         (CURB, "largest F so that it stays at rest", "m*g*sqrt(R**2 - (R - h)**2)/(R - h)"),
         # moments about the front wheels: N_rear (a + b) = m g (a cos + h sin), mu N_rear = m g sin
@@ -722,3 +755,10 @@ loads: {{weight: {{gravity: g}}, inertia: {{force: {{at: car, along: left, magni
 questions: {{it: which wheel slips or lifts first as A grows}}
 """).solve()
     agrees(solution, "it", greatest)
+
+
+def test_a_particle_that_leaves_a_wall_does_not_tip() -> None:
+    found = asked(WEDGE, "least P so that it stays at rest")["q1"]
+    told = " ".join(found.notes)
+    assert "block leaves wall" in told
+    assert "tips" not in told

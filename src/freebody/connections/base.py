@@ -21,6 +21,7 @@ from freebody.model.elements import AppliedLoad, Attitude, ConstraintRow, DryFri
 from freebody.model.glyphs import Glyph, Relation
 from freebody.model.kinds import Kinds
 from freebody.model.spec import Spec
+from freebody.model.thread import Thread
 from freebody.model.transmitted import CutTension, Transmitted
 
 if TYPE_CHECKING:
@@ -97,6 +98,10 @@ class Connection(Spec):
     def edge_radius(self, names: Names) -> Measure | Message:
         """The radius of curvature of its edge where it touches, or why there is none."""
         return Message("{connection} has no edge, which is one of cams", connection=self.own_name(names))
+
+    def thread(self, names: Names) -> Thread | Message:
+        """The slope and the friction of its thread, or why there is none."""
+        return Message("{connection} has no thread, as screws and worms do", connection=self.own_name(names))
 
     def mentions(self, names: Names) -> set[str]:
         """Names of the bodies that it joins."""

@@ -13,7 +13,7 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
 from freebody.connections.joints import AxialJoint, Joint, read_joint
-from freebody.language.expression import PI, divide
+from freebody.language.expression import PI, divide, negate
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, LENGTH
 from freebody.measures.base import Measure
@@ -24,6 +24,7 @@ from freebody.model.elements import ConstraintRow, DryFriction, UnilateralConstr
 from freebody.model.friction import read_friction
 from freebody.model.glyphs import Glyph
 from freebody.model.spec import Formula, Heading
+from freebody.model.thread import Thread
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -73,6 +74,19 @@ connections: {it: {screw: {first: ground.A, second: nut, about: x, pitch: 0.1 m}
         slip = Combination(((radius, joint.angle), (slope, joint.travel)), LENGTH)
         row = ConstraintRow("slip", "friction force", slip, connection=connection)
         return [], [DryFriction(row, friction.static, friction.kinetic, (f"{connection}.thread",))]
+
+    def thread(self, names: Names) -> Thread | Message:
+        with names.quietly():
+            friction, radius = (
+                read_friction(names, self.friction, DIMENSIONLESS),
+                names.optional(self, "radius", LENGTH),
+            )
+            pitch = names.formula(self.pitch, LENGTH, "pitch")
+        if radius is None:
+            return Message("friction in a thread acts at its mean radius; give radius")
+        is_left_handed = (names.numeric(pitch) or 0.0) < 0.0
+        slope = divide(negate(pitch) if is_left_handed else pitch, 2 * PI * radius)
+        return Thread(slope, friction.static, friction.kinetic)
 
     def measured(self, joint: Joint) -> Iterable[tuple[str, Measure]]:
         return (("angle", joint.angle),)

@@ -32,6 +32,7 @@ from freebody.model.friction import read_friction
 from freebody.model.glyphs import Glyph
 from freebody.model.rotations import dot, vector_product
 from freebody.model.spec import Formula
+from freebody.model.thread import Thread
 from freebody.tolerances import ROUNDED
 
 if TYPE_CHECKING:
@@ -104,10 +105,15 @@ connections:
             slip: Combination = meshing(
                 wheels, place, combined((negate(ONE), e), (hand * slope, wheels[0].axis.components))
             )
-            alpha = read_pressure_angle(names, self)
-        wedged = ONE if alpha is None else divide(ONE, Call("cos", alpha))
+        rough = self.thread(names)
         row = ConstraintRow("slip", "friction force", slip, connection=connection)
-        return [], [DryFriction(row, friction.static * wedged, friction.kinetic * wedged, (f"{connection}.teeth",))]
+        return [], [DryFriction(row, rough.static, rough.kinetic, (f"{connection}.teeth",))]
+
+    def thread(self, names: Names) -> Thread:
+        with names.quietly():
+            friction, alpha = read_friction(names, self.friction, DIMENSIONLESS), read_pressure_angle(names, self)
+            wedged = ONE if alpha is None else divide(ONE, Call("cos", alpha))
+            return Thread(Call("tan", self._lead(names)), friction.static * wedged, friction.kinetic * wedged)
 
     def _lead(self, names: Names) -> Expr:
         return names.angle(self.lead_angle, "lead_angle")

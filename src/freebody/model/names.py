@@ -24,6 +24,7 @@ from freebody.model.formulas import Formulas
 from freebody.model.noting import did_you_mean
 from freebody.model.rotations import UNIT, Columns, applied
 from freebody.model.states import ControllerState
+from freebody.model.thread import Thread
 from freebody.model.transmitted import CutTension, Transmitted
 from freebody.tolerances import LEAST
 
@@ -40,6 +41,12 @@ class Joining(Protocol):
     is_rigid: ClassVar[bool]
     lets_turn: ClassVar[bool]
     lets_hang: ClassVar[bool]
+    # its forces act where its bodies touch
+    has_contact_point: ClassVar[bool]
+
+    def joined_points(self, names: Names) -> tuple[Point, Point] | None:
+        """The two points that it keeps together while both bodies turn, in the plane."""
+        ...
 
     def to_plain(self) -> dict[str, Any]:
         """Its fields, as they were given."""
@@ -108,6 +115,10 @@ class Joining(Protocol):
 
     def edge_radius(self, names: Names) -> Measure | Message:
         """Of a cam: the radius of curvature of its edge where it touches."""
+        ...
+
+    def thread(self, names: Names) -> Thread | Message:
+        """Of a screw or a worm: the slope and the friction of its thread."""
         ...
 
     def mentions(self, names: Names) -> set[str]:

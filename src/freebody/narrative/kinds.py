@@ -42,7 +42,9 @@ def _place(system: System, question: Question) -> str:
         return "questions.blow"
     if scope == "rest":
         return "contact.rest"
-    if question.transition is not None or (has_phases(system) and question.quantity.is_of_state):
+    quantity = question.quantity
+    in_phases = has_phases(system) and quantity.is_of_state and not quantity.is_of_parameters
+    if question.transition is not None or in_phases:
         return "contact.phases"
     if scope in _PLACES:
         return _PLACES[scope]

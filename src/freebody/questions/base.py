@@ -189,6 +189,11 @@ class Quantity:
         return False
 
     @property
+    def is_of_parameters(self) -> bool:
+        """Whether it is a number of the parameters alone, whatever touches, slips or moves."""
+        return False
+
+    @property
     def is_of_pose_in_motion(self) -> bool:
         """Whether only the sense of the motion matters, not how fast it is: a pose with one freedom has it."""
         return False

@@ -58,12 +58,18 @@ def without_start(phrase: str) -> str:
 def ratio_as_quotient(names: Names, phrase: str) -> str:
     """The ratio of what is calculated, or is meant at different instants, by a sign of division."""
     found = _RATIO.match(phrase)
-    if found is None:
+    if found is None or not _is_of_quantities(phrase):
         return phrase
     top, bottom = found["top"], found["bottom"]
     is_timed = _START.search(top) is not None or any(word in top for word in _EVENTS)
     is_calculated = any(not _is_quantity(names, event_at_end(names, part)[0]) for part in (top, without_start(bottom)))
     return f"({top})/({bottom})" if is_timed or is_calculated else phrase
+
+
+def _is_of_quantities(phrase: str) -> bool:
+    """Whether a ratio is one of two quantities, and not of what the words of a form of its own say."""
+    form = next((f for f in FORMS if f.pattern.match(phrase)), None)
+    return form is None or {"top", "bottom"} <= form.pattern.groupindex.keys()
 
 
 def event_at_end(names: Names, phrase: str) -> tuple[str, str | None]:

@@ -34,6 +34,7 @@ from freebody.questions.turned_round import (
     ValueFor,
     ValueForOnTheWay,
     inequality_of,
+    locking,
     over_the_motion,
     reached_in,
     relation_of,
@@ -57,7 +58,7 @@ def read_turned_round(
         names.unknown(name, told, "find")
         return None
     # what is to be so: a quantity largest, an inequality, a full turn, something that happens, a place that is reached
-    relation, is_just = without_just(as_timed(steadily(relation)))
+    relation, is_just = without_just(as_timed(locking(steadily(relation))))
     if when is None and event_at_end(names, relation)[1] is None and without_start(relation) == relation:
         relation = over_the_motion(relation)
     extremal = IS_EXTREMAL.match(relation)

@@ -129,6 +129,10 @@ questions: {it: value of F for which acceleration of x = a}
         return self.of.is_of_state
 
     @property
+    def is_of_parameters(self) -> bool:
+        return self.of.is_of_parameters
+
+    @property
     def may_jump(self) -> bool:
         return self.of.may_jump
 
@@ -169,6 +173,14 @@ def inequality_of(relation: str) -> tuple[str, str, str] | None:
         relation = re.sub(rf"(?:\b|(?<=\s)){words}(?=\s|$)", sign, relation)
     found = _INEQUALITY.match(relation)
     return None if found is None else (found["left"].strip(), found["sign"], found["right"].strip())
+
+
+_LOCKS = re.compile(rf"^(?:the )?(?P<of>{NAME}) (?:is self-?locking|locks itself)$")
+
+
+def locking(relation: str) -> str:
+    """That a screw is self-locking, as an inequality of its friction and its slope."""
+    return _LOCKS.sub(r"self-locking of \g<of> >= 0", relation)
 
 
 _ALWAYS = r"(?:always |all the time )?(?:stays?|remains?|keeps?|is always)(?: always)?"

@@ -8,8 +8,8 @@ the carrier is held,
 One more condition, that a gear is held, gives every ratio. The torques of three central members S, b, C have the sum
 zero; with the efficiency eta of the train whose carrier is held, T_b = -T_S eta^(+1)/k where S drives against the
 carrier, and eta^(-1) where b does. The power that rolls in the teeth is T_S (w_S - w_C): where it is more than what
-goes in, power circulates. Source: R. Willis, Principles of Mechanism, 1841; Norton, Design of Machinery, 5th ed. 2012,
-sec. 9.7-9.11; Mueller, Die Umlaufgetriebe, 2nd ed. 1998, ch. 4.
+goes through, power circulates (see `questions.gear_trains`). Source: R. Willis, Principles of Mechanism, 1841;
+Norton, Design of Machinery, 5th ed. 2012, sec. 9.7-9.11; Mueller, Die Umlaufgetriebe, 2nd ed. 1998, ch. 4.
 """
 
 from __future__ import annotations
@@ -19,16 +19,16 @@ from dataclasses import dataclass
 from itertools import permutations
 from typing import Any
 
-from freebody.connections.base import Connection
 from freebody.errors import CannotAnswer, InputError
 from freebody.language.expression import ZERO, Expr, Symbol, add, evaluate, multiply
 from freebody.language.notation import to_text
 from freebody.language.sentences import Message
 from freebody.measures.angle import Angle
-from freebody.measures.geometry import GROUND
+from freebody.model.gear_train import GearTrain, gear_train
 from freebody.present.lines import number_text
 from freebody.present.report.blocks import Block, Report, Section
 from freebody.present.report.results import Result, entries, entry, notes, summary, table
+from freebody.questions.gear_trains import OfRollingPower, passed_on
 from freebody.study.setup import Setup
 from freebody.study.worded import in_words
 from freebody.symbolic.field import Ratio
@@ -44,7 +44,7 @@ _ETA = "eta"  # the efficiency in formulas
 class HeldMember:
     """What is so while one central member is held. ratio: turns of `driving` for one of `driven`; efficiency: of the
     power from `driving` to `driven`, None where no efficiency of the teeth is given; rolling: the power that rolls in
-    the teeth over what goes in."""
+    the teeth over what goes through, without losses."""
 
     held: str
     driving: str
@@ -139,51 +139,21 @@ def speed_table(system: System, *, efficiency: float | None = None) -> SpeedTabl
         raise InputError(Message("an efficiency is between 0 and 1, found {eta:g}", eta=efficiency))
     if system.space:
         raise CannotAnswer(Message("speed tables are for gears with parallel axes, in models of the plane"))
-    carrier, planets, members = _train(system)
-    return _Train(system, carrier, planets, members, efficiency).table()
-
-
-def _train(system: System) -> tuple[str, list[str], list[str]]:
-    """The carrier, the planets on it, and the gears that these mesh with."""
-    meshes = [c for c in system.connections.values() if c.has_contact_point]
-    for carrier in (b.name for b in system.moving):
-        planets = _borne(system, carrier)
-        mesh = [c for c in meshes if c.mentions(system.names) & set(planets)]
-        alike = {copy for planet in planets for copy in system.bodies[planet].copies}
-        gears = {body for c in mesh for body in c.mentions(system.names)} - {carrier, *planets, *alike, GROUND}
-        if mesh and gears:
-            return carrier, planets, [b for b in system.bodies if b in gears]
-    raise CannotAnswer(Message("no body carries a gear on an axle of its own that meshes with others"))
-
-
-def _borne(system: System, carrier: str) -> list[str]:
-    """The bodies that a body carries beside the axis about which it turns itself."""
-    joints = [j for c in system.connections.values() if (j := _joint(system, c)) is not None]
-    pairs = [pair for joint in joints for pair in (joint, joint[::-1]) if pair[0].body == carrier]
-    axes = {own.offset for own, other in pairs if other.body == GROUND}
-    copies = {copy for body in system.bodies.values() for copy in body.copies}  # they turn as the one that is written
-    found = [other.body for own, other in pairs if axes and own.offset not in axes and other.body not in copies]
-    return list(dict.fromkeys(found))
-
-
-def _joint(system: System, connection: Connection) -> Any:
-    return connection.joined_points(system.names)
+    return _Train(system, gear_train(system.names), efficiency).table()
 
 
 class _Train:
     """One carrier with its gears: the speeds of both routes."""
 
-    def __init__(
-        self, system: System, carrier: str, planets: list[str], members: list[str], efficiency: float | None
-    ) -> None:
-        self.system, self.carrier, self.planets = system, carrier, planets
-        self.members, self.efficiency = members, efficiency
+    def __init__(self, system: System, train: GearTrain, efficiency: float | None) -> None:
+        self.system, self.efficiency = system, efficiency
+        self.carrier, self.planets, self.members = train.carrier, train.planets, train.members
         self.setup = Setup(system)
         self.field = self.setup.model.field
         self.values = {name: p.value for name, p in system.parameters.items() if p.value is not None}
-        self.reference = next((b for b in members if not self._against(b).is_zero()), "")
+        self.reference = next((b for b in self.members if not self._against(b).is_zero()), "")
         if not self.reference:
-            raise CannotAnswer(Message("nothing turns against the carrier {carrier}", carrier=carrier))
+            raise CannotAnswer(Message("nothing turns against the carrier {carrier}", carrier=self.carrier))
 
     def _against(self, body: str) -> Ratio:
         """The angular velocity against the carrier."""
@@ -257,17 +227,16 @@ class _Train:
         numbers = {b: self._number(tidy(f.lowest_terms(x))) for b, x in w.items()}
         if self.efficiency is None or any(x is None for x in numbers.values()):
             return case
-        first, second, carrier = three
-        eta, against = f.parameter(_ETA, positive=True), {b: w[b] - w[carrier] for b in three}
-        # T_S = 1: either S drives against the carrier, or the other gear does
-        for loss in (eta, f.one / eta):
-            torque = {first: f.one, second: -loss * against[first] / against[second]}
-            torque[carrier] = -torque[first] - torque[second]
-            gain = tidy(f.lowest_terms(-(torque[driven] * w[driven]) / (torque[driving] * w[driving])))
-            at = {**self.values, _ETA: self.efficiency}
-            goes_in = float(evaluate(tidy(f.lowest_terms(torque[driving] * w[driving])), at))
-            rolls = float(evaluate(tidy(f.lowest_terms(against[first])), at)) / goes_in
-            if (rolls > 0.0) == (loss is eta):
-                found = float(evaluate(gain, at))
-                return HeldMember(held, driving, driven, ratio, case.ratio_value, gain, found, abs(rolls))
-        return case
+        eta = f.parameter(_ETA, positive=True)
+        case_of = OfRollingPower(driving, driven, held, three[2], *sorted(three[:2], key=lambda b: b == held))
+        central = [w[b] - w[three[2]] for b in (case_of.central, case_of.other)]
+        at = {**self.values, _ETA: self.efficiency}
+        if held == three[2]:
+            return HeldMember(held, driving, driven, ratio, case.ratio_value, Symbol(_ETA), self.efficiency, 1.0)
+        # (w_S - w_C)/w_S: T_S has the sign of w_S where S drives, and the other one where it is driven
+        rolls = float(evaluate(tidy(f.lowest_terms(central[0] / w[case_of.central])), at))
+        puts_in = (rolls > 0.0) == (driving == case_of.central)
+        gain = passed_on(case_of, eta if puts_in else f.one / eta, central, [w[driving], w[driven]])
+        formula = tidy(f.lowest_terms(gain))
+        found = float(evaluate(formula, at))
+        return HeldMember(held, driving, driven, ratio, case.ratio_value, formula, found, abs(rolls))

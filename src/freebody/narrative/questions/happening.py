@@ -6,6 +6,7 @@ two ways to fail of which one comes first, or the frequency that vanishes where 
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
@@ -126,12 +127,12 @@ def _event(context: Context, question: Question, of: Happening, name: str, metho
     opens = of.what.kind == "touches" if isinstance(of.what, Lasting) else False
     what = Transition("opens", of.what.of, of.what.text) if opens and isinstance(of.what, Lasting) else of.what
     asked = [what, of.before] if not isinstance(what, Lasting) else [of.before]
-    stages, there = list[DerivationStage](), context
+    stages, there, reasons = list[DerivationStage](), context, Counter[str]()
     for event in asked:
         if event is None or isinstance(event, Clock):
             continue
         for proxy in _at(context.system, question, event):
-            found = _derived(there, proxy, name, method)
+            found = _derived(there, proxy, name, method, reasons)
             if found is not None:
                 there, more = found
                 stages += more
@@ -156,9 +157,10 @@ def _at(system: System, question: Question, event: Transition | AskedEvent | Las
 
 
 def _derived(
-    context: Context, asked: Question, name: str, method: Method
+    context: Context, asked: Question, name: str, method: Method, reasons: Counter[str]
 ) -> tuple[Context, list[DerivationStage]] | None:
-    """The derivation of a question with the number that the file gives for a parameter, else with another one."""
+    """The derivation of a question with the number that the file gives for a parameter, else with another one. reasons:
+    why there is none; what stands in the way of two is of the formulas, and no number helps."""
     for system in with_others(context.system, name):
         here = context if system is context.system else Context(system, context.next_number, context.introduced)
         try:
@@ -166,7 +168,10 @@ def _derived(
             if given.expression is None:
                 continue
             stages = derivation_of(system, asked)(here, asked, given, method)
-        except FreebodyError:
+        except FreebodyError as error:
+            reasons[str(error)] += 1
+            if reasons[str(error)] > 1:
+                return None
             continue
         numbers = [item.number for stage in stages for item in stage.items if isinstance(item, NumberedFormula)]
         here.next_number = max([here.next_number - 1, *numbers]) + 1

@@ -92,6 +92,8 @@ def _in_whole(system: System, questions: Sequence[Question], setup: Setup | None
         except CannotAnswer as error:  # as a question among others is refused
             return replace(_in_whole(system, (), setup), answers=tuple(refused(q, str(error)) for q in questions))
     if system.bounds or system.dry_friction or system.blows:
+        if any(q.quantity.is_of_parameters for q in questions):
+            return _with_parameters(system, questions)
         return _in_phases(system, questions)
     lets_go = any(row.unilateral for row in system.constraint_rows)  # ideal strings and rolling contacts do, if asked
     if lets_go and any(_is_of_changes(system, q) for q in questions):
@@ -103,6 +105,18 @@ def _in_whole(system: System, questions: Sequence[Question], setup: Setup | None
         return _in_numbers(setup, questions, str(error))
     answers = with_plain_numbers(system, model, [_in_smooth_motion(setup, q) for q in questions])
     return Solution.of(system, model, answers, assumed=assumed_at_start(setup, answers))
+
+
+def _with_parameters(system: System, questions: Sequence[Question]) -> Solution:
+    """What the parameters alone give is so in every phase."""
+    setup = Setup(system)
+    answers = {q.id: QuestionSolver(setup, q).answer() for q in questions if q.quantity.is_of_parameters}
+    others = [q for q in questions if q.id not in answers]
+    if not others:
+        return Solution.of(system, setup.model, tuple(answers.values()))
+    rest = _in_whole(system, others, None)
+    answers |= {a.id: a for a in rest.answers}
+    return replace(rest, answers=tuple(answers[q.id] for q in questions))
 
 
 def _in_smooth_motion(setup: Setup, question: Question) -> Answer:

@@ -182,7 +182,10 @@ def _bound(touching: TouchingAtRest, name: str) -> UnilateralConstraint | None:
 
 
 def _pivot(touching: TouchingAtRest, failure: Failure, body: str) -> str:
-    """The corner about which a body turns that leaves its others: the one that stays and does not slip."""
+    """The corner about which a body turns that leaves its others: the one that stays and does not slip. What does not
+    turn, a particle, has none."""
+    if body not in touching.held.bodies or not touching.held.bodies[body].turns:
+        return ""
     slipping = {rub.of for rub in touching.dry_friction if rub.name in dict(failure.slips)}
     touched = [b for b in touching.bounds if body in b.row.ends]
     stays = [b for b in touched if b.name not in failure.opens]

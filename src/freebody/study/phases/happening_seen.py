@@ -23,7 +23,9 @@ from freebody.study.simulation.simulator import Simulator
 from freebody.system.system import System
 
 _LOOKS = 1500  # instants at which states are looked at
-_TIMES = (2.0, 10.0)  # [s] for which it is followed, the longer time where nothing is decided in the shorter one
+# [s] for which it is followed, a longer time where nothing is decided in the shorter ones: what follows a contact that
+# opens at once may be hundreds of bounces
+_TIMES = (0.02, 0.2, 2.0, 10.0)
 _STEPS = 50_000
 _TOLERANCE = 1e-9
 _STILL = 1e-9  # [SI] of a slip that is none
