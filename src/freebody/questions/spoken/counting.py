@@ -49,6 +49,9 @@ def time(names: Names, sentence: Sentence) -> Groups:
             yield [f"time when {name} stops" for name in losing.runs_down(names) if name in (of or [name])]
         if head.only("verb", "name", "pronoun") and len(of) <= 1 and set(head.all("verb")) == {"slide"}:
             yield [f"time when slipping of {of[0]} ends" if of else "time when slipping ends"]
+        joint = joining.slipping_on(names, head)
+        if joint is not None and set(head.all("verb")) == {"slide"} and head.only("verb", "name", *SILENT):
+            yield [f"time when slipping of {joint} ends"]
         return
     if main.has("ask", "long") and not sentence.others and set(head.all("verb")) == {"hold"}:
         of = [name for _, name in head.names]  # how long does it stick
@@ -208,6 +211,8 @@ def _heads_counted(names: Names, sentence: Sentence) -> Groups:
             heights = [name for name, sense in lookup.heights(names, who) if (sense < 0) == down]
             along = [name for name, sense in lookup.inclined(names, who) if (sense < 0) == down]
             yield [f"{counted} {name}" for name in heights or along]
+            is_plain = counted == "change of" and who in lookup.moving(names) and not lookup.places(names, who)
+            yield [f"change of height of {who}"] if is_plain else []
         elif "turn" in verbs and main.has("ask", "far", "much", "large"):
             yield [f"change of {name}" for name in lookup.angles(names, who)]
         else:

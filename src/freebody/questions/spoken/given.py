@@ -51,7 +51,7 @@ KINDS = (
     ParameterKind(("force", "tension", "driving force"), dimension=FORCE, ends_rest=True),
     ParameterKind(("reaction",), dimension=FORCE),
     ParameterKind(("torque", "moment", "driving torque"), dimension=TORQUE, ends_rest=True),
-    ParameterKind(("speed", "velocity"), dimension=LENGTH / TIME),
+    ParameterKind(("speed", "velocity"), ("fast",), dimension=LENGTH / TIME, ends_rest=True),
     ParameterKind(("height",), ("high",), dimension=LENGTH, ends_rest=True),
     ParameterKind(("distance",), ("far",), dimension=LENGTH, ends_rest=True),
     ParameterKind(("angle",), ("steep", "flat"), is_angle=True, ends_rest=True),

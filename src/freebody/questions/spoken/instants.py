@@ -43,6 +43,7 @@ _PLACES = {
     "at separation": losing.separated,
     "after engagement": losing.engaged,
 }
+_LANDS = (Word("pronoun", "it"), Word("verb", "hit"))
 _BLOWS = ("after the impact", "before the impact")
 _TIMED = {text: f" {text}" for text in ("in steady motion", "when t grows", "at the dead points")}
 
@@ -56,6 +57,11 @@ def timed(names: Names, sentence: Sentence) -> Groups:
         if main.only("ask", "quantity", "instant", "name", "verb", *SILENT):
             of = next((name for _, name in main.names), "")
             yield [f"equilibrium of {measure}" for measure in lookup.deflections(names, of)]
+            yield lookup.stretched_at_rest(names, of)
+        return
+    if main.has("quantity", "extension") and main.all("instant") == ["in equilibrium"] and not others:
+        if main.only("ask", "quantity", "instant", "name", "verb", *SILENT) and len(main.names) <= 1:
+            yield lookup.stretched_at_rest(names, next((name for _, name in main.names), ""))
         return
     own = [name for _, name in main.names]
     is_alone = main.only("name", "instant", *SILENT) and len(own) == 1 and own[0] in names.measures
@@ -105,7 +111,10 @@ def timed(names: Names, sentence: Sentence) -> Groups:
     tails, main = _tails(names, main)
     if main.has("quantity", "impact speed"):
         main = Clause([Word("quantity", "speed") if w == Word("quantity", "impact speed") else w for w in main.words])
-        tails = tails or ([] if others else [[" when it hits"]])
+        struck = {GROUND, *names.bodies[GROUND].lines}
+        landing = Clause([*(w for w in main.words if w.kind == "name" and w.what in struck), *_LANDS])
+        main = Clause([w for w in main.words if w not in landing.words])
+        tails = tails or ([] if others else [[f" when {text}" for group in conditions(names, landing) for text in group]])
     if main.has("quantity", "common speed") and not others:
         tails = tails or [[f" when slipping of {name} ends"] for name in losing.clutches(names)]
         tails = tails or ([[" at start"]] if joining.is_struck_at_start_alone(names) else [])

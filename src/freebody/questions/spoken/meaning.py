@@ -12,6 +12,8 @@ from freebody.questions.spoken.asking import quantities
 from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.counting import counted, lost, stopping, time
 from freebody.questions.spoken.events import GOES_ON
+from freebody.questions.spoken.frames import FORCES
+from freebody.questions.spoken.geared import geared
 from freebody.questions.spoken.instants import is_throughout, timed
 from freebody.questions.spoken.lexicon import Word
 from freebody.questions.spoken.limits import limits
@@ -63,7 +65,7 @@ def meanings(names: Names, words: list[Word]) -> Groups:
     sentence = parted(words)
     sentence = sentence and told_who(names, sentence)
     if sentence is not None and all(mark in _MARKS for mark, _ in sentence.others):
-        for told in (_limit, _structure, _which_way, _conserved, lost, time, stopping, counted, timed):
+        for told in (_limit, _structure, _which_way, _conserved, lost, time, stopping, counted, geared, timed):
             yield from told(names, sentence)
     yield from stated(names, words)
     yield from limits(names, lasting, modal)
@@ -355,6 +357,8 @@ def _structure(names: Names, sentence: Sentence) -> Groups:
 def _which_way(names: Names, sentence: Sentence) -> Groups:
     """Which way something moves that is let go: the way in which it is accelerated."""
     main, verbs = sentence.main, set(sentence.main.all("verb"))
+    if main.has("ask", "way") and set(main.all("quantity")) & {*FORCES}:  # as its components tell
+        yield from timed(names, Sentence(main.without("ask", "way").without("verb", "act", "move"), sentence.others))
     of = [name for _, name in main.names if name in lookup.moving(names)]
     plain = main.has("ask", "way") and main.only("ask", "verb", "name", "pronoun") and not sentence.others
     if plain and len(of) == len(main.names) == 1 and verbs <= {"start", *GOES_ON} and verbs and lookup.rests(names):
