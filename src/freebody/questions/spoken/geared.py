@@ -43,6 +43,22 @@ def geared(names: Names, sentence: Sentence) -> Groups:
         yield [f"{value} * ratio of {text} to {speed}" for text in plain]
 
 
+def per_turn(names: Names, sentence: Sentence) -> Groups:
+    """How far something comes for each turn of something else: 2 pi v/omega."""
+    main = sentence.main
+    if sentence.others or main.all("instant") != ["over a turn"] or not (main.has("ask", "far", "much", "high")):
+        return
+    cut = main.words.index(Word("instant", "over a turn"))
+    who, of = (Clause(words).names for words in (main.words[:cut], main.words[cut:]))
+    known = main.only("ask", "verb", "name", "instant", *SILENT) and set(main.all("verb")) <= _RUNS - {"turn"}
+    if len(who) != 1 or len(of) != 1 or of[0][1] not in lookup.turning(names) or not known or _n_freedoms(names) > 1:
+        return
+    [(_, thing)], [(_, turned)] = who, of
+    ways = lookup.places(names, thing)
+    speeds = [f"velocity of {way}" for way in ways] or [f"speed of {thing}"]
+    yield [f"2*pi * ratio of {speed} to angular velocity of {turned}" for speed in speeds]
+
+
 def _driving(names: Names, given: Clause) -> tuple[str, str, str] | None:
     """What runs with a given speed, this, and its velocity in words of the grammar."""
     of, values = [name for _, name in given.names], [value for _, value in given.values]

@@ -6,6 +6,7 @@ alone. One table says of each which words name it, how it is known, and whether 
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -18,6 +19,9 @@ from freebody.questions.spoken.joining import given_of, is_at, is_joined
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
+
+
+_SYMBOL = re.compile(r"[^\W\d]\w*")
 
 
 @dataclass(frozen=True)
@@ -143,4 +147,8 @@ def chosen(names: Names, kind: ParameterKind, of: list[str]) -> list[str]:
     sizes = frozenset[str]().union(
         *(free_symbols(body.inertia) | free_symbols(body.radius or ZERO) for body in names.bodies.values())
     )
-    return [name for name in found if kind.is_angle or name not in sizes]
+    held = frozenset(
+        symbol for spec in names.connections.values() for value in given_of(spec).values() for symbol in _SYMBOL.findall(str(value))
+    )
+    found = [name for name in found if kind.is_angle or name not in sizes]
+    return [name for name in found if kind.is_angle or name not in held] or found

@@ -53,6 +53,8 @@ def timed(names: Names, sentence: Sentence) -> Groups:
     main, others = sentence.main, [one for one in sentence.others if not is_throughout(names, *one)]
     if main.has("instant", "over the motion") and not main.has("degree") and joining.goes_on(names):
         main = main.without("instant", "over the motion")
+    if main.has("quantity", "deflection") and main.all("verb") == ["hold"]:  # how far is it stretched where it rests
+        main = Clause([*main.without("verb").words, Word("instant", "in equilibrium")])
     if main.has("quantity", "deflection") and main.all("instant") == ["in equilibrium"] and not others:
         if main.only("ask", "quantity", "instant", "name", "verb", *SILENT):
             of = next((name for _, name in main.names), "")
@@ -124,6 +126,9 @@ def timed(names: Names, sentence: Sentence) -> Groups:
         main, tails = main.without("part", "initial"), [[" at start"]]
     slides = [clause for mark, clause in others if mark == "while" and clause.all("verb") == ["slide"]]
     is_first = losing.comes_to_roll(names) or (losing.clutches(names) and not lookup.rests(names))
+    rising = [clause for mark, clause in others if mark == "while" and clause.all("verb") == ["rise"]]
+    if rising and any(lookup.rises(names, way, sense) for way, sense in lookup.inclined(names, "")):
+        slides, is_first = rising, True
     if slides and len(others) == 1 and is_first and not _is_continuous(names, main):
         others, tails = [], [*tails, [" at start"]]  # its first phase, of which forces and accelerations do not change
     if any(_is_of_state(mark, clause) for mark, clause in others) and not _is_continuous(names, main):

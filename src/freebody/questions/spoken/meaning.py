@@ -13,7 +13,7 @@ from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.counting import counted, lost, stopping, time
 from freebody.questions.spoken.events import GOES_ON
 from freebody.questions.spoken.frames import FORCES
-from freebody.questions.spoken.geared import geared
+from freebody.questions.spoken.geared import geared, per_turn
 from freebody.questions.spoken.instants import is_throughout, timed
 from freebody.questions.spoken.lexicon import Word
 from freebody.questions.spoken.limits import limits
@@ -30,6 +30,7 @@ _HOW_FAR = tuple(Word("ask", what) for what in ("large", "small", "heavy", "far"
 _LEADS_ON = ("from", "about", "relative", "between", "along")  # prepositions behind which something stands
 _NOT, _ACCELERATE = Word("not", "not"), Word("verb", "accelerate")
 _STARTS, _AT_START, _FROM_REST = Word("verb", "start"), Word("instant", "at start"), Word("verb", "from_rest")
+_TO = Word("mark", "to")
 _WHILE = Word("mark", "while")
 _COMMA = Word("preposition", ",")
 _SO_THAT = Word("mark", "so_that")
@@ -54,6 +55,7 @@ def meanings(names: Names, words: list[Word]) -> Groups:
         return
     if any(_leads_nowhere(said, k) or _asks_more(said, k) for k in range(len(said) - 1)):
         return
+    said = _driven_by_needed(names, said)
     said = _by_friction(_needed_to_roll(names, _in_doing(said)))
     said = _unaccelerated(_not_slipping(names, _carrying(names, said, modal)))
     words = [_AS_LARGE.get(word, word) for word in said]
@@ -65,7 +67,7 @@ def meanings(names: Names, words: list[Word]) -> Groups:
     sentence = parted(words)
     sentence = sentence and told_who(names, sentence)
     if sentence is not None and all(mark in _MARKS for mark, _ in sentence.others):
-        for told in (_limit, _structure, _which_way, _conserved, lost, time, stopping, counted, geared, timed):
+        for told in (_limit, _structure, _which_way, _conserved, lost, time, stopping, counted, geared, per_turn, timed):
             yield from told(names, sentence)
     yield from stated(names, words)
     yield from limits(names, lasting, modal)
@@ -167,6 +169,17 @@ def _signs_between(words: list[Word]) -> list[Word]:
         if found[k].kind == "relation" and found[k - 1].kind == "value" and ends:
             found[k - 1], found[k] = found[k], found[k - 1]
     return found
+
+
+def _driven_by_needed(names: Names, words: list[Word]) -> list[Word]:
+    """The torque needed to turn the crank, where a motor says how it turns, is that of the motor."""
+    kinds = {"torque": "driving torque", "moment": "driving torque", "force": "driving force"}
+    k = words.index(_TO) if _TO in words else 0
+    goes = words[k + 1 : k + 2] and words[k + 1].kind == "verb" and words[k + 1].what in ("move", "turn", "exert")
+    who = words[k + 2 : k + 3]
+    if not goes or not who or not joining.drivers(names, who[0].what) or words[0].what not in kinds:
+        return words
+    return [Word("quantity", kinds[words[0].what]), *words[1:k], *words[k + 2 :]]
 
 
 def _by_friction(words: list[Word]) -> list[Word]:
@@ -345,6 +358,9 @@ def _structure(names: Names, sentence: Sentence) -> Groups:
             yield ["stability of equilibrium"]
     if "turn_fully" in verbs and main.only("verb", "name", "ask") and len(of) == 1 and not main.has("ask"):
         yield [f"does {of[0]} turn fully"]
+    if verbs == {"self_locking"} and main.only("verb", "name", "ask", *SILENT):  # whether rest needs no torque
+        pushes = [name for name in given.of_kind(names, "torque") if name in given.chosen(names, given.KIND_OF["torque"], [])]
+        yield [f"range of {push} that keeps it at rest" for push in pushes]
     if "assemble" in verbs and not main.has("quantity") and not of:
         yield ["when does the loop assemble"]
     if verbs == {"damped"} and main.only("verb", "name", "pronoun"):

@@ -137,6 +137,18 @@ def _gear_ratio(names: Names, quantity: str, rest: Clause) -> Groups:
         yield [JOINT.join(both)]
 
 
+@said_of("mechanical advantage")
+def _advantage(names: Names, quantity: str, rest: Clause) -> Groups:
+    """Of a load to an effort: of two that are named, or of the only weight to the only drive."""
+    of = [name for _, name in rest.names if name in names.loads]
+    effort = lookup.driving(names)
+    weights = [name for name in names.loads if "gravity" in names.called.get(name, ())]
+    if rest.only("name", *SILENT) and len(of) == 2:
+        yield [f"mechanical advantage of {of[0]} to {of[1]}"]
+    elif rest.only("name", *SILENT) and len(names.loads) == 2 and len(effort) == len(weights) == 1:
+        yield [f"mechanical advantage of {weights[0]} to {effort[0]}"]
+
+
 @said_of("conserved quantities")
 def _conserved(names: Names, quantity: str, rest: Clause) -> Groups:
     """What of energy and momentum stays as it is."""

@@ -162,7 +162,7 @@ def _head(names: Names, head: Clause, rest: Clause, *, is_marked: bool = False) 
     asked_by = [given.ASKED_BY[ask].words[0] for ask in head.all("ask") if ask in ("high", "far", "steep", "flat")]
     named = [name for _, name in head.names if name in names.parameters]
     others = [name for before, name in head.names if name not in names.parameters and (not before or not named)]
-    if head.has("verb", "hit", "exert") and is_marked:  # at which height h do I hit the ball so that ..
+    if head.has("verb", "hit", "exert", "start") and is_marked:  # at which height h do I hit the ball so that ..
         others = []
     asked = head.all("quantity") or (asked_by if is_marked and not named else [])
     if len(named) == 1 and len(others) <= head.has("ask") and set(asked) <= given.KIND_OF.keys():
