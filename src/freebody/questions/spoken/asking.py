@@ -40,6 +40,10 @@ def quantities(names: Names, clause: Clause) -> Groups:
         return
     if clause.has("verb", "exert", "act"):
         clause = clause.without("verb", "exert", "act")
+    if clause.all("degree") == ["range"] and clause.all("quantity") == ["transmission angle"]:
+        if clause.only("degree", "quantity", "pronoun", "preposition"):
+            yield [JOINT.join(f"{end} transmission angle" for end in ("least", "greatest"))]
+        return
     degrees = [degree for degree in clause.all("degree") if degree != "value"]
     if degrees:
         yield from _extreme(names, clause.without("degree"), degrees)

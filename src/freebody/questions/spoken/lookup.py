@@ -107,13 +107,18 @@ def hung(names: Names, body: str) -> list[str]:
 
 def gone(names: Names, body: str, by: str, sense: int) -> list[str]:
     """The condition that a body has come so far up (sense 1) or down (-1) along its way."""
-    return [come(names, name, by, own * sense) for name, own in inclined(names, body)]
+    return [come(names, name, by, own * sense) for name, own in sloping(names, went(names, body))]
 
 
 def inclined(names: Names, body: str) -> list[tuple[str, int]]:
     """Measures of how far a body has come along a straight way that is not level: 1 where they count upwards."""
+    return sloping(names, ways(names, body))
+
+
+def sloping(names: Names, measures: list[str]) -> list[tuple[str, int]]:
+    """Those of some measures that are along a straight way that is not level: 1 where they count upwards."""
     found: list[tuple[str, int]] = []
-    for name in ways(names, body):
+    for name in measures:
         measure = names.measures[name]
         if isinstance(measure, Displacement) and measure.along.body == GROUND:
             rise = names.numeric(measure.along.components[1])

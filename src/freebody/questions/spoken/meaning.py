@@ -35,6 +35,7 @@ _WHILE = Word("mark", "while")
 _COMMA = Word("preposition", ",")
 _SO_THAT = Word("mark", "so_that")
 _FREE_END = "free_end"  # of a body, as the spelling writes it
+_ENDS_OF_LADDERS = ("foot", "head")  # where it touches what is level, and what is upright
 _FOR = Word("preposition", "of")  # friction for rolling
 # what only a limit tells apart: how small, how steep
 _AS_LARGE = {Word("ask", what): Word("ask", "large") for what in ("small", "flat", "steep")}
@@ -97,6 +98,11 @@ def _at_free_ends(names: Names, words: list[Word]) -> list[Word]:
     found: list[Word] = []
     for word in words:
         body, _, end = word.what.partition(".")
+        if word.kind == "name" and end in _ENDS_OF_LADDERS:
+            joints = joining.leaning(names, body, level=end == "foot")
+            if len(joints) != 1:
+                return []
+            word = Word("name", joints[0])
         if word.kind == "name" and end == _FREE_END:
             points = [joining.free_end(names, own) for own in ([body] if body else lookup.moving(names))]
             free = [point for point in points if point is not None]
