@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from freebody.questions.spoken import dimensions, given, joining, lookup, losing, poses
 from freebody.questions.spoken.composing import SILENT, Groups
-from freebody.questions.spoken.events import GOES_ON, conditions
+from freebody.questions.spoken.events import GOES_ON, POSES, conditions
 from freebody.questions.spoken.lexicon import Word
 from freebody.questions.spoken.sentence import Sentence, clock
 from freebody.questions.spoken.words import Clause
@@ -71,7 +71,7 @@ def time(names: Names, sentence: Sentence) -> Groups:
         if not any(word.kind == "pronoun" for word in clause.words) and head.names and not clause.names:
             clause = Clause([*head.words, *clause.words])
     elif not sentence.others and (
-        head.has("verb") or head.has("instant") or head.has("relation") or _has_value(names, head)
+        head.has("verb") or head.has("part", *POSES) or head.has("instant") or head.has("relation") or _has_value(names, head)
     ):
         clause = head
     else:

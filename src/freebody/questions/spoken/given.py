@@ -135,6 +135,8 @@ def chosen(names: Names, kind: ParameterKind, of: list[str]) -> list[str]:
         own = [name for body in of for name in parameters(names, "mass", body)]
         bodies = frozenset[str]().union(*(free_symbols(body.mass) for body in names.bodies.values()))
         others = [p.name for p in given if p.dimension == MASS and p.name not in bodies]
+        masses = [p.name for p in given if p.dimension == MASS]
+        others = others or (masses if len(masses) == 1 else [])
         return own or ([] if any(name in names.bodies for name in of) else others)
     if kind.written:
         return parameters(names, kind.words[0], next((name for name in of if is_joined(names, name)), ""))

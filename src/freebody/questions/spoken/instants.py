@@ -51,6 +51,7 @@ _TIMED = {text: f" {text}" for text in ("in steady motion", "when t grows", "at 
 def timed(names: Names, sentence: Sentence) -> Groups:
     """A quantity, and when it is meant."""
     main, others = sentence.main, [one for one in sentence.others if not is_throughout(names, *one)]
+    others = [(mark, clause) for mark, clause in others if not (mark == "when" and _is_given(names, clause))]
     if main.has("instant", "over the motion") and not main.has("degree") and joining.goes_on(names):
         main = main.without("instant", "over the motion")
     if main.has("quantity", "deflection") and main.all("verb") == ["hold"]:  # how far is it stretched where it rests
@@ -155,6 +156,13 @@ def timed(names: Names, sentence: Sentence) -> Groups:
     for tail in _at(names, *others[0]) if len(others) == 1 else iter(tails[:1]):
         for group in quantities(names, main):
             yield [ended(text, end) for text, end in product(group, tail) if not end.startswith(f" when {text} = ")]
+
+
+def _is_given(names: Names, clause: Clause) -> bool:
+    """Whether a clause says no more than that a body is fixed which the file fixes."""
+    of = [name for _, name in clause.names]
+    fixed = all(name in names.bodies and names.bodies[name].fixed for name in of)
+    return bool(of) and fixed and clause.only("name", "verb", "filler") and set(clause.all("verb")) <= {"hold"}
 
 
 def _is_of_state(mark: str, clause: Clause) -> bool:

@@ -171,6 +171,7 @@ def heights(names: Names, body: str) -> list[tuple[str, int]]:
 
 def climbed(names: Names, body: str, by: str, sense: int) -> list[str]:
     """The condition that a body is higher (sense 1) or lower (-1) than at the start by a length."""
+    body = massive(names)[0] if not body and len(massive(names)) == 1 else body
     measured = heights(names, body) or [(f"height of {name}", 1) for name in [body] if name in moving(names)]
     return [come(names, name, by, own * sense) for name, own in measured]
 

@@ -261,6 +261,18 @@ def _in_spring(names: Names, quantity: str, rest: Clause) -> Groups:
         yield [f"force in {name}" for name in of or lookup.springs(names)]
 
 
+@said_of("friction torque")
+def _friction_torque(names: Names, quantity: str, rest: Clause) -> Groups:
+    """Of a bearing or a clutch that is named, or of the only one with dry friction; else a torque."""
+    rubbing = dict.fromkeys(row.connection for row in names.constraint_rows if row.reaction == quantity)
+    of = [name for _, name in rest.names]
+    found = [name for name in rubbing if all(joining.touches(names, name, thing) for thing in of)]
+    if found and rest.only("name", *SILENT):
+        yield [f"friction torque of {name}" for name in found]
+    elif not rubbing:
+        yield from _transmitted(names, "torque", rest)
+
+
 @said_of("work of friction")
 def _of_friction(names: Names, quantity: str, rest: Clause) -> Groups:
     """What the only dry friction does, or that of something that is named."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from freebody.questions.spoken import dimensions, joining, lookup
+from freebody.questions.spoken import dimensions, given, joining, lookup
 from freebody.questions.spoken.asking import quantities
 from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.lexicon import Word
@@ -152,9 +152,12 @@ def _in_time(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Grou
 
 
 def _failing_first(names: Names, clause: Clause) -> Groups:
-    """It tips before it slides as a force grows."""
+    """It tips before it slides as a force grows: the only one, where none is named."""
     verbs = [verb for verb in clause.all("verb") if verb in ("tip", "slide")]
     grows = [word.what for word in clause.words if word.kind == "name" and word.what in names.parameters]
+    if not grows and not clause.has("verb", "grow") and clause.has("mark", "until") and not clause.has("not", "not"):
+        grows = given.of_kind(names, "force")
+        clause = Clause([*clause.words, Word("verb", "grow")])
     if len(verbs) == 2 and verbs[0] != verbs[1] and len(grows) == 1 and clause.has("verb", "grow"):
         first, second = (f"{verb}s" for verb in verbs)
         yield [f"it {first} before it {second} as {grows[0]} grows"]
