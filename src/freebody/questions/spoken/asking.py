@@ -40,6 +40,10 @@ def quantities(names: Names, clause: Clause) -> Groups:
         return
     if clause.has("verb", "exert", "act"):
         clause = clause.without("verb", "exert", "act")
+    if clause.all("degree") == ["range"] and clause.all("quantity") == ["transmission angle"]:
+        if clause.only("degree", "quantity", "pronoun", "preposition"):
+            yield [JOINT.join(f"{end} transmission angle" for end in ("least", "greatest"))]
+        return
     degrees = [degree for degree in clause.all("degree") if degree != "value"]
     if degrees:
         yield from _extreme(names, clause.without("degree"), degrees)
@@ -82,6 +86,8 @@ def _extreme(names: Names, clause: Clause, degrees: list[str]) -> Groups:
         who = next(iter(bodies), "")
         yield [f"greatest {way}" for way, sense in lookup.inclined(names, who) if sense > 0]
         return
+    if degree == "least" and clause.all("quantity") == ["height"] and not of and not whole:
+        return  # the least height from which it goes round is no height of the motion
     if degree == "greatest" and clause.has("quantity", "height") and clause.only("quantity", "name", *SILENT):
         moved = [name for name in of if name in lookup.moving(names) or name not in names.bodies]
         yield [f"greatest height of {name}" for name in moved or lookup.moving(names)]
@@ -112,6 +118,8 @@ def _of_two(names: Names, clause: Clause) -> Groups:
     k = next(k for k, word in enumerate(clause.words) if word == Word("quantity", kind))
     said = [word for word in clause.words[:k] if word.kind not in (*SILENT, "ask")]
     rest = clause.words[k + 1 :]
+    if kind == "difference" and all(word.kind in SILENT for word in rest):  # by how much do the tensions differ
+        rest, said = [word for word in clause.words[:k] if word.kind != "ask"], []
     if clause.has("ask", "fast") and kind == "ratio" and [w.kind for w in rest if w.kind not in SILENT] == ["name"]:
         own = Word("quantity", "angular velocity" if clause.has("verb", "turn") else "speed")
         first = [w for w in clause.words[:k] if w.kind == "name"]
@@ -147,6 +155,10 @@ def _of_sides(names: Names, clause: Clause) -> Groups:
     """The difference of the forces at the two ends of a rope."""
     asked, of = clause.all("quantity"), [name for _, name in clause.names]
     if len(asked) != 1 or len(of) > 1 or not clause.only("quantity", "name", *SILENT):
+        return
+    belts = {row.connection for row in names.constraint_rows if row.reaction == "belt force"}
+    if asked == ["tension"] and belts and set(of) <= belts:  # of both runs
+        yield from composed(names, "belt force", clause.without("quantity"))
         return
     rows = [
         row for row in names.constraint_rows if row.reaction == asked[0] and row.connection in (of or [row.connection])

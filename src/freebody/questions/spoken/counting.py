@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from freebody.questions.spoken import dimensions, given, joining, lookup, losing, poses
 from freebody.questions.spoken.composing import SILENT, Groups
-from freebody.questions.spoken.events import GOES_ON, conditions
+from freebody.questions.spoken.events import GOES_ON, POSES, conditions
 from freebody.questions.spoken.lexicon import Word
 from freebody.questions.spoken.sentence import Sentence, clock
 from freebody.questions.spoken.words import Clause
@@ -49,6 +49,9 @@ def time(names: Names, sentence: Sentence) -> Groups:
             yield [f"time when {name} stops" for name in losing.runs_down(names) if name in (of or [name])]
         if head.only("verb", "name", "pronoun") and len(of) <= 1 and set(head.all("verb")) == {"slide"}:
             yield [f"time when slipping of {of[0]} ends" if of else "time when slipping ends"]
+        joint = joining.slipping_on(names, head)
+        if joint is not None and set(head.all("verb")) == {"slide"} and head.only("verb", "name", *SILENT):
+            yield [f"time when slipping of {joint} ends"]
         return
     if main.has("ask", "long") and not sentence.others and set(head.all("verb")) == {"hold"}:
         of = [name for _, name in head.names]  # how long does it stick
@@ -68,7 +71,7 @@ def time(names: Names, sentence: Sentence) -> Groups:
         if not any(word.kind == "pronoun" for word in clause.words) and head.names and not clause.names:
             clause = Clause([*head.words, *clause.words])
     elif not sentence.others and (
-        head.has("verb") or head.has("instant") or head.has("relation") or _has_value(names, head)
+        head.has("verb") or head.has("part", *POSES) or head.has("instant") or head.has("relation") or _has_value(names, head)
     ):
         clause = head
     else:
@@ -208,6 +211,8 @@ def _heads_counted(names: Names, sentence: Sentence) -> Groups:
             heights = [name for name, sense in lookup.heights(names, who) if (sense < 0) == down]
             along = [name for name, sense in lookup.inclined(names, who) if (sense < 0) == down]
             yield [f"{counted} {name}" for name in heights or along]
+            is_plain = counted == "change of" and who in lookup.moving(names) and not lookup.places(names, who)
+            yield [f"change of height of {who}"] if is_plain else []
         elif "turn" in verbs and main.has("ask", "far", "much", "large"):
             yield [f"change of {name}" for name in lookup.angles(names, who)]
         else:

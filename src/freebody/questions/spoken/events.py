@@ -23,7 +23,7 @@ HAPPENS = (  # verbs of what comes at an instant; the others are of what goes on
     *("vanish", "top", "bottom", "begin_roll", "engage"),
 )
 _WAYS = ("distance", "displacement", "distance travelled", "angle", "height")
-_POSES = {"horizontal": poses.level, "vertical": poses.upright, "upright": poses.uppermost}
+POSES = {"horizontal": poses.level, "vertical": poses.upright, "upright": poses.uppermost}
 _LIES = {"stop", "hang", "hold", "reach", "move", "become", "turn"}  # verbs of what is in a pose
 GOES_ON = ("move", "slide", "roll", "turn", "fall", "rise", "accelerate", "fly")
 
@@ -42,10 +42,10 @@ def conditions(names: Names, clause: Clause) -> Groups:
         yield (poses.tops if clause.has("quantity", "highest place") else poses.lowermost)(names, of)
     elif clause.has("quantity"):
         yield from _of_quantity(names, clause, verbs)
-    elif clause.has("part", *_POSES) and clause.only("part", "name", "verb", *SILENT) and set(verbs) <= _LIES:
+    elif clause.has("part", *POSES) and clause.only("part", "name", "verb", *SILENT) and set(verbs) <= _LIES:
         of = next((name for _, name in clause.names if name not in names.connections), "")
         for pose in clause.all("part"):
-            yield _POSES[pose](names, of) if pose in _POSES else []
+            yield POSES[pose](names, of) if pose in POSES else []
     else:
         if clause.values or clause.has("turns") or any(name in names.parameters for _, name in clause.names):
             yield from _with_value(names, clause, verbs)
@@ -102,6 +102,9 @@ def _of_quantity(names: Names, clause: Clause, verbs: list[str]) -> Groups:
     if (set(verbs) & set(GOES_ON) or not verbs) and (plain := _without_kind(names, clause)) is not None:
         yield from _with_value(names, plain, verbs)
         return
+    if clause.all("quantity") == ["equilibrium"] and not values:
+        yield from _in_balance(names, clause, verbs)
+        return
     left = clause.without("value").without("verb", "vanish", "reach")
     if "halve" in verbs and not values:
         yield from _halved(names, clause)
@@ -114,6 +117,15 @@ def _of_quantity(names: Names, clause: Clause, verbs: list[str]) -> Groups:
         value = clause.names[-1][1]
         kept = [word for word in left.words if word.what != value]
         yield from _quantity_is(names, Clause(kept), value)
+
+
+def _in_balance(names: Names, clause: Clause, verbs: list[str]) -> Groups:
+    """It passes its equilibrium, where nothing accelerates it: of what is not damped, rubs nowhere and is not forced."""
+    free = not (losing.damped(names) or joining.is_rough(names) or lookup.is_forced(names))
+    of = next((name for _, name in clause.names), "")
+    if free and clause.only("quantity", "verb", "name", *SILENT) and set(verbs) <= {"reach", "move", "turn"}:
+        measures = lookup.places(names, of) or lookup.angles(names, of) or lookup.hung(names, of)
+        yield [f"acceleration of {name} = 0" for name in measures if len(names.measures) == 1]
 
 
 def _halved(names: Names, clause: Clause) -> Groups:
@@ -144,7 +156,9 @@ def _quantity_is(names: Names, clause: Clause, value: str) -> Groups:
     is_zero = value in ("0", "zero") or value.startswith("0 ")
     for quantity in clause.all("quantity")[-1:]:
         if quantity == "angle":
-            yield [f"{angle} = {value}" for angle in lookup.angles(names, of)]
+            found = lookup.angles(names, of)
+            led = [] if of else [angle for angle in found if angle in joining.driven(names)]  # that of the motor
+            yield [f"{angle} = {value}" for angle in led or found]
         elif quantity == "height":
             yield lookup.lifted(names, of, value)
             yield [f"height of {of} = {value}"] if of else []
@@ -160,7 +174,8 @@ def _quantity_is(names: Names, clause: Clause, value: str) -> Groups:
             measures = lookup.angles(names, of) if quantity.startswith("angular") else lookup.places(names, of)
             yield [f"rate({measure}) = 0" for measure in measures or lookup.angles(names, of)]
         elif quantity in ("velocity", "speed", "angular velocity") and (of in names.measures or not of):
-            kinds = lookup.angles if quantity.startswith("angular") else lookup.places
+            is_turning = quantity.startswith("angular") or dimensions.is_turning_speed(value)
+            kinds = lookup.angles if is_turning else lookup.places
             yield [f"rate({measure}) = {value}" for measure in ([of] if of else kinds(names, ""))]
         elif quantity == "tension" and is_zero:
             yield [f"{joint} goes slack" for joint in joining.joints(names, of, "", "tension")]

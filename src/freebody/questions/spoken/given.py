@@ -6,6 +6,7 @@ alone. One table says of each which words name it, how it is known, and whether 
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -18,6 +19,9 @@ from freebody.questions.spoken.joining import given_of, is_at, is_joined
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
+
+
+_SYMBOL = re.compile(r"[^\W\d]\w*")
 
 
 @dataclass(frozen=True)
@@ -51,7 +55,7 @@ KINDS = (
     ParameterKind(("force", "tension", "driving force"), dimension=FORCE, ends_rest=True),
     ParameterKind(("reaction",), dimension=FORCE),
     ParameterKind(("torque", "moment", "driving torque"), dimension=TORQUE, ends_rest=True),
-    ParameterKind(("speed", "velocity"), dimension=LENGTH / TIME),
+    ParameterKind(("speed", "velocity"), ("fast",), dimension=LENGTH / TIME, ends_rest=True),
     ParameterKind(("height",), ("high",), dimension=LENGTH, ends_rest=True),
     ParameterKind(("distance",), ("far",), dimension=LENGTH, ends_rest=True),
     ParameterKind(("angle",), ("steep", "flat"), is_angle=True, ends_rest=True),
@@ -131,6 +135,8 @@ def chosen(names: Names, kind: ParameterKind, of: list[str]) -> list[str]:
         own = [name for body in of for name in parameters(names, "mass", body)]
         bodies = frozenset[str]().union(*(free_symbols(body.mass) for body in names.bodies.values()))
         others = [p.name for p in given if p.dimension == MASS and p.name not in bodies]
+        masses = [p.name for p in given if p.dimension == MASS]
+        others = others or (masses if len(masses) == 1 else [])
         return own or ([] if any(name in names.bodies for name in of) else others)
     if kind.written:
         return parameters(names, kind.words[0], next((name for name in of if is_joined(names, name)), ""))
@@ -143,4 +149,8 @@ def chosen(names: Names, kind: ParameterKind, of: list[str]) -> list[str]:
     sizes = frozenset[str]().union(
         *(free_symbols(body.inertia) | free_symbols(body.radius or ZERO) for body in names.bodies.values())
     )
-    return [name for name in found if kind.is_angle or name not in sizes]
+    held = frozenset(
+        symbol for spec in names.connections.values() for value in given_of(spec).values() for symbol in _SYMBOL.findall(str(value))
+    )
+    found = [name for name in found if kind.is_angle or name not in sizes]
+    return [name for name in found if kind.is_angle or name not in held] or found

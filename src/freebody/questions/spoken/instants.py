@@ -43,6 +43,7 @@ _PLACES = {
     "at separation": losing.separated,
     "after engagement": losing.engaged,
 }
+_LANDS = (Word("pronoun", "it"), Word("verb", "hit"))
 _BLOWS = ("after the impact", "before the impact")
 _TIMED = {text: f" {text}" for text in ("in steady motion", "when t grows", "at the dead points")}
 
@@ -50,12 +51,20 @@ _TIMED = {text: f" {text}" for text in ("in steady motion", "when t grows", "at 
 def timed(names: Names, sentence: Sentence) -> Groups:
     """A quantity, and when it is meant."""
     main, others = sentence.main, [one for one in sentence.others if not is_throughout(names, *one)]
+    others = [(mark, clause) for mark, clause in others if not (mark == "when" and _is_given(names, clause))]
     if main.has("instant", "over the motion") and not main.has("degree") and joining.goes_on(names):
         main = main.without("instant", "over the motion")
+    if main.has("quantity", "deflection") and main.all("verb") == ["hold"]:  # how far is it stretched where it rests
+        main = Clause([*main.without("verb").words, Word("instant", "in equilibrium")])
     if main.has("quantity", "deflection") and main.all("instant") == ["in equilibrium"] and not others:
         if main.only("ask", "quantity", "instant", "name", "verb", *SILENT):
             of = next((name for _, name in main.names), "")
             yield [f"equilibrium of {measure}" for measure in lookup.deflections(names, of)]
+            yield lookup.stretched_at_rest(names, of)
+        return
+    if main.has("quantity", "extension") and main.all("instant") == ["in equilibrium"] and not others:
+        if main.only("ask", "quantity", "instant", "name", "verb", *SILENT) and len(main.names) <= 1:
+            yield lookup.stretched_at_rest(names, next((name for _, name in main.names), ""))
         return
     own = [name for _, name in main.names]
     is_alone = main.only("name", "instant", *SILENT) and len(own) == 1 and own[0] in names.measures
@@ -105,7 +114,10 @@ def timed(names: Names, sentence: Sentence) -> Groups:
     tails, main = _tails(names, main)
     if main.has("quantity", "impact speed"):
         main = Clause([Word("quantity", "speed") if w == Word("quantity", "impact speed") else w for w in main.words])
-        tails = tails or ([] if others else [[" when it hits"]])
+        struck = {GROUND, *names.bodies[GROUND].lines}
+        landing = Clause([*(w for w in main.words if w.kind == "name" and w.what in struck), *_LANDS])
+        main = Clause([w for w in main.words if w not in landing.words])
+        tails = tails or ([] if others else [[f" when {text}" for group in conditions(names, landing) for text in group]])
     if main.has("quantity", "common speed") and not others:
         tails = tails or [[f" when slipping of {name} ends"] for name in losing.clutches(names)]
         tails = tails or ([[" at start"]] if joining.is_struck_at_start_alone(names) else [])
@@ -115,6 +127,9 @@ def timed(names: Names, sentence: Sentence) -> Groups:
         main, tails = main.without("part", "initial"), [[" at start"]]
     slides = [clause for mark, clause in others if mark == "while" and clause.all("verb") == ["slide"]]
     is_first = losing.comes_to_roll(names) or (losing.clutches(names) and not lookup.rests(names))
+    rising = [clause for mark, clause in others if mark == "while" and clause.all("verb") == ["rise"]]
+    if rising and any(lookup.rises(names, way, sense) for way, sense in lookup.inclined(names, "")):
+        slides, is_first = rising, True
     if slides and len(others) == 1 and is_first and not _is_continuous(names, main):
         others, tails = [], [*tails, [" at start"]]  # its first phase, of which forces and accelerations do not change
     if any(_is_of_state(mark, clause) for mark, clause in others) and not _is_continuous(names, main):
@@ -141,6 +156,13 @@ def timed(names: Names, sentence: Sentence) -> Groups:
     for tail in _at(names, *others[0]) if len(others) == 1 else iter(tails[:1]):
         for group in quantities(names, main):
             yield [ended(text, end) for text, end in product(group, tail) if not end.startswith(f" when {text} = ")]
+
+
+def _is_given(names: Names, clause: Clause) -> bool:
+    """Whether a clause says no more than that a body is fixed which the file fixes."""
+    of = [name for _, name in clause.names]
+    fixed = all(name in names.bodies and names.bodies[name].fixed for name in of)
+    return bool(of) and fixed and clause.only("name", "verb", "filler") and set(clause.all("verb")) <= {"hold"}
 
 
 def _is_of_state(mark: str, clause: Clause) -> bool:

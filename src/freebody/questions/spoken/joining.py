@@ -16,6 +16,7 @@ from freebody.questions.spoken import lookup
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
+    from freebody.questions.spoken.words import Clause
 
 _LEVEL = 1e-9  # of a direction that is level, or straight up
 
@@ -54,6 +55,19 @@ def slipping(names: Names, things: list[str]) -> str | None:
     own = [thing for thing in things if thing in names.connections or thing in names.bodies or is_joined(names, thing)]
     found = [name for name in rough(names, "") if all(touches(names, name, thing) for thing in own)]
     return found[0] if own and len(found) == 1 < len(rough(names, "")) else None
+
+
+def is_between(names: Names, connection: str) -> bool:
+    """Whether a connection is between two bodies that move."""
+    return len({*lookup.moving(names)} & names.connections[connection].mentions(names)) > 1
+
+
+def slipping_on(names: Names, clause: Clause) -> str | None:
+    """The only rough contact between the two things that a clause names, one on the other."""
+    of = [name for _, name in clause.names]
+    found = [name for name in rough(names, "") if all(touches(names, name, thing) for thing in of)]
+    is_pair = len(of) == 2 and clause.names[1][0] in ("on", "relative", "along", "over", "in")
+    return found[0] if is_pair and len(found) == 1 else None
 
 
 def led_round(names: Names) -> list[tuple[str, str]]:
@@ -197,6 +211,17 @@ def axle_of(names: Names, body: str) -> str:
     if not points:
         return ""
     return "center" if names.bodies[body].points["mass_center"] in points else "beside"
+
+
+def leaning(names: Names, body: str, *, level: bool) -> list[str]:
+    """Contacts of a body with a line of the ground that is level, or with one that is upright."""
+    found: list[str] = []
+    for line in names.bodies[GROUND].lines:
+        x, y = (names.numeric(c) for c in names.direction(line).components[:2])
+        across = y if level else x
+        if across is not None and abs(across) < _LEVEL:
+            found += [name for name in names.connections if touches(names, name, body) and names_line(names, name, line)]
+    return list(dict.fromkeys(found))
 
 
 def free_end(names: Names, body: str) -> str | None:

@@ -66,7 +66,7 @@ def _is_meant(names: Names, thing: str, things: set[str], text: str) -> bool:
     """Whether words of the grammar that name nothing mean a thing: that it all rests, slips, is struck."""
     body = thing.partition(".")[0]
     if _OF_ALL.search(text):
-        is_one = "slip" not in text and _n_freedoms(names) == 1
+        is_one = "slip" not in text and n_freedoms(names) == 1
         return "." not in thing and (joining.is_all_that_slips(names, body) or is_one)
     if _SLIPS.search(text):  # the block slips on the belt, which is all that it touches
         rough = [joint for other in things for joint in joining.rough(names, other)]
@@ -110,11 +110,11 @@ def _ground_stands(names: Names, thing: str, things: set[str]) -> bool:
     return len(names.bodies[GROUND].lines) <= 1
 
 
-def _n_freedoms(names: Names) -> int:
+def n_freedoms(names: Names) -> int:
     """The degrees of freedom, where no constraint follows from others: what touches a side with several points of its
     own can neither leave it nor turn."""
     free = (3, 6) if names.space else (2, 3)
-    held = [row for row in names.constraint_rows if row.reaction != "friction force"]
+    held = [row for row in names.constraint_rows if not row.reaction.startswith("friction")]
     touching = Counter(joint for joint, _ in {(row.connection, row.ends[:1]) for row in held if row.unilateral})
     n_held = sum(not row.unilateral for row in held) + sum(min(n, 2) for n in touching.values())
     return sum(free[names.bodies[body].turns] for body in lookup.moving(names)) - n_held

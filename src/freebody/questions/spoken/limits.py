@@ -39,8 +39,10 @@ def limits(names: Names, words: list[Word], modal: set[str]) -> Groups:
         return
     if not modal and not (clause.has("ask") or clause.has("degree") or clause.has("mark")):
         return
+    if {"tip", "slide"} <= set(clause.all("verb")) and clause.has("mark", "until") and not clause.has("not"):
+        return  # which of both comes first is no limit of rest
     head, state = _parted(names, words)
-    if clause.has("ask", "far", "high") and "may" not in modal:
+    if clause.has("ask", "far", "high", "fast") and "may" not in modal:
         return  # how far something comes is no limit of rest
     lasts = _lasting(names, head, state, modal)
     parameter = _parameter(names, head)
@@ -173,7 +175,7 @@ def _end(head: Clause, state: Clause, modal: set[str], lasts: str) -> str:
         return ""
     if head.has("ask", "flat", "small"):
         return "least" if "may" in modal and not starts else ""
-    is_up = head.has("ask", "large", "far", "high", "heavy", "steep", "rough")
+    is_up = head.has("ask", "large", "far", "high", "heavy", "steep", "rough", "fast")
     if head.has("ask", "up_to") or (is_up and not starts and ("may" in modal or state.has("mark", "until"))):
         return "largest"
     if "must" in modal and not starts and (is_up or head.has("quantity", "friction coefficient")):

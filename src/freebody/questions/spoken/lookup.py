@@ -8,10 +8,11 @@ from __future__ import annotations
 from itertools import product
 from typing import TYPE_CHECKING
 
-from freebody.language.expression import free_symbols
+from freebody.language.expression import free_symbols, negate, substitute
+from freebody.language.notation import to_python
 from freebody.language.units import DIMENSIONLESS, LENGTH
 from freebody.measures.displacement import Displacement
-from freebody.measures.distance import Bearing
+from freebody.measures.distance import Bearing, Distance
 from freebody.measures.geometry import GROUND, ZERO
 from freebody.model.elements import VALUE
 
@@ -106,13 +107,18 @@ def hung(names: Names, body: str) -> list[str]:
 
 def gone(names: Names, body: str, by: str, sense: int) -> list[str]:
     """The condition that a body has come so far up (sense 1) or down (-1) along its way."""
-    return [come(names, name, by, own * sense) for name, own in inclined(names, body)]
+    return [come(names, name, by, own * sense) for name, own in sloping(names, went(names, body))]
 
 
 def inclined(names: Names, body: str) -> list[tuple[str, int]]:
     """Measures of how far a body has come along a straight way that is not level: 1 where they count upwards."""
+    return sloping(names, ways(names, body))
+
+
+def sloping(names: Names, measures: list[str]) -> list[tuple[str, int]]:
+    """Those of some measures that are along a straight way that is not level: 1 where they count upwards."""
     found: list[tuple[str, int]] = []
-    for name in ways(names, body):
+    for name in measures:
         measure = names.measures[name]
         if isinstance(measure, Displacement) and measure.along.body == GROUND:
             rise = names.numeric(measure.along.components[1])
@@ -165,7 +171,9 @@ def heights(names: Names, body: str) -> list[tuple[str, int]]:
 
 def climbed(names: Names, body: str, by: str, sense: int) -> list[str]:
     """The condition that a body is higher (sense 1) or lower (-1) than at the start by a length."""
-    return [come(names, name, by, own * sense) for name, own in heights(names, body)]
+    body = massive(names)[0] if not body and len(massive(names)) == 1 else body
+    measured = heights(names, body) or [(f"height of {name}", 1) for name in [body] if name in moving(names)]
+    return [come(names, name, by, own * sense) for name, own in measured]
 
 
 def come(names: Names, measure: str, by: str, sense: int = 1) -> str:
@@ -230,6 +238,20 @@ def driving(names: Names) -> list[str]:
     passive = {"gravity", "spring", "damper"}
     plain = [name for name in names.loads if name not in springs(names)]
     return [name for name in plain if not passive & {word.split()[-1] for word in names.called.get(name, ())}]
+
+
+def stretched_at_rest(names: Names, spring: str) -> list[str]:
+    """By how much a spring, or the only one, is longer in equilibrium than without force: its length there less that."""
+    found: list[str] = []
+    for load in names.applied_loads:
+        if load.load not in springs(names) or (spring in names.loads and load.load != spring):
+            continue
+        parts = getattr(load.measure, "measures", ())
+        if len(parts) == 1 and isinstance(length := parts[0][1], Distance):
+            natural = negate(substitute(load.measure.expression, {parts[0][0]: ZERO}))  # of: length - l_0
+            ends = f"{length.start.name} to {length.end.name}"
+            found.append(f"(equilibrium of distance from {ends}) - {_factor(to_python(natural).replace('**', '^'))}")
+    return found
 
 
 def is_forced(names: Names) -> bool:

@@ -12,6 +12,8 @@ from freebody.questions.spoken.asking import quantities
 from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.counting import counted, lost, stopping, time
 from freebody.questions.spoken.events import GOES_ON
+from freebody.questions.spoken.frames import FORCES
+from freebody.questions.spoken.geared import geared, per_turn
 from freebody.questions.spoken.instants import is_throughout, timed
 from freebody.questions.spoken.lexicon import Word
 from freebody.questions.spoken.limits import limits
@@ -28,10 +30,12 @@ _HOW_FAR = tuple(Word("ask", what) for what in ("large", "small", "heavy", "far"
 _LEADS_ON = ("from", "about", "relative", "between", "along")  # prepositions behind which something stands
 _NOT, _ACCELERATE = Word("not", "not"), Word("verb", "accelerate")
 _STARTS, _AT_START, _FROM_REST = Word("verb", "start"), Word("instant", "at start"), Word("verb", "from_rest")
+_TO = Word("mark", "to")
 _WHILE = Word("mark", "while")
 _COMMA = Word("preposition", ",")
 _SO_THAT = Word("mark", "so_that")
 _FREE_END = "free_end"  # of a body, as the spelling writes it
+_ENDS_OF_LADDERS = ("foot", "head")  # where it touches what is level, and what is upright
 _FOR = Word("preposition", "of")  # friction for rolling
 # what only a limit tells apart: how small, how steep
 _AS_LARGE = {Word("ask", what): Word("ask", "large") for what in ("small", "flat", "steep")}
@@ -52,6 +56,7 @@ def meanings(names: Names, words: list[Word]) -> Groups:
         return
     if any(_leads_nowhere(said, k) or _asks_more(said, k) for k in range(len(said) - 1)):
         return
+    said = _driven_by_needed(names, said)
     said = _by_friction(_needed_to_roll(names, _in_doing(said)))
     said = _unaccelerated(_not_slipping(names, _carrying(names, said, modal)))
     words = [_AS_LARGE.get(word, word) for word in said]
@@ -63,7 +68,7 @@ def meanings(names: Names, words: list[Word]) -> Groups:
     sentence = parted(words)
     sentence = sentence and told_who(names, sentence)
     if sentence is not None and all(mark in _MARKS for mark, _ in sentence.others):
-        for told in (_limit, _structure, _which_way, _conserved, lost, time, stopping, counted, timed):
+        for told in (_limit, _structure, _which_way, _conserved, lost, time, stopping, counted, geared, per_turn, timed):
             yield from told(names, sentence)
     yield from stated(names, words)
     yield from limits(names, lasting, modal)
@@ -93,6 +98,11 @@ def _at_free_ends(names: Names, words: list[Word]) -> list[Word]:
     found: list[Word] = []
     for word in words:
         body, _, end = word.what.partition(".")
+        if word.kind == "name" and end in _ENDS_OF_LADDERS:
+            joints = joining.leaning(names, body, level=end == "foot")
+            if len(joints) != 1:
+                return []
+            word = Word("name", joints[0])
         if word.kind == "name" and end == _FREE_END:
             points = [joining.free_end(names, own) for own in ([body] if body else lookup.moving(names))]
             free = [point for point in points if point is not None]
@@ -165,6 +175,17 @@ def _signs_between(words: list[Word]) -> list[Word]:
         if found[k].kind == "relation" and found[k - 1].kind == "value" and ends:
             found[k - 1], found[k] = found[k], found[k - 1]
     return found
+
+
+def _driven_by_needed(names: Names, words: list[Word]) -> list[Word]:
+    """The torque needed to turn the crank, where a motor says how it turns, is that of the motor."""
+    kinds = {"torque": "driving torque", "moment": "driving torque", "force": "driving force"}
+    k = words.index(_TO) if _TO in words else 0
+    goes = words[k + 1 : k + 2] and words[k + 1].kind == "verb" and words[k + 1].what in ("move", "turn", "exert")
+    who = words[k + 2 : k + 3]
+    if not goes or not who or not joining.drivers(names, who[0].what) or words[0].what not in kinds:
+        return words
+    return [Word("quantity", kinds[words[0].what]), *words[1:k], *words[k + 2 :]]
 
 
 def _by_friction(words: list[Word]) -> list[Word]:
@@ -343,6 +364,9 @@ def _structure(names: Names, sentence: Sentence) -> Groups:
             yield ["stability of equilibrium"]
     if "turn_fully" in verbs and main.only("verb", "name", "ask") and len(of) == 1 and not main.has("ask"):
         yield [f"does {of[0]} turn fully"]
+    if verbs == {"self_locking"} and main.only("verb", "name", "ask", *SILENT):  # whether rest needs no torque
+        pushes = [name for name in given.of_kind(names, "torque") if name in given.chosen(names, given.KIND_OF["torque"], [])]
+        yield [f"range of {push} that keeps it at rest" for push in pushes]
     if "assemble" in verbs and not main.has("quantity") and not of:
         yield ["when does the loop assemble"]
     if verbs == {"damped"} and main.only("verb", "name", "pronoun"):
@@ -355,6 +379,8 @@ def _structure(names: Names, sentence: Sentence) -> Groups:
 def _which_way(names: Names, sentence: Sentence) -> Groups:
     """Which way something moves that is let go: the way in which it is accelerated."""
     main, verbs = sentence.main, set(sentence.main.all("verb"))
+    if main.has("ask", "way") and set(main.all("quantity")) & {*FORCES}:  # as its components tell
+        yield from timed(names, Sentence(main.without("ask", "way").without("verb", "act", "move"), sentence.others))
     of = [name for _, name in main.names if name in lookup.moving(names)]
     plain = main.has("ask", "way") and main.only("ask", "verb", "name", "pronoun") and not sentence.others
     if plain and len(of) == len(main.names) == 1 and verbs <= {"start", *GOES_ON} and verbs and lookup.rests(names):

@@ -57,6 +57,10 @@ def _transmitted(names: Names, quantity: str, rest: Clause) -> Groups:
         if not kinds and any(name in names.connections for _, name in rest.names):
             kinds = (quantity,)  # the grammar says that it has none
     joints = {name for _, name in rest.names if name in names.connections}
+    if quantity == "force" and not joints and (meshes := _meshes_between(names, rest)):
+        angled = {*having(names, "normal tooth force")}  # with a pressure angle the whole force is that along the normal
+        yield [f"{kind}tooth force of {m}" for m in meshes for kind in (("", "normal ") if m in angled else ("",))]
+        return
     if quantity in ("torque", "driving torque") and not joints:
         driven = [name for _, name in rest.names for name in joining.drivers(names, name)]
         yield [f"driving torque of {name}" for name in driven if rest.only("name", *SILENT) and len(rest.names) == 1]
@@ -65,6 +69,9 @@ def _transmitted(names: Names, quantity: str, rest: Clause) -> Groups:
         for row in names.constraint_rows
         if row.connection in joints and row.reaction.startswith(("driving ", "friction torque"))
     ]
+    if quantity == "torque" and not joints and (own_loads := _torques_on(names, rest)):
+        yield [f"torque of {name}" for name in own_loads]
+        return
     if driving and quantity in ("force", "torque", "moment", "driving force", "driving torque"):
         kinds = tuple(dict.fromkeys((*driving, *kinds)))
     if quantity == "torque" and not joints:  # no bearing is asked for its reaction so
@@ -74,6 +81,25 @@ def _transmitted(names: Names, quantity: str, rest: Clause) -> Groups:
         kinds = ("force",)  # the force in a rope is no sum of what its parts pull with
     for kind in kinds:
         yield from _of_joint(names, kind, rest)
+
+
+def _torques_on(names: Names, rest: Clause) -> list[str]:
+    """Loads that turn the only body that is named, where no teeth, belt or string turn it as well."""
+    of = [name for _, name in rest.names]
+    acting = {p.load: {*p.measure.bodies()} - {GROUND} for p in names.applied_loads if names.loads[p.load] == TORQUE}
+    is_one = len(of) == 1 and of[0] in names.bodies and rest.only("name", *SILENT)
+    held = {row.reaction for row in names.constraint_rows if is_one and of[0] in row.measure.bodies()}
+    is_one = is_one and held <= {"force", "reaction", "moment", "normal force"}
+    return [name for name, bodies in acting.items() if is_one and bodies == {of[0]}]
+
+
+def _meshes_between(names: Names, rest: Clause) -> list[str]:
+    """Connections by teeth between two bodies that are named."""
+    toothed = [row.connection for row in names.constraint_rows if row.reaction == "tooth force"]
+    things = [name for _, name in rest.names]
+    if len(things) != 2 or not rest.only("name", *SILENT):
+        return []
+    return [name for name in dict.fromkeys(toothed) if all(joining.touches(names, name, thing) for thing in things)]
 
 
 def _of_joint(names: Names, kind: str, rest: Clause) -> Groups:
@@ -235,6 +261,18 @@ def _in_spring(names: Names, quantity: str, rest: Clause) -> Groups:
         yield [f"force in {name}" for name in of or lookup.springs(names)]
 
 
+@said_of("friction torque")
+def _friction_torque(names: Names, quantity: str, rest: Clause) -> Groups:
+    """Of a bearing or a clutch that is named, or of the only one with dry friction; else a torque."""
+    rubbing = dict.fromkeys(row.connection for row in names.constraint_rows if row.reaction == quantity)
+    of = [name for _, name in rest.names]
+    found = [name for name in rubbing if all(joining.touches(names, name, thing) for thing in of)]
+    if found and rest.only("name", *SILENT):
+        yield [f"friction torque of {name}" for name in found]
+    elif not rubbing:
+        yield from _transmitted(names, "torque", rest)
+
+
 @said_of("work of friction")
 def _of_friction(names: Names, quantity: str, rest: Clause) -> Groups:
     """What the only dry friction does, or that of something that is named."""
@@ -320,6 +358,16 @@ def _pressure_angle(names: Names, quantity: str, rest: Clause) -> Groups:
         cams = [name for name, spec in names.connections.items() if not isinstance(spec.aside_of_way(names), str)]
     if rest.only("name", *SILENT) and len(rest.names) <= 1:
         yield [f"pressure angle of {name}" for name in of or cams]
+
+
+@said_of("spring energy")
+def _in_springs(names: Names, quantity: str, rest: Clause) -> Groups:
+    """F^2/(2 k) of a spring whose force is in proportion to its extension."""
+    of = [name for _, name in rest.names if name in names.loads]
+    if not rest.only("name", *SILENT) or len(rest.names) > 1:
+        return
+    found = [(name, given.stiffness(names, name)) for name in of or lookup.springs(names)]
+    yield [f"(force in {name})^2 / (2*{k})" for name, k in found if k]
 
 
 @said_of("extension")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from freebody.measures.distance import Distance
-from freebody.questions.spoken import given, joining, lookup
+from freebody.questions.spoken import given, joining, lookup, losing
 from freebody.questions.spoken.composing import ALONG, JOINT, SILENT, Groups, said_of
 from freebody.questions.spoken.of_motion import motion
 from freebody.questions.spoken.words import Clause
@@ -75,6 +75,24 @@ def _equilibrium(names: Names, quantity: str, rest: Clause) -> Groups:
     yield [f"equilibrium of {name}" for name in dict.fromkeys(measures)]
 
 
+@said_of("free amplitude")
+def _free_amplitude(names: Names, quantity: str, rest: Clause) -> Groups:
+    """Half of the way between both ends of a vibration that nothing forces; else the steady one."""
+    of = [name for _, name in rest.names]
+    if lookup.is_forced(names):
+        yield from _of_coordinate(names, "steady amplitude", rest)
+    elif rest.only("name", *SILENT) and len(of) <= 1 and not losing.damped(names) and not joining.is_rough(names):
+        measures = [*lookup.places(names, next(iter(of), "")), *lookup.angles(names, next(iter(of), ""))]
+        yield [f"(greatest {name} - least {name})/2" for name in measures]
+
+
+@said_of("cycles per second")
+def _cycles(names: Names, quantity: str, rest: Clause) -> Groups:
+    """One over the period."""
+    for group in _period(names, "period", rest):
+        yield [f"1/({text})" for text in group]
+
+
 @said_of("stroke", "time ratio", "extremes", "steady amplitude", "phase lag", "resonance frequency")
 def _of_coordinate(names: Names, quantity: str, rest: Clause) -> Groups:
     """What is asked of the place of something: its stroke, its time ratio."""
@@ -132,9 +150,25 @@ def _gear_ratio(names: Names, quantity: str, rest: Clause) -> Groups:
     for first, second in [of] if len(of) == 2 else []:
         yield [f"ratio of angular velocity of {first} to angular velocity of {second}"]
     two = [name for name in lookup.turning(names) if joining.axle_of(names, name) or names.space] if not of else []
+    if len(two) > 2:  # noqa: PLR2004  of a train: its first and its last wheel
+        driving = ("tooth force", "belt force", "chain force")
+        meshes = dict.fromkeys(row.connection for row in names.constraint_rows if row.reaction in driving)
+        two = [name for name in two if sum(joining.touches(names, mesh, name) for mesh in meshes) == 1]
     if len(two) == 2:
         both = (f"ratio of angular velocity of {a} to angular velocity of {b}" for a, b in (two, two[::-1]))
         yield [JOINT.join(both)]
+
+
+@said_of("mechanical advantage")
+def _advantage(names: Names, quantity: str, rest: Clause) -> Groups:
+    """Of a load to an effort: of two that are named, or of the only weight to the only drive."""
+    of = [name for _, name in rest.names if name in names.loads]
+    effort = lookup.driving(names)
+    weights = [name for name in names.loads if "gravity" in names.called.get(name, ())]
+    if rest.only("name", *SILENT) and len(of) == 2:
+        yield [f"mechanical advantage of {of[0]} to {of[1]}"]
+    elif rest.only("name", *SILENT) and len(names.loads) == 2 and len(effort) == len(weights) == 1:
+        yield [f"mechanical advantage of {weights[0]} to {effort[0]}"]
 
 
 @said_of("conserved quantities")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from freebody.questions.spoken import dimensions, joining, lookup
+from freebody.questions.spoken import dimensions, given, joining, lookup
 from freebody.questions.spoken.asking import quantities
 from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.lexicon import Word
@@ -51,6 +51,10 @@ def so(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
     yield from _failing_first(names, clause)
     if not plain:
         return
+    if verbs == {"engage"} and not negated and clause.only("verb", *SILENT):  # both move together
+        between = [name for name in joining.rough(names, "") if joining.is_between(names, name)]
+        yield [f"{name} does not slip" for name in between]
+        return
     joint = joining.slipping(names, of)
     slides = negated and "slide" in verbs <= {"slide", "start", "move"}
     if joint is not None and (slides or (verbs == {"hold"} and not negated and len(of) > 1)):
@@ -88,7 +92,8 @@ def so(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
         )  # the end of rest is where motion begins
     is_one = verbs and verbs <= {"hold", "stop", "move"} and not negated and len(of) == 1 and not everything
     if is_one and not joining.is_rough(names) and not _is_held(clause):  # one of several bodies stays where it is
-        yield [f"acceleration of {place} = 0" for place in lookup.places(names, who) or lookup.angles(names, who)]
+        moved = "steady amplitude" if lookup.is_forced(names) else "acceleration"
+        yield [f"{moved} of {place} = 0" for place in lookup.places(names, who) or lookup.angles(names, who)]
     if verbs == {"leave"} and not negated and who:  # what cannot lift off by itself
         held = joining.joints(names, who, next(iter(of[1:]), ""), "normal force")
         bound = {row.connection for row in names.constraint_rows if row.unilateral}
@@ -147,9 +152,12 @@ def _in_time(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Grou
 
 
 def _failing_first(names: Names, clause: Clause) -> Groups:
-    """It tips before it slides as a force grows."""
+    """It tips before it slides as a force grows: the only one, where none is named."""
     verbs = [verb for verb in clause.all("verb") if verb in ("tip", "slide")]
     grows = [word.what for word in clause.words if word.kind == "name" and word.what in names.parameters]
+    if not grows and not clause.has("verb", "grow") and clause.has("mark", "until") and not clause.has("not", "not"):
+        grows = given.of_kind(names, "force")
+        clause = Clause([*clause.words, Word("verb", "grow")])
     if len(verbs) == 2 and verbs[0] != verbs[1] and len(grows) == 1 and clause.has("verb", "grow"):
         first, second = (f"{verb}s" for verb in verbs)
         yield [f"it {first} before it {second} as {grows[0]} grows"]

@@ -49,6 +49,7 @@ _RATIO = re.compile(
     r"\bratio|übersetzung|verhältnis|\bturns?\b.+\b(?:rad/s|rpm|turns?)\b|dreht.+\b(?:rad/s|U/min)\b", re.IGNORECASE
 )
 _ADVANTAGE = re.compile(r"\bmechanical advantage|kraftübersetzung|kraftverhältnis", re.IGNORECASE)
+_EFFICIENCY = re.compile(r"\befficien|wirkungsgrad", re.IGNORECASE)
 _TIMES = re.compile(r"\btime ratio|quick return|return (?:stroke|time)|zeitverhältnis", re.IGNORECASE)
 
 
@@ -61,6 +62,7 @@ def suggestions(names: Names, text: str, near: Iterable[str], read: Callable[[st
     others = sorted(dict.fromkeys(_askable(names)), key=lambda question: -_likeness(typed, _words(question)))
     found: dict[str, object] = {}
     first = [*_time_ratios(names, text), *_ratios(names, text), *_advantages(names, text)]
+    first += _efficiencies(names, text)
     for question in (*first, *near, *_limits(names, text), *_turning_points(names, text), *others):
         if len(found) >= MOST:
             break
@@ -126,6 +128,13 @@ def _advantages(names: Names, text: str) -> Iterator[str]:
     if _ADVANTAGE.search(text) is not None:
         pairs = permutations(names.loads, 2)
         yield from (f"mechanical advantage of {load} to {other}" for load, other in pairs)
+
+
+def _efficiencies(names: Names, text: str) -> Iterator[str]:
+    """The power of one load over that of another, if an efficiency is what a text is about."""
+    if _EFFICIENCY.search(text) is not None:
+        pairs = permutations(names.loads, 2)
+        yield from (f"ratio of power of {load} to power of {other}" for load, other in pairs)
 
 
 def _time_ratios(names: Names, text: str) -> Iterator[str]:

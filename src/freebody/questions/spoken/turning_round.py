@@ -22,6 +22,7 @@ _FOR = (Word("ask", "from"), Word("ask", "for"), Word("ask", "up_to"))
 def parameters(names: Names, words: list[Word], whole: Callable[..., Groups]) -> Groups:
     """What words can ask for if they ask for a parameter. whole: what other words can ask for."""
     yield from _leaving_at_top(names, Clause(words))
+    yield from _without_leaving(names, Clause(words), whole)
     parted = _parted(names, words)
     if parted is None:
         return
@@ -59,6 +60,22 @@ def _leaving_at_top(names: Names, clause: Clause) -> Groups:
         tops = ["at start"] if poses.begins_uppermost(names, bodies[0]) else tops
         for top in tops if len(speeds) == len(joints) == 1 else ():
             yield [f"value of {speeds[0]} for which normal force of {joints[0]} = 0 {top}"]
+
+
+def _without_leaving(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
+    """How fast may the car go without leaving the road: the largest speed at the start with which it never does."""
+    is_speed = clause.all("quantity") in (["speed"], ["velocity"]) and clause.has("degree", "greatest")
+    known = clause.only("ask", "quantity", "name", "verb", "degree", "mark", "not", *SILENT)
+    is_denied = clause.has("not") or clause.has("mark", "without", "until")
+    if not (known and is_denied and set(clause.all("verb")) - {"move"} == {"leave"}):
+        return
+    bodies = [name for _, name in clause.names if name in lookup.moving(names)] or lookup.massive(names)
+    speeds = given.started_with(names, bodies)
+    if (is_speed or clause.has("ask", "fast")) and len(speeds) == len(bodies) == 1:
+        others = [Word("name", name) for _, name in clause.names if name not in bodies]
+        state = Clause([Word("name", bodies[0]), Word("not", "not"), Word("verb", "leave"), *others])
+        for group in so(names, state, whole):
+            yield [f"largest {speeds[0]} so that {text}" for text in group]
 
 
 def _asked(parameter: str, text: str, end: str) -> Groups:
@@ -162,7 +179,7 @@ def _head(names: Names, head: Clause, rest: Clause, *, is_marked: bool = False) 
     asked_by = [given.ASKED_BY[ask].words[0] for ask in head.all("ask") if ask in ("high", "far", "steep", "flat")]
     named = [name for _, name in head.names if name in names.parameters]
     others = [name for before, name in head.names if name not in names.parameters and (not before or not named)]
-    if head.has("verb", "hit", "exert") and is_marked:  # at which height h do I hit the ball so that ..
+    if head.has("verb", "hit", "exert", "start") and is_marked:  # at which height h do I hit the ball so that ..
         others = []
     asked = head.all("quantity") or (asked_by if is_marked and not named else [])
     if len(named) == 1 and len(others) <= head.has("ask") and set(asked) <= given.KIND_OF.keys():

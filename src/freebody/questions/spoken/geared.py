@@ -1,0 +1,100 @@
+"""How fast one thing moves for a given speed of another: the planet, if the arm turns with 2 rad/s.
+
+Where the constraints leave one freedom, velocities are in a ratio that the pose alone fixes: v_1 = v_2 (v_1/v_2). What is
+said of the other body is then no event of the motion, which it need never reach, but the speed that is put in.
+"""
+
+from __future__ import annotations
+
+from itertools import product
+from typing import TYPE_CHECKING
+
+from freebody.questions.spoken import dimensions, joining, lookup
+from freebody.questions.spoken.asking import quantities
+from freebody.questions.spoken.composing import JOINT, SILENT, Groups
+from freebody.questions.spoken.keeping import n_freedoms
+from freebody.questions.spoken.lexicon import Word
+from freebody.questions.spoken.sentence import Sentence
+from freebody.questions.spoken.words import Clause
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+_RUNS = {"turn", "move", "roll", "slide", "rise", "fall"}  # verbs of what has a speed
+_SPEEDS = ("angular velocity", "velocity", "speed")
+_MAY_STAND = ("name", "value", "verb", "quantity", "part", *SILENT)
+
+
+def geared(names: Names, sentence: Sentence) -> Groups:
+    """A velocity for a given one of another thing, as the ratio of both times what is given."""
+    if len(sentence.others) != 1 or sentence.others[0][0] != "when":
+        return
+    main, given = sentence.main, sentence.others[0][1]
+    driver = _driving(names, given)
+    if driver is None or main.has("value") or main.has("instant") or main.has("degree"):
+        return
+    if any(name in names.connections for _, name in main.names) or _n_freedoms(names) > 1:
+        return
+    thing, value, speed = driver
+    if any(name == thing for _, name in main.names):
+        return
+    for group in quantities(names, _turning(names, main)):
+        plain = [text for text in group if JOINT not in text and text.startswith(tuple(f"{v} of " for v in _SPEEDS))]
+        yield [f"{value} * ratio of {text} to {speed}" for text in plain]
+
+
+def per_turn(names: Names, sentence: Sentence) -> Groups:
+    """How far something comes for each turn of something else: 2 pi v/omega."""
+    main = sentence.main
+    if sentence.others or main.all("instant") != ["over a turn"] or not (main.has("ask", "far", "much", "high")):
+        return
+    cut = main.words.index(Word("instant", "over a turn"))
+    who, of = (Clause(words).names for words in (main.words[:cut], main.words[cut:]))
+    known = main.only("ask", "verb", "name", "instant", *SILENT) and set(main.all("verb")) <= _RUNS - {"turn"}
+    if len(who) != 1 or len(of) != 1 or of[0][1] not in lookup.turning(names) or not known or _n_freedoms(names) > 1:
+        return
+    [(_, thing)], [(_, turned)] = who, of
+    ways = lookup.places(names, thing)
+    speeds = [f"velocity of {way}" for way in ways] or [f"speed of {thing}"]
+    yield [f"2*pi * ratio of {speed} to angular velocity of {turned}" for speed in speeds]
+
+
+def _driving(names: Names, given: Clause) -> tuple[str, str, str] | None:
+    """What runs with a given speed, this, and its velocity in words of the grammar."""
+    of, values = [name for _, name in given.names], [value for _, value in given.values]
+    if len(of) != 1 or len(values) != 1 or not given.only(*_MAY_STAND) or given.all("part"):
+        return None
+    if not set(given.all("verb")) <= _RUNS or not set(given.all("quantity")) <= {*_SPEEDS}:
+        return None
+    if not given.has("verb") and not given.has("quantity"):
+        return None
+    [thing], [value] = of, values
+    acted = {body for p in names.applied_loads if p.load == thing for body in p.measure.bodies()}
+    driven = acted & {*lookup.turning(names)}
+    thing = next(iter(driven)) if len(driven) == 1 else thing  # the motor: what it drives
+    if dimensions.is_turning_speed(value) and thing in lookup.turning(names):
+        return thing, value, f"angular velocity of {thing}"
+    if dimensions.is_turning_speed(value) and thing in lookup.angles(names, ""):
+        return thing, value, f"velocity of {thing}"
+    if dimensions.is_speed(value) and thing in lookup.moving(names) and not joining.axle_of(names, thing) == "center":
+        return thing, value, f"speed of {thing}"
+    if dimensions.is_speed(value) and thing in lookup.places(names, ""):
+        return thing, value, f"velocity of {thing}"
+    return None
+
+
+def _turning(names: Names, main: Clause) -> Clause:
+    """With what speed does the carrier run, what is its rpm: what turns about an axle has that of turning."""
+    of = [name for _, name in main.names]
+    plain = [verb for verb in main.all("verb") if verb != "move"]
+    is_turned = len(of) == 1 and joining.axle_of(names, of[0]) == "center" and not plain
+    if is_turned and main.has("ask", "fast") and not main.has("quantity"):
+        return Clause([*main.words, Word("verb", "turn")])
+    return main
+
+
+def _n_freedoms(names: Names) -> int:
+    """The degrees of freedom where what rolls does not slip."""
+    rolling = [row for row in names.constraint_rows if "rolling" in names.called.get(row.connection, ())]
+    held = [row for row in rolling if row.reaction == "friction force"]
+    return n_freedoms(names) - len(held)
