@@ -343,6 +343,8 @@ def _structure(names: Names, sentence: Sentence) -> Groups:
             yield ["stability of equilibrium"]
     if "turn_fully" in verbs and main.only("verb", "name", "ask") and len(of) == 1 and not main.has("ask"):
         yield [f"does {of[0]} turn fully"]
+    if verbs == {"return"} and asks_nothing and main.only("verb", "name", *SILENT) and len(of) <= 1:  # if so, when
+        yield [f"time when {way} = 0" for way in lookup.ways(names, of[0] if of else "")]
     if "assemble" in verbs and not main.has("quantity") and not of:
         yield ["when does the loop assemble"]
     if verbs == {"damped"} and main.only("verb", "name", "pronoun"):
