@@ -14,6 +14,7 @@ from freebody.language.notation import joined, reworded
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.questions.event import QuestionEvent
+from freebody.questions.clock import Clock
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer, AnswerCase, Evidence, Value, made
 from freebody.study.answering.crosscheck import TooLittleCompared
@@ -199,7 +200,11 @@ def _answer(tree: PhaseTree, question: Question, parts: list[list[AnswerBranch]]
         notes.append(in_phase(main.phase))
     elif main.after is None and question.quantity.may_jump:
         notes.append(
-            Message("just before {event}, {phase}", event=happening(main.first.watch, None), phase=in_phase(main.phase))
+            in_phase(main.phase)
+            if isinstance(question.event, Clock) and question.event.time is None  # nothing ends it
+            else Message(
+                "just before {event}, {phase}", event=happening(main.first.watch, None), phase=in_phase(main.phase)
+            )
         )
     if not main.is_home:
         notes += loops_in(main.phase.setup, main.value, main.phase.state)
