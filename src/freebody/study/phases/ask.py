@@ -13,8 +13,8 @@ from freebody.language.expression import Expr
 from freebody.language.notation import joined, reworded
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure
-from freebody.questions.event import QuestionEvent
 from freebody.questions.clock import Clock
+from freebody.questions.event import QuestionEvent
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer, AnswerCase, Evidence, Value, made
 from freebody.study.answering.crosscheck import TooLittleCompared
@@ -199,9 +199,11 @@ def _answer(tree: PhaseTree, question: Question, parts: list[list[AnswerBranch]]
     if main.first is None:
         notes.append(in_phase(main.phase))
     elif main.after is None and question.quantity.may_jump:
+        is_endless = isinstance(question.event, Clock) and question.event.time is None
+        place = in_phase(main.phase)
         notes.append(
-            in_phase(main.phase)
-            if isinstance(question.event, Clock) and question.event.time is None  # nothing ends it
+            place
+            if is_endless
             else Message(
                 "just before {event}, {phase}", event=happening(main.first.watch, None), phase=in_phase(main.phase)
             )

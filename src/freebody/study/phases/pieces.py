@@ -12,8 +12,8 @@ import numpy as np
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure
-from freebody.questions.course import Transition
 from freebody.questions.clock import Clock
+from freebody.questions.course import Transition
 from freebody.questions.reading import AskedEvent, Question
 from freebody.questions.reading_when import is_of_start
 from freebody.study.answering.conditions import as_written, at_instant, real
