@@ -75,6 +75,10 @@ class Connection(Spec):
         """The direction of the ground along which it guides a body, which may turn or not (turning: either)."""
         return None
 
+    def lies_along(self, names: Names, body: str) -> Direction | None:
+        """The direction of a line of the ground that bears a body, which may leave it."""
+        return None
+
     def bounds(self, names: Names, connection: str) -> tuple[list[UnilateralConstraint], list[DryFriction]]:
         """The measures that it bounds, and those along which it resists by dry friction."""
         return [], []
@@ -94,6 +98,11 @@ class Connection(Spec):
     def aside_of_way(self, names: Names) -> Measure | Message:
         """By how much it pushes aside of the way on which what it drives is guided, or why there is no such angle."""
         return Message("{connection} has no pressure angle, which is one of cams", connection=self.own_name(names))
+
+    def room_between(self, names: Names, body: str, place: str) -> Measure | Message | None:
+        """What vanishes where a body gets to a place (a body, or a point `body.point`) to which it leads, or why that
+        never happens; None where it does not lead from one to the other."""
+        return None
 
     def edge_radius(self, names: Names) -> Measure | Message:
         """The radius of curvature of its edge where it touches, or why there is none."""

@@ -15,7 +15,7 @@ from freebody.connections.sites import sites
 from freebody.language.natural import natural
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, LENGTH
-from freebody.measures.geometry import GROUND
+from freebody.measures.geometry import GROUND, Direction
 from freebody.model import glyphs
 from freebody.model.elements import DryFriction, UnilateralConstraint
 from freebody.model.friction import read_friction, read_restitution
@@ -210,6 +210,16 @@ connections: {it: {contact: {between: [ball, floor], friction: 0.3, restitution:
             return self.touching
         moving = [names.known(body) for body in bodies if not names.known(body).fixed]
         return self.between is not None and all(body.start.at is None for body in moving)
+
+    def lies_along(self, names: Names, body: str) -> Direction | None:
+        if names.space or body not in self.mentions(names):
+            return None
+        with names.quietly():
+            pairs = self.pairs(names, "")
+        for solid, other in [*((p.first, p.second) for p in pairs), *((p.second, p.first) for p in pairs)]:
+            if other.body == body and solid.body == GROUND and len(solid.straights) == 1:
+                return solid.straights[0].line.direction
+        return None
 
     def mentions(self, names: Names) -> set[str]:
         texts = self.between or (self.among if isinstance(self.among, list) else list(names.bodies))

@@ -83,6 +83,14 @@ def ground_guide_of(names: Names, body: str, *, turning: bool) -> Direction | No
     return next((along for along in found if along is not None), None)
 
 
+def ground_line_under(names: Names, body: str) -> Direction | None:
+    """The direction of a line of the ground that bears a body, if it bears one and nothing is said of its velocity."""
+    if names.known(body).start.velocity is not None:
+        return None
+    found = (connection.lies_along(names, body) for connection in names.connections.values())
+    return next((along for along in found if along is not None), None)
+
+
 def is_near(length: float, other: float) -> bool:
     """Whether two lengths that people have written are meant to be the same."""
     return abs(length - other) <= _AS_WRITTEN * max(abs(length), abs(other))

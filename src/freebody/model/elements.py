@@ -318,12 +318,14 @@ class DryFriction:
 @dataclass(frozen=True)
 class Validity:
     """What the law of a load, or a connection, takes for granted of where the bodies are: sign (measure - limit) >= 0.
-    Nothing stops there; what is found beyond is not true. purpose: what is so, in words."""
+    Nothing stops there; what is found beyond is not true. purpose: what is so, in words; end: what happens where it
+    ends, if that has a name."""
 
     measure: Measure
     limit: Expr
     sign: int
     purpose: str
+    end: str = ""
 
     @property
     def left(self) -> str:

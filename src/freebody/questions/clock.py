@@ -6,6 +6,7 @@ import re
 from dataclasses import dataclass
 
 from freebody.language.expression import Expr
+from freebody.language.sentences import Message
 
 ENDLESS = "t grows"
 _NUMBER = r"\d[\w.]*(?: ?(?:s|ms|min|h|seconds?|minutes?|hours?))?"
@@ -35,8 +36,22 @@ _WORDS: tuple[tuple[re.Pattern[str], str], ...] = (
 _INSTANT = re.compile(r"^(?:the )?(?:t|time) ?(?:=| reaches | is | equals )\s*(?P<time>.+)$")
 
 
+class SaidEvent:
+    """How it is said of an event that it comes, or never does."""
+
+    text: str
+
+    @property
+    def comes(self) -> Message:
+        return Message("{event} is reached", event=self.text)
+
+    @property
+    def never(self) -> Message:
+        return Message("{event} is never reached after the start", event=self.text)
+
+
 @dataclass(frozen=True)
-class Clock:
+class Clock(SaidEvent):
     """A time since the start; None: as it grows without end."""
 
     time: Expr | None

@@ -19,6 +19,7 @@ from freebody.measures.geometry import GROUND
 from freebody.model.noting import did_you_mean
 from freebody.model.phrases import read_measure
 from freebody.questions.base import Described, Found, Passage, Path, Quantity, angular_unit, asked
+from freebody.questions.event import leads_to
 from freebody.questions.sudden import side_of_blow
 
 if TYPE_CHECKING:
@@ -230,6 +231,9 @@ def read_transition(names: Names, text: str, path: Path) -> Transition | None:
         of, on = connections_of(names, name, path), found.groupdict().get("on")
         if on is not None:
             both = tuple(connection for connection in of if connection in _touching(names, on, path))
+            leading = leads_to(names, name, on) if kind == "touches" else []
+            if leading and set(both) <= {*leading}:
+                return None  # nothing can be struck there: an event of the measure between them
             if of and not both:
                 told = Message("{name} and {other} have no contact with each other", name=name, other=on)
                 names.problem(told, *path)

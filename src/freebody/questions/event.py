@@ -11,21 +11,37 @@ from freebody.language.sentences import Message
 from freebody.language.units import TIME
 from freebody.measures.base import Measure
 from freebody.model.phrases import PHRASES, measure_of
-from freebody.questions.base import FORMS, Path, Quantity
-from freebody.questions.clock import ENDLESS, Clock, time_asked
+from freebody.questions.base import FORMS, NAME, POINT, Path, Quantity
+from freebody.questions.clock import ENDLESS, Clock, SaidEvent, time_asked
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
 
 
 @dataclass(frozen=True)
-class QuestionEvent:
+class QuestionEvent(SaidEvent):
     """A measure (or its rate) reaches a value."""
 
     measure: Measure
     order: Literal[0, 1]
     value: Expr
     text: str
+
+
+@dataclass(frozen=True)
+class Meeting(QuestionEvent):
+    """A body gets to the place to which a connection leads it: what is between them vanishes."""
+
+    body: str
+    place: str
+
+    @property
+    def comes(self) -> Message:
+        return Message("{body} reaches {place}", body=self.body, place=self.place)
+
+    @property
+    def never(self) -> Message:
+        return Message("{body} never reaches {place} after the start", body=self.body, place=self.place)
 
 
 @dataclass(frozen=True)
@@ -78,6 +94,8 @@ def read_event(names: Names, text: str, path: Path) -> AskedEvent | None:
         if moved is None or by is None:
             return None
         return ChangeEvent(moved, 0, Symbol(""), text, by, changed["what"], changed["by"])
+    if (met := _meeting(names, text, path)) is not None:
+        return met if isinstance(met, Meeting) else None
     found = re.match(r"^(?P<what>.+?)\s*(?:=| reaches | is | equals )\s*(?P<value>.+)$", text)
     if found is None:
         names.problem(Message("cannot read the condition '{text}'; write for example x = h", text=text), *path)
@@ -104,6 +122,29 @@ def read_event(names: Names, text: str, path: Path) -> AskedEvent | None:
         return None
     dimension = measure.dimension / TIME**order
     return QuestionEvent(measure, order, names.formula(found["value"].strip(), dimension, *path), text)
+
+
+_MEETS = re.compile(
+    rf"^(?:the )?(?P<who>{NAME}) (?:reaches|arrives at|gets to|hits|strikes|touches|meets) (?:the )?(?P<place>{POINT})$"
+)
+
+
+def leads_to(names: Names, body: str, place: str) -> list[str]:
+    """The connections that lead a body to a place, as the rope by which it is drawn to a pulley."""
+    return [name for name, c in names.connections.items() if c.room_between(names, body, place) is not None]
+
+
+def _meeting(names: Names, text: str, path: Path) -> Meeting | Message | None:
+    """The event that a body gets to where a connection leads it; a reason, noted, where it never does."""
+    found = _MEETS.match(text.strip())
+    leading = [] if found is None else leads_to(names, found["who"], found["place"])
+    if found is None or not leading:
+        return None
+    room = names.connections[leading[0]].room_between(names, found["who"], found["place"])
+    if isinstance(room, Message):
+        names.problem(room, *path)
+        return room
+    return None if room is None else Meeting(room, 0, ZERO, text, found["who"], found["place"])
 
 
 def _quantity(names: Names, measure: str, phrase: str, path: Path) -> Quantity | None:

@@ -10,10 +10,10 @@ from typing import TYPE_CHECKING, Any, ClassVar, cast
 from pydantic import ConfigDict, Field
 
 from freebody.connections.base import Connection
-from freebody.connections.standing import is_parallel
+from freebody.connections.standing import ground_guide_of, ground_line_under, is_parallel
 from freebody.connections.string.capstan import drum_name, frictions, rough_drums, rub
 from freebody.connections.string.hanging import Hook, askew
-from freebody.connections.string.laying import StringRun, check_ends, run_over, unwrapped
+from freebody.connections.string.laying import StringRun, check_ends, leads_of, run_over, unwrapped
 from freebody.connections.string.node import StringNode
 from freebody.connections.string.sections import StringSection, sections_of
 from freebody.connections.string.way import is_held, named_on, read_way
@@ -21,12 +21,13 @@ from freebody.language.expression import Expr, free_symbols
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS
 from freebody.measures.angle import Angle
+from freebody.measures.base import Measure
 from freebody.measures.combination import Combination
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, ONE, RIGHT, ZERO, Direction, Point
 from freebody.measures.turned import turned_in
 from freebody.model import glyphs
-from freebody.model.elements import ConstraintRow, DryFriction, UnilateralConstraint
+from freebody.model.elements import ConstraintRow, DryFriction, UnilateralConstraint, Validity
 from freebody.model.glyphs import Glyph
 from freebody.model.spec import Formula, Heading
 
@@ -277,6 +278,36 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
                     ConstraintRow(f"{node.body} does not turn", "moment", held, ends=(node.body,), if_needed=True)
                 )
         return rows
+
+    def valid_where(self, names: Names) -> list[Validity]:
+        """A lead that runs in a constant direction has a length while what it carries has not got to its other end."""
+        run = self._run(names)
+        found: list[Validity] = []
+        for lead in () if run is None else leads_of(run):
+            if lead.length is not None and names.known(lead.body).start.at is not None:
+                purpose = Message("{body} has not reached {place}", body=lead.body, place=lead.place)
+                end = Message("{body} reaches {place}", body=lead.body, place=lead.place)
+                found.append(Validity(lead.length, ZERO, 1, purpose, end))
+                if ground_guide_of(names, lead.body, turning=False) is None and ground_line_under(names, lead.body):
+                    off = Message("{body} stays on the line of its lead", body=lead.body)
+                    found += [Validity(lead.across, lead.arm, sign, off) for sign in (1, -1) if lead.across is not None]
+        return found
+
+    def room_between(self, names: Names, body: str, place: str) -> Measure | Message | None:
+        """The straight length of the lead between them."""
+        with names.quietly():
+            run = self._run(names)
+        for lead in () if run is None else leads_of(run):
+            if lead.body == body and place in lead.called:
+                aside = Message(
+                    "{body} does not come to {place}: the lead of {string} between them changes its direction. Ask "
+                    "when a measure has a value",
+                    body=body,
+                    place=lead.place,
+                    string=self.own_name(names),
+                )
+                return aside if lead.length is None else lead.length
+        return None
 
     def mentions(self, names: Names) -> set[str]:
         return named_on(text for text, _field in self._places())

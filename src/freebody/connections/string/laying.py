@@ -4,16 +4,25 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from freebody.connections.standing import is_parallel, number_of, place_of, stands_at, vanishes
+from freebody.connections.standing import (
+    along_of,
+    ground_line_under,
+    is_parallel,
+    number_of,
+    place_of,
+    stands_at,
+    vanishes,
+)
 from freebody.connections.string.hanging import Hook, hooks_of
 from freebody.connections.string.node import StringNode
 from freebody.language.expression import Expr, add, multiply, negate, number
 from freebody.language.sentences import Message
-from freebody.measures.geometry import DOWN, GROUND, RIGHT, UP, ZERO, Direction
+from freebody.measures.displacement import Displacement
+from freebody.measures.geometry import DOWN, GROUND, RIGHT, UP, ZERO, Direction, Point
 from freebody.model.spec import Heading
 from freebody.tolerances import ROUND_OFF, ROUNDED
 
@@ -38,6 +47,34 @@ class StringRun:
         return hooks_of(self.way, self.leads, self.arms)
 
 
+@dataclass(frozen=True)
+class StringLead:
+    """A lead as what it carries sees it. place, called: its other end, and the names of that; length: from one to the
+    other, None where it changes its direction; across, arm: how far what it carries is aside of the other end, and
+    has to be."""
+
+    body: str
+    place: str
+    called: tuple[str, ...]
+    length: Displacement | None
+    across: Displacement | None
+    arm: Expr
+
+
+def leads_of(run: StringRun) -> Iterator[StringLead]:
+    """The leads from what a string carries at one of its places to the next place on its way."""
+    for k, along in enumerate(run.leads):
+        a, b = run.way[k], run.way[k + 1]
+        length = None if along is None else Displacement(b.point, a.point, along)
+        across = None if along is None else Displacement(b.point, a.point, along.normal())
+        arm = add(run.arms[k + 1], negate(run.arms[k]))
+        for own, other in ((a, b), (b, a)):
+            if own.body != GROUND and own.way in ("end", "under") and own.body != other.body:
+                place = other.called[0] if other.body == GROUND else other.body
+                ground = (place.partition(".")[2],) if other.body == GROUND else ()
+                yield StringLead(own.body, place, (*other.called, *ground), length, across, arm)
+
+
 def run_over(names: Names, way: list[StringNode], given: list[Heading] | None) -> StringRun:
     """How a string lies. Bodies that the model puts where they would hang do so, and a lead runs along the guide of a
     body that is put where it does. given: the directions of the leads, if the model states them."""
@@ -59,14 +96,14 @@ def _run(names: Names, way: list[StringNode], given: list[Heading] | None) -> St
 
 
 def _runs_along(names: Names, run: StringRun, k: int) -> bool:
-    """Whether the leads to a guided body run along its guide from wheels, however long the parameters are. From a
-    point the distance tells as much, and on which side of it the body is."""
+    """Whether the leads to a guided body run along its guide from what they lead to, however long the parameters are.
+    Where the body gets there the distance from a point has no slope, and the way along the guide has one."""
     way, arms = run.way, run.arms
     for j in (j for j in (k - 1, k) if 0 <= j < len(run.leads)):
         lead, first, second = run.leads[j], way[j].point, way[j + 1].point
-        if lead is None or lead.body != GROUND or way[j if j < k else j + 1].radius == ZERO:
+        if lead is None or lead.body != GROUND:
             return False
-        across = [stands_at(names, point, lead.normal()) for point in (first, second)]
+        across = [_across(names, point, lead.normal()) for point in (first, second)]
         ends = [place_of(names, point) for point in (first, second)]
         if across[0] is None or across[1] is None or ends[0] is None or ends[1] is None:
             return False
@@ -76,6 +113,15 @@ def _runs_along(names: Names, run: StringRun, k: int) -> bool:
         if (ends[1][0] - ends[0][0]) * ex + (ends[1][1] - ends[0][1]) * ey <= 0.0:
             return False
     return True
+
+
+def _across(names: Names, point: Point, normal: Direction) -> Expr | None:
+    """How far aside a point stands: where it is kept, or on a line of the ground where it is put."""
+    kept, body = stands_at(names, point, normal), names.known(point.body)
+    if kept is not None or body.start.at is None or ground_line_under(names, body.name) is None:
+        return kept
+    name, place = body.start.at
+    return along_of(place, normal) if body.points[name] == point.offset else None
 
 
 def _is_straight_below(names: Names, run: StringRun, k: int) -> bool:

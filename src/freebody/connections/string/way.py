@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING
 
-from freebody.connections.standing import ground_guide_of
+from freebody.connections.standing import ground_guide_of, ground_line_under
 from freebody.connections.string.node import StringNode
 from freebody.language.expression import Expr
 from freebody.language.sentences import Message
@@ -82,7 +82,7 @@ def _read_node(
         hangs=is_free and not is_given,
         is_put=is_free and is_given and body.start.velocity is None,
         guide=None if is_given else guide,
-        track=guide if is_given else None,
+        track=(guide or ground_line_under(names, body.name)) if is_given else None,
         place=_place(names, point),
     )
 

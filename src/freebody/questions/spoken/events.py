@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 from freebody.language.notation import to_python
 from freebody.measures.geometry import GROUND, ZERO
+from freebody.questions.event import leads_to
 from freebody.questions.spoken import dimensions, joining, lookup, losing, poses
 from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.words import Clause
@@ -272,6 +273,11 @@ def _hits(names: Names, who: str, other: str) -> Groups:
     """What can strike nothing lands where it is as low as at the start, or as zero of its height if it starts above."""
     if other in names.loads:
         return
+    if (drawn := _drawn_to(names, who, other)) and not any(
+        set(joining.joints(names, body, other, "normal force")) - {*leads_to(names, body, other)} for body in drawn
+    ):
+        yield [f"{body} reaches {other}" for body in drawn]
+        return
     if not joining.strikes(names) and other in ("", GROUND):
         yield [f"{height} = 0" for height in (lookup.rising(names, who) or lookup.falling(names, who))]
         return
@@ -330,9 +336,16 @@ def _returns(names: Names, who: str, other: str) -> Groups:
 
 
 def _reaches(names: Names, who: str, other: str) -> Groups:
-    """A place that is reached is struck, where it can be."""
-    if other and not any(other in own for own in (names.parameters, names.measures, names.loads)):
+    """A place that is reached is struck, where it can be, and not only led to."""
+    if drawn := _drawn_to(names, who, other):
+        yield [f"{body} reaches {other}" for body in drawn]
+    elif other and not any(other in own for own in (names.parameters, names.measures, names.loads)):
         yield [f"{who or 'it'} hits {other}"]
+
+
+def _drawn_to(names: Names, who: str, other: str) -> list[str]:
+    """The bodies that a rope draws to a place, all of them where none is named."""
+    return [body for body in ([who] if who else names.bodies) if other and leads_to(names, body, other)]
 
 
 def _at_top(names: Names, who: str, other: str) -> Groups:

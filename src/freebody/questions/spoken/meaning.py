@@ -367,6 +367,8 @@ def _structure(names: Names, sentence: Sentence) -> Groups:
     if verbs == {"self_locking"} and main.only("verb", "name", "ask", *SILENT):  # whether rest needs no torque
         pushes = [name for name in given.of_kind(names, "torque") if name in given.chosen(names, given.KIND_OF["torque"], [])]
         yield [f"range of {push} that keeps it at rest" for push in pushes]
+    if verbs == {"return"} and asks_nothing and main.only("verb", "name", *SILENT) and len(of) <= 1:  # if so, when
+        yield [f"time when {way} = 0" for way in lookup.ways(names, of[0] if of else "")]
     if "assemble" in verbs and not main.has("quantity") and not of:
         yield ["when does the loop assemble"]
     if verbs == {"damped"} and main.only("verb", "name", "pronoun"):

@@ -35,6 +35,8 @@ def so(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
         and not negated
     ):
         yield from _reaching(names, clause, of)
+    if verbs == {"return"} and not negated:
+        yield from _returning(names, clause, of)
     if (
         verbs >= {"hit"}
         and len(clause.values) == 1
@@ -137,6 +139,19 @@ def _reaching(names: Names, clause: Clause, of: list[str]) -> Groups:
         yield [f"{measure}{just} reaches {values[0]}" for measure in measures]
 
 
+def _returning(names: Names, clause: Clause, of: list[str]) -> Groups:
+    """It is to come back to where it started, perhaps with a speed."""
+    values = [value for _, value in clause.values] + [name for name in of if name in names.parameters]
+    who = [name for name in of if name not in names.parameters]
+    ways = lookup.ways(names, who[0] if who else "")
+    plain = clause.only("verb", "name", "value", "quantity", *SILENT) and len(who) <= 1
+    if plain and not values and not clause.has("quantity"):
+        yield [f"{way} reaches 0" for way in ways]
+    elif plain and len(values) == 1 and set(clause.all("quantity")) <= {"speed", "velocity"}:
+        bodies = [name for name in who if name in names.bodies] or lookup.massive(names)
+        yield [f"speed of {body} when {way} = 0 is {values[0]}" for way in ways for body in bodies]
+
+
 def _in_time(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
     """It is to happen after so much time: it stops within 4 s."""
     times = [value for _, value in clause.values if dimensions.is_time(value)]
@@ -212,7 +227,11 @@ def _relation(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Gro
     """An equation or an inequality between a quantity and a value, or two quantities, perhaps at an instant."""
     marks = [k for k, word in enumerate(clause.words) if word.kind == "mark"]
     timed = clause.words[marks[0] :] if marks else []
-    sides = _sides(names, Clause(clause.words[: marks[0]]) if marks else clause)
+    head = clause.words[: marks[0]] if marks else clause.words
+    signs = [k for k, word in enumerate(timed) if word.kind == "relation"]
+    if len(signs) == 1 and Clause(timed[: signs[0]]).has("verb") and not Clause(head).has("relation"):
+        head, timed = [*head, *timed[signs[0] :]], timed[: signs[0]]  # its speed when it is back is v
+    sides = _sides(names, Clause(head))
     if sides is None:
         return
     left, sign, right, tail = sides

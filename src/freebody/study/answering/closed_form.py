@@ -233,8 +233,7 @@ class QuestionSolver:
         event = self.question.event
         assert event is not None
         self._reached = reached = self._reach(event)
-        purpose = Message("{event} is reached", event=event.text)
-        never = NeverHappens(Message("{event} is never reached after the start", event=event.text))
+        purpose, never = event.comes, NeverHappens(event.never)
         conditions = insisted((Condition(x, relation, purpose) for x, relation in reached.conditions), never)
         x: Elements = q.counted(smooth_passage(self.setup, reached, self._elements))
         if has_integrals(x):

@@ -8,6 +8,8 @@ from freebody.budgets import allowed
 from freebody.errors import BudgetExhausted, CannotAnswer
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure
+from freebody.measures.distance import Distance
+from freebody.measures.geometry import NO_DIRECTION
 from freebody.numeric.engine.course import Status
 from freebody.numeric.options import SimulationOptions
 from freebody.questions.clock import Clock
@@ -28,6 +30,7 @@ from freebody.system.system import System
 
 _STEPS = 20_000  # of a motion in which contacts change
 _N_SEEN = 1201  # instants of a motion at which it is looked how far it gets
+_MET = 1e-6  # [m] between two points that coincide
 _SOON = 1e-9  # [s] of a motion that is looked at where it begins
 
 
@@ -60,6 +63,7 @@ def number_with_changes(system: System, question: Question) -> Value:
     q, v = map(reference.by_column, simulator.engine.coordinates(simulator.start))
     begin = reference.snapshot(q, v)
     now, held = SimulatedInstant(motion, k), with_all_held(system)
+    _refuse_without_direction(system, now)
 
     def lost(of: str) -> float:
         if not only_friction_takes_energy(system) or (of and taking_energy(system) != {of}):
@@ -70,6 +74,14 @@ def number_with_changes(system: System, question: Question) -> Value:
     passage = NumericPassage(system, begin, now, lambda q: value_in_mode(q, system, held, now), lost)
     values = as_parts(quantity.counted(passage))
     return values[0] if len(values) == 1 else values
+
+
+def _refuse_without_direction(system: System, now: SimulatedInstant) -> None:
+    """Where the ends of a line meet, what is held along it has no gradient, and the motion no certain speed."""
+    for row in system.constraint_rows:
+        for first, second in row.measure.lines():
+            if float(now.value(Distance(first, second))) < _MET:
+                raise CannotAnswer(NO_DIRECTION)
 
 
 def farthest(system: System, measure: Measure, side: int) -> tuple[float, float]:

@@ -13,6 +13,7 @@ from freebody.language.expression import Expr
 from freebody.language.notation import joined, reworded
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure
+from freebody.questions.clock import Clock
 from freebody.questions.event import QuestionEvent
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer, AnswerCase, Evidence, Value, made
@@ -198,8 +199,14 @@ def _answer(tree: PhaseTree, question: Question, parts: list[list[AnswerBranch]]
     if main.first is None:
         notes.append(in_phase(main.phase))
     elif main.after is None and question.quantity.may_jump:
+        is_endless = isinstance(question.event, Clock) and question.event.time is None
+        place = in_phase(main.phase)
         notes.append(
-            Message("just before {event}, {phase}", event=happening(main.first.watch, None), phase=in_phase(main.phase))
+            place
+            if is_endless
+            else Message(
+                "just before {event}, {phase}", event=happening(main.first.watch, None), phase=in_phase(main.phase)
+            )
         )
     if not main.is_home:
         notes += loops_in(main.phase.setup, main.value, main.phase.state)

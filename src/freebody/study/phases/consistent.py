@@ -96,7 +96,7 @@ def checks(phase: Phase, instant: PhaseStart) -> Iterator[Inequality]:
             yield here(watch.element), ">=", Message("{contact} keeps touching", contact=watch.connection)
         elif watch.kind == "slips":
             yield here(watch.element), ">=", Message("{contact} does not slip", contact=watch.connection)
-        elif watch.kind == "changes sign":
+        elif watch.kind in ("changes sign", "is left"):
             yield here(watch.element), ">=", watch.purpose
         elif watch.kind == "slip ends":
             slip = slips[watch.name]

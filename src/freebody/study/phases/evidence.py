@@ -6,17 +6,20 @@ The numbers come from `witness`: the one place where another simulation could be
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from functools import partial
 from typing import Any
 
 import numpy as np
 
 from freebody.errors import CannotAnswer
+from freebody.language.expression import number
 from freebody.language.sentences import Message
 from freebody.model.elements import ConstraintRow
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference, Snapshot
 from freebody.questions.base import Quantity
+from freebody.questions.clock import Clock
 from freebody.questions.energy import Energy
 from freebody.questions.reading import AskedEvent, Question
 from freebody.study.answering.answer import Evidence
@@ -290,6 +293,8 @@ def run(
         repr(piece.first and piece.first.watch.kind),
     )
     if key not in tree.seen:
+        if isinstance(event, Clock) and event.time is None and end is not None:  # when all has settled
+            event = replace(event, time=number(end))
         until = [MAX_TIME if end is None else 1.5 * end] * len(piece.nodes)
         stages = [stage(tree, n) for n in piece.nodes]
         tree.seen[key] = follow(tree.system, stages, tree.sets.one(k), until, event)

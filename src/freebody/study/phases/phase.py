@@ -72,7 +72,8 @@ class Placed:
 class PhaseWatch:
     """Something that must stay positive for the phase to go on, and what happens where it does not."""
 
-    kind: str  # "slip ends", "opens", "slips", "touches", "edge ends", "changes sign", "strikes", "is reached"
+    # "slip ends", "opens", "slips", "touches", "edge ends", "changes sign", "strikes", "is reached", "is left"
+    kind: str
     name: str  # of the bound or the friction; of what changes its sign where that is
     element: Ratio
     direction: int = 0  # in which it begins to slip
@@ -81,7 +82,7 @@ class PhaseWatch:
 
     @property
     def connection(self) -> str:
-        is_text = self.kind in ("changes sign", "strikes", "is reached")
+        is_text = self.kind in ("changes sign", "strikes", "is reached", "is left")
         return self.name if is_text else self.name.partition(".")[0]
 
 
@@ -301,6 +302,10 @@ class Phase:
         for name, x in self.pressed.items():  # behind it the size of N is -N
             side = Message("{contact} is pressed on this side", contact=self.dry_friction[name].row.connection)
             found.append(PhaseWatch("changes sign", relation_text(tidy(x), "="), x, purpose=side))
+        for v in self.base.validities:
+            room = v.sign * (self.state.value(v.measure) - self.model.geometry.scalar(v.limit))
+            end = v.end or Message("it is no longer so that {purpose}", purpose=v.purpose)
+            found.append(PhaseWatch("is left", end, room, purpose=v.purpose))
         for x in map(self.model.express, self.model.samples.assumed):
             if self.model.field.ingredients(x) & {c.index for c in self.model.coordinates}:
                 found.append(PhaseWatch("changes sign", relation_text(tidy(x), "="), x))  # and with it the formulas

@@ -12,6 +12,7 @@ import numpy as np
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure
+from freebody.questions.clock import Clock
 from freebody.questions.course import Transition
 from freebody.questions.reading import AskedEvent, Question
 from freebody.questions.reading_when import is_of_start
@@ -30,6 +31,7 @@ from freebody.study.phases.changes_asked import (
 from freebody.study.phases.ends import FirstEvent, PhaseOutcome
 from freebody.study.phases.events import first_events
 from freebody.study.phases.in_blow import after_in_formulas, not_struck
+from freebody.study.phases.in_the_end import in_the_end
 from freebody.study.phases.nodes import PhaseNode, WayToPhase
 from freebody.study.phases.numbers import Chosen
 from freebody.study.phases.passage import elements_in, passage_of
@@ -54,6 +56,8 @@ def pieces(tree: PhaseTree, question: Question) -> list[AnswerBranch]:
             raise not_struck(question.quantity, next(iter((*reasons, *stops)), ""))
     elif question.transition is not None:
         found = list(_at_transition(tree, question, question.transition, roots))
+    elif isinstance(question.event, Clock) and question.event.time is None:
+        found = list(in_the_end(tree, question, question.event, roots, met))
     elif question.event is not None:
         found = list(_at_event(tree, question, question.event, roots, met, is_first=True))
     else:

@@ -323,6 +323,9 @@ class PhaseTree(Home):
         if watch.kind == "changes sign":
             edge.stops = Message("behind {place} other formulas hold; simulate the motion", place=watch.name)
             return
+        if watch.kind == "is left":
+            edge.stops = Message("behind that the model is not true")
+            return
         phase = node.phase
         there = SymbolicState(phase.model, {**phase.still, **edge.first.zero.values})
         states = dict(phase.mode.states)

@@ -22,6 +22,7 @@ _OCCURS = {
     "is reached": Message("is reached"),
     "strikes": Message("is reached"),
     "changes sign": Message("is reached"),
+    "is left": Message("comes"),
 }
 
 
@@ -165,6 +166,8 @@ def happening(watch: PhaseWatch, after: Phase | None) -> str:
             if blow is None:
                 return Message("{event} is reached", event=watch.name)
             return Message("{blow} ({event})", blow=blow.words, event=watch.name)
+        case "is left":
+            return watch.name
         case "is reached" | "changes sign":
             return Message("{event} is reached", event=watch.name)
         case _:
