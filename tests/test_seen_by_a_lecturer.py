@@ -108,6 +108,18 @@ connections:
   b: {contact: {between: [arm.B, east], friction: mu}}
 loads: {W: {force: {at: arm.load, along: down, magnitude: W}}}
 """
+ROLLER_UNDER_A_BAR = """
+parameters: {P: 300 N, L: 1 m, r: 0.1 m, th: 30 deg, mu: 0.3}
+ground: {points: {O: [0, 0]}, lines: {floor: {along: right}}}
+bodies:
+  bar: {rod: {length: L}, at: {start: [0, 0]}, angle: th}
+  roller: {disk: {radius: r}, at: [r/tan(th/2), r]}
+connections:
+  O: {pin: [ground.O, bar.start]}
+  f: {contact: {between: [roller, floor], friction: mu, touching: true}}
+  b: {contact: {between: [roller, bar], friction: mu, touching: true}}
+loads: {P: {force: {at: bar.end, along: down, magnitude: P}}}
+"""
 DRAWBRIDGE = """
 parameters: {m: 100 kg, w: 40 kg, L: 4 m, g: 9.81 m/s^2}
 ground: {points: {O: [0, 0], T: [0, L]}}
@@ -118,6 +130,17 @@ connections:
 loads: {gravity: {gravity: g}}
 measures: {phi: angle of bridge from up clockwise}
 start: {phi: 60 deg}
+"""
+OVER_A_PEG = """
+parameters: {m: 2 kg, L: 1.6 m, d: 0.4 m, g: 9.81 m/s^2}
+ground: {points: {P: [d, 0]}, lines: {wall: {along: up}}}
+bodies: {rod: {rod: {mass: m, length: L}, near: {at: [0.5 m, 0.1 m], angle: 40 deg}}}
+connections:
+  w: {slot: {pin: rod.start, along: wall}}
+  p: {slot: {pin: ground.P, along: rod.x, on: rod}}
+loads: {weight: {gravity: g}}
+measures: {th: angle of rod}
+start: {th: 30 deg, rate(th): 0}
 """
 SCISSORS = """
 parameters: {W: 100 kg, a: 0.8 m, th0: 35 deg, F: 1500 N, g: 9.81 m/s^2}
@@ -197,6 +220,10 @@ def answer(model: str, question: str) -> fb.Answer:
         (OBLIQUE, "energy lost in the impact", "m1*m2*(1 - e^2)*v^2*cos(al)^2/(2*(m1 + m2))"),
         # N h = W x0 and W <= 2 mu N
         (CLAMP_ON_A_POLE, "least x0 so that it stays at rest", "h/(2*mu)"),
+        # a roller without weight is pressed along one line, through both places of contact: at th/2 to their normals
+        (ROLLER_UNDER_A_BAR, "least mu so that it stays at rest", "tan(th/2)"),
+        # c (L - c)^2; beyond L the upper part would have no mass
+        (CHIMNEY, "value of c for which size of moment of joint on upper about lower.end at start is largest", "L/3"),
         # virtual work: F d(2 a cos(th)) = -W g d(2 a sin(th))
         (SCISSORS, "value of F for which acceleration of th = 0 at start", "W*g*cos(th0)/sin(th0)"),
         # V'' = m g (R - h/2), inertia about the place of contact
@@ -221,6 +248,13 @@ def test_a_drawbridge_rests_where_half_its_weight_is_that_of_the_counterweight_a
     assert "acos((m² - 2·w²)/m²)" in notes
     assert "it may rest at 0" not in notes
     assert pytest.approx(math.cos(2 * math.asin(0.4))) == 1 - 2 * 0.4**2
+
+
+def test_where_an_equilibrium_has_no_formula_it_has_a_number() -> None:
+    """A rod that leans from a smooth wall over a peg: wall, peg and weight meet in one point, so L/2 cos^3(th) = d."""
+    found = answer(OVER_A_PEG, "equilibrium of th")
+    assert found.expression is None
+    assert found.value == pytest.approx(math.acos(0.5 ** (1 / 3)))
 
 
 def test_a_roller_in_a_rolling_pipe() -> None:
