@@ -218,6 +218,7 @@ def answer(model: str, question: str) -> fb.Answer:
         # only the velocity along the line of centres changes
         (OBLIQUE, "speed of b after the impact", "(1 + e)*m1*v*cos(al)/(m1 + m2)"),
         (OBLIQUE, "energy lost in the impact", "m1*m2*(1 - e^2)*v^2*cos(al)^2/(2*(m1 + m2))"),
+        (OBLIQUE, "size of impulse of hit on b in the impact", "m1*m2*(1 + e)*v*cos(al)/(m1 + m2)"),
         # N h = W x0 and W <= 2 mu N
         (CLAMP_ON_A_POLE, "least x0 so that it stays at rest", "h/(2*mu)"),
         # a roller without weight is pressed along one line, through both places of contact: at th/2 to their normals
