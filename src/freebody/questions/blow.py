@@ -125,11 +125,14 @@ class BesideBlow(Quantity):
 
 
 # -- words ------------------------------------------------------------------------------------
+_IN_BLOW = r"(?: in (?:the )?(?:blow|impact|collision|jerk))?"
+
+
 @asked(
     "impulse of CONNECTION | LINE | BODY [on BODY] [along DIRECTION]; x, y component of, size of",
     rf"(?:(?P<part>horizontal|vertical|size of|magnitude of|x component of|y component of) )?(?:the )?"
     rf"(?:impulse|impulsive reaction) of (?P<of>{NAME})"
-    rf"(?: on (?P<on>{NAME}))?(?: along (?P<along>.+?))?{IN_BASIS}",
+    rf"(?: on (?P<on>{NAME}))?(?: along (?P<along>.+?))?{_IN_BLOW}{IN_BASIS}",
     rank=_RANK,
 )
 def _impulse(names: Names, found: Found, path: Path) -> Quantity | None:
@@ -150,7 +153,7 @@ def _between(names: Names, found: Found) -> Found:
 @asked(
     "angular impulse of CONNECTION [on BODY] [about POINT] [along DIRECTION] [in BASIS]",
     rf"(?P<size>size of |magnitude of )?(?:the )?angular impulse of (?P<of>{NAME})(?: on (?P<on>{NAME}))?"
-    rf"(?: about (?P<about>{POINT}))?(?: along (?P<along>.+?))?{IN_BASIS}",
+    rf"(?: about (?P<about>{POINT}))?(?: along (?P<along>.+?))?{_IN_BLOW}{IN_BASIS}",
     rank=_RANK,
     example="""
 bodies: {rod: {rod: {mass: 3 kg, length: 2 m}, angle: 0, at: {start: [0, 0]}}}

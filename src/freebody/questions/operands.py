@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from freebody.model.names import Names
 
 _EVENTS = (" when ", " until ", " to reach ")
+_SIZE = re.compile(r"^(?:the )?(?:size|magnitude|absolute value) of (?:the )?")
 _START = re.compile(r" at (?:the )?start$")
 # what belongs to a quantity stands before what is an operator
 _OPERATORS = re.compile(r"rate\(\s*\w+\s*\)|\[[^\]]*\]|\*\*|[-+*/^()|]")
@@ -53,6 +54,11 @@ class Operands:
 
 def without_start(phrase: str) -> str:
     return _START.sub("", phrase)
+
+
+def without_size(phrase: str) -> str:
+    """A phrase without the words that ask for a size."""
+    return _SIZE.sub("", phrase)
 
 
 def ratio_as_quotient(names: Names, phrase: str) -> str:
@@ -193,6 +199,7 @@ def _operand(run: str) -> Operand:
 
 def _is_quantity(names: Names, phrase: str) -> bool:
     """Whether its words are those of a quantity, whatever names stand in them."""
+    phrase = without_size(phrase)
     if phrase in names.measures or re.fullmatch(r"rate\(\s*\w+\s*\)", phrase):
         return True
     return any(p.pattern.match(phrase) for p in PHRASES) or any(f.pattern.match(phrase) for f in FORMS)

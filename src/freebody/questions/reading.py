@@ -26,7 +26,14 @@ from freebody.questions.clock import time_asked
 from freebody.questions.course import Counted, Transition, When, as_condition
 from freebody.questions.event import AskedEvent, QuestionEvent
 from freebody.questions.motion import OfMeasure
-from freebody.questions.operands import Operands, event_at_end, operands_of, ratio_as_quotient, without_start
+from freebody.questions.operands import (
+    Operands,
+    event_at_end,
+    operands_of,
+    ratio_as_quotient,
+    without_size,
+    without_start,
+)
 from freebody.questions.reading_of_parameters import End, read_extremal, read_limit, read_turned_round
 from freebody.questions.reading_when import Meant, as_timed, is_of_start, placed_at
 from freebody.questions.rest import asks_for_rest
@@ -64,6 +71,11 @@ def read_quantity(names: Names, text: str, path: Path) -> Quantity | None:
     if any(phrase.pattern.match(text) for phrase in PHRASES) and not text.startswith("angle of"):
         measure = read_measure(names, text, *path)
         return None if measure is None else OfMeasure(measure, 0, text)
+    if (of := without_size(text)) != text:
+        with names.quietly():
+            inner = read_quantity(names, of, path)
+        if inner is not None:
+            return _size(names, inner, of, path)
     for form in FORMS:
         found = form.pattern.match(text)
         if found:
@@ -86,6 +98,19 @@ def read_quantity(names: Names, text: str, path: Path) -> Quantity | None:
             text, Message("cannot read '{text}'. One can ask for\n    {askable}", text=text, askable=askable), *path
         )
     return None
+
+
+def _size(names: Names, of: Quantity, text: str, path: Path) -> Quantity | None:
+    """The size of a vector, or of what has a sign."""
+    sized = of.sized(space=names.space)
+    return sized if sized is not of else read_calculated(names, f"|{text}|", {1: of}, path, ("|", text, "|"))
+
+
+def _between_bars(names: Names, operands: Operands, k: int, quantity: Quantity) -> Quantity:
+    """A quantity, of which the size is meant where it stands alone between bars."""
+    runs = operands.runs
+    is_sized = 0 < k < len(runs) - 1 and runs[k - 1] == runs[k + 1] == "|"
+    return quantity.sized(space=names.space) if is_sized else quantity
 
 
 def read_calculation(names: Names, text: str, path: Path) -> Quantity | None:
@@ -289,7 +314,7 @@ def _calculated(
         quantity = read_quantity(names, operand.phrase, ("find",))
         if quantity is None:
             return None
-        read[k] = quantity
+        read[k] = _between_bars(names, operands, k, quantity)
     if any(map(is_of_start, read.values())):
         return _with_blow(names, phrase, operands, read, condition, at_start)
     events = {o.condition for o in operands.phrases.values() if o.condition is not None}
@@ -308,6 +333,8 @@ def _calculated(
         if condition is not None and (operand.at_start or (at_start and k == max(operands.phrases))):
             read[k] = AtStart(read[k])  # words at the very end belong to the last one where another has an event
     at_start = condition is None and (at_start or all(starts))
+    if len(operands.runs) == 3 and 1 in read and getattr(read[1], "size", False) is True:
+        return placed_at(names, read[1], condition, at_start, path)
     quantity = read_calculated(names, phrase, read, ("find",), operands.runs)
     if quantity is None:
         return None

@@ -179,6 +179,13 @@ class Setup:
             self._found_anywhere[taken] = [self._anywhere(d, SEED + k) for k, d in enumerate(self.draws)]
         return list(self._found_anywhere[taken])
 
+    def anywhere_stream(self) -> Iterator[tuple[Draw, Snapshot]]:
+        """Every draw with a general pose and motion, then more of them, closer to the file's values: where the formulas
+        take a difference of parameters to be positive, half of all draws are on no branch of theirs."""
+        found = self.anywhere
+        for k, draw in enumerate(self.draw_stream()):
+            yield draw, found[k] if k < len(found) else self._anywhere(draw, SEED + k)
+
     @cached_property
     def _found_anywhere(self) -> dict[tuple[object, ...], list[Snapshot]]:
         return {}

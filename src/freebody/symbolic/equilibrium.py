@@ -136,7 +136,7 @@ def _straight_families(linear: Linearised) -> list[dict[int, Ratio]]:
 
 def _judged(model: SymbolicModel, at: dict[int, Ratio]) -> ClosedFormRest | None:
     """The equilibrium with its conditions; None where there is none, for any parameters or at the first sample."""
-    if not _has_full_inertia(model, at):
+    if not _has_full_inertia(model, at) or not _has_forces(model, at):
         return None
     conditions = exists(at.values())
     state = SymbolicState(model, at | {c.speed: model.field.zero for c in model.coordinates})
@@ -170,6 +170,18 @@ def _has_full_inertia(model: SymbolicModel, at: dict[int, Ratio]) -> bool:
     except ZeroDivisionError:
         return False
     return not here or here == n_without(model.dynamics.mass_matrix, model.samples.vanishes)
+
+
+def _has_forces(model: SymbolicModel, at: dict[int, Ratio]) -> bool:
+    """Whether the forces have a value at a place. Where a length vanishes, along which one of them acts, the zero of
+    what is written above a fraction says nothing of it."""
+    linear = Linearised(model, at)
+    try:
+        for F in model.dynamics.forcing:
+            linear.here(F)
+    except ZeroDivisionError:
+        return False
+    return True
 
 
 def _at_first(model: SymbolicModel, c: Condition) -> bool:

@@ -21,7 +21,8 @@ def without_square_roots(model: SymbolicModel, x: Ratio) -> Ratio:
 def odd_part(x: Ratio) -> Ratio:
     """An element of the same sign without factors that occur an even number of times, where these do not vanish."""
     f = x.field
-    unit, factors = f.factor(x.num * x.denominator().num)
+    num, below = f.lift(x, x.denominator())
+    unit, factors = f.factor(num * below)
     result = f.element(1 if unit > 0 else -1)
     for base, exponent in factors:
         result = result * base if exponent % 2 else result

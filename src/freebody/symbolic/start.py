@@ -15,6 +15,7 @@ from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, free_symbols
 from freebody.language.sentences import Message
 from freebody.measures.geometry import Pose
+from freebody.model.elements import ConstraintRow, NonholonomicForm
 from freebody.symbolic.blow import Blow
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import cos_sin
@@ -108,14 +109,24 @@ def rates_by_velocities(
     for rate, wanted in model.start_speeds.wanted_rates(known_rates):
         rows.append(_row_of(f.follow(model.in_independent_speeds(rate) - wanted, at_start), speeds))
     solved = solve(f, rows, speeds, Ratio.is_zero)
-    is_driven = any(row.target is not None and free_symbols(row.target) for row in model.system.constraint_rows)
-    moves = is_driven or any(RHS in row for row in rows)
+    moves = any(_drives(model, row) for row in model.system.constraint_rows) or any(RHS in row for row in rows)
     found: dict[int, Ratio] = {}
     # contradictory as they are written: rates that are given twice may agree in the pose of the start alone
     if moves and not solved.free and not solved.contradictory:
         found = {speed: f.lowest_terms(solved.pivots[speed].get(RHS, f.zero)) for speed in speeds}
     decided = frozenset(speed for speed, row in solved.pivots.items() if row.keys() <= {RHS})
     return GivenRates(tuple(rows), found, moves and bool(solved.free), decided)
+
+
+def _drives(model: SymbolicModel, row: ConstraintRow) -> bool:
+    """Whether a row makes something move: it follows the time, or holds a speed. The radius that a contact holds as a
+    distance does not."""
+    if row.target is None:
+        return False
+    if isinstance(row.measure, NonholonomicForm):
+        return bool(free_symbols(row.target))
+    functions = {p.name for p in model.system.parameters.values() if p.form is not None}
+    return bool(free_symbols(row.target) & {"t", *functions})
 
 
 def least_energy(model: SymbolicModel, given: Sequence[Row], start: Mapping[int, Ratio]) -> dict[int, Ratio]:

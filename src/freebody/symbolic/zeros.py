@@ -70,6 +70,10 @@ def zeros_of(model: SymbolicModel, F: Ratio, c: Indexed, *, quadratic: bool = Fa
     for base, _exponent in factors:
         if c.index not in f.ingredients(base):
             continue
+        plain = without_root(base, c.index)
+        if plain is not base:  # it vanishes where the other does
+            found += zeros_of(model, plain, c, quadratic=quadratic)
+            continue
         linear = solve_linear(base, c.index)
         if linear is not None:
             found.append(linear)

@@ -161,9 +161,11 @@ def _headed(kind: str, rest: Clause) -> str | None:
         return None
     if not parts:
         return kind
+    if parts == ["size"]:
+        return f"size of {kind}"
     if kind not in ("reaction", "impulse", "moment", "angular impulse", "force"):
         return None
-    return f"{parts[0]} of {kind}" if parts[0] == "size" else f"{parts[0]} {kind}"
+    return f"{parts[0]} {kind}"
 
 
 def _at_joint(names: Names, kind: str, head: str, joint: str, things: list[tuple[str, str]], ends: str) -> Groups:

@@ -23,11 +23,15 @@ def motion(names: Names, quantity: str, rest: Clause) -> Groups:
     if (turned := _other_way(names, rest)) is not None:  # down a slope whose line points up
         yield from ([f"-({text})" for text in group] for group in motion(names, quantity, turned))
         return
+    if rest.has("part", "size"):
+        without = Clause([word for word in rest.words if word != Word("part", "size")])
+        yield from ([f"size of {text}" for text in group] for group in motion(names, quantity, without))
+        return
     found = _directed(names, rest)
     if found is None or not rest.only("name", "part", *SILENT):
         return
     of, relative, along = found
-    if len(of) > 1 or (rest.has("part", "initial", "size", "only", "driving")):
+    if len(of) > 1 or (rest.has("part", "initial", "only", "driving")):
         return
     end = f"{relative}{along}"
     if quantity == "speed" and any(before == "about" and "." in name for before, name in rest.names):

@@ -57,11 +57,11 @@ def at_instants(
     if at_start:
         instants = ((draw, moving_for(quantity, draw.start())) for draw in setup.draw_stream())
     else:
-        instants = zip(setup.draws, setup.anywhere, strict=True)
+        instants = setup.anywhere_stream()
 
     def compare(instant: tuple[Draw, Snapshot]) -> None:
         draw, snapshot = instant
-        if at_start and not setup.is_on_branch(draw, snapshot):  # where the formula does not claim to be true
+        if not setup.is_on_branch(draw, snapshot):  # where the formula does not claim to be true
             return
         if sides and not all(side > 0.0 for side in element_at(setup, tuple(sides), draw, snapshot)):
             return

@@ -30,6 +30,7 @@ from freebody.symbolic.conditions import Condition, insisted
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import functions
 from freebody.symbolic.limits import derivative_by
+from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.tidy import tidy
 
 _WAVES = {"acos": "cos", "asin": "sin", "atan": "tan"}
@@ -72,7 +73,10 @@ def find_extremal(setup: Setup, question: Question, formulas: Sequence[Formula])
         slopes.append(derivative_by(model, one.element, index) if depends else field.zero)
     if all(slope.is_zero() for slope in slopes):
         raise CannotAnswer(Message("that does not depend on {name}", name=wanted.parameter))
-    cases = [replace(one, element=slope) for one, slope in zip(formulas, slopes, strict=True)]
+    masses = _masses(setup, index)
+    cases = [
+        replace(one, element=slope, needed=[*one.needed, *masses]) for one, slope in zip(formulas, slopes, strict=True)
+    ]
     monotone = _Monotone(
         *(RangeSearch(setup, question, wanted.asking(relation=relation), cases) for relation in (">", "<")),
         sign=1 if wanted.end == "largest" else -1,
@@ -100,6 +104,16 @@ def find_extremal(setup: Setup, question: Question, formulas: Sequence[Formula])
     return Finding(
         element, evidence, [*conditions, *real(element)], notes, has_value=setup.has_values, is_complete=True
     )
+
+
+def _masses(setup: Setup, index: int) -> list[Condition]:
+    """Where the bodies that a parameter makes have a mass: of a rod of the length L - c only c < L is meant."""
+    found: list[Condition] = []
+    for body in setup.system.moving:
+        mass = setup.state.scalar(body.mass)
+        if index in setup.model.field.ingredients(mass) and sign_of(mass) is Sign.UNKNOWN:
+            found.append(Condition(mass, ">", Message("{body} has a mass", body=body.name)))
+    return found
 
 
 def _plain(place: Ratio) -> Ratio:

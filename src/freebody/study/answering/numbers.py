@@ -15,7 +15,7 @@ from freebody.questions.extent import Extent, ExtremeOfMotion
 from freebody.questions.loads import Power
 from freebody.questions.period import Period
 from freebody.questions.reading import AskedEvent
-from freebody.questions.small_motion import OfSmallMotion, SmallOscillations
+from freebody.questions.small_motion import Equilibrium, OfSmallMotion, SmallOscillations
 from freebody.study.answering.crosscheck import as_parts
 from freebody.study.answering.draws import Draw
 from freebody.study.answering.passage import smooth_numbers
@@ -80,6 +80,14 @@ def _small_number(
     from freebody.study.answering.at_equilibrium import small_number
 
     return small_number(quantity, setup, draw)
+
+
+@_number.register(Equilibrium)
+def _rest_number(quantity: Equilibrium, setup: Setup, event: AskedEvent | None, draw: Draw) -> float:
+    from freebody.study.small_motion.equilibrium import nearest_equilibrium
+
+    q = nearest_equilibrium(setup.system)[0].q
+    return draw.reference.snapshot(q, np.zeros_like(q)).value(quantity.measure)
 
 
 @_number.register(Period)
