@@ -57,6 +57,8 @@ class _UnitReader:
         while place < len(self._text):
             found = _TOKEN.match(self._text, place)
             if found is None:
+                if self._text[place] == ",":
+                    raise self._fault(Message("decimals stand after a point, as in 0.5"))
                 raise self._fault(Message("'{x}' cannot be used in a unit", x=self._text[place]))
             self._tokens += self._words(found)
             place = found.end()
