@@ -152,3 +152,11 @@ def test_stages_of_one_kind_are_one_stage() -> None:
         for derivation in of(name, question)[0].derivations:
             titles = [stage.title for stage in derivation.stages]
             assert all(one != other for one, other in pairwise(titles))
+
+
+def test_a_rate_that_rolling_binds_is_bound_by_no_closed_loop() -> None:
+    _found, derivation = of("wheel_over_a_hump", "speed")
+    assert "stage.loops" not in [stage.title.key for stage in derivation.stages]
+    # the centre of a wheel on whatever curve moves with r times its rate of turning
+    assert "v_wheel_t + r·θ_wheel' = 0" in [shown(line) for line in lines_of(derivation.stages)]
+    assert not any("(-(" in shown(line) for line in lines_of(derivation.stages))
