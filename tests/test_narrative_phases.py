@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 from pathlib import Path
 
 from freebody import System
@@ -133,3 +134,29 @@ def test_the_energy_that_friction_takes_is_told_by_the_power_of_the_slip() -> No
     assert not derivation.reason, derivation.reason
     reread(found)
     assert "E' = -m·μ·g·cos(θ)·(x' + r·θ_ball')" in [shown(line) for line in lines_of(derivation.stages)]
+
+
+def test_the_tensions_on_both_sides_of_a_drum_differ_by_the_friction_as_it_is_drawn() -> None:
+    """The drum of a differential band brake stands still: R (T_before - T_after) = M, so that with F_band = M/R, drawn
+    against M, the tight side has T + F_band, and Euler and Eytelwein's ratio is that of these two."""
+    _found, derivation = of("differential_band_brake", "force")
+    told = [shown(line) for line in lines_of(derivation.stages)]
+    assert "0 = R·F_band - M" in told
+    assert "T + F_band = exp(μ·π)·T" in told
+    _found, derivation = of("capstan", "range")  # F_rope is drawn the other way there
+    assert "T - F_rope = T/exp(μ·π)" in [shown(line) for line in lines_of(derivation.stages)]
+
+
+def test_stages_of_one_kind_are_one_stage() -> None:
+    for name, question in (("differential_band_brake", "force"), ("ladder_rough_wall", "wall")):
+        for derivation in of(name, question)[0].derivations:
+            titles = [stage.title for stage in derivation.stages]
+            assert all(one != other for one, other in pairwise(titles))
+
+
+def test_a_rate_that_rolling_binds_is_bound_by_no_closed_loop() -> None:
+    _found, derivation = of("wheel_over_a_hump", "speed")
+    assert "stage.loops" not in [stage.title.key for stage in derivation.stages]
+    # the centre of a wheel on whatever curve moves with r times its rate of turning
+    assert "v_wheel_t + r·θ_wheel' = 0" in [shown(line) for line in lines_of(derivation.stages)]
+    assert not any("(-(" in shown(line) for line in lines_of(derivation.stages))

@@ -41,6 +41,10 @@ def sheet(
     from freebody.language.sentences import Message
     from freebody.present.busy import busy
 
+    if propose_options and out is not None:
+        raise InputError(
+            Message("--propose-options prints options for the model files and writes no sheet: give it or -o")
+        )
     if propose_options:
         _propose(files, set_, language)
         return

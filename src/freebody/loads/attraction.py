@@ -65,3 +65,4 @@ loads: {it: {attraction: {center: ground.O, strength: 8 m^3/s^2}}}
     def glyphs(self, names: Names) -> Iterable[Glyph]:
         center = names.point(self.center)
         yield from (glyphs.Relation((center, body.mass_center)) for body in self._pulled(names))
+        yield glyphs.Center(center)

@@ -17,7 +17,7 @@ from freebody.language.sentences import Message
 from freebody.language.units import ACCELERATION, AREA, DENSITY, LENGTH, VOLUME
 from freebody.loads.base import Load
 from freebody.measures.displacement import Displacement
-from freebody.measures.geometry import ZERO, Direction, Point
+from freebody.measures.geometry import GROUND, ZERO, Direction, Point
 from freebody.model import glyphs
 from freebody.model.elements import VALUE, AppliedLoad, Validity
 from freebody.model.glyphs import Glyph
@@ -89,3 +89,13 @@ loads: {it: {buoyancy: {at: buoy.bottom, density: 1000 kg/m^3, strength: 9.81 m/
 
     def glyphs(self, names: Names) -> Iterable[Glyph]:
         yield glyphs.ForceArrow(names.point(self.at), self._up(names))
+        if self.area is not None and not names.space:
+            surface = names.ground_origin if self.surface is None else names.point(self.surface)
+            if surface.body == GROUND:
+                yield glyphs.Relation(tuple(self._beside(names, surface, side) for side in (-1, 1)))
+
+    def _beside(self, names: Names, surface: Point, side: int) -> Point:
+        """A point of the surface of the water, beside the body at rest in the middle of its picture."""
+        x, y, *_z = surface.offset
+        reach = multiply(number(side), number(2), Call("sqrt", names.positive(self, "area", AREA)))
+        return Point(GROUND, (x + reach, y))

@@ -252,6 +252,13 @@ class Relation(Generic[P]):
 
 
 @dataclass(frozen=True)
+class Center(Generic[P]):
+    """A point that attracts: a dot."""
+
+    at: P
+
+
+@dataclass(frozen=True)
 class Equation(Generic[P]):
     """An equation or an inequality in the model's own notation, beside the point that it is about."""
 
@@ -316,6 +323,7 @@ Sign = (
     | Rope[P, D, N]
     | Touching[P, D, N]
     | Relation[P]
+    | Center[P]
     | Equation[P]
     | Pushing[P, D]
 )

@@ -13,7 +13,9 @@ from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, ProductOf, Sum, Symbol, evaluate, free_symbols, number
 from freebody.language.sentences import Message
 from freebody.language.units import Dimension
-from freebody.measures.geometry import ZERO
+from freebody.measures.angle import Angle
+from freebody.measures.displacement import Displacement
+from freebody.measures.geometry import GROUND, RIGHT, UP, ZERO, Direction, Point
 from freebody.model.elements import NonholonomicForm, RigidBody
 from freebody.model.phrases import phrase_text
 from freebody.model.states import state_name
@@ -90,10 +92,32 @@ def _symbols(context: Context, script: Script) -> None:
     context.introduced |= {e[0].name for e in entries if isinstance(e[0], Symbol)} | {"t"}
     hidden = [c for c in _coordinates(context) if c not in context.introduced]
     for name in hidden:
-        entries.append((Symbol(name), Sentence("symbol.coordinate"), ""))
+        entries.append((Symbol(name), *_coordinate(context, name)))
         context.introduced.add(name)
     if entries:
         script.add(Legend(tuple(entries)))
+
+
+def _coordinate(context: Context, name: str) -> tuple[Sentence, str]:
+    """What a coordinate is that the model does not name, and its unit."""
+    match context.glossary.measures.get(name):
+        case Angle(of, origin, reference) if origin == GROUND and reference == ZERO:
+            return Sentence("symbol.angle_of", {"body": of}), ""
+        case Displacement(of, origin, along) if _is_plain(of, origin, along):
+            axis = "x" if along.components == RIGHT.components else "y"
+            return Sentence("symbol.place", {"body": of.body, "axis": f"@letter.{axis}"}), "m"
+        case _:
+            return Sentence("symbol.coordinate"), ""
+
+
+def _is_plain(of: Point, origin: Point, along: Direction) -> bool:
+    """Whether a mass centre is seen along an axis of the ground from its origin."""
+    axes = (RIGHT.components, UP.components)
+    return (
+        origin.body == along.body == GROUND
+        and along.components in axes
+        and not any(part != ZERO for part in (*of.offset, *origin.offset))
+    )
 
 
 def _coordinates(context: Context) -> list[str]:
@@ -188,7 +212,8 @@ def _by_rank(context: Context, script: Script, count: int) -> int:
     alone = "freedom.coordinates_driven" if gruebler(context.setup.system).drivers else "freedom.coordinates_none"
     script.say("freedom.coordinates" if names else alone, names=names)
     if model.dependent:
-        script.say("freedom.driven", names=tuple(Symbol(c.name) for c in model.dependent))
+        bound = "freedom.driven" if model.loops else "freedom.rates"
+        script.say(bound, names=tuple(Symbol(c.name) for c in model.dependent))
     if context.system.states:
         script.say("freedom.states", names=tuple(map(Symbol, context.system.states)))
     return n

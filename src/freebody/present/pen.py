@@ -88,6 +88,8 @@ class Pen:
                 first = sign.points[0]  # a line fixed in a body
                 line = np.array([place.xy for place in sign.points]) - np.array(first.xy)
                 yield Path(first, first.body, line, "surface")
+            elif isinstance(sign, glyphs.Center):
+                yield Path(sign.at, sign.at.body, circle(0.5 * self.u), "center", is_closed=True)
             elif isinstance(sign, glyphs.Relation):
                 for a, b in pairwise(sign.points):
                     yield Stretch(a, b, np.array([(0.0, 0.0), (1.0, 0.0)]), "pull")

@@ -26,6 +26,7 @@ STYLES: dict[str, Style] = {
     "fixed body": Style("muted", 1.5, "muted", 0.2),
     "fixed body ring": Style("", 0.0, "muted", 0.25),
     "dot": Style("body", 1.0, "body"),
+    "center": Style("ink", 1.0, "ink"),
     "hole": Style("body", 1.3, "paper"),
     "rim": Style("body", 1.3),
     "hoop": Style("body", 2.6),

@@ -160,6 +160,8 @@ def _candidates(field: Field, poly: Poly) -> list[Expr]:
             parts: list[tuple[tuple[int, int], Expr]] = []
             for base, exponent in factors:
                 shown = _sum(field, base.num)
+                if is_written_negative(shown):  # of what its own order begins with a minus sign
+                    shown, unit = negate(shown), unit * (-1) ** exponent
                 parts.append((_place(field, base), shown if exponent == 1 else power(shown, number(exponent))))
             parts.sort(key=lambda item: item[0])
             found.append(signed_product(unit, [e for _p, e in parts]))

@@ -12,7 +12,7 @@ from dataclasses import fields
 from pathlib import Path
 from typing import Any, Self, cast
 
-from freebody.errors import InputError
+from freebody.errors import InputError, ModelError, Problem
 from freebody.language.document import Document
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS
@@ -73,7 +73,19 @@ class System(SystemDescription):
                 continue
             path = ("parameters", name, "value") if isinstance(given, dict) else ("parameters", name)
             document = document.with_value(path, value)
-        return self._read(document, self.file)
+        return self._read_given(document, "parameters")
+
+    def _read_given(self, document: Document, *under: str | int) -> Self:
+        """What was read with a value that no file has: of a mistake in it no place in the file is told. under: where
+        the value stands in the document; what follows there, such as the name of a parameter, is its place."""
+        try:
+            return self._read(document, self.file)
+        except ModelError as error:
+            n = len(under)
+            told = [Problem(p.path[n:], p.message) if p.path[:n] == under else p for p in error.problems]
+            if all(p.line is None for p in told):
+                raise ModelError(told) from error
+            raise ModelError(told, self.file) from error
 
     def with_mode(self, name: str) -> Self:
         """The same system started in another assembly mode; `mobility` lists their names."""
@@ -103,7 +115,7 @@ class System(SystemDescription):
                 Message("a question has at most {most} characters, this one {n}", most=LONGEST, n=len(text))
             )
         document = self.document.with_value(("questions",), [{"find": text}])
-        return self._read(document, self.file).questions
+        return self._read_given(document, "questions", 0, "find").questions
 
     def to_yaml(self) -> str:
         """The model file, with its comments."""

@@ -53,5 +53,5 @@ def unit_of_pint(name: str) -> Unit:
 def _unknown(name: str) -> UnitError:
     usual = [*UNITS, *(prefix + unit for prefix in ("k", "c", "m") for unit in ("g", "m", "s", "N"))]
     close = get_close_matches(name, usual, n=1) or get_close_matches(name.lower(), usual, n=1)
-    guess = Message(": did you mean {x}?", x=close[0]) if close else ""
+    guess = Message("; perhaps {x} is meant", x=close[0]) if close else ""
     return UnitError(Message("the unit '{name}' is not known{guess}", name=name[:40], guess=guess))

@@ -60,6 +60,8 @@ class _UnitReader:
             if found is None and _DECIMALS.match(self._text) and place == 0:
                 raise self._fault(Message("decimals are written with a point, as 9.81"))
             if found is None:
+                if self._text[place] == ",":
+                    raise self._fault(Message("decimals stand after a point, as in 0.5"))
                 raise self._fault(Message("'{x}' cannot be used in a unit", x=self._text[place]))
             self._tokens += self._words(found)
             place = found.end()

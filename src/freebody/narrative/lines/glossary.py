@@ -31,7 +31,7 @@ from freebody.language.expression import (
     free_symbols,
     rate_key,
 )
-from freebody.language.sentences import Sentence
+from freebody.language.sentences import Argument, Sentence
 from freebody.language.units import FORCE
 from freebody.measures.base import Measure
 from freebody.narrative.lines.differences import SymbolValues, value_of
@@ -279,7 +279,9 @@ class Glossary:
             return {}
         found: dict[str, Sentence] = {}
         for row, value in model.constants.items():
-            found[shown_name(value)] = Sentence("symbol.start_of_row", {"row": row})
+            connection, _, component = row.partition(".")
+            args: dict[str, Argument] = {"connection": connection, "component": f"@{component}"}
+            found[shown_name(value)] = Sentence("symbol.start_of_row", args)
         for c in (*model.coordinates, *model.dependent):
             if c.index in model.samples.start_symbols:
                 found[shown_name(model.samples.start_symbols[c.index])] = Sentence(

@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Generator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 from typing import Literal
 
@@ -131,7 +131,12 @@ class Script:
             yield
             if self._items:
                 shown = Sentence(hint, args) if hint else None
-                self.stages.append(DerivationStage(Sentence(title, args), shown, tuple(self._items)))
+                stage = DerivationStage(Sentence(title, args), shown, tuple(self._items))
+                last = self.stages[-1] if self.stages else None
+                if last is not None and (last.title, last.hint) == (stage.title, stage.hint):  # it goes on
+                    self.stages[-1] = replace(last, items=last.items + stage.items)
+                else:
+                    self.stages.append(stage)
         finally:
             self._items = before
 

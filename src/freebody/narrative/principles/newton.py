@@ -305,8 +305,10 @@ class Newton:
             return EliminationRow({acting.generator(name): f.one}, factor, number)
         pressing = acting.symbol(law.load)
         sides: tuple[Expr, Expr] = symbol, scaled(factor, pressing)
-        if law.drum:  # the tension before the drum is T - F
-            sides = add(pressing, negate(symbol)), multiply(tidy(f.lowest_terms(1 - factor)), pressing)
+        if law.drum:  # the tension before the drum is T - F, F as the row counts it
+            turned = acting.symbols[name].sign * law.rub.row.sign
+            before = f.lowest_terms(1 - turned * factor)
+            sides = add(pressing, symbol if turned < 0 else negate(symbol)), multiply(tidy(before), pressing)
             args |= {"after": pressing, "before": sides[0], "drum": law.drum}
         number = script.line(*sides, why=law.why, args=args)
         entries = {acting.generator(name): f.one, acting.generator(law.load): f.lowest_terms(-factor)}

@@ -49,9 +49,10 @@ class PlanarRates:
         """The symbols are explained where they stand."""
 
     def loops(self, setup: Setup, script: Script) -> tuple[int, ...]:
-        """The loops differentiated and solved for the bound speeds, once in a derivation."""
+        """The loops differentiated, or else what rolls, and solved for the bound speeds, once in a derivation."""
         if self._loop_lines is None and self.model.dependent:
-            with script.stage("stage.loops", "hint.loops"):
+            called = "loops" if self.model.loops else "bound_rates"
+            with script.stage(f"stage.{called}", f"hint.{called}"):
                 rates = closed_loops(setup, script, in_rates=True, limit=however_long)
                 self._loop_lines = tuple(bound_speeds(setup, script, rates, however_long))
         return self._loop_lines or ()
@@ -204,7 +205,7 @@ class PlanarRates:
         for term in terms:
             self._introduce(script, term)
         held = self.acting.rows[row]
-        rest = total(terms, self.field.zero)  # what drives it
+        rest = self.model.in_independent_speeds(total(terms, self.field.zero))  # what drives it
         shown = [term.expression for term in terms] + (
             [] if self.model.samples.vanishes(rest) else [negate(tidy(rest))]
         )

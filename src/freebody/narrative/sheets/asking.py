@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import singledispatch
 
 from freebody.errors import ExpressionError
-from freebody.language.expression import free_symbols
+from freebody.language.expression import Symbol, free_symbols
 from freebody.language.parser import parse
 from freebody.language.sentences import NOTHING, Argument, Sentence
 from freebody.questions.base import Quantity
@@ -14,6 +14,7 @@ from freebody.questions.conservation import Conserved
 from freebody.questions.event import ChangeEvent, OfQuantity
 from freebody.questions.motion import rates_of
 from freebody.questions.reading import Question
+from freebody.questions.rest import Holds, RestLimit
 from freebody.system.system import System
 
 
@@ -33,6 +34,17 @@ def _asking(q: Quantity, system: System, question: Question) -> Sentence:
 @_asking.register(Conserved)
 def _asking_conserved(q: Conserved, system: System, question: Question) -> Sentence:
     return Sentence("ask.conserved", {"what": q.of.sentence(system) or q.name})
+
+
+@_asking.register(RestLimit)
+def _asking_rest(q: RestLimit, system: System, question: Question) -> Sentence:
+    slips = "_slip" if q.is_of_slip else ""
+    return Sentence(f"ask.rest_{q.which}{slips}", {"parameter": Symbol(q.parameter)})
+
+
+@_asking.register(Holds)
+def _asking_holds(q: Holds, system: System, question: Question) -> Sentence:
+    return Sentence("ask.rest_holds")
 
 
 def headline(system: System, question: Question) -> Sentence:

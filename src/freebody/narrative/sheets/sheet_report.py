@@ -43,10 +43,12 @@ class SheetWriter:
         catalogue, sheet = self.catalogue, self.sheet
         blocks: list[Block] = [self._name_line()] if sheet.solutions == "none" else []
         solutions: list[Block] = []
+        # figures are counted as they stand: those of solutions at the end after those of all exercises
+        set_first = sheet.solutions == "end"
+        sets = [self._counted_set(exercise, k) for k, exercise in enumerate(self.exercises, 1)] if set_first else []
         for number, exercise in enumerate(self.exercises, 1):
             title = {"n": number, "title": f"@{title_of(exercise.system, catalogue)}"}
-            set_ = self._set(exercise, number)
-            self.n_figures = max([self.n_figures, *_figure_numbers(set_)])
+            set_ = sets[number - 1] if set_first else self._counted_set(exercise, number)
             solved: tuple[Block, ...] = ()
             if sheet.solutions == "inline":
                 solved = self._solution(exercise, number)
@@ -63,6 +65,11 @@ class SheetWriter:
         return Report(
             catalogue.word("sheet.title"), catalogue.language, self._subtitle(), tuple(blocks), catalogue.report_words
         )
+
+    def _counted_set(self, exercise: Variant, number: int) -> tuple[Block, ...]:
+        set_ = self._set(exercise, number)
+        self.n_figures = max([self.n_figures, *_figure_numbers(set_)])
+        return set_
 
     def _set(self, exercise: Variant, number: int) -> tuple[Block, ...]:
         """The exercise as it is set."""

@@ -80,7 +80,8 @@ class Catalogue:
             end = found.end()
         pieces += _with_formulas(template[end:])
         kept = [p for p in pieces if p != ""]
-        if template.startswith("{") and template.endswith(".") and kept and isinstance(kept[0], str):
+        is_sentence = template.endswith(".") or (template.endswith(":") and " " in template)
+        if template.startswith("{") and is_sentence and kept and isinstance(kept[0], str):
             kept[0] = kept[0][:1].upper() + kept[0][1:]
         return tuple(kept)
 

@@ -81,7 +81,7 @@ def body_label(system: System, body: str) -> Label:
     is_alone = sum(other.mass == own.mass for other in system.moving) == 1
     if not own.turns and isinstance(own.mass, Symbol) and is_alone and len(body) > 2:
         return formula(own.mass)
-    return words(body)
+    return words(body.replace("_", " "))
 
 
 def name_beside(sketch: Sketch, figure: Figure, poses: Array, label: Label) -> None:

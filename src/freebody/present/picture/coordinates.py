@@ -15,7 +15,7 @@ from freebody.measures.displacement import Displacement
 from freebody.measures.distance import Bearing, Distance
 from freebody.present.drawing import Drawing
 from freebody.present.figures import GROUND, Array, Figure, Place, positions
-from freebody.present.picture.label import name
+from freebody.present.picture.label import Label, name
 from freebody.present.picture.placer import Wish
 from freebody.present.picture.shapes import Ink, Shape
 from freebody.present.picture.signs import across, arc, arrow, curved_arrow, dimension, unit
@@ -34,10 +34,11 @@ class Coordinates:
     """Draws measures into a sketch."""
 
     def __init__(
-        self, sketch: Sketch, drawing: Drawing, places: Places, labels: Mapping[str, str] | None = None
+        self, sketch: Sketch, drawing: Drawing, places: Places, labels: Mapping[str, Label] | None = None
     ) -> None:
         """labels: what stands beside a measure instead of its name."""
         self.labels = labels or {}
+        self.named: set[str] = set()  # what has found its place
         self.sketch, self.drawing, self.places = sketch, drawing, places
         self.figures = {figure.index: figure for figure in drawing.scene.figures if figure.index != GROUND}
 
@@ -187,7 +188,9 @@ class Coordinates:
             self._name(called, [(at, way), (at, -way)])
 
     def _name(self, called: str, places: Sequence[tuple[Array, Array]]) -> None:
-        self.sketch.wish(Wish(name(self.labels.get(called, called)), tuple(places), 10.5, INK, weight=4.0))
+        label = self.labels.get(called) or name(called)
+        self.sketch.wish(Wish(label, tuple(places), 10.5, INK, weight=4.0))
+        self.named.add(called)
 
 
 def _beside(start: Array, end: Array) -> list[tuple[Array, Array]]:

@@ -146,20 +146,23 @@ class Dimensions(Dimensioned):
             radius = min(_ARC, 0.7 * length)
             if radius < 0.5 * _ARC:
                 continue
-            way = (high - low) / length
-            level = np.array((math.copysign(1.0, way[0]), 0.0)) if base == 0 else np.array((0.0, 1.0))
-            self._mark(name, low, level, way, radius)
+            level = np.array((math.copysign(1.0, high[0] - low[0]), 0.0)) if base == 0 else np.array((0.0, 1.0))
+            self._mark(name, low, level, high - low, radius)
 
-    def _mark(self, name: str, at: Array, level: Array, way: Array, radius: float) -> None:
-        """The arc of an angle between a dashed line and a line of the picture, both from one point."""
-        begin, end = (math.atan2(v[1], v[0]) for v in (level, way))
+    def _mark(self, name: str, at: Array, level: Array, line: Array, radius: float) -> None:
+        """The arc of an angle between a dashed line and a line of the picture (2,), both from one point."""
+        begin, end = (math.atan2(v[1], v[0]) for v in (level, line))
+        length = float(np.hypot(*line))
         turn = math.remainder(end - begin, math.tau)
-        reach = max(radius + 14.0, _NAME_OF_ANGLE / max(abs(turn), 0.1) + 8.0)
+        far = max(radius, _NAME_OF_ANGLE / max(abs(turn), 1e-3))  # where the name has room between the two lines
+        middle = unit(begin + 0.5 * turn)
+        places = ((at + far * middle, middle), (at + (radius - 5.0) * middle, -middle))
+        if far > length:  # nowhere: behind the arc, which stands beyond the line
+            radius = length + 6.0
+            places = ((at + radius * middle, middle),)
+        reach = radius + 14.0 if far > length else max(radius + 14.0, _NAME_OF_ANGLE / max(abs(turn), 0.1) + 8.0)
         dashed = Shape(np.array((at, at + reach * level)), INK, 0.8, dashes=(3.0, 2.5))
         self.sketch.add(dashed, Shape(arc(at, radius, begin, turn), INK, 0.9))
-        middle = unit(begin + 0.5 * turn)
-        far = max(radius, _NAME_OF_ANGLE / abs(turn))  # where the name has room between the two lines
-        places = ((at + far * middle, middle), (at + (radius - 5.0) * middle, -middle))
         self.sketch.wish(Wish(formula(Symbol(name)), places, 10.5, INK, weight=4.5))
         self.show(formula(Symbol(name)))
 
@@ -174,9 +177,8 @@ class Dimensions(Dimensioned):
             length = float(np.hypot(*(high - low)))
             for name, base in self._counted(angle):
                 if self.is_new(formula(Symbol(name))) and length > _ARC:
-                    way = (high - low) / length
-                    level = np.array((math.copysign(1.0, way[0]), 0.0)) if base == 0 else np.array((0.0, 1.0))
-                    self._mark(name, low, level, way, min(_ARC, 0.5 * length))
+                    level = np.array((math.copysign(1.0, high[0] - low[0]), 0.0)) if base == 0 else np.array((0.0, 1.0))
+                    self._mark(name, low, level, high - low, min(_ARC, 0.5 * length))
 
     def _counted(self, angle: Expr) -> Iterator[tuple[str, int]]:
         """The parameter that an angle is, and whether it counts from the horizontal (0) or the vertical (1)."""

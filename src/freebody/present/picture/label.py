@@ -20,6 +20,7 @@ _WORDS = re.compile(r"[^\W\d]\w* [^\W\d]|^[\d.]+ [^\W\d]")  # `angle of rod`, `2
 _FUNCTIONS = frozenset(("sin", "cos", "tan", "asin", "acos", "atan", "sqrt", "exp", "log", "abs", "sign"))
 _GLYPHS = {"·": "\u2009", "-": "\u2212", "'": "\u2032"}
 _SMALL = 0.72  # of an index
+_SIGNS = frozenset("=+\u2212<>\u2264\u2265")
 _NARROW, _WIDE = frozenset("ijltfrI.,:;'|()[]/ "), frozenset("mwMW")
 
 
@@ -130,4 +131,6 @@ def _width(letter: str) -> float:
         return 0.17
     if letter in _NARROW:
         return 0.33
+    if letter in _SIGNS:
+        return 0.78
     return 0.88 if letter in _WIDE else 0.7 if letter.isupper() else 0.54

@@ -9,7 +9,17 @@ from dataclasses import dataclass
 import numpy as np
 
 from freebody.errors import FreebodyError
-from freebody.language.expression import ZERO, Expr, Number, Symbol, differentiate, evaluate, free_symbols, number
+from freebody.language.expression import (
+    ZERO,
+    Call,
+    Expr,
+    Number,
+    Symbol,
+    differentiate,
+    evaluate,
+    free_symbols,
+    number,
+)
 from freebody.language.units import DIMENSIONLESS
 from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
@@ -18,7 +28,7 @@ from freebody.measures.displacement import Displacement
 from freebody.measures.distance import Bearing
 from freebody.present.drawing import Drawing
 from freebody.present.figures import GROUND, Array, Place, positions
-from freebody.present.picture.label import Label, formula, name
+from freebody.present.picture.label import Label, beside, formula, name
 from freebody.present.picture.placer import Wish
 from freebody.present.picture.shapes import Ink, Shape
 from freebody.present.picture.signs import across, arc, arrow, curved_arrow, unit
@@ -55,9 +65,9 @@ class StartMotion:
             if rate == ZERO:
                 continue
             if isinstance(measure, Angle):
-                self._spin(measure.of, rate, sense)
+                self._spin(measure.of, rate, sense, called)
             elif isinstance(measure, Bearing):
-                self._swing(measure, rate, sense)
+                self._swing(measure, rate, sense, called)
         for body in self.system.moving:
             if body.start.angular_velocity is not None and body.start.angular_velocity != ZERO:
                 self._spin(body.name, body.start.angular_velocity)
@@ -127,7 +137,7 @@ class StartMotion:
         places = tuple((tip - back * way, side) for back in (4.0, 12.0) for side in (across(way), -across(way), way))
         self.sketch.wish(Wish(label, places, 10.5, INK, weight=4.2))
 
-    def _spin(self, body: str, rate: Expr, sense: int = 1) -> None:
+    def _spin(self, body: str, rate: Expr, sense: int = 1, called: str = "") -> None:
         """Round the middle of a body; sense: -1 for a rate that is counted clockwise."""
         figure = next((f for f in self.drawing.scene.figures if f.name == body), None)
         value = self._number(rate)
@@ -149,10 +159,10 @@ class StartMotion:
             way, radius = ways[k % len(ways)], radii[k // len(ways)]
             spot = middle + radius * way
             self.sketch.wish(
-                Wish(_label(rate, is_back=value < 0.0), ((spot, way), (spot, -way)), 10.5, INK, weight=4.2)
+                Wish(_label(rate, called, is_back=value < 0.0), ((spot, way), (spot, -way)), 10.5, INK, weight=4.2)
             )
 
-    def _swing(self, measure: Bearing, rate: Expr, sense: int) -> None:
+    def _swing(self, measure: Bearing, rate: Expr, sense: int, called: str) -> None:
         """Of a line that turns about its foot, beside its tip."""
         value = self._number(rate)
         foot, tip = (self._at(self.places.place(point)) for point in (measure.start, measure.end))
@@ -164,7 +174,7 @@ class StartMotion:
         self.sketch.add(curved_arrow(foot, radius, begin + 0.3 * sweep, sweep, INK, 1.5))
         end = unit(begin + 0.9 * sweep)
         places = ((foot + radius * end, end), (foot + radius * end, -end))
-        self.sketch.wish(Wish(_label(rate, is_back=value < 0.0), places, 10.5, INK, weight=4.2))
+        self.sketch.wish(Wish(_label(rate, called, is_back=value < 0.0), places, 10.5, INK, weight=4.2))
 
     # -- symbols ------------------------------------------------------------------------------
     def _symbol(self, velocity: Velocity, of: Callable[[float, float], float], *, is_angle: bool) -> str | None:
@@ -209,8 +219,10 @@ def _plain(measure: Measure | None) -> tuple[Measure | None, int]:
             return measure, 1
 
 
-def _label(rate: Expr, *, is_back: bool) -> Label:
-    """The size of a rate: without its sign where the arrow points back."""
+def _label(rate: Expr, called: str = "", *, is_back: bool) -> Label:
+    """The size of a rate: without its sign where the arrow points back. called: an angle, whose rate is named where it
+    is a formula, which by itself might be anything."""
     if not is_back:
-        return formula(rate)
+        is_plain = not called or isinstance(rate, Number | Symbol)
+        return formula(rate) if is_plain else beside(formula(Call("rate", Symbol(called))), formula(rate), " = ")
     return formula(Number(-rate.value) if isinstance(rate, Number) else -rate)

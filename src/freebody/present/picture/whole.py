@@ -10,7 +10,7 @@ import numpy as np
 from freebody.language.expression import Expr, Symbol, add, differentiate, free_symbols
 from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
-from freebody.model.elements import RATE, VALUE, NonholonomicForm
+from freebody.model.elements import RATE, VALUE, ConstraintRow, NonholonomicForm
 from freebody.model.glyphs import Equation, Pin, Rail, Spring
 from freebody.present.figures import Array, Place, positions
 from freebody.present.picture.arrows import Arrows, acting_at, axes_cross
@@ -18,7 +18,7 @@ from freebody.present.picture.bodies_free import body_label, name_beside
 from freebody.present.picture.coordinates import Coordinates
 from freebody.present.picture.dimensions import Dimensions
 from freebody.present.picture.forces import ShownForce
-from freebody.present.picture.label import Label, Run, equation, formula, name, words
+from freebody.present.picture.label import Label, Run, beside, equation, formula, name, words
 from freebody.present.picture.placer import Wish, around
 from freebody.present.picture.plane import sketched
 from freebody.present.picture.shapes import Ink, Shape
@@ -46,6 +46,7 @@ class Whole(ABC):
         self, system: System, places: Places, scene: Scene, sketch: Sketch, centers: Mapping[str, Array]
     ) -> None:
         self.system, self.places, self.scene, self.sketch, self.centers = system, places, scene, sketch, centers
+        self.said: set[str] = set()  # equations that stand beside what they are about
         self.loads: Sequence[ShownForce] = ()
         self.lengths: Callable[[ShownForce], float] = lambda _force: _LENGTH
 
@@ -72,7 +73,7 @@ class Whole(ABC):
         self.name_bodies()
         self._name_springs()
         for sign in self.scene.signs:
-            if isinstance(sign, Equation):
+            if isinstance(sign, Equation) and sign.text not in self.said:
                 places = around(self.at(sign.at), (1.0, -1.0))
                 self.sketch.wish(Wish(equation(sign.text), places, 9.5, Ink("measure"), weight=2.5))
         self._name_points()
@@ -144,11 +145,35 @@ class WholeInPlane(Whole):
         dimensions.draw_inclines()
         dimensions.draw_tilts()
         StartMotion(self.system, self.sketch, self.drawing, self.places).draw()
-        coordinates = Coordinates(self.sketch, self.drawing, self.places, self.system.looks.labels)
-        for called, measure in self.system.measures.items():
-            if called not in self.system.looks.hide:
-                coordinates.draw(called, measure)
+        self._draw_coordinates()
         dimensions.draw()
+
+    def _draw_coordinates(self) -> None:
+        """A coordinate that follows a law has it beside its arrow; what has no name of its own has the law alone."""
+        hidden, prescribed = self.system.looks.hide, dict(self._prescribed())
+        labels = {called: name(label) for called, label in self.system.looks.labels.items()}
+        measures = {n: m for n, m in self.system.measures.items() if n not in hidden}
+        told: dict[str, str] = {}
+        for text, row in prescribed.items():
+            called = next((n for n, m in measures.items() if m == row.measure), None)
+            if isinstance(row.measure, NonholonomicForm) or row.in_symbols is None:
+                continue
+            law = formula(row.in_symbols)
+            if called is None:
+                measures[text], labels[text], told[text] = row.measure, law, text
+            else:
+                labels[called], told[called] = beside(labels.get(called) or name(called), law, " = "), text
+        coordinates = Coordinates(self.sketch, self.drawing, self.places, labels)
+        for called, measure in measures.items():
+            coordinates.draw(called, measure)
+        self.said |= {told[called] for called in coordinates.named & set(told)}
+
+    def _prescribed(self) -> Iterator[tuple[str, ConstraintRow]]:
+        """Equations of the picture that say how one measure goes on in time, with its row."""
+        for shown in self.scene.shown:
+            rows = [row for row in self.system.constraint_rows if row.connection == shown.owner]
+            if isinstance(shown.sign, Equation) and len(rows) == 1 and rows[0].target is not None:
+                yield shown.sign.text, rows[0]
 
     def name_bodies(self) -> None:
         for figure in self.scene.figures:

@@ -321,7 +321,7 @@ class PhaseTree(Home):
             )
             return
         if watch.kind == "changes sign":
-            edge.stops = Message("behind {place} other formulas hold; simulate the motion", place=watch.name)
+            edge.stops = Message("beyond {place} other formulas hold; simulate the motion", place=watch.name)
             return
         if watch.kind == "is left":
             edge.stops = Message("behind that the model is not true")

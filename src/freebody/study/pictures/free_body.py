@@ -12,14 +12,12 @@ import math
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
-from itertools import groupby
+from itertools import combinations, groupby
 
 import numpy as np
 
 from freebody.errors import InputError
-from freebody.language.expression import (
-    free_symbols,
-)
+from freebody.language.expression import Call, Expr, ProductOf, children, free_symbols, multiply
 from freebody.language.sentences import Message
 from freebody.loads.gravity import Gravity
 from freebody.measures.base import Measure
@@ -34,7 +32,7 @@ from freebody.present.picture.forces import Kind, ShownForce
 from freebody.present.picture.label import Label, Run, beside, formula, name
 from freebody.study.pictures.action import Action, cross
 from freebody.study.pictures.idle import idle_rows
-from freebody.study.pictures.load_symbols import LoadSymbols, without_sign
+from freebody.study.pictures.load_symbols import LoadSymbols, shorter, without_sign
 from freebody.study.pictures.points import own_measures
 from freebody.study.pictures.strings import Pull, pulls, rope_of
 from freebody.study.senses import drawn_symbols
@@ -286,26 +284,44 @@ class FreeBody:
             at = self.action.point(of, siblings, body, f, rest) if turns else center
             away = at - center
             rest = rest - cross(away, f)
-            away_components, label_f = tuple(map(float, away)), scaled(label, size)
+            away_components, label_f = tuple(map(float, away)), self._times(of, body, label, size)
             yield ShownForce(of.name, label_f, body, away_components, _components(f), nothing, kind, about=about)
         if turns and float(np.abs(rest).max()) > ON_LINE * (self.size if size > ROUND_OFF else 1.0):
             amount = float(np.linalg.norm(rest))
             own = self.action.couple_point(of, siblings, body)
             away_components = tuple(map(float, own - center))
-            unit = self._lever(of, body, amount)
-            label_m = scaled(label, amount) if unit is None else beside(unit, label, "\u2009")
+            label_m = self._times(of, body, label, amount)
             still = (0.0,) * len(f)
             yield ShownForce(of.name, label_m, body, away_components, still, _components(rest), kind, about=about)
 
-    def _lever(self, of: ConstraintRow | AppliedLoad, body: str, amount: float) -> Label | None:
-        """The arm of a couple as the model writes it: R of R F."""
-        if abs(amount - 1.0) < ROUND_OFF:
-            return None
+    def _times(self, of: ConstraintRow | AppliedLoad, body: str, label: Label, size: float) -> Label:
+        """What a force or a couple is that is `size` times a symbol, in symbols where the model has them."""
+        if abs(size - 1.0) < 1e-6:
+            return label
+        factor = self._factor(of, body, size)
+        if factor is not None:
+            return beside(factor, label, "\u2009")
+        cosines = self._cosines(of, size)
+        return scaled(label, size) if cosines is None else over(label, cosines)
+
+    def _cosines(self, of: ConstraintRow | AppliedLoad, size: float) -> Expr | None:
+        """Of the angles of a flank, whose tangents a measure has for its components: F_t/cos(alpha)."""
+        found = [cosine for factor, _part in own_measures(of.measure) for cosine in cosines_of(factor)]
+        angles = list(dict.fromkeys(found))
+        for n in (1, 2):
+            for chosen in combinations(angles, n):
+                product = multiply(*chosen)
+                if abs(abs(self.reference.number(product)) * size - 1.0) < 1e-9:
+                    return product
+        return None
+
+    def _factor(self, of: ConstraintRow | AppliedLoad, body: str, amount: float) -> Label | None:
+        """The coefficient as the model writes it: the arm R of a couple R F."""
         for coefficient, part in own_measures(of.measure):
             if body in set(part.bodies()) and not free_symbols(coefficient) <= set():
                 value = abs(self.reference.number(coefficient))
                 if abs(value - amount) < 1e-9 * max(1.0, amount):
-                    return formula(without_sign(coefficient)[0])
+                    return in_brackets(formula(shorter(without_sign(coefficient)[0])))
         return None
 
 
@@ -313,7 +329,34 @@ def scaled(label: Label, size: float) -> Label:
     """What a force is that is `size` times a symbol."""
     if abs(size - 1.0) < 1e-6:
         return label
-    return beside(Label((Run(f"{size:.3g}"),), f"{size:.3g}"), label, "\u2009")
+    told = next((text for text in (f"{size:.{n}g}" for n in (3, 4, 5)) if text != "1"), f"{size:.6f}")
+    return beside(Label((Run(told),), told), label, "\u2009")
+
+
+def over(label: Label, divisor: Expr) -> Label:
+    """A label divided by what is positive: F_t/cos(alpha)."""
+    below = formula(divisor)
+    shown = bracketed(below) if isinstance(divisor, ProductOf) else below
+    return Label((*label.runs, Run("/"), *shown.runs), rf"\frac{{{label.latex}}}{{{below.latex}}}")
+
+
+def in_brackets(label: Label) -> Label:
+    """As a factor: a sum in brackets, anything else as it is."""
+    is_sum = any(run.level == 0 and set(run.text) & set("+\u2212") for run in label.runs)
+    return bracketed(label) if is_sum else label
+
+
+def bracketed(label: Label) -> Label:
+    """A label in brackets."""
+    return Label((Run("("), *label.runs, Run(")")), rf"\left({label.latex}\right)")
+
+
+def cosines_of(factor: Expr) -> Iterator[Expr]:
+    """Of the angles whose tangents or cosines stand in a factor."""
+    if isinstance(factor, Call) and factor.function in ("tan", "cos"):
+        yield Call("cos", factor.argument)
+    for part in children(factor):
+        yield from cosines_of(part)
 
 
 def _components(v: Array) -> tuple[float, ...]:

@@ -3,16 +3,30 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
-from freebody.language.expression import Call, Expr, Number, ProductOf, Symbol, free_symbols, negate, substitute
+from freebody.errors import FreebodyError
+from freebody.language.expression import (
+    Call,
+    Expr,
+    Number,
+    ProductOf,
+    Symbol,
+    children,
+    free_symbols,
+    negate,
+    substitute,
+)
 from freebody.language.notation import to_text
 from freebody.language.units import DIMENSIONLESS
 from freebody.measures.combination import Composed
 from freebody.model.elements import RATE, VALUE, AppliedLoad, ConstraintRow
 from freebody.model.states import as_told
 from freebody.present.picture.label import Label, formula, name
+from freebody.symbolic.functions import element
+from freebody.symbolic.signed_field import SignedField
+from freebody.symbolic.tidy import tidy
 from freebody.system.symbols import ReactionSymbol
 from freebody.system.system import System
 
@@ -37,7 +51,7 @@ class LoadSymbols:
         if given is not None:
             return name(given), sign
         is_short = law is not None and len(to_text(law)) <= _LONGEST
-        return (formula(law) if law is not None and is_short else self._named_after(push)), sign
+        return (formula(shorter(law)) if law is not None and is_short else self._named_after(push)), sign
 
     def _named_after(self, push: AppliedLoad) -> Label:
         """F, or M of what turns, with the load as index, or with the connection that rubs."""
@@ -73,6 +87,26 @@ class LoadSymbols:
         if len(own) > 1:
             own = [row for row in own if row.component == component.removeprefix("slip of ")]
         return own[0] if len(own) == 1 else None
+
+
+def shorter(law: Expr) -> Expr:
+    """A formula of names alone in lowest terms, where that says the same with less: 3 M/4 for M - M/4."""
+    names = free_symbols(law) - {"pi"}
+    if any(isinstance(part, Call) for part in _parts(law)) or not names:
+        return law
+    field = SignedField()
+    values = {"pi": field.pi} | {called: field.parameter(called, positive=True) for called in sorted(names)}
+    try:
+        tidied = tidy(field.lowest_terms(element(field, law, values)))
+    except (FreebodyError, ArithmeticError, ValueError):
+        return law
+    return tidied if len(to_text(tidied)) < len(to_text(law)) else law
+
+
+def _parts(expr: Expr) -> Iterator[Expr]:
+    yield expr
+    for part in children(expr):
+        yield from _parts(part)
 
 
 def without_sign(law: Expr) -> tuple[Expr, int]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
+from difflib import get_close_matches
 from itertools import islice
 from typing import TYPE_CHECKING, Any
 
@@ -211,7 +212,11 @@ def read_event(system: System, text: str) -> ReadEvent:
     except ModelError as error:
         measures = system.measures
         listed = Message(" Named measures: {names}.", names=", ".join(measures)) if measures else ""
-        guess = did_you_mean(words.split("=")[0].strip(), measures)
+        called = words.split("=")[0].strip()
+        guess = did_you_mean(called, measures)
+        if get_close_matches(called, measures, n=1):  # a slip in the name: no list of what else one could ask
+            told = Message("event '{text}': there is no measure {name}.{guess}", text=text, name=called, guess=guess)
+            raise InputError(told) from error
         raise InputError(
             Message(
                 "event '{text}': {message}.{guess}{listed}",

@@ -1,0 +1,80 @@
+"""What stands beside the arrows of a picture: laws in lowest terms, factors in symbols, equations where they belong."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import pytest
+
+import freebody as fb
+from freebody.language.expression import evaluate
+from freebody.language.parser import parse
+from freebody.study.pictures.load_symbols import shorter
+
+EXAMPLES = Path(__file__).parents[1] / "examples"
+
+
+def load(name: str) -> fb.System:
+    return fb.System.load(EXAMPLES / f"{name}.yaml")
+
+
+def words_of(picture: object) -> set[str]:
+    """The labels of a picture, as they are read aloud."""
+    return {word.label.text.replace("\u2009", " ").strip() for word in picture.words}  # type: ignore[attr-defined]
+
+
+@pytest.mark.parametrize(
+    ("law", "told"), [("(M - M/4)*g", "3*M*g/4"), ("m*mu/(r*r)", "m*mu/r^2"), ("W*g/g", "W"), ("m*v^2/R", "m*v^2/R")]
+)
+def test_a_law_stands_in_lowest_terms(law: str, told: str) -> None:
+    values = {"M": 2.0, "g": 9.0, "m": 3.0, "mu": 5.0, "r": 7.0, "W": 11.0, "v": 1.3, "R": 0.7}
+    found = shorter(parse(law))
+    assert found == shorter(parse(told))
+    assert evaluate(found, values) == pytest.approx(evaluate(parse(law), values), rel=1e-14)
+
+
+def test_a_law_that_is_longer_in_lowest_terms_stays_as_its_author_wrote_it() -> None:
+    law = parse("k*(x_0 - x + y)*(1 + a)")
+    assert shorter(law) == law
+
+
+def test_the_force_on_a_flank_is_the_tooth_force_by_the_cosine_of_the_pressure_angle() -> None:
+    # the flank pushes along the line of action: F_n cos(alpha) = F_t, by the definition of the tangential part
+    for body in ("pinion", "wheel"):
+        assert "F_t/cos(α)" in words_of(load("gear_pair_with_pressure_angle").free_body(body))
+    # of a helical wheel the flank leans twice: F_n cos(alpha_n) cos(beta) = F_t
+    assert "F_t/(cos(β) cos(α))" in words_of(load("helical_gears").free_body("wheel"))
+
+
+def test_no_factor_is_rounded_to_one() -> None:
+    for called in ("worm_gear", "bicycle_chain"):
+        system = load(called)
+        for body in system.moving:
+            assert not any(word.startswith("1 ") for word in words_of(system.free_body(body.name)))
+
+
+def test_a_thread_and_what_rubs_in_it_have_names_of_their_own() -> None:
+    said = words_of(load("screw_jack").free_body("spindle"))
+    assert "F_thread" in said
+    assert not any("thread thread" in word or "thread slip" in word for word in said)
+
+
+def test_a_coordinate_that_is_driven_has_its_law_beside_its_arrow_and_nowhere_else() -> None:
+    said = words_of(load("cam_with_flat_follower").picture())
+    assert "φ = Ω t" in said
+    assert "φ" not in said
+    said = words_of(load("isolated_machine").picture())  # the angle has no name of its own
+    assert "Ω t" in said
+    assert not any("angle of rotor" in word for word in said)
+
+
+def test_a_rate_at_the_start_that_is_a_formula_says_of_what() -> None:
+    assert "θ′ = v_0/L" in words_of(load("string_comes_taut_again").picture())
+
+
+def test_the_name_of_a_flat_slope_stands_near_its_end() -> None:
+    drawn = load("cruise_control").picture()
+    beta = next(word for word in drawn.words if word.label.text == "β")
+    others = [word for word in drawn.words if word is not beta]
+    assert min(math.dist(beta.at, word.at) for word in others) < 150.0
