@@ -8,6 +8,7 @@ the next one or all.
 from __future__ import annotations
 
 import hashlib
+import re
 from collections.abc import Sequence
 from html import escape
 
@@ -35,6 +36,7 @@ _ROW_WIDTH = 64  # characters of a displayed formula before it is broken into ro
 _LABEL_WIDTH = 26  # a longer label may be broken
 _PAPER_WIDTH = 80  # that fit on a page
 _INLINE_WIDTH = 24  # a wider formula in a text scrolls on a narrow screen
+_BEFORE_A_POINT = re.compile(r"<math (?:(?!</math>).)*</math>[.,;:)]+")
 _FORMULAS = MathMLFormulas()
 _SIGNS = {"right": "✓", "wrong": "✗"}
 _LOOKS = {
@@ -257,6 +259,10 @@ class _Writer(BlockWriter[str]):
         return f'<figure id="{self.prefix}fig-{figure.number}">{drawing}{caption}</figure>'
 
     # -- text -------------------------------------------------------------------------------------
+    def text(self, text: Text) -> str:
+        """WebKit breaks a line between a formula and the point behind it, unless they are kept together."""
+        return _BEFORE_A_POINT.sub(r'<span class="kept">\g<0></span>', super().text(text))
+
     def words(self, text: str) -> str:
         return _words(text)
 
