@@ -73,8 +73,8 @@ def _wishes(row: ConstraintRow, system: System) -> Iterator[str]:
     connection = row.connection
     short = row.component.removeprefix("slip of ").removeprefix("no slip ")
     component = re.sub(r"\W", "_", short.split(" on ")[0].split(".")[-1])
-    axis = row.component.split()[-1]
-    if len(axis) <= 1:  # a component: A_x, M_A_x
+    axis = row.axis
+    if axis:  # a component: A_x, M_A_x
         if letter == "F" and len(connection) == 1:
             yield f"{connection}_{axis}"
         yield f"{letter}_{connection}_{axis}"
