@@ -13,7 +13,7 @@ from freebody.language.expression import evaluate
 from freebody.study.answering.answer import Answer
 from freebody.study.phases.consistent import candidates
 from freebody.study.phases.nodes import PhaseStart
-from freebody.study.phases.phase import Placed
+from freebody.study.phases.placed import Placed
 from freebody.study.phases.together import slipping_together
 from freebody.study.phases.tree import PhaseTree
 

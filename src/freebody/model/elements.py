@@ -248,6 +248,13 @@ class ConstraintRow:
     def name(self) -> str:
         return f"{self.connection}.{self.component}"
 
+    @property
+    def axis(self) -> str:
+        """Of a component of a force or moment its axis, by one letter; nothing where it is all of it."""
+        what, _, last = self.component.rpartition(" ")
+        is_part = what in ("", self.reaction) or self.reaction.endswith(f" {last}")
+        return last if len(last) <= 1 and is_part else ""
+
 
 @dataclass(frozen=True)
 class Span:

@@ -49,7 +49,7 @@ def _senses(system: System) -> Mapping[str, int]:
 
 def _may_act_either_way(row: ConstraintRow) -> bool:
     """Whether no convention says how its reaction is counted."""
-    is_component = len(row.component.split()[-1]) <= 1
+    is_component = bool(row.axis)
     is_couple = "moment" in row.reaction or "torque" in row.reaction
     return not (row.unilateral or is_component or is_couple or row.reaction == "tension")
 

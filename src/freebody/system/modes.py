@@ -13,7 +13,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 
+from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, Symbol, free_symbols, number, substitute
+from freebody.language.sentences import Message
 from freebody.language.units import FORCE
 from freebody.measures.base import Measure
 from freebody.measures.combination import Combination
@@ -21,6 +23,12 @@ from freebody.measures.geometry import ONE
 from freebody.model.elements import AppliedLoad, ConstraintRow, DryFriction, NonholonomicForm, Parameter
 from freebody.system.blows import BlowEvent
 from freebody.system.system import System
+
+Way = tuple[Expr, Expr]  # a direction in a plane, by components along the rows of a friction
+
+
+def _name(item: tuple[str, object]) -> str:
+    return item[0]
 
 
 @dataclass(frozen=True)
@@ -30,12 +38,20 @@ class ContactMode:
     closed: frozenset[str] = frozenset()
     dry_friction: tuple[tuple[str, int], ...] = ()  # 0 sticks, +1 slides with a growing measure, -1 with a falling one
     past: frozenset[str] = frozenset()  # the blows that have happened, by the words of their events
+    ways: tuple[tuple[str, Way], ...] = ()  # of what slides in a plane the direction of its slip, which it keeps
 
     @classmethod
     def of(
-        cls, closed: set[str] | frozenset[str], dry_friction: Mapping[str, int], past: frozenset[str] = frozenset()
+        cls,
+        closed: set[str] | frozenset[str],
+        dry_friction: Mapping[str, int],
+        past: frozenset[str] = frozenset(),
+        ways: Mapping[str, Way] | None = None,
     ) -> ContactMode:
-        return cls(frozenset(closed), tuple(sorted(dry_friction.items())), past)
+        along = {name: way for name, way in (ways or {}).items() if dry_friction.get(name)}
+        return cls(
+            frozenset(closed), tuple(sorted(dry_friction.items())), past, tuple(sorted(along.items(), key=_name))
+        )
 
     @property
     def states(self) -> dict[str, int]:
@@ -69,6 +85,36 @@ def _sticking(row: ConstraintRow) -> ConstraintRow:
 def kept(measure: Measure) -> Measure:
     """A measure of which only changes mean something, so that it is held at its start value."""
     return Combination(((ONE, measure),), measure.dimension)
+
+
+def straightened(system: System, mode: ContactMode) -> System:
+    """The system with friction in a plane as that along the line in which it slides in a mode."""
+    ways = dict(mode.ways)
+    if not ways:
+        return system
+    brakes = tuple(_along(rub, ways[rub.name]) if rub.name in ways else rub for rub in system.brakes)
+    return replace(system, brakes=brakes)
+
+
+def _along(rub: DryFriction, way: Way) -> DryFriction:
+    if rub.across is None:
+        return rub
+    whole = rub.row.reaction.removesuffix(f" {rub.row.axis}")
+    row = replace(rub.row, measure=_directed(rub, way), reaction=whole)
+    return replace(rub, row=row, across=None)
+
+
+def across_the_way(rub: DryFriction, way: Way) -> Measure | NonholonomicForm:
+    """The slip at right angles to a direction."""
+    return _directed(rub, (-way[1], way[0]))
+
+
+def _directed(rub: DryFriction, way: Way) -> Measure | NonholonomicForm:
+    assert rub.across is not None
+    first, second = rub.row.measure, rub.across.measure
+    if isinstance(first, NonholonomicForm) or isinstance(second, NonholonomicForm):
+        raise CannotAnswer(Message("the body of {contact} turns", contact=rub.row.connection))
+    return Combination(tuple(zip(way, (first, second), strict=True)), first.dimension)
 
 
 def load_symbol(rub: DryFriction) -> str:

@@ -73,14 +73,14 @@ def _wishes(row: ConstraintRow, system: System) -> Iterator[str]:
     connection = row.connection
     short = row.component.removeprefix("slip of ").removeprefix("no slip ")
     component = re.sub(r"\W", "_", short.split(" on ")[0].split(".")[-1])
-    axis = _axis(row)
-    if len(axis) <= 1:  # a component: A_x, M_A_x
+    axis = row.axis
+    if axis:  # a component: A_x, M_A_x
         if letter == "F" and len(connection) == 1:
             yield f"{connection}_{axis}"
         yield f"{letter}_{connection}_{axis}"
         return
     beside = [other for other in system.rows if other.connection == connection and other is not row]
-    if component != connection or not any(_letter(other) == letter and len(_axis(other)) > 1 for other in beside):
+    if component != connection or not any(_letter(other) == letter and not other.axis for other in beside):
         yield letter
     alike = [other for other in system.rows if (other.connection, other.reaction) == (connection, row.reaction)]
     if len(alike) > 1 and row.reaction in ("tension", "sideways force"):
@@ -94,11 +94,6 @@ def _wishes(row: ConstraintRow, system: System) -> Iterator[str]:
 
 def _letter(row: ConstraintRow) -> str:
     return LETTERS.get(row.reaction, "M" if "moment" in row.reaction or "torque" in row.reaction else "F")
-
-
-def _axis(row: ConstraintRow) -> str:
-    """The last word of a component: x of `moment x`."""
-    return row.component.split()[-1]
 
 
 def _is_wanted(name: str, place: int, by: str, wishes: Mapping[str, list[str]]) -> bool:

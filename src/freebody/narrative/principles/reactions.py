@@ -29,8 +29,10 @@ def name_reactions(script: Script, glossary: Glossary, acting: Acting, rows: Ite
 def words_of(acting: Acting, name: str) -> Sentence:
     """What a reaction is, in words."""
     row = acting.rows[name]
-    axis = row.component.split()[-1]
-    kind = row.reaction.removesuffix(f" {axis}")  # of two components the force that they are of
+    axis = row.axis
+    kind = (
+        row.reaction.removesuffix(f" {axis}") if axis else row.reaction
+    )  # of two components the force that they are of
     args: dict[str, Argument] = {"reaction": f"@reaction.{kind}", "connection": row.connection}
     alike = [r for r in acting.rows.values() if (r.connection, r.reaction) == (row.connection, row.reaction)]
     has_contact_point = acting.system.connections[row.connection].has_contact_point

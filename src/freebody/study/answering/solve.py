@@ -297,7 +297,11 @@ def _in_phases(system: System, questions: Sequence[Question]) -> Solution:
         if system.has_values and (system.bounds or system.dry_friction):
             start_mode(system)  # refuses bodies that are inside others
         tree = tree_of(system)
+        if system.space and not tree.roots:
+            return _without_phases(system, questions, tree.reasons[0])
     except CannotAnswer as error:
+        if system.space:
+            return _without_phases(system, questions, str(error))
         rests = [q for q in questions if q.quantity.scope == "rest"]
         if not rests:
             raise ModelError([Problem((), str(error))], system.file) from error

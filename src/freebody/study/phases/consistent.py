@@ -19,6 +19,7 @@ from freebody.budgets import allowed
 from freebody.language.sentences import Message
 from freebody.study.phases.decide import Inequality
 from freebody.study.phases.home import Home
+from freebody.study.phases.in_plane import ways_of_onset
 from freebody.study.phases.nodes import PhaseStart
 from freebody.study.phases.numbers import Chosen
 from freebody.study.phases.phase import Phase
@@ -31,12 +32,16 @@ MAX_CANDIDATES = 48
 def candidates(home: Home, instant: PhaseStart, indices: Chosen) -> Iterator[ContactMode]:
     """Modes in the order in which they are tried: all closed, sticking before sliding."""
     closed, before = instant.closed, instant.before
+    ways = {**instant.ways, **ways_of_onset(home, instant, indices)}
+    in_planes = {rub.name for rub in home.system.dry_friction if rub.across is not None}
     allowed_states = {name: _states(home, instant, name, indices) for name in instant.slips}
     seen: set[ContactMode] = set()
     modes: list[tuple[int, int, ContactMode]] = []
     tried = itertools.islice(_combined(home, instant, allowed_states), 4 * allowed(MAX_CANDIDATES))
     for k, (still, dry_friction) in enumerate(tried):
-        mode = ContactMode.of(still, dry_friction, instant.past)
+        mode = ContactMode.of(still, dry_friction, instant.past, ways)
+        if any(state and name in in_planes - ways.keys() for name, state in dry_friction.items()):
+            continue  # nothing drives it in any direction
         if mode not in seen:
             seen.add(mode)
             n_changes = sum(before.get(n, s) != s for n, s in dry_friction.items()) + 3 * (len(closed) - len(still))

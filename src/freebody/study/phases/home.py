@@ -15,7 +15,7 @@ from freebody.errors import CannotAnswer
 from freebody.language.expression import ZERO, Expr, Symbol, n_operations
 from freebody.language.sentences import Message
 from freebody.measures.distance import Distance
-from freebody.measures.geometry import Pose
+from freebody.measures.geometry import Pose, SpatialPose
 from freebody.model.elements import ConstraintRow, DryFriction, Start, UnilateralConstraint
 from freebody.numeric.blow import blow_loads_friction
 from freebody.numeric.contact.start import assembled_touching, far_sides, gap_of, is_within
@@ -24,7 +24,8 @@ from freebody.numeric.reference import Reference
 from freebody.study.answering.draws import SEED, draw_parameters
 from freebody.study.phases.decide import Inequality
 from freebody.study.phases.numbers import Chosen, Sets
-from freebody.study.phases.phase import Phase, Placed, has_lines
+from freebody.study.phases.phase import Phase, has_lines
+from freebody.study.phases.placed import Placed
 from freebody.study.phases.together import slip_rates
 from freebody.study.setup import Setup, held_in_blow
 from freebody.symbolic.conditions import Condition, require
@@ -202,8 +203,10 @@ class Home:
     def placed(self, phase: Phase | Setup, values: dict[int, Ratio]) -> Placed:
         """The state of a phase at given values of its coordinates and speeds, as starts of all bodies. Angles become
         symbols, since sines of long sums are long."""
-        if phase.system.space:
-            raise CannotAnswer(Message("the start of a phase is put together from bodies in the plane only"))
+        if phase.system.space and any(body.turns for body in phase.system.moving):
+            raise CannotAnswer(
+                Message("in space the start of a phase is put together from particles only, not from bodies that turn")
+            )
         model, f = phase.model, phase.model.field
         there = SymbolicState(model, values)
         moving = {c.index for c in model.coordinates} | {c.speed for c in model.coordinates}
@@ -218,7 +221,14 @@ class Home:
             return f.expression(at(x))
 
         starts: dict[str, Start] = {}
-        for body in phase.system.moving:
+        for body in phase.system.moving if phase.system.space else ():
+            spatial = model.poses[body.name]
+            assert isinstance(spatial, SpatialPose)
+            assert spatial.center.z is not None
+            center = (shown(spatial.center.x), shown(spatial.center.y), shown(spatial.center.z))
+            velocity = tuple(map(shown, model.kinematics.velocities[body.name][:3]))
+            starts[body.name] = Start((body.default_point, center), velocity=velocity)
+        for body in () if phase.system.space else phase.system.moving:
             pose, (vx, vy, w) = model.poses[body.name], model.kinematics.velocities[body.name]
             assert isinstance(pose, Pose)
             name = body.default_point

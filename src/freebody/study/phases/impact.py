@@ -30,7 +30,7 @@ from freebody.model.elements import (
     UnilateralConstraint,
 )
 from freebody.study.phases.decide import Inequality
-from freebody.study.phases.phase import Given, Placed
+from freebody.study.phases.placed import Given, Placed
 from freebody.symbolic.blow import Blow as Momenta
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.linear import RHS, Row, solve
@@ -71,6 +71,13 @@ class ClosedFormCollision:
         self.hits: list[UnilateralConstraint] = [bounds[name] for name in hits]
         self.dry_friction: list[DryFriction] = [rub for rub in base.dry_friction if rub.of in hits]
         self.others: list[DryFriction] = [rub for rub in base.dry_friction if rub.of not in hits and rub.load]
+        if in_plane := [rub for rub in self.dry_friction if rub.across is not None]:
+            raise CannotAnswer(
+                Message(
+                    "{contact} collides with friction in a plane: such an impact has no closed form here",
+                    contact=in_plane[0].row.connection,
+                )
+            )
         if self.dry_friction and (len(hits) > 1 or len(self.dry_friction) > 1):
             raise CannotAnswer(
                 Message(

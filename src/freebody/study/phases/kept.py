@@ -19,7 +19,8 @@ from freebody.study.answering.answer import Answer, AnswerCase
 from freebody.study.answering.closed_form import QuestionSolver
 from freebody.study.answering.scope import for_all
 from freebody.study.phases.nodes import PhaseNode
-from freebody.study.phases.phase import Given, Phase
+from freebody.study.phases.phase import Phase
+from freebody.study.phases.placed import Given
 from freebody.study.phases.quantities import frictions
 from freebody.study.phases.result import relations
 from freebody.study.phases.tree import PhaseTree

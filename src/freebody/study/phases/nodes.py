@@ -10,12 +10,14 @@ from freebody.language.sentences import Message, in_turn
 from freebody.study.phases.ends import FirstEvent
 from freebody.study.phases.impact import ClosedFormCollision, SuddenBlow
 from freebody.study.phases.numbers import Chosen
-from freebody.study.phases.phase import Phase, PhaseWatch, Placed
+from freebody.study.phases.phase import Phase, PhaseWatch
+from freebody.study.phases.placed import Placed
 from freebody.study.phases.words import label
 from freebody.symbolic.conditions import Condition
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.state import SymbolicState
 from freebody.system.blows import BlowEvent
+from freebody.system.modes import Way
 
 
 @dataclass
@@ -120,6 +122,7 @@ class PhaseStart:
     given: tuple[Condition, ...] = ()  # what makes it the state that follows
     past: frozenset[str] = frozenset()  # the blows that have happened
     began: Ratio | None = None  # since the start, in the home field
+    ways: Mapping[str, Way] = field(default_factory=dict[str, Way])  # in which slips in planes are counted
 
 
 @dataclass(frozen=True)

@@ -4,68 +4,37 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
 from freebody.errors import CannotAnswer, ExpressionError
-from freebody.language.expression import ZERO, Expr, free_symbols, number
+from freebody.language.expression import ZERO, number
 from freebody.language.sentences import Message
-from freebody.language.units import DIMENSIONLESS, TIME
 from freebody.measures.angle import Angle
 from freebody.measures.combination import Combination
 from freebody.measures.displacement import Displacement
 from freebody.measures.distance import Distance
 from freebody.measures.lead import Lead
-from freebody.model.elements import ConstraintRow, DryFriction, Parameter, Start, UnilateralConstraint
-from freebody.study.answering.draws import SEED, Draw
+from freebody.model.elements import ConstraintRow, DryFriction, UnilateralConstraint
+from freebody.study.phases.placed import Given, Placed
 from freebody.study.setup import Setup
 from freebody.symbolic.conditions import on_this_flank, relation_text
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.phases.course import ClosedFormMotion
 from freebody.symbolic.phases.energy_motion import course_of
 from freebody.symbolic.phases.friction import acts_either_way, named_rows, resultant, solve_loads, with_loads
 from freebody.symbolic.start import StartState, start_from_bodies, start_state
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy
-from freebody.system.modes import ContactMode, counted_from, ideal_bounds, in_mode
+from freebody.system.modes import (
+    ContactMode,
+    across_the_way,
+    ideal_bounds,
+    in_mode,
+    straightened,
+)
 from freebody.system.system import System
-
-
-@dataclass(frozen=True)
-class Placed:
-    """The state in which a phase begins: that of the file, or poses and velocities of every body as formulas. since:
-    the time of the motion then, where something depends on it; the phase counts its own from there. lengths: of what
-    is held at the length that it has at the start of the file, by row, as far as a formula tells it."""
-
-    bodies: Mapping[str, Start] | None = None
-    since: Expr | None = None
-    lengths: Mapping[str, Expr] = field(default_factory=dict[str, Expr])
-
-    def put_into(self, system: System) -> System:
-        if self.bodies is None:
-            return system
-        bodies = {n: replace(b, start=self.bodies.get(n, b.start)) for n, b in system.bodies.items()}
-        parameters = dict(system.parameters)
-        for start in self.bodies.values():
-            for name in sorted(free_symbols(start.angle or ZERO) - parameters.keys()):
-                parameters[name] = Parameter(name, DIMENSIONLESS, None, "any")
-        if self.since is not None:
-            system = counted_from(system, self.since)
-            for name in sorted(free_symbols(self.since) - parameters.keys()):
-                parameters[name] = Parameter(name, TIME, None, "nonnegative")
-        rows = tuple(replace(row, closes=False) if row.closes else row for row in system.constraint_rows)
-        return replace(
-            system,
-            bodies=bodies,
-            parameters=parameters,
-            start={},
-            start_rates={},
-            mode=None,
-            constraint_rows=rows,
-            impulses=(),
-        )
 
 
 @dataclass(frozen=True)
@@ -86,33 +55,13 @@ class PhaseWatch:
         return self.name if is_text else self.name.partition(".")[0]
 
 
-class Given(Setup):
-    """A system set up for given parameter sets, without drawing. model: of the same system, where there is one."""
-
-    def __init__(
-        self, system: System, values: Sequence[Mapping[str, float]], model: SymbolicModel | None = None
-    ) -> None:
-        self.system = system
-        self.draws = []
-        for chosen in values:
-            with suppress(CannotAnswer):
-                own = {name: value for name, value in chosen.items() if name in system.parameters}
-                self.draws.append(Draw.of(system, own))
-        if not self.draws:
-            raise CannotAnswer(Message("the phase cannot be assembled at its start"))
-        if model is not None:
-            self._made = model
-            return
-        starts = [d.sample() for d in self.draws]
-        general = [d.sample(d.anywhere(SEED, 0.0, 0.1), is_start=False) for d in self.draws[:2]]
-        self._made = SymbolicModel(system, [*starts, *general])
-
-
 class Phase:
     """A mode from a given state on. Raises CannotAnswer where the mode has no closed form, or its forces are not
     unique."""
 
     def __init__(self, base: System, mode: ContactMode, placed: Placed, values: Sequence[Mapping[str, float]]) -> None:
+        in_planes = {rub.name: rub for rub in base.dry_friction}
+        base = straightened(base, mode)
         self.base, self.mode, self.placed = base, mode, placed
         self.bounds: dict[str, UnilateralConstraint] = {b.name: b for b in base.bounds}
         self.dry_friction: dict[str, DryFriction] = {r.name: r for r in base.dry_friction}
@@ -139,6 +88,11 @@ class Phase:
         self.system = system
         self.model = self.setup.model
         self.rows = named_rows(system)
+        for name, way in mode.ways:
+            aside = self.state.acceleration(across_the_way(in_planes[name], way))
+            if not self.model.samples.vanishes(aside):
+                contact = in_planes[name].row.connection
+                raise CannotAnswer(Message("the slip of {contact} turns, and its friction with it", contact=contact))
 
     @property
     def dropped(self) -> frozenset[str]:
@@ -176,7 +130,7 @@ class Phase:
 
     @cached_property
     def start(self) -> StartState:
-        if self.placed.bodies is None:
+        if self.placed.bodies is None or self.system.space:
             return start_state(self.model, dict(self.system.all_start), dict(self.system.all_start_rates))
         return start_from_bodies(self.model)
 
@@ -229,7 +183,7 @@ class Phase:
             with suppress(CannotAnswer):
                 plain = cls(replace(base, measures=kept), mode, placed, values)
                 _ = plain.course
-                plain.base = base
+                plain.base = straightened(base, mode)
                 return plain
         return phase
 
@@ -345,6 +299,8 @@ class Phase:
 
     def _limits(self, rub: DryFriction) -> list[PhaseWatch]:
         """A friction T that resists a growing measure is negative, and holds while -T <= mu N; else while T <= mu N."""
+        if rub.across is not None:
+            return [PhaseWatch("slips", rub.name, self._inside(rub), 1)]
         held = self.friction(rub)
         together = [rub, *(self.dry_friction[name] for name in self.shared.get(rub.name, ()))]
         up = down = self.model.field.zero
@@ -352,6 +308,16 @@ class Phase:
             up = up + self.coefficient(one, 1, at_rest=True) * self.load(one)
             down = down + self.coefficient(one, -1, at_rest=True) * self.load(one)
         return [PhaseWatch("slips", rub.name, up + held, 1), PhaseWatch("slips", rub.name, down - held, -1)]
+
+    def _inside(self, rub: DryFriction) -> Ratio:
+        """How far the force of a friction that sticks in a plane is inside its cone, c N - |T|; of squares where T
+        changes with the motion."""
+        forces = [self.model.reactions.multiplier(self.rows[row.name]) for row in rub.rows]
+        square = self.model.field.lowest_terms(sum((x * x for x in forces), self.model.field.zero))
+        limit = self.coefficient(rub, 1, at_rest=True) * self.load(rub)
+        if self.model.field.ingredients(square) & self.model.moving:
+            return limit * limit - square
+        return limit - self.state.sqrt(square)
 
     def base_row(self, name: str) -> ConstraintRow:
         """A row of the system, or of its bounds, whether it is held now or not."""

@@ -10,11 +10,11 @@ from functools import reduce, singledispatch
 from typing import Any
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import free_symbols
+from freebody.language.expression import ONE, free_symbols
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.measures.geometry import Direction
-from freebody.model.elements import AppliedLoad, NonholonomicForm
+from freebody.model.elements import AppliedLoad, ConstraintRow, NonholonomicForm
 from freebody.model.state import State
 from freebody.questions.arithmetic import Joined
 from freebody.questions.base import Quantity
@@ -22,6 +22,7 @@ from freebody.questions.blow import ImpulsiveWrench
 from freebody.questions.loads import Power
 from freebody.questions.reactions import Wrench
 from freebody.questions.reactions_by_component import ReactionComponent
+from freebody.questions.vectors import component
 from freebody.study.conservation.balance import is_conservative
 from freebody.system.system import System
 
@@ -131,13 +132,23 @@ def reaction(row: str, less: Iterable[str], base: System, system: System, state:
 
 def _reaction(name: str, base: System, system: System, state: State[Any]) -> Any:
     row = next(row for row in base.rows if row.name == name)
+    across = {rub.across.name: rub.name for rub in base.dry_friction if rub.across is not None}
     for held in system.constraint_rows:
         if held.name == row.name:
             return row.sign * state.multiplier(held)
     for push in system.applied_loads:
-        if push.load == row.name:
-            return row.sign * state.law(push)
+        if push.load == row.name or (name in across and push.load == across[name]):
+            return row.sign * state.law(push) * _share(push, row, base, state)
     return _zero(state)
+
+
+def _share(push: AppliedLoad, row: ConstraintRow, base: System, state: State[Any]) -> Any:
+    """How much of a friction force is along one of the two rows that it has in a plane, which are at right angles."""
+    if push.measure == row.measure or not base.space:
+        return state.scalar(ONE)
+    body = next(b for b in row.measure.bodies() if not base.bodies[b].fixed)
+    ways = zip(state.gradient(push.measure, body)[:3], state.gradient(row.measure, body)[:3], strict=True)
+    return sum((a * b for a, b in ways), _zero(state))
 
 
 def _force(quantity: Wrench, base: System, system: System, state: State[Any]) -> Any:
@@ -161,6 +172,11 @@ def _resultant(
     if not quantity.on and not moving:
         raise CannotAnswer(Message("{connection} acts on nothing that moves", connection=quantity.connection))
     body = quantity.on or moving[0]
+    if base.space:
+        force: tuple[Any, ...] = (_zero(state),) * 3
+        for measure, size in pushes:
+            force = tuple(f + g * size for f, g in zip(force, state.gradient(measure, body), strict=False))
+        return component(force, quantity.along, quantity.size, state, quantity.basis)
     fx, fy = _zero(state), _zero(state)
     for measure, size in pushes:
         gx, gy, _g = state.gradient(measure, body)

@@ -25,9 +25,11 @@ from freebody.study.phases.events import first_events
 from freebody.study.phases.handing_over import taking_over
 from freebody.study.phases.home import Home
 from freebody.study.phases.impact import ClosedFormCollision, CollisionOutcome
+from freebody.study.phases.in_plane import slips_of
 from freebody.study.phases.nodes import PhaseEnd, PhaseImpact, PhaseNode, PhaseStart
 from freebody.study.phases.numbers import Chosen
-from freebody.study.phases.phase import Phase, Placed
+from freebody.study.phases.phase import Phase
+from freebody.study.phases.placed import Placed
 from freebody.study.phases.reached import STRIKES, pending
 from freebody.study.phases.without_phases import insist_on_phases
 from freebody.symbolic.conditions import Condition
@@ -104,10 +106,12 @@ class PhaseTree(Home):
             nodes = self._struck(start, hits, sets, 0)
         else:
             here = self.home.state
-            slips = {r.name: self.at_start(here.rate(r.row.measure)) for r in self.rubbing(closed)}
+            found = slips_of(self, self.rubbing(closed), lambda measure: self.at_start(here.rate(measure)))
+            slips = found.sizes
             self.slips |= slips
             self.boundaries += [x for x in slips.values() if self.changes_sign(x, sets)]
-            start = PhaseStart(Placed(), closed, slips, given=tuple(given), began=self.home.model.field.zero)
+            zero = self.home.model.field.zero
+            start = PhaseStart(Placed(), closed, slips, given=tuple(given), began=zero, ways=found.ways)
             nodes = self._follow(start, sets, 0)
         self.roots += nodes
         gone = np.setdiff1d(sets, np.concatenate([sets[:0], *(n.sets for n in nodes)]))
@@ -169,15 +173,17 @@ class PhaseTree(Home):
                 b.name: b.row.sign * self.to_home(collision.setup, after.rate(b.row.measure)) for b in collision.hits
             }
             touching = collision.kept | rates.keys()
-            slips = {r.name: self.to_home(collision.setup, after.rate(r.row.measure)) for r in self.rubbing(touching)}
+            rubbing = self.rubbing(touching)
+            slipping = slips_of(self, rubbing, lambda measure: self.to_home(collision.setup, after.rate(measure)))
         except NO_FORM as error:
             self.reasons.append(why(self.system, error))
             return []
         found: list[PhaseNode] = []
         for signs, sets in self.by_sign({n: x for n, x in rates.items() if not x.is_zero()}, indices):
             closed = touching - {name for name, sign in signs.items() if sign}
-            own = {r.name: slips[r.name] for r in self.rubbing(closed)}
-            found += self._follow(replace(instant, placed=placed, closed=closed, slips=own), sets, depth)
+            own = {r.name: slipping.sizes[r.name] for r in self.rubbing(closed)}
+            now = replace(instant, placed=placed, closed=closed, slips=own, ways=slipping.ways)
+            found += self._follow(now, sets, depth)
         return found
 
     # -- blows in mid-motion ----------------------------------------------------------------------
@@ -352,11 +358,10 @@ class PhaseTree(Home):
                 if watch.kind == "edge ends":
                     closed = closed - {watch.name} | taking_over(self, phase, there, watch.name, edge.sets)
                     dry_friction = self.rubbing(closed)
-                    slips = {
-                        r.name: slips.get(r.name, self.to_home(phase, there.rate(r.row.measure))) for r in dry_friction
-                    }
+                    more = slips_of(self, dry_friction, lambda measure: self.to_home(phase, there.rate(measure)))
+                    slips = {name: slips.get(name, slip) for name, slip in more.sizes.items()}
                 instant = PhaseStart(placed, closed, slips, before, excluded, None, node.n_impacts, known)
-                instant = replace(instant, past=phase.mode.past, began=began)
+                instant = replace(instant, past=phase.mode.past, began=began, ways=dict(phase.mode.ways))
                 edge.nodes = self._follow(instant, edge.sets, node.depth + 1)
         except NO_FORM as error:
             edge.stops = why(self.system, error)

@@ -13,7 +13,9 @@ MOST_TOUCHING = 12  # at which they touch when the motion begins: each opens, sl
 
 def why_no_phases(system: System) -> str:
     """What a case distinction has no room for; nothing where there is one."""
-    if turning := [rub.row.connection for rub in system.dry_friction if rub.across is not None]:
+    turns = {body.name for body in system.moving if body.turns}
+    in_planes = [rub.row for rub in system.dry_friction if rub.across is not None]
+    if turning := [row.connection for row in in_planes if turns & set(row.measure.bodies())]:
         # phases are told apart by the signs of slips along lines
         return Message(
             "the friction of {names} acts in a plane, and its direction follows the slip",

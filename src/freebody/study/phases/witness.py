@@ -31,7 +31,7 @@ from freebody.questions.reading import AskedEvent
 from freebody.study.phases.phase import Phase, without_rows
 from freebody.study.phases.reached import STRIKES
 from freebody.symbolic.phases.friction import named_rows
-from freebody.system.modes import ContactMode, ideal_bounds, in_mode
+from freebody.system.modes import ContactMode, across_the_way, ideal_bounds, in_mode, straightened
 from freebody.system.system import System
 from freebody.tolerances import ROUND_OFF
 
@@ -39,6 +39,7 @@ Watcher = Callable[[Array, Array, float], float]
 
 _RTOL, _ATOL = 1e-12, 1e-13  # of the integrated motions, relative and [SI]
 _STILL = 1e-9  # [SI] of what is watched: rounding and the steps before leave this of a zero
+_STRAIGHT = 1e-7  # of a slip: what it may have aside of its direction
 _OF_TIMES = 1e-14  # of roots, relative and [s]
 _OF_DIPS = 1e-5  # [s] of the time at which something is least
 _N_LOOKS = 6  # places in a step at which events are looked for
@@ -86,6 +87,9 @@ class NumericMode:
 
     def __init__(self, base: System, stage: FollowedPhase, values: Mapping[str, float]) -> None:
         phase = stage.phase
+        in_planes = {rub.name: rub for rub in base.dry_friction}
+        self.aside = {name: across_the_way(in_planes[name], way) for name, way in phase.mode.ways}
+        base = straightened(base, phase.mode)
         self.base, self.mode, self.stage = base, phase.mode, stage
         system, self.loads = in_mode(base, phase.mode)
         self.system = without_rows(system, phase.dropped)
@@ -193,7 +197,7 @@ class NumericMode:
             if state:
                 found.append((("slip ends", name, 0), lambda q, v, t, n=name, s=state: s * self.slip(n, q, v, t)))
             elif not any(name in others for others in self.shared.values()):
-                for way in (1, -1):
+                for way in (1, -1) if self.dry_friction[name].across is None else (1,):
                     found.append((("slips", name, way), lambda q, v, t, n=name, w=way: self.reserve(n, w, q, v, t)))
         return found
 
@@ -240,10 +244,21 @@ class NumericMode:
         return event[0] != "touches" or self.on_edge(event[1], q, v, t) > 0.0
 
     def slip(self, name: str, q: Array, v: Array, t: float) -> float:
-        return self._seen(q, v, t)[0].rate(self.dry_friction[name].row.measure)
+        now = self._seen(q, v, t)[0]
+        found = now.rate(self.dry_friction[name].row.measure)
+        if name in self.aside and abs(now.rate(self.aside[name])) > _STRAIGHT * max(1.0, abs(found)):
+            raise CannotAnswer(
+                Message("the slip of {contact} turns, and its friction with it", contact=name.partition(".")[0])
+            )
+        return found
 
     def reserve(self, name: str, way: int, q: Array, v: Array, t: float) -> float:
         limit = 0.0
+        if (across := self.dry_friction[name].across) is not None:
+            forces = [self.multiplier(n, q, v, t) for n in (name, across.name)]
+            (pressing,) = self.dry_friction[name].load
+            load = abs(self.multiplier(pressing, q, v, t))
+            return self.coefficient(self.dry_friction[name], 1, self._seen(q, v, t)[0]) * load - math.hypot(*forces)
         for rub in (self.dry_friction[name], *(self.dry_friction[other] for other in self.shared.get(name, ()))):
             load = float(np.hypot.reduce([self.multiplier(n, q, v, t) for n in rub.load])) if rub.load else 1.0
             limit += self.coefficient(rub, way, self._seen(q, v, t)[0]) * load
