@@ -53,7 +53,7 @@ def so(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
     yield from _failing_first(names, clause)
     if not plain:
         return
-    joint = joining.slipping(names, of)
+    joint = joining.slipping(names, of) or joining.slipping_belt(names, of)
     slides = negated and "slide" in verbs <= {"slide", "start", "move"}
     if joint is not None and (slides or (verbs == {"hold"} and not negated and len(of) > 1)):
         yield [f"{joint} does not slip"]
