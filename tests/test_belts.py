@@ -154,3 +154,24 @@ def test_the_links_of_a_chain_are_those_of_its_length() -> None:
 def test_a_chain_has_whole_teeth() -> None:
     with pytest.raises(fb.ModelError, match="a number of teeth is whole"):
         fb.System.from_text(CHAIN.replace("z_2: 16", "z_2: 16.5"))
+
+
+def test_that_a_belt_does_not_slip_is_not_that_it_rests() -> None:
+    """I_1 w_1' = T_1 - F r_1 and I_2 w_2' = F r_2 - T_2 with r_1 w_1 = r_2 w_2; at most F = 2 T_0 tanh(mu phi/2)."""
+    text = """
+parameters: {I1: 0.01 kg m^2, I2: 0.2 kg m^2, r1: 0.05 m, r2: 0.15 m, T1: 2 N m, T2: 1 N m, mu: 0.3,
+  T_0: 100 N, phi: 170 deg}
+ground: {points: {A: [0, 0], B: [0.6 m, 0]}}
+bodies: {motor: {body: {inertia: I1, radius: r1}}, drum: {body: {inertia: I2, radius: r2}}}
+connections:
+  A: {pin: [ground.A, motor]}
+  B: {pin: [ground.B, drum]}
+  belt: {belt: {first: motor, second: drum, friction: mu, pretension: T_0, wrap: phi}}
+loads: {drive: {torque: {on: motor, magnitude: T1}}, brake: {torque: {on: drum, magnitude: -T2}}}
+"""
+    system = fb.System.from_text(text)
+    largest = system.solve("How large may T1 be so that the belt does not slip?")["q1"].value
+    F = 2 * 100.0 * math.tanh(0.3 * math.radians(170) / 2)
+    w2 = (F * 0.15 - 1.0) / 0.2
+    assert largest == pytest.approx(0.01 * w2 * 0.15 / 0.05 + F * 0.05, rel=1e-9)
+    assert system.solve("range of T1 for which the belt does not slip")["q1"].value == pytest.approx(largest, rel=1e-12)

@@ -19,7 +19,16 @@ from freebody.language.units import (
 from freebody.measures.base import Measure
 from freebody.measures.geometry import COMPASS, GROUND, ONE, ZERO, Components, Direction, Point
 from freebody.model.curves import CurvePlace
-from freebody.model.elements import AppliedLoad, Attitude, BodyPlane, ConstraintRow, Line, RigidBody
+from freebody.model.elements import (
+    AppliedLoad,
+    Attitude,
+    BodyPlane,
+    ConstraintRow,
+    DryFriction,
+    Line,
+    RigidBody,
+    UnilateralConstraint,
+)
 from freebody.model.formulas import Formulas
 from freebody.model.noting import did_you_mean
 from freebody.model.rotations import UNIT, Columns, applied
@@ -65,8 +74,20 @@ class Joining(Protocol):
         """The direction of the ground along which it guides a body, which may turn or not (turning: either)."""
         ...
 
+    def lies_along(self, names: Names, body: str) -> Direction | None:
+        """The direction of a line of the ground that bears a body, which may leave it."""
+        ...
+
+    def room_between(self, names: Names, body: str, place: str) -> Measure | Message | None:
+        """What vanishes where a body gets to the place to which it leads it, or why that never happens."""
+        ...
+
     def rows(self, names: Names) -> list[ConstraintRow]:
         """The measures that it holds."""
+        ...
+
+    def bounds(self, names: Names, connection: str) -> tuple[list[UnilateralConstraint], list[DryFriction]]:
+        """The measures that it bounds, and those along which it resists by dry friction."""
         ...
 
     def attitude(self, names: Names) -> Attitude | None:

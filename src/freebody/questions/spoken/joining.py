@@ -70,6 +70,16 @@ def slipping_on(names: Names, clause: Clause) -> str | None:
     return found[0] if is_pair and len(found) == 1 else None
 
 
+def slipping_belt(names: Names, things: list[str]) -> str | None:
+    """The connection that is named alone and turns what it joins: that a belt does not slip is not that it rests."""
+    name = things[0] if len(things) == 1 and things[0] in names.connections else None
+    if name is None or name in rough(names, ""):
+        return None
+    with names.quietly():
+        _bounds, slips = names.connections[name].bounds(names, name)
+    return name if slips else None
+
+
 def led_round(names: Names) -> list[tuple[str, str]]:
     """Bodies that a link leads round a point of the ground, each with its length."""
     found: list[tuple[str, str]] = []

@@ -57,7 +57,7 @@ def so(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
         between = [name for name in joining.rough(names, "") if joining.is_between(names, name)]
         yield [f"{name} does not slip" for name in between]
         return
-    joint = joining.slipping(names, of)
+    joint = joining.slipping(names, of) or joining.slipping_belt(names, of)
     slides = negated and "slide" in verbs <= {"slide", "start", "move"}
     if joint is not None and (slides or (verbs == {"hold"} and not negated and len(of) > 1)):
         yield [f"{joint} does not slip"]

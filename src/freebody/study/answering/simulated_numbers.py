@@ -10,6 +10,7 @@ from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.measures.distance import Distance
 from freebody.measures.geometry import NO_DIRECTION
+from freebody.model.elements import NonholonomicForm
 from freebody.numeric.engine.course import Status
 from freebody.numeric.options import SimulationOptions
 from freebody.questions.clock import Clock
@@ -79,7 +80,7 @@ def number_with_changes(system: System, question: Question) -> Value:
 def _refuse_without_direction(system: System, now: SimulatedInstant) -> None:
     """Where the ends of a line meet, what is held along it has no gradient, and the motion no certain speed."""
     for row in system.constraint_rows:
-        for first, second in row.measure.lines():
+        for first, second in () if isinstance(row.measure, NonholonomicForm) else row.measure.lines():
             if float(now.value(Distance(first, second))) < _MET:
                 raise CannotAnswer(NO_DIRECTION)
 
