@@ -265,3 +265,29 @@ def test_a_roller_in_a_rolling_pipe() -> None:
     found = answer(PIPE_IN_PIPE, "natural frequencies").value
     assert isinstance(found, tuple)
     assert found == pytest.approx((0.0, math.sqrt(m * g * d / reduced)))
+
+
+SHAPER = """
+parameters: {a: 0.1 m, d: 0.25 m, b: 0.6 m, l: 0.3 m, w: 6 rad/s}
+ground: {points: {O: [0, 0], A: [0, d], R: [0, b]}}
+bodies:
+  crank: {rod: {length: a}}
+  lever: {rod: {length: b}, near: {angle: 80 deg}}
+  con: {rod: {length: l}, near: {at: [0.3 m, b], angle: 0}}
+  ram: {particle: {mass: 10 kg}, near: {at: [0.4 m, b]}}
+connections:
+  A: {pin: [ground.A, crank.start]}
+  O: {pin: [ground.O, lever.start]}
+  s: {slot: {pin: crank.end, along: lever.x, on: lever}}
+  c: {pin: [lever.end, con.start]}
+  r: {pin: [con.end, ram]}
+  g: {slot: {pin: ram, along: right, through: ground.R}}
+  drive: {driver: {measure: phi, follows: w*t}}
+measures: {phi: angle of crank, x: x of ram}
+"""
+
+
+def test_the_stroke_of_a_shaper_is_that_of_its_lever() -> None:
+    """In the extremes the crank is square to the lever, which leans by asin(a/d) to either side: the same height, so
+    the rod between lever and ram leans alike, and the ram goes from -b a/d to b a/d. Only there is the ram at rest."""
+    assert answer(SHAPER, "stroke of x over a turn of phi").value == pytest.approx(2 * 0.6 * 0.1 / 0.25)

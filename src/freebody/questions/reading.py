@@ -74,7 +74,7 @@ def read_quantity(names: Names, text: str, path: Path) -> Quantity | None:
     if (of := without_size(text)) != text:
         with names.quietly():
             inner = read_quantity(names, of, path)
-        if inner is not None:
+        if inner is not None and inner.scope == "instant":  # others have words of their own for it
             return _size(names, inner, of, path)
     for form in FORMS:
         found = form.pattern.match(text)
