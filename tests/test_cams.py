@@ -300,3 +300,26 @@ def test_the_base_radius_at_which_a_cam_is_just_not_undercut(agrees: Callable[..
     system = fb.System.from_text(text.replace("r: 30 mm,", "r: 30 mm, b: 6 mm,"))
     found = system.solve("value of r for which least radius of curvature of cam over a turn of phi = 0")
     agrees(found, "q1", "2*b - h/2")
+
+
+PRELOADED = """
+parameters: {m: 0.1 kg, k: 3 N/mm, F_0: 40 N, h: 8 mm, r: 20 mm, s: 60 mm, r_R: 5 mm, Omega: 60 rad/s}
+ground: {points: {O: [0, 0], seat: [0, s]}}
+bodies:
+  disk: {body: {inertia: 2 g m^2}}
+  valve: {particle: {mass: m}, near: {at: [0, r]}}
+connections:
+  axle: {pin: [ground.O, disk]}
+  guide: {slider: {body: valve, along: up, through: ground.O}}
+  cam: {cam: {cam: disk, follower: valve, base_radius: r, lift: h/2*(1 - cos(phi)), along: up, FORM}}
+  drive: {driver: {measure: phi, follows: Omega*t}}
+loads: {spring: {spring: {first: ground.seat, second: valve, stiffness: k, preload: -F_0}}}
+measures: {phi: angle of disk from up}
+"""
+
+
+@pytest.mark.parametrize("form", ["form: flat", "form: roller, roller_radius: r_R"])
+def test_over_a_turn_a_spring_is_preloaded_as_at_the_start_of_the_drive(form: str, agrees: Callable[..., None]) -> None:
+    """N = F_0 + k L + m L'' Omega^2 with L = h/2 (1 - cos phi): as k > m Omega^2 it is least where the lift is none."""
+    system = fb.System.from_text(PRELOADED.replace("FORM", form))
+    agrees(system.solve("least contact force of cam over a turn of phi"), "q1", "F_0 + m*h*Omega**2/2")
