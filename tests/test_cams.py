@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -12,6 +13,7 @@ from freebody.narrative.questions import happening
 from freebody.numeric.reference import Reference
 from freebody.study.answering.solve import solve
 
+EXAMPLES = Path(__file__).parents[1] / "examples"
 # an eccentric circle of radius a, its middle e from the axle; it points at the follower where phi = 0
 MECHANISM = """
 parameters: {{a: 30 mm, e: 8 mm, b: 10 mm, m: 0.5 kg, w: 20 rad/s, g: 9.81 m/s^2}}
@@ -281,3 +283,43 @@ def test_a_reason_of_the_formulas_is_not_looked_for_at_ever_other_numbers(monkey
     text = SPRING + "questions: [least k so that the cam keeps touching]\n"
     assert not fb.System.from_text(text).explain().is_complete
     assert len(asked) <= 4  # of ten other numbers for each of three ways to ask
+
+
+def test_the_base_radius_for_a_pressure_angle_is_that_of_the_textbook(agrees: Callable[..., None]) -> None:
+    """tan(alpha) = r'/r is greatest where r = R - (h/2) cos(phi), R = r_b + r_R + h/2, has sin(alpha) = h/(2 R): from
+    the tangent from the axle to the eccentric circle that the middle of the roller runs on."""
+    system = fb.System.load(EXAMPLES / "cam_with_roller.yaml")
+    found = system.solve("value of r for which greatest pressure angle of cam over a turn of phi = pi/12")
+    agrees(found, "q1", "h/2*(1/sin(pi/12) - 1) - r_R")
+
+
+def test_the_base_radius_at_which_a_cam_is_just_not_undercut(agrees: Callable[..., None]) -> None:
+    """rho = r + L + L'' = r + h/2 + b + 3 b cos(2 phi) under a flat face (Norton, sec. 8.7), least r + h/2 - 2 b."""
+    lift, twice = "lift: h/2*(1 - cos(phi))", "lift: h/2*(1 - cos(phi)) + b*(1 - cos(2*phi))"
+    text = (EXAMPLES / "cam_with_flat_follower.yaml").read_text("utf-8").replace(lift, twice)
+    system = fb.System.from_text(text.replace("r: 30 mm,", "r: 30 mm, b: 6 mm,"))
+    found = system.solve("value of r for which least radius of curvature of cam over a turn of phi = 0")
+    agrees(found, "q1", "2*b - h/2")
+
+
+PRELOADED = """
+parameters: {m: 0.1 kg, k: 3 N/mm, F_0: 40 N, h: 8 mm, r: 20 mm, s: 60 mm, r_R: 5 mm, Omega: 60 rad/s}
+ground: {points: {O: [0, 0], seat: [0, s]}}
+bodies:
+  disk: {body: {inertia: 2 g m^2}}
+  valve: {particle: {mass: m}, near: {at: [0, r]}}
+connections:
+  axle: {pin: [ground.O, disk]}
+  guide: {slider: {body: valve, along: up, through: ground.O}}
+  cam: {cam: {cam: disk, follower: valve, base_radius: r, lift: h/2*(1 - cos(phi)), along: up, FORM}}
+  drive: {driver: {measure: phi, follows: Omega*t}}
+loads: {spring: {spring: {first: ground.seat, second: valve, stiffness: k, preload: -F_0}}}
+measures: {phi: angle of disk from up}
+"""
+
+
+@pytest.mark.parametrize("form", ["form: flat", "form: roller, roller_radius: r_R"])
+def test_over_a_turn_a_spring_is_preloaded_as_at_the_start_of_the_drive(form: str, agrees: Callable[..., None]) -> None:
+    """N = F_0 + k L + m L'' Omega^2 with L = h/2 (1 - cos phi): as k > m Omega^2 it is least where the lift is none."""
+    system = fb.System.from_text(PRELOADED.replace("FORM", form))
+    agrees(system.solve("least contact force of cam over a turn of phi"), "q1", "F_0 + m*h*Omega**2/2")

@@ -527,3 +527,28 @@ start: {rate(x): 0}
 bodies: {block: {particle: {mass: 1 kg}, at: [0.5 m, 0]}}
 loads: {it: {spring: {first: ground.A, second: block, stiffness: 1 N/m, preload: 1 N, length: 1 m}}}
 """)
+
+
+IMMERSED = """
+parameters: {rho: 1000 kg/m^3, g: 9.81 m/s^2, V: 2 L, m: 0.5 kg, h: 3 m}
+ground: {points: {water: [0, 0]}}
+bodies: {ball: {particle: {mass: m}, at: [0, -h]}}
+loads:
+  weight: {gravity: g}
+  lift: {buoyancy: {at: ball, density: rho, strength: g, volume: V, surface: ground.water}}
+measures: {y: y of ball}
+start: {y: -h, rate(y): 0}
+"""
+
+
+def test_a_volume_is_lifted_as_long_as_it_is_in_the_water(agrees: Callable[..., None]) -> None:
+    """Released h below the surface it comes up with v^2 = 2 g h (rho V/m - 1), after 0.45 s; what follows is not that
+    law any more."""
+    system = fb.System.from_text(IMMERSED)
+    agrees(system.solve("speed of ball when y = 0"), "q1", "sqrt(2*g*h*(rho*V/m - 1))")
+    assert any("ball is in the water" in c for c in system.solve("acceleration of y")["q1"].conditions)
+    late = system.solve("speed of ball at t = 1 s")["q1"]
+    assert late.value is None
+    assert "Not valid for the given numbers" in " ".join(late.notes)
+    nowhere = fb.System.from_text(IMMERSED.replace(", surface: ground.water", ""))
+    assert not any("in the water" in c for c in nowhere.solve("acceleration of y")["q1"].conditions)

@@ -274,7 +274,7 @@ class Buoyancy(_Buoyancy):
     """`buoyancy: {at: buoy.bottom, density: rho, strength: g, area: A}`: pushes up with rho g A d, d how far the point
     is below the surface, which is level with `surface` (a point, default the origin of the ground); of what stays
     upright and floats. With `height: h` it may also dive (d more than h) or leave the water (d < 0). `volume: V` in
-    place of area: wholly immersed, rho g V."""
+    place of area: wholly immersed, rho g V; with `surface` the answers say until when the point is in the water."""
 
     def __init__(
         self,

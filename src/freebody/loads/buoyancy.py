@@ -31,7 +31,7 @@ class Buoyancy(Load, kind="buoyancy"):
     """`buoyancy: {at: buoy.bottom, density: rho, strength: g, area: A}`: pushes up with rho g A d, d how far the point
     is below the surface, which is level with `surface` (a point, default the origin of the ground); of what stays
     upright and floats. With `height: h` it may also dive (d more than h) or leave the water (d < 0). `volume: V` in
-    place of area: wholly immersed, rho g V."""
+    place of area: wholly immersed, rho g V; with `surface` the answers say until when the point is in the water."""
 
     at: str
     density: Formula
@@ -69,8 +69,9 @@ loads: {it: {buoyancy: {at: buoy.bottom, density: 1000 kg/m^3, strength: 9.81 m/
         return [AppliedLoad("", height, by_depth * within)]
 
     def valid_where(self, names: Names) -> list[Validity]:
-        """Without a height it is partly immersed; with one it is where it is, and what is wholly immersed stays so."""
-        if self.area is None or self.height is not None:
+        """Without a height it is partly immersed, with one it is where it is; a volume is immersed as long as the point
+        is below the surface, where one is named."""
+        if self.height is not None or (self.area is None and self.surface is None):
             return []
         point = names.point(self.at, "at")
         in_water = Message("{point} is in the water", point=self.at)

@@ -46,8 +46,8 @@ _INVERSES = {"asin": "sin", "acos": "cos", "atan": "tan", "log": "exp", "exp": "
 
 
 def _inverted(field: Field, factor: Ratio, parameter: int, made: Sequence[int]) -> list[Values]:
-    """Roots in one function of the parameter: f(u) = x where u = g(x) with the inverse g. An arc has a bounded range,
-    which whoever uses the roots has to look at."""
+    """Roots in one function of the parameter: f(u) = x where u = g(x) with the inverse g, without roots in u. An
+    arc has a bounded range and a square root one sign, which whoever uses the roots has to look at."""
     outer = [g for g in made if g in factor.generators()]
     if len(outer) != 1 or field.arguments.get(outer[0], ("", factor))[0] not in _INVERSES:
         return []
@@ -57,9 +57,21 @@ def _inverted(field: Field, factor: Ratio, parameter: int, made: Sequence[int]) 
     inverse, found = functions(field)[_INVERSES[name]], list[Values]()
     for x in roots(factor.coefficients(outer[0])) or ():
         if parameter not in field.ingredients(x):
-            equation = field.lowest_terms(u - inverse(x)).numerator()
+            equation = _squared(field.lowest_terms(u - inverse(x)).numerator(), parameter)
             found += [{**values, outer[0]: x} for values in solutions(field, equation, parameter)]
     return found
+
+
+def _squared(x: Ratio, parameter: int) -> Ratio:
+    """An element that vanishes where x does, without square roots of the parameter: a + b r = 0 as a^2 = b^2 r^2."""
+    field = x.field
+    while True:
+        made = [g for g in x.generators() if parameter in field.generators[g].made_of]
+        roots_in = [g for g in made if field.generators[g].kind == "root"]
+        if not roots_in:
+            return x
+        a, b = (*x.coefficients(max(roots_in)), field.zero)[:2]
+        x = field.lowest_terms(a * a - b * b * field.radicand(max(roots_in))).numerator()
 
 
 def _logarithms(field: Field, factor: Ratio, parameter: int, made: Sequence[int]) -> list[Values]:

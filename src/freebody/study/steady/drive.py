@@ -12,7 +12,7 @@ from dataclasses import replace
 from typing import Any, cast
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import ZERO, Expr, differentiate, free_symbols
+from freebody.language.expression import ZERO, Expr, differentiate, free_symbols, substitute
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS
 from freebody.model.elements import ConstraintRow, NonholonomicForm
@@ -25,14 +25,16 @@ from freebody.system.system import System
 
 class FreeToTurn(Setup):
     """A system whose one drive, that of an angle at a constant rate, is left out: the angle is the one measure, and so
-    the coordinate. driven: the system with it; rate: of the angle [rad/s]."""
+    the coordinate. It starts where the drive does: springs are preloaded there. driven: the system with it; rate: of
+    the angle [rad/s]."""
 
     def __init__(self, driven: System, drive: ConstraintRow, rate: Expr) -> None:
         assert not isinstance(drive.measure, NonholonomicForm)
         name = next((n for n, m in driven.measures.items() if m == drive.measure), "turn")
         rows = tuple(row for row in driven.constraint_rows if row is not drive)
         measures = {name: drive.measure}
-        super().__init__(replace(driven, constraint_rows=rows, measures=measures, start={}, start_rates={}))
+        begin = {name: substitute(drive.target or ZERO, {"t": ZERO})}
+        super().__init__(replace(driven, constraint_rows=rows, measures=measures, start=begin, start_rates={}))
         self.driven, self.drive, self.rate = driven, drive, rate
 
 
