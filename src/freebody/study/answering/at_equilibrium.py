@@ -121,6 +121,10 @@ def _numbers_about(setup: Setup, draw: Draw) -> Array:
         q = nearest_equilibrium(setup.system)[0].q
         v = np.zeros_like(q)
         found = draw.reference.frequencies(q)
+    there = draw.reference.snapshot(q, v, 0.0)
+    for limit in setup.system.validities:
+        if limit.sign * (float(there.value(limit.measure)) - draw.reference.number(limit.limit)) < 0.0:
+            raise CannotAnswer(Message("at the equilibrium it is not so that {purpose}", purpose=limit.purpose))
     if not all(holds(setup, c, draw, draw.reference.snapshot(q, v)) for c in setup.clearances(setup.state, ">")):
         raise CannotAnswer(Message("there is no room to move about the equilibrium"))
     return found

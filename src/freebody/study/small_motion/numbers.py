@@ -76,4 +76,8 @@ def _small(setup: Setup, draw: Draw) -> SmallMotion:
         if swing_of(setup.model) is not None:
             raise
     rest = nearest_equilibrium(setup.system)[0].pose
+    there = draw.reference.snapshot(rest.q, 0.0 * rest.q, 0.0)
+    for v in setup.system.validities:
+        if v.sign * (float(there.value(v.measure)) - draw.reference.number(v.limit)) < 0.0:
+            raise CannotAnswer(Message("at the equilibrium it is not so that {purpose}", purpose=v.purpose))
     return SmallMotion(draw.reference, LinearisationPoint(rest.q, 0.0 * rest.q, 0.0, rest.branches, frozen=True))
