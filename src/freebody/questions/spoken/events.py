@@ -207,6 +207,12 @@ def _with_value(names: Names, clause: Clause, verbs: list[str]) -> Groups:
     acting = [name for name in of if name in names.loads] if len(of) > 1 else []  # the motor lifts the crate by 2 m
     [value], of = values, [name for name in of if name not in (*lines, *acting)]
     who = next(iter(of), "")
+    if who in names.loads:  # the motor: what it turns
+        driven = {body for p in names.applied_loads if p.load == who for body in p.measure.bodies()} - {GROUND}
+        who = next(iter(driven)) if len(driven) == 1 else who
+    if clause.has("part", "horizontal") and dimensions.is_length(value):
+        yield [lookup.come(names, way, value) for way in lookup.level(names, who)]
+        return
     if dimensions.is_speed(value) or dimensions.is_turning_speed(value):
         found = lookup.places if dimensions.is_speed(value) else lookup.angles
         yield [f"rate({measure}) = {value}" for measure in found(names, who)]

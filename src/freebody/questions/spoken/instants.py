@@ -6,7 +6,7 @@ from itertools import pairwise, product
 from typing import TYPE_CHECKING
 
 from freebody.measures.geometry import GROUND
-from freebody.questions.spoken import dimensions, joining, lookup, losing, poses
+from freebody.questions.spoken import dimensions, given, joining, lookup, losing, poses
 from freebody.questions.spoken.asking import quantities
 from freebody.questions.spoken.composing import SILENT, Groups, ended
 from freebody.questions.spoken.counting import COUNTED
@@ -111,6 +111,10 @@ def timed(names: Names, sentence: Sentence) -> Groups:
     is_steady = main.all("instant") == ["in steady motion"] and main.all("quantity") == ["angular velocity"]
     if is_steady and names.space and not main.names:  # of what goes round
         main = Clause([Word("quantity", "precession rate") if w.kind == "quantity" else w for w in main.words])
+    if main.all("instant") == ["after engagement"] and not main.names and not others:  # both turn alike
+        alike = ("speed", "angular velocity", "velocity")
+        common = Word("quantity", "common speed")
+        main = Clause([common if w.kind == "quantity" and w.what in alike else w for w in main.words])
     tails, main = _tails(names, main)
     if main.has("quantity", "impact speed"):
         main = Clause([Word("quantity", "speed") if w == Word("quantity", "impact speed") else w for w in main.words])
@@ -305,6 +309,9 @@ def _place_within(main: Clause, value: str) -> tuple[Clause, Clause] | None:
     inner = [*words[begin + 1 :]]
     if not any(word.kind == "quantity" for word in inner):
         inner = [Word("quantity", "angle"), *inner] if dimensions.is_angle(value) else inner
+        is_speed = dimensions.is_speed(value) or dimensions.is_turning_speed(value)
+        is_alone = not any(word.kind == "name" for word in inner)
+        inner = [Word("quantity", "speed"), *inner] if is_speed and is_alone else inner
     return Clause(words[:begin]), Clause(inner)
 
 
@@ -345,6 +352,12 @@ def _event_within(names: Names, main: Clause) -> tuple[Clause, list[list[str]]] 
     """A main clause that tells an event with the quantity there: with what speed does the ball hit the floor."""
     verbs = main.all("verb")
     if main.has("degree", "least", "greatest"):  # the least spin with which it comes back
+        return None
+    chosen = any(given.KIND_OF[quantity].ends_rest for quantity in main.all("quantity") if quantity in given.KIND_OF)
+    begins = {"start"} < set(verbs) <= {"start", "slide", "move", "tip", "roll", "fall", "rise", "turn"}
+    if main.has("ask", "with") and chosen and begins and lookup.rests(names):  # at which force does it begin to slip
+        return None
+    if main.has("ask", "with") and main.has("quantity", "acceleration") and set(verbs) <= {"slide", "roll"}:
         return None
     if main.has("not") or (main.has("ask", "large", "much") and set(verbs) == {"taut"}):  # how taut is it
         return None

@@ -200,9 +200,9 @@ def falling(names: Names, body: str) -> list[str]:
     """Heights at zero of which something that flies lands: those that start there, or above it."""
     places = names.placed_at_start
     above = [name for name in places if (names.numeric(places[name]) or 0.0) > 0.0]
-    return [
-        name for name, sense in heights(names, body) if name in names.started_at_zero or (name in above and sense > 0)
-    ]
+    thrown = [] if rests(names) and all(own.start.velocity is None for own in names.bodies.values()) else heights(names, body)
+    begun = [name for name, _ in thrown if name in names.started_at_zero]  # what is let go there does not come back
+    return [name for name, sense in heights(names, body) if name in begun or (name in above and sense > 0)]
 
 
 def rises(names: Names, measure: str, sense: int) -> bool:

@@ -60,7 +60,9 @@ def meanings(names: Names, words: list[Word]) -> Groups:
     said = _by_friction(_needed_to_roll(names, _in_doing(said)))
     said = _unaccelerated(_not_slipping(names, _carrying(names, said, modal)))
     words = [_AS_LARGE.get(word, word) for word in said]
+    words = _heaviest(names, words)
     yield from _rough_enough_to_roll(names, Clause(words))
+    said = _heaviest(names, said)
     lasting = _as_long_as(said)
     if modal == {"may"} and any(word in _HOW_FAR for word in said):  # how large may it be
         yield from limits(names, lasting, modal)
@@ -175,6 +177,16 @@ def _signs_between(words: list[Word]) -> list[Word]:
         if found[k].kind == "relation" and found[k - 1].kind == "value" and ends:
             found[k - 1], found[k] = found[k], found[k - 1]
     return found
+
+
+def _heaviest(names: Names, words: list[Word]) -> list[Word]:
+    """The largest load that F can hold is no F: it is how heavy the load may be."""
+    named = [word.what for word in words if word.kind == "name"]
+    holds = words[-1:] in ([Word("verb", "hold")], [Word("verb", "rise")], [Word("verb", "move")])
+    is_body = len(named) == 2 and named[0] in names.bodies and named[1] in names.parameters  # noqa: PLR2004
+    if not holds or not is_body or words[0] != Word("degree", "greatest") or words[1].kind != "name":
+        return words
+    return [words[0], Word("quantity", "mass"), words[1], Word("mark", "so_that"), Word("pronoun", "it"), Word("verb", "hold")]
 
 
 def _driven_by_needed(names: Names, words: list[Word]) -> list[Word]:

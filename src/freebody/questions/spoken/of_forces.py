@@ -310,8 +310,9 @@ def _of_belt(names: Names, quantity: str, rest: Clause) -> Groups:
     belts = dict.fromkeys(row.connection for row in names.constraint_rows if row.reaction == "belt force")
     if belts and rest.only("name", *SILENT):
         yield [f"belt force of {name}" for name in of or belts]
-    elif quantity == "belt force":  # the force round a wheel is that of its teeth
-        yield from _transmitted(names, "tooth force", rest)
+    elif quantity == "belt force":  # the force round a wheel is that of its teeth; where none are, it is the whole force
+        toothed = any(row.reaction == "tooth force" for row in names.constraint_rows)
+        yield from _transmitted(names, "tooth force" if toothed else "force", rest)
 
 
 @said_of("links")
