@@ -37,7 +37,7 @@ _NO_WORDS = (
     "adjectives",
     "adverbs",
 )  # tables that are not kinds of words
-_CLAUSES = r"(?:so|such|when|if|until|bis|wenn|damit|nachdem|sodass) "  # words that begin another clause, into which no gap goes
+_CLAUSES = r"(?:so|such|when|if|wenn|damit|nachdem|sodass) "  # words that begin a clause, into which no gap goes
 _CHOICE = re.compile(r"\(([^()]*)\)(\?)?")
 
 

@@ -200,7 +200,11 @@ def falling(names: Names, body: str) -> list[str]:
     """Heights at zero of which something that flies lands: those that start there, or above it."""
     places = names.placed_at_start
     above = [name for name in places if (names.numeric(places[name]) or 0.0) > 0.0]
-    thrown = [] if rests(names) and all(own.start.velocity is None for own in names.bodies.values()) else heights(names, body)
+    thrown = (
+        []
+        if rests(names) and all(own.start.velocity is None for own in names.bodies.values())
+        else heights(names, body)
+    )
     begun = [name for name, _ in thrown if name in names.started_at_zero]  # what is let go there does not come back
     return [name for name, sense in heights(names, body) if name in begun or (name in above and sense > 0)]
 
@@ -241,7 +245,7 @@ def driving(names: Names) -> list[str]:
 
 
 def stretched_at_rest(names: Names, spring: str) -> list[str]:
-    """By how much a spring, or the only one, is longer in equilibrium than without force: its length there less that."""
+    """By how much a spring, or the only one, is longer in equilibrium than without force: its length less that."""
     found: list[str] = []
     for load in names.applied_loads:
         if load.load not in springs(names) or (spring in names.loads and load.load != spring):
