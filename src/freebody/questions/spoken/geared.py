@@ -40,11 +40,20 @@ def geared(names: Names, sentence: Sentence) -> Groups:
         return
     for group in quantities(names, _turning(names, main)):
         plain = [text for text in group if JOINT not in text and text.startswith(tuple(f"{v} of " for v in _SPEEDS))]
-        alone = [
-            text.removeprefix("velocity of ") for text in plain
-        ]  # the vector of a body is over nothing: its size is
-        plain = [f"speed of {a}" if a in names.bodies else text for a, text in zip(alone, plain, strict=True)]
-        yield [f"{value} * ratio of {text} to {speed}" for text in dict.fromkeys(plain)]
+        yield [
+            f"{value} * ratio of {text} to {speed}" for text in dict.fromkeys(_signed(names, text) for text in plain)
+        ]
+
+
+def _signed(names: Names, text: str) -> str:
+    """The speed of a body as a velocity that has a sign, and a value at rest: along its way, or its guide."""
+    quantity, _, body = text.partition(" of ")
+    if body not in names.bodies or quantity not in ("speed", "velocity"):
+        return text
+    ways, guides = lookup.places(names, body), joining.guides(names, body)
+    if len(ways) == 1:
+        return f"velocity of {ways[0]}"
+    return f"velocity of {body} along {guides[0]}" if len(guides) == 1 else f"speed of {body}"
 
 
 def _parted(sentence: Sentence) -> tuple[Clause, Clause] | None:

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 from freebody.language.expression import free_symbols, negate, substitute
 from freebody.language.notation import to_python
 from freebody.language.units import DIMENSIONLESS, LENGTH
+from freebody.measures.combination import Composed
 from freebody.measures.displacement import Displacement
 from freebody.measures.distance import Bearing, Distance
 from freebody.measures.geometry import GROUND, ZERO
@@ -250,9 +251,12 @@ def stretched_at_rest(names: Names, spring: str) -> list[str]:
     for load in names.applied_loads:
         if load.load not in springs(names) or (spring in names.loads and load.load != spring):
             continue
-        parts = getattr(load.measure, "measures", ())
-        if len(parts) == 1 and isinstance(length := parts[0][1], Distance):
-            natural = negate(substitute(load.measure.expression, {parts[0][0]: ZERO}))  # of: length - l_0
+        measure = load.measure
+        if not isinstance(measure, Composed) or len(measure.measures) != 1:
+            continue
+        [(symbol, length)] = measure.measures
+        if isinstance(length, Distance):
+            natural = negate(substitute(measure.expression, {symbol: ZERO}))  # of: length - l_0
             ends = f"{length.start.name} to {length.end.name}"
             found.append(f"(equilibrium of distance from {ends}) - {_factor(to_python(natural).replace('**', '^'))}")
     return found
