@@ -575,13 +575,9 @@ def test_what_a_change_of_a_parameter_does_is_told_by_asking_twice(said: str) ->
 @pytest.mark.parametrize(
     ("name", "said", "suggested"),
     [
-        ("screw_jack", "mechanical advantage", "mechanical advantage of weight to lever"),
+        ("worm_gear", "is the worm gear self-locking?", "range of T that keeps it at rest"),
         ("slider_crank", "quick return ratio", "time ratio of position of piston along cylinder"),
-        (
-            "planetary_gear_by_teeth",
-            "how fast does the planet turn if the carrier turns with 2 rad/s",
-            "ratio of angular velocity of planet to angular velocity of carrier",
-        ),
+        ("gear_pair_with_pressure_angle", "efficiency of the gears", "ratio of power of machine to power of motor"),
     ],
 )
 def test_what_lacks_an_operand_is_answered_with_complete_questions(name: str, said: str, suggested: str) -> None:
@@ -612,3 +608,22 @@ def test_the_speed_at_which_a_car_leaves_a_hump_at_its_top_is_that_of_a_circle_o
     system = fb.System.from_text(HUMP)
     [answer] = fb.solve(system, question="At what speed does the car leave the road at the top?").answers
     assert answer.value == pytest.approx(math.sqrt(50 * 9.81))
+
+
+@pytest.mark.parametrize(
+    ("name", "said", "value"),
+    [
+        # Willis: omega_P = omega_C (1 - z_R/z_P) in a fixed ring
+        ("planetary_gear_by_teeth", "planet turns how fast if the carrier turns with 3 rad/s", 3 * (1 - 60 / 18)),
+        # one turn winds up 2 pi R and unwinds 2 pi r, of which the block in the loop rises half
+        ("differential_hoist", "how far does the block rise per turn of the shaft", math.pi * (0.12 - 0.1)),
+        ("mass_on_spring", "extension of the spring in equilibrium", 2 * 9.81 / 200),  # m g/k
+        ("mass_on_spring", "amplitude of the vibration", 2 * 9.81 / 200),  # let go where the spring is relaxed
+        ("mass_on_spring", "how many oscillations per second", 10 / (2 * math.pi)),  # sqrt(k/m)/(2 pi)
+        ("mass_on_spring", "energy in the spring when y = 0.6 m", 200 * 0.1**2 / 2),
+        ("mass_on_spring", "speed of the block when it passes the equilibrium", 9.81 / 10),  # g/omega
+    ],
+)
+def test_what_words_stand_for_is_what_a_hand_derives(name: str, said: str, value: float) -> None:
+    [answer] = fb.solve(example(name), question=said).answers
+    assert answer.value == pytest.approx(value)

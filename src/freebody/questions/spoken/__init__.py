@@ -15,6 +15,8 @@ turned round (turning_round.py, and what is to be so in so_that.py). Where an eq
 that instant describes it (stated.py); up to which value of a parameter rest lasts is put in many ways (limits.py).
 What a model has for words that name nothing stands in lookup.py, joining.py (connections), poses.py (what hangs,
 stands, lies level), strings.py, losing.py (what takes energy away) and given.py (parameters by what they are of).
-What is said of other values than the file gives is told in other_values.py. Nothing that is said is dropped, but
-words that lead to a question, adjectives that tell no thing from another, and adverbs of manner.
+A speed for that of something else is a ratio (geared.py); words put as others put them are told before clauses are
+parted (rewording.py), and where something is meant within a clause in within.py. What is said of other values than the
+file gives is told in other_values.py. Nothing that is said is dropped, but words that lead to a question, adjectives
+that tell no thing from another, and adverbs of manner.
 """

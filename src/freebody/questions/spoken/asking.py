@@ -35,6 +35,8 @@ def quantities(names: Names, clause: Clause) -> Groups:
     place = clause.has("quantity", "height", "position", "angle") and clause.has("ask", "with", "where")
     if place and clause.has("degree") and clause.has("verb", "move"):
         return  # at which height does it move fastest: the place is not what is greatest
+    if clause.has("ask", "with", "where") and clause.has("degree") and _is_of_another(clause):
+        return  # at which speed is the vibration greatest: the speed is not what is greatest
     clause = framed(names, clause)
     if clause.words and clause.words[-1] == Word("preposition", "and"):  # or what was behind it is taken for a verb
         return
@@ -49,6 +51,13 @@ def quantities(names: Names, clause: Clause) -> Groups:
         yield from _extreme(names, clause.without("degree"), degrees)
         return
     yield from _plain(names, clause.without("degree"))
+
+
+def _is_of_another(clause: Clause) -> bool:
+    """Whether what is greatest stands behind the quantity that is asked for, and is something else."""
+    kinds = [word.kind for word in clause.words if word.kind in ("quantity", "name", "pronoun", "degree")]
+    k = kinds.index("quantity") if "quantity" in kinds else len(kinds)
+    return kinds[-1] == "degree" and "pronoun" in kinds[k:]
 
 
 def _is_of_force(clause: Clause) -> bool:

@@ -71,7 +71,11 @@ def time(names: Names, sentence: Sentence) -> Groups:
         if not any(word.kind == "pronoun" for word in clause.words) and head.names and not clause.names:
             clause = Clause([*head.words, *clause.words])
     elif not sentence.others and (
-        head.has("verb") or head.has("part", *POSES) or head.has("instant") or head.has("relation") or _has_value(names, head)
+        head.has("verb")
+        or head.has("part", *POSES)
+        or head.has("instant")
+        or head.has("relation")
+        or _has_value(names, head)
     ):
         clause = head
     else:

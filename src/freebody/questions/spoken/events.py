@@ -1,7 +1,4 @@
-"""When something is meant: a clause about what happens, as conditions of the grammar.
-
-As in composing.py, each function gives groups of conditions.
-"""
+"""When something is meant: a clause about what happens, as groups of conditions of the grammar (composing.py)."""
 
 from __future__ import annotations
 
@@ -104,7 +101,8 @@ def _of_quantity(names: Names, clause: Clause, verbs: list[str]) -> Groups:
         yield from _with_value(names, plain, verbs)
         return
     if clause.all("quantity") == ["equilibrium"] and not values:
-        yield from _in_balance(names, clause, verbs)
+        if clause.only("quantity", "verb", "name", *SILENT) and set(verbs) <= {"reach", "move", "turn"}:
+            yield losing.in_balance(names, next((name for _, name in clause.names), ""))
         return
     left = clause.without("value").without("verb", "vanish", "reach")
     if "halve" in verbs and not values:
@@ -118,15 +116,6 @@ def _of_quantity(names: Names, clause: Clause, verbs: list[str]) -> Groups:
         value = clause.names[-1][1]
         kept = [word for word in left.words if word.what != value]
         yield from _quantity_is(names, Clause(kept), value)
-
-
-def _in_balance(names: Names, clause: Clause, verbs: list[str]) -> Groups:
-    """It passes its equilibrium, where nothing accelerates it: of what is not damped, rubs nowhere and is not forced."""
-    free = not (losing.damped(names) or joining.is_rough(names) or lookup.is_forced(names))
-    of = next((name for _, name in clause.names), "")
-    if free and clause.only("quantity", "verb", "name", *SILENT) and set(verbs) <= {"reach", "move", "turn"}:
-        measures = lookup.places(names, of) or lookup.angles(names, of) or lookup.hung(names, of)
-        yield [f"acceleration of {name} = 0" for name in measures if len(names.measures) == 1]
 
 
 def _halved(names: Names, clause: Clause) -> Groups:
@@ -208,6 +197,12 @@ def _with_value(names: Names, clause: Clause, verbs: list[str]) -> Groups:
     acting = [name for name in of if name in names.loads] if len(of) > 1 else []  # the motor lifts the crate by 2 m
     [value], of = values, [name for name in of if name not in (*lines, *acting)]
     who = next(iter(of), "")
+    if who in names.loads:  # the motor: what it turns
+        driven = {body for p in names.applied_loads if p.load == who for body in p.measure.bodies()} - {GROUND}
+        who = next(iter(driven)) if len(driven) == 1 else who
+    if clause.has("part", "horizontal") and dimensions.is_length(value):
+        yield [lookup.come(names, way, value) for way in lookup.level(names, who)]
+        return
     if dimensions.is_speed(value) or dimensions.is_turning_speed(value):
         found = lookup.places if dimensions.is_speed(value) else lookup.angles
         yield [f"rate({measure}) = {value}" for measure in found(names, who)]

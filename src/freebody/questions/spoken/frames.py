@@ -85,6 +85,9 @@ def framed(names: Names, clause: Clause) -> Clause:
     clause = _changing(clause)
     asked, asks, verbs = clause.all("quantity"), set(clause.all("ask")), set(clause.all("verb"))
     kept = [w for w in clause.words if w.kind not in ("ask", "verb")]
+    if joining.sloping(names) and verbs & {"slide", "roll"}:  # up the slope on which it slides
+        ways = {Word("part", "upward"): "uphill", Word("part", "downward"): "downhill"}
+        kept = [Word("part", ways[word]) if word in ways else word for word in kept]
     if asked == ["deflection"] and asks <= {"large", "much"} and asks and _are_strings(names, clause):
         return _with_quantity(
             names, "tension", [w for w in kept if w.kind != "quantity"]
@@ -100,6 +103,8 @@ def framed(names: Names, clause: Clause) -> Clause:
     if asks == {"up_to"} and asked in (["angle"], ["height"]) and verbs and verbs <= _GOING:  # to what angle
         things = [w for w in kept if w.kind != "quantity" and w.what not in names.connections]
         return Clause([Word("degree", "greatest"), Word("quantity", asked[0]), *things])
+    if asked == ["velocity"] and verbs == {"accelerate"} and asks <= _PLAIN_ASKS:  # at what rate does it speed up
+        return _with_quantity(names, "acceleration", [w for w in kept if w.kind != "quantity"])
     is_turned = "turn" in verbs and any(word.what in lookup.turning(names) for word in clause.words)
     if is_turned and asked[0] in ("velocity", "speed") and len(asked) == 1:  # at what rate does it turn
         kept = [w for w in kept if w.kind != "quantity"]

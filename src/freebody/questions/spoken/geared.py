@@ -1,12 +1,11 @@
 """How fast one thing moves for a given speed of another: the planet, if the arm turns with 2 rad/s.
 
-Where the constraints leave one freedom, velocities are in a ratio that the pose alone fixes: v_1 = v_2 (v_1/v_2). What is
-said of the other body is then no event of the motion, which it need never reach, but the speed that is put in.
+Where the constraints leave one freedom, velocities are in a ratio that the pose alone fixes: v_1 = v_2 (v_1/v_2). What
+is said of the other body is then no event of the motion, which need never come, but the speed that is put in.
 """
 
 from __future__ import annotations
 
-from itertools import product
 from typing import TYPE_CHECKING
 
 from freebody.questions.spoken import dimensions, joining, lookup
@@ -27,9 +26,10 @@ _MAY_STAND = ("name", "value", "verb", "quantity", "part", *SILENT)
 
 def geared(names: Names, sentence: Sentence) -> Groups:
     """A velocity for a given one of another thing, as the ratio of both times what is given."""
-    if len(sentence.others) != 1 or sentence.others[0][0] != "when":
+    parted = _parted(sentence)
+    if parted is None:
         return
-    main, given = sentence.main, sentence.others[0][1]
+    main, given = parted
     driver = _driving(names, given)
     if driver is None or main.has("value") or main.has("instant") or main.has("degree"):
         return
@@ -40,7 +40,37 @@ def geared(names: Names, sentence: Sentence) -> Groups:
         return
     for group in quantities(names, _turning(names, main)):
         plain = [text for text in group if JOINT not in text and text.startswith(tuple(f"{v} of " for v in _SPEEDS))]
-        yield [f"{value} * ratio of {text} to {speed}" for text in plain]
+        yield [
+            f"{value} * ratio of {text} to {speed}" for text in dict.fromkeys(_signed(names, text) for text in plain)
+        ]
+
+
+def _signed(names: Names, text: str) -> str:
+    """The speed of a body as a velocity that has a sign, and a value at rest: along its way, or its guide."""
+    quantity, _, body = text.partition(" of ")
+    if body not in names.bodies or quantity not in ("speed", "velocity"):
+        return text
+    ways, guides = lookup.places(names, body), joining.guides(names, body)
+    if len(ways) == 1:
+        return f"velocity of {ways[0]}"
+    return f"velocity of {body} along {guides[0]}" if len(guides) == 1 else f"speed of {body}"
+
+
+def _parted(sentence: Sentence) -> tuple[Clause, Clause] | None:
+    """What is asked, and what runs with which speed: behind a mark, or as in `for 10 rad/s of the crank`."""
+    if sentence.others:
+        alone = len(sentence.others) == 1 and sentence.others[0][0] == "when"
+        return (sentence.main, sentence.others[0][1]) if alone else None
+    words = sentence.main.words
+    for k, word in enumerate(words):
+        head, tail = Clause(words[:k]), Clause(words[k + 1 :])
+        leads = (
+            word in (Word("preposition", "of"), Word("preposition", "in")) and head.has("name") and tail.has("value")
+        )
+        if leads and len(tail.names) == 1 and tail.only("name", "value", "quantity", *SILENT):
+            is_said = tail.has("quantity")
+            return head, tail if is_said else Clause([Word("quantity", "speed"), *tail.words])
+    return None
 
 
 def per_turn(names: Names, sentence: Sentence) -> Groups:
@@ -76,7 +106,7 @@ def _driving(names: Names, given: Clause) -> tuple[str, str, str] | None:
         return thing, value, f"angular velocity of {thing}"
     if dimensions.is_turning_speed(value) and thing in lookup.angles(names, ""):
         return thing, value, f"velocity of {thing}"
-    if dimensions.is_speed(value) and thing in lookup.moving(names) and not joining.axle_of(names, thing) == "center":
+    if dimensions.is_speed(value) and thing in lookup.moving(names) and joining.axle_of(names, thing) != "center":
         return thing, value, f"speed of {thing}"
     if dimensions.is_speed(value) and thing in lookup.places(names, ""):
         return thing, value, f"velocity of {thing}"

@@ -150,7 +150,10 @@ def chosen(names: Names, kind: ParameterKind, of: list[str]) -> list[str]:
         *(free_symbols(body.inertia) | free_symbols(body.radius or ZERO) for body in names.bodies.values())
     )
     held = frozenset(
-        symbol for spec in names.connections.values() for value in given_of(spec).values() for symbol in _SYMBOL.findall(str(value))
+        symbol
+        for spec in names.connections.values()
+        for value in given_of(spec).values()
+        for symbol in _SYMBOL.findall(str(value))
     )
     found = [name for name in found if kind.is_angle or name not in sizes]
     return [name for name in found if kind.is_angle or name not in held] or found

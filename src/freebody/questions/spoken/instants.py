@@ -6,7 +6,7 @@ from itertools import pairwise, product
 from typing import TYPE_CHECKING
 
 from freebody.measures.geometry import GROUND
-from freebody.questions.spoken import dimensions, joining, lookup, losing, poses
+from freebody.questions.spoken import dimensions, given, joining, lookup, losing, poses, within
 from freebody.questions.spoken.asking import quantities
 from freebody.questions.spoken.composing import SILENT, Groups, ended
 from freebody.questions.spoken.counting import COUNTED
@@ -111,13 +111,19 @@ def timed(names: Names, sentence: Sentence) -> Groups:
     is_steady = main.all("instant") == ["in steady motion"] and main.all("quantity") == ["angular velocity"]
     if is_steady and names.space and not main.names:  # of what goes round
         main = Clause([Word("quantity", "precession rate") if w.kind == "quantity" else w for w in main.words])
+    if main.all("instant") == ["after engagement"] and not main.names and not others:  # both turn alike
+        alike = ("speed", "angular velocity", "velocity")
+        common = Word("quantity", "common speed")
+        main = Clause([common if w.kind == "quantity" and w.what in alike else w for w in main.words])
     tails, main = _tails(names, main)
     if main.has("quantity", "impact speed"):
         main = Clause([Word("quantity", "speed") if w == Word("quantity", "impact speed") else w for w in main.words])
         struck = {GROUND, *names.bodies[GROUND].lines}
         landing = Clause([*(w for w in main.words if w.kind == "name" and w.what in struck), *_LANDS])
         main = Clause([w for w in main.words if w not in landing.words])
-        tails = tails or ([] if others else [[f" when {text}" for group in conditions(names, landing) for text in group]])
+        tails = tails or (
+            [] if others else [[f" when {text}" for group in conditions(names, landing) for text in group]]
+        )
     if main.has("quantity", "common speed") and not others:
         tails = tails or [[f" when slipping of {name} ends"] for name in losing.clutches(names)]
         tails = tails or ([[" at start"]] if joining.is_struck_at_start_alone(names) else [])
@@ -229,7 +235,8 @@ def _tails(names: Names, main: Clause) -> tuple[list[list[str]], Clause]:
             tails.append([" at start" if struck and instant[0] == "a" else f" {instant}"])
         elif instant in _PLACES:
             of = next((name for _, name in main.names if name in names.bodies or name in names.measures), "")
-            tails.append([f" when {text}" for text in _PLACES[instant](names, of)])
+            found_at = _PLACES[instant](names, of) or (_uppermost(names, of) if instant == "at the top" else [])
+            tails.append([f" when {text}" for text in found_at])
         elif instant == "at the impact" or (instant == "in the impact" and _is_continuous(names, main)):
             tails.append([" when it hits"])
             main = main.without("instant", "in the impact")
@@ -238,11 +245,11 @@ def _tails(names: Names, main: Clause) -> tuple[list[list[str]], Clause]:
     main = main.without("instant", "at start", *_TIMED, *_PLACES, *_BLOWS, "at the impact", "in equilibrium")
     times = [value for before, value in main.values if before in ("in", "of", "")]
     if main.has("relation"):
-        found = _equation_at_end(main)
+        found = within.equation_at_end(main)
         if found is not None:
             main, condition = found
             tails.append([f" when {condition}"])
-    elif not main.values and (asked := _place_by_parameter(names, main)) is not None:
+    elif not main.values and (asked := within.place_by_parameter(names, main)) is not None:
         head, at = asked
         if found_at := [c for group in conditions(names, at) for c in group]:
             tails.append([f" when {condition}" for condition in found_at])
@@ -253,7 +260,7 @@ def _tails(names: Names, main: Clause) -> tuple[list[list[str]], Clause]:
         if dimensions.is_time(value) and not kept.has("ask", "far", "much"):
             tails.append([f" after {value}"])
             main = kept
-        elif (asked := _place_within(main, value)) is not None:
+        elif (asked := within.place_within(main, value)) is not None:
             head, at = asked
             found_at = [c for group in conditions(names, at) for c in group]
             if found_at:
@@ -262,50 +269,9 @@ def _tails(names: Names, main: Clause) -> tuple[list[list[str]], Clause]:
     return tails, main
 
 
-def _equation_at_end(main: Clause) -> tuple[Clause, str] | None:
-    """A measure and its value, as in `at x = 2 m`, and the clause without them."""
-    words = main.words
-    k = next(k for k, word in enumerate(words) if word.kind == "relation")
-    before, after = words[max(k - 2, 0) : k], words[k + 1 : k + 2]
-    if before and before[0].kind == "quantity" and k > 2:  # at the height z = 2 m
-        before = [words[k - 3], words[k - 1]]
-        words = [*words[: k - 2], *words[k - 1 :]]
-        k -= 1
-    is_placed = [word.kind for word in before] == ["preposition", "name"] and before[0].what in (
-        "in",
-        "of",
-        "with",
-        "on",
-        "to",
-    )
-    if words[k].what != "=" or not after or after[0].kind not in ("value", "name") or not is_placed:
-        return None
-    return Clause([*words[: k - 2], *words[k + 2 :]]).without(
-        "verb", "return", "reach"
-    ), f"{before[1].what} = {after[0].what}"
-
-
-def _place_by_parameter(names: Names, main: Clause) -> tuple[Clause, Clause] | None:
-    """The end of a main clause that says where by a parameter: at the height h."""
-    words = main.words
-    kinds = [word.kind for word in words[-3:]]
-    is_place = kinds == ["preposition", "quantity", "name"] and words[-1].what in names.parameters
-    if not is_place or words[-3].what != "in" or words[-2].what not in ("height", "distance", "angle", "displacement"):
-        return None
-    return Clause(words[:-3]), Clause(words[-2:])
-
-
-def _place_within(main: Clause, value: str) -> tuple[Clause, Clause] | None:
-    """The part of a main clause that says where: at a crank angle of 60 deg, at 30 deg."""
-    words = main.words
-    at = words.index(Word("value", value))
-    begin = next((k for k in range(at, -1, -1) if words[k] == Word("preposition", "in")), None)
-    if begin is None or begin == 0:
-        return None
-    inner = [*words[begin + 1 :]]
-    if not any(word.kind == "quantity" for word in inner):
-        inner = [Word("quantity", "angle"), *inner] if dimensions.is_angle(value) else inner
-    return Clause(words[:begin]), Clause(inner)
+def _uppermost(names: Names, of: str) -> list[str]:
+    """Where what goes up a slope at the start turns back."""
+    return [f"rate({way}) = 0" for way, sense in lookup.inclined(names, of) if lookup.rises(names, way, sense)]
 
 
 def _at(names: Names, mark: str, clause: Clause) -> Groups:
@@ -345,6 +311,12 @@ def _event_within(names: Names, main: Clause) -> tuple[Clause, list[list[str]]] 
     """A main clause that tells an event with the quantity there: with what speed does the ball hit the floor."""
     verbs = main.all("verb")
     if main.has("degree", "least", "greatest"):  # the least spin with which it comes back
+        return None
+    chosen = any(given.KIND_OF[quantity].ends_rest for quantity in main.all("quantity") if quantity in given.KIND_OF)
+    begins = {"start"} < set(verbs) <= {"start", "slide", "move", "tip", "roll", "fall", "rise", "turn"}
+    if main.has("ask", "with") and chosen and begins and lookup.rests(names):  # at which force does it begin to slip
+        return None
+    if main.has("ask", "with") and main.has("quantity", "acceleration") and set(verbs) <= {"slide", "roll"}:
         return None
     if main.has("not") or (main.has("ask", "large", "much") and set(verbs) == {"taut"}):  # how taut is it
         return None

@@ -230,7 +230,9 @@ def leaning(names: Names, body: str, *, level: bool) -> list[str]:
         x, y = (names.numeric(c) for c in names.direction(line).components[:2])
         across = y if level else x
         if across is not None and abs(across) < _LEVEL:
-            found += [name for name in names.connections if touches(names, name, body) and names_line(names, name, line)]
+            found += [
+                name for name in names.connections if touches(names, name, body) and names_line(names, name, line)
+            ]
     return list(dict.fromkeys(found))
 
 

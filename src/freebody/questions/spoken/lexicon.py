@@ -37,6 +37,7 @@ _NO_WORDS = (
     "adjectives",
     "adverbs",
 )  # tables that are not kinds of words
+_CLAUSES = r"(?:so|such|when|if|wenn|damit|nachdem|sodass) "  # words that begin a clause, into which no gap goes
 _CHOICE = re.compile(r"\(([^()]*)\)(\?)?")
 
 
@@ -60,7 +61,7 @@ class Phrase:
         """Of words with one space between them; those between the words of the phrase are the group `gap`."""
         text = self.written.replace(")?", "\0").replace("(", "(?:").replace("\0", ")?")
         text = re.sub(r"(?<=\w)\*", r"[^ ,]*", text).replace(f" {GAP}", "\1").replace(" ", " *")
-        return re.compile(text.replace("\1", r"(?P<gap>(?: [^ ,]+)*?)(?= )") + "(?= |$)")
+        return re.compile(text.replace("\1", r"(?P<gap>(?: (?!" + _CLAUSES + r")[^ ,]+)*?)(?= )") + "(?= |$)")
 
     def found_in(self, line: str, start: int) -> tuple[int, ...] | None:
         """The places in a line of words at which words of it begin, from a place on; None where it is not there."""

@@ -35,6 +35,8 @@ def limits(names: Names, words: list[Word], modal: set[str]) -> Groups:
         return
     if set(clause.all("instant")) - {"in equilibrium"} or set(clause.all("part")) - {"only", "upward", "downward"}:
         return
+    if clause.has("ask", "where", "when", "long", "soon", "way"):
+        return
     if any(mark not in _MARKS for mark in clause.all("mark")) or len(clause.all("degree")) > 1:
         return
     if not modal and not (clause.has("ask") or clause.has("degree") or clause.has("mark")):

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 from freebody.language.expression import free_symbols, negate, substitute
 from freebody.language.notation import to_python
 from freebody.language.units import DIMENSIONLESS, LENGTH
+from freebody.measures.combination import Composed
 from freebody.measures.displacement import Displacement
 from freebody.measures.distance import Bearing, Distance
 from freebody.measures.geometry import GROUND, ZERO
@@ -200,9 +201,13 @@ def falling(names: Names, body: str) -> list[str]:
     """Heights at zero of which something that flies lands: those that start there, or above it."""
     places = names.placed_at_start
     above = [name for name in places if (names.numeric(places[name]) or 0.0) > 0.0]
-    return [
-        name for name, sense in heights(names, body) if name in names.started_at_zero or (name in above and sense > 0)
-    ]
+    thrown = (
+        []
+        if rests(names) and all(own.start.velocity is None for own in names.bodies.values())
+        else heights(names, body)
+    )
+    begun = [name for name, _ in thrown if name in names.started_at_zero]  # what is let go there does not come back
+    return [name for name, sense in heights(names, body) if name in begun or (name in above and sense > 0)]
 
 
 def rises(names: Names, measure: str, sense: int) -> bool:
@@ -241,14 +246,17 @@ def driving(names: Names) -> list[str]:
 
 
 def stretched_at_rest(names: Names, spring: str) -> list[str]:
-    """By how much a spring, or the only one, is longer in equilibrium than without force: its length there less that."""
+    """By how much a spring, or the only one, is longer in equilibrium than without force: its length less that."""
     found: list[str] = []
     for load in names.applied_loads:
         if load.load not in springs(names) or (spring in names.loads and load.load != spring):
             continue
-        parts = getattr(load.measure, "measures", ())
-        if len(parts) == 1 and isinstance(length := parts[0][1], Distance):
-            natural = negate(substitute(load.measure.expression, {parts[0][0]: ZERO}))  # of: length - l_0
+        measure = load.measure
+        if not isinstance(measure, Composed) or len(measure.measures) != 1:
+            continue
+        [(symbol, length)] = measure.measures
+        if isinstance(length, Distance):
+            natural = negate(substitute(measure.expression, {symbol: ZERO}))  # of: length - l_0
             ends = f"{length.start.name} to {length.end.name}"
             found.append(f"(equilibrium of distance from {ends}) - {_factor(to_python(natural).replace('**', '^'))}")
     return found

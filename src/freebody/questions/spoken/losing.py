@@ -53,6 +53,14 @@ def engaged(names: Names, _body: str = "") -> list[str]:
     return [f"slipping of {name} ends" for name in clutches(names)]
 
 
+def in_balance(names: Names, of: str) -> list[str]:
+    """The condition that something passes its equilibrium, where nothing accelerates it: of what is not damped, rubs
+    nowhere, is not forced and has one measure."""
+    free = not (damped(names) or joining.is_rough(names) or lookup.is_forced(names))
+    measures = lookup.places(names, of) or lookup.angles(names, of) or lookup.hung(names, of)
+    return [f"acceleration of {name} = 0" for name in measures if free and len(names.measures) == 1]
+
+
 def separated(names: Names, _body: str = "") -> list[str]:
     """The condition that what touches parts."""
     return ["contact is lost"] if joining.strikes(names) else []

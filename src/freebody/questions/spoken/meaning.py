@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from freebody.questions.spoken import given, joining, lookup, turning_round
+from freebody.questions.spoken import given, joining, lookup, rewording, turning_round
 from freebody.questions.spoken.asking import quantities
 from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.counting import counted, lost, stopping, time
@@ -30,13 +30,11 @@ _HOW_FAR = tuple(Word("ask", what) for what in ("large", "small", "heavy", "far"
 _LEADS_ON = ("from", "about", "relative", "between", "along")  # prepositions behind which something stands
 _NOT, _ACCELERATE = Word("not", "not"), Word("verb", "accelerate")
 _STARTS, _AT_START, _FROM_REST = Word("verb", "start"), Word("instant", "at start"), Word("verb", "from_rest")
-_TO = Word("mark", "to")
 _WHILE = Word("mark", "while")
 _COMMA = Word("preposition", ",")
 _SO_THAT = Word("mark", "so_that")
 _FREE_END = "free_end"  # of a body, as the spelling writes it
 _ENDS_OF_LADDERS = ("foot", "head")  # where it touches what is level, and what is upright
-_FOR = Word("preposition", "of")  # friction for rolling
 # what only a limit tells apart: how small, how steep
 _AS_LARGE = {Word("ask", what): Word("ask", "large") for what in ("small", "flat", "steep")}
 
@@ -50,17 +48,19 @@ def meanings(names: Names, words: list[Word]) -> Groups:
         return
     modal = {word.what for word in words if word.kind == "filler"} & {"may", "must"}
     words = _stretched(names, _from_rest(names, words))
-    said = _signs_between([word for word in words if word.kind != "filler"])
-    said = _bounded(_without_auxiliary(said))
+    said = rewording.signs_between([word for word in words if word.kind != "filler"])
+    said = rewording.bounded(_without_auxiliary(said))
     if said and said[-1].kind == "preposition" and said[-1].what in _LEADS_ON:
         return
     if any(_leads_nowhere(said, k) or _asks_more(said, k) for k in range(len(said) - 1)):
         return
-    said = _driven_by_needed(names, said)
-    said = _by_friction(_needed_to_roll(names, _in_doing(said)))
+    said = rewording.driven_by_needed(names, said)
+    said = rewording.by_friction(rewording.needed_to_roll(names, rewording.in_doing(said)))
     said = _unaccelerated(_not_slipping(names, _carrying(names, said, modal)))
     words = [_AS_LARGE.get(word, word) for word in said]
+    words = rewording.heaviest(names, words)
     yield from _rough_enough_to_roll(names, Clause(words))
+    said = rewording.heaviest(names, said)
     lasting = _as_long_as(said)
     if modal == {"may"} and any(word in _HOW_FAR for word in said):  # how large may it be
         yield from limits(names, lasting, modal)
@@ -68,7 +68,19 @@ def meanings(names: Names, words: list[Word]) -> Groups:
     sentence = parted(words)
     sentence = sentence and told_who(names, sentence)
     if sentence is not None and all(mark in _MARKS for mark, _ in sentence.others):
-        for told in (_limit, _structure, _which_way, _conserved, lost, time, stopping, counted, geared, per_turn, timed):
+        for told in (
+            _limit,
+            _structure,
+            _which_way,
+            _conserved,
+            lost,
+            time,
+            stopping,
+            counted,
+            geared,
+            per_turn,
+            timed,
+        ):
             yield from told(names, sentence)
     yield from stated(names, words)
     yield from limits(names, lasting, modal)
@@ -167,53 +179,6 @@ def _unaccelerated(words: list[Word]) -> list[Word]:
     return [own for word in kept for own in ((_NOT, _ACCELERATE) if word == constant else (word,))]
 
 
-def _signs_between(words: list[Word]) -> list[Word]:
-    """A sign stands between what it compares: that the tension 8 kN not exceeds, as German has it."""
-    found = list(words)
-    for k in range(1, len(found)):
-        ends = k + 1 == len(found) or found[k + 1].kind in ("mark", "preposition")
-        if found[k].kind == "relation" and found[k - 1].kind == "value" and ends:
-            found[k - 1], found[k] = found[k], found[k - 1]
-    return found
-
-
-def _driven_by_needed(names: Names, words: list[Word]) -> list[Word]:
-    """The torque needed to turn the crank, where a motor says how it turns, is that of the motor."""
-    kinds = {"torque": "driving torque", "moment": "driving torque", "force": "driving force"}
-    k = words.index(_TO) if _TO in words else 0
-    goes = words[k + 1 : k + 2] and words[k + 1].kind == "verb" and words[k + 1].what in ("move", "turn", "exert")
-    who = words[k + 2 : k + 3]
-    if not goes or not who or not joining.drivers(names, who[0].what) or words[0].what not in kinds:
-        return words
-    return [Word("quantity", kinds[words[0].what]), *words[1:k], *words[k + 2 :]]
-
-
-def _by_friction(words: list[Word]) -> list[Word]:
-    """Energy that is lost by friction is energy lost."""
-    friction = Word("quantity", "friction force")
-    k = words.index(friction) if friction in words and Word("quantity", "energy lost") in words else 0
-    return [*words[: k - 1], *words[k + 1 :]] if k > 1 and words[k - 1].kind == "preposition" else words
-
-
-def _needed_to_roll(names: Names, words: list[Word]) -> list[Word]:
-    """The friction that rolling needs is the friction force, where it has no limit."""
-    if words[:1] == [Word("ask", "rough")] or Word("quantity", "friction force") not in words:
-        return words
-    marks = [k for k, w in enumerate(words) if w in (_SO_THAT, Word("mark", "to"))]
-    marks += [k for k in range(1, len(words)) if words[k - 1] == _FOR and words[k] == Word("verb", "roll")]
-    tail = Clause(words[marks[0] :]) if marks else Clause()
-    doing = set(tail.all("verb"))
-    rolls = doing == {"roll"} or (doing == {"slide"} and tail.has("not"))
-    if (
-        not rolls
-        or given.parameters(names, "friction coefficient", "")
-        or not tail.only("mark", "verb", "not", "name", *SILENT)
-    ):
-        return words
-    head = words[: marks[0] - (words[marks[0] - 1] == _FOR)]
-    return head if any(word.kind == "name" for word in head) else [*head, *(w for w in tail.words if w.kind == "name")]
-
-
 def _rough_enough_to_roll(names: Names, clause: Clause) -> Groups:
     """The least coefficient of friction with which it rolls, where the contact has no limit: |F| / N."""
     is_asked = clause.has("quantity", "friction coefficient") or clause.words[:1] == [Word("ask", "rough")]
@@ -227,26 +192,6 @@ def _rough_enough_to_roll(names: Names, clause: Clause) -> Groups:
     rough = joining.rough(names, "")
     joints = [joint for joint in rough if all(joining.touches(names, joint, name) for _, name in clause.names)]
     yield [f"ratio of |friction force of {joint}| to normal force of {joint}" for joint in joints]
-
-
-def _in_doing(words: list[Word]) -> list[Word]:
-    """Beim Hochziehen, in falling: while it does so."""
-    is_doing = len(words) > 2 and words[-2] == Word("preposition", "in") and words[-1].kind == "verb"
-    if not is_doing or words[-1].what not in (*GOES_ON, "exert") or not any(w.kind == "quantity" for w in words):
-        return words
-    return [*words[:-2], Word("mark", "while"), words[-1]]
-
-
-def _bounded(words: list[Word]) -> list[Word]:
-    """`F ist mindestens nötig` is the least F: at least, where no value follows, is the end of a range."""
-    ends = {">=": Word("degree", "least"), "<=": Word("degree", "greatest")}
-    alone = [
-        word.kind == "relation"
-        and word.what in ends
-        and not any(w.kind in ("value", "name", "quantity") for w in words[k + 1 : k + 2])
-        for k, word in enumerate(words)
-    ]
-    return [ends[word.what] if is_end else word for word, is_end in zip(words, alone, strict=True)]
 
 
 def _carrying(names: Names, words: list[Word], modal: set[str]) -> list[Word]:
@@ -365,7 +310,9 @@ def _structure(names: Names, sentence: Sentence) -> Groups:
     if "turn_fully" in verbs and main.only("verb", "name", "ask") and len(of) == 1 and not main.has("ask"):
         yield [f"does {of[0]} turn fully"]
     if verbs == {"self_locking"} and main.only("verb", "name", "ask", *SILENT):  # whether rest needs no torque
-        pushes = [name for name in given.of_kind(names, "torque") if name in given.chosen(names, given.KIND_OF["torque"], [])]
+        pushes = [
+            name for name in given.of_kind(names, "torque") if name in given.chosen(names, given.KIND_OF["torque"], [])
+        ]
         yield [f"range of {push} that keeps it at rest" for push in pushes]
     if verbs == {"return"} and asks_nothing and main.only("verb", "name", *SILENT) and len(of) <= 1:  # if so, when
         yield [f"time when {way} = 0" for way in lookup.ways(names, of[0] if of else "")]

@@ -58,7 +58,9 @@ def _transmitted(names: Names, quantity: str, rest: Clause) -> Groups:
             kinds = (quantity,)  # the grammar says that it has none
     joints = {name for _, name in rest.names if name in names.connections}
     if quantity == "force" and not joints and (meshes := _meshes_between(names, rest)):
-        angled = {*having(names, "normal tooth force")}  # with a pressure angle the whole force is that along the normal
+        angled = {
+            *having(names, "normal tooth force")
+        }  # with a pressure angle the whole force is that along the normal
         yield [f"{kind}tooth force of {m}" for m in meshes for kind in (("", "normal ") if m in angled else ("",))]
         return
     if quantity in ("torque", "driving torque") and not joints:
@@ -312,8 +314,11 @@ def _of_belt(names: Names, quantity: str, rest: Clause) -> Groups:
     belts = dict.fromkeys(row.connection for row in names.constraint_rows if row.reaction == "belt force")
     if belts and rest.only("name", *SILENT):
         yield [f"belt force of {name}" for name in of or belts]
-    elif quantity == "belt force":  # the force round a wheel is that of its teeth
-        yield from _transmitted(names, "tooth force", rest)
+    elif (
+        quantity == "belt force"
+    ):  # the force round a wheel is that of its teeth; where none are, it is the whole force
+        toothed = any(row.reaction == "tooth force" for row in names.constraint_rows)
+        yield from _transmitted(names, "tooth force" if toothed else "force", rest)
 
 
 @said_of("links")

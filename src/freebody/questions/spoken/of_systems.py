@@ -127,9 +127,14 @@ def _dead_points(names: Names, quantity: str, rest: Clause) -> Groups:
 
 @said_of("transmissibility")
 def _transmissibility(names: Names, quantity: str, rest: Clause) -> Groups:
+    """To what is named; or from the only measure that is driven to the only other one."""
     of = [name for _, name in rest.names]
+    driven = joining.driven(names)
+    others = [name for name in names.measures if name not in driven]
     if len(of) == 1 and rest.only("name", *SILENT):
         yield [f"transmissibility to {of[0]}"]
+    elif not of and rest.only(*SILENT) and len(driven) == len(others) == 1:
+        yield [f"transmissibility from {driven[0]} to {others[0]}"]
 
 
 @said_of("terminal velocity")
@@ -150,7 +155,7 @@ def _gear_ratio(names: Names, quantity: str, rest: Clause) -> Groups:
     for first, second in [of] if len(of) == 2 else []:
         yield [f"ratio of angular velocity of {first} to angular velocity of {second}"]
     two = [name for name in lookup.turning(names) if joining.axle_of(names, name) or names.space] if not of else []
-    if len(two) > 2:  # noqa: PLR2004  of a train: its first and its last wheel
+    if len(two) > 2:  # of a train: its first and its last wheel
         driving = ("tooth force", "belt force", "chain force")
         meshes = dict.fromkeys(row.connection for row in names.constraint_rows if row.reaction in driving)
         two = [name for name in two if sum(joining.touches(names, mesh, name) for mesh in meshes) == 1]

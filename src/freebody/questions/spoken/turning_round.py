@@ -6,6 +6,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from freebody.language.units import TORQUE
+from freebody.measures.geometry import GROUND
 from freebody.questions.spoken import given, joining, lookup, poses
 from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.lexicon import Word
@@ -72,7 +73,13 @@ def _without_leaving(names: Names, clause: Clause, whole: Callable[..., Groups])
     bodies = [name for _, name in clause.names if name in lookup.moving(names)] or lookup.massive(names)
     speeds = given.started_with(names, bodies)
     if (is_speed or clause.has("ask", "fast")) and len(speeds) == len(bodies) == 1:
-        others = [Word("name", name) for _, name in clause.names if name not in bodies]
+        bound = {row.connection for row in names.constraint_rows if row.unilateral and row.reaction == "normal force"}
+        joints = [name for name in bound if joining.touches(names, name, bodies[0])]
+        named = [name for _, name in clause.names if name not in bodies]
+        touched = [name for name in named if any(joining.touches(names, joint, name) for joint in joints)]
+        if not joints or set(named) - {*touched, GROUND}:  # what is held on both sides never leaves
+            return
+        others = [Word("name", name) for name in touched]
         state = Clause([Word("name", bodies[0]), Word("not", "not"), Word("verb", "leave"), *others])
         for group in so(names, state, whole):
             yield [f"largest {speeds[0]} so that {text}" for text in group]

@@ -1,0 +1,101 @@
+"""Words of a question put as others put them, before they are parted into clauses."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from freebody.questions.spoken import given, joining
+from freebody.questions.spoken.composing import SILENT
+from freebody.questions.spoken.events import GOES_ON
+from freebody.questions.spoken.lexicon import Word
+from freebody.questions.spoken.words import Clause
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+_FOR = Word("preposition", "of")  # friction for rolling
+_SO_THAT, _TO = Word("mark", "so_that"), Word("mark", "to")
+
+
+def driven_by_needed(names: Names, words: list[Word]) -> list[Word]:
+    """The torque needed to turn the crank, where a motor says how it turns, is that of the motor."""
+    kinds = {"torque": "driving torque", "moment": "driving torque", "force": "driving force"}
+    k = words.index(_TO) if _TO in words else 0
+    goes = words[k + 1 : k + 2] and words[k + 1].kind == "verb" and words[k + 1].what in ("move", "turn", "exert")
+    who = words[k + 2 : k + 3]
+    if not goes or not who or not joining.drivers(names, who[0].what) or words[0].what not in kinds:
+        return words
+    return [Word("quantity", kinds[words[0].what]), *words[1:k], *words[k + 2 :]]
+
+
+def heaviest(names: Names, words: list[Word]) -> list[Word]:
+    """The largest load that F can hold is no F: it is how heavy the load may be."""
+    named = [word.what for word in words if word.kind == "name"]
+    holds = words[-1:] in ([Word("verb", "hold")], [Word("verb", "rise")], [Word("verb", "move")])
+    is_body = len(named) == 2 and named[0] in names.bodies and named[1] in names.parameters
+    if not holds or not is_body or words[0] != Word("degree", "greatest") or words[1].kind != "name":
+        return words
+    return [
+        words[0],
+        Word("quantity", "mass"),
+        words[1],
+        Word("mark", "so_that"),
+        Word("pronoun", "it"),
+        Word("verb", "hold"),
+    ]
+
+
+def needed_to_roll(names: Names, words: list[Word]) -> list[Word]:
+    """The friction that rolling needs is the friction force, where it has no limit."""
+    if words[:1] == [Word("ask", "rough")] or Word("quantity", "friction force") not in words:
+        return words
+    marks = [k for k, w in enumerate(words) if w in (_SO_THAT, Word("mark", "to"))]
+    marks += [k for k in range(1, len(words)) if words[k - 1] == _FOR and words[k] == Word("verb", "roll")]
+    tail = Clause(words[marks[0] :]) if marks else Clause()
+    doing = set(tail.all("verb"))
+    rolls = doing == {"roll"} or (doing == {"slide"} and tail.has("not"))
+    if (
+        not rolls
+        or given.parameters(names, "friction coefficient", "")
+        or not tail.only("mark", "verb", "not", "name", *SILENT)
+    ):
+        return words
+    head = words[: marks[0] - (words[marks[0] - 1] == _FOR)]
+    return head if any(word.kind == "name" for word in head) else [*head, *(w for w in tail.words if w.kind == "name")]
+
+
+def signs_between(words: list[Word]) -> list[Word]:
+    """A sign stands between what it compares: that the tension 8 kN not exceeds, as German has it."""
+    found = list(words)
+    for k in range(1, len(found)):
+        ends = k + 1 == len(found) or found[k + 1].kind in ("mark", "preposition")
+        if found[k].kind == "relation" and found[k - 1].kind == "value" and ends:
+            found[k - 1], found[k] = found[k], found[k - 1]
+    return found
+
+
+def bounded(words: list[Word]) -> list[Word]:
+    """`F ist mindestens nötig` is the least F: at least, where no value follows, is the end of a range."""
+    ends = {">=": Word("degree", "least"), "<=": Word("degree", "greatest")}
+    alone = [
+        word.kind == "relation"
+        and word.what in ends
+        and not any(w.kind in ("value", "name", "quantity") for w in words[k + 1 : k + 2])
+        for k, word in enumerate(words)
+    ]
+    return [ends[word.what] if is_end else word for word, is_end in zip(words, alone, strict=True)]
+
+
+def in_doing(words: list[Word]) -> list[Word]:
+    """Beim Hochziehen, in falling: while it does so."""
+    is_doing = len(words) > 2 and words[-2] == Word("preposition", "in") and words[-1].kind == "verb"
+    if not is_doing or words[-1].what not in (*GOES_ON, "exert") or not any(w.kind == "quantity" for w in words):
+        return words
+    return [*words[:-2], Word("mark", "while"), words[-1]]
+
+
+def by_friction(words: list[Word]) -> list[Word]:
+    """Energy that is lost by friction is energy lost."""
+    friction = Word("quantity", "friction force")
+    k = words.index(friction) if friction in words and Word("quantity", "energy lost") in words else 0
+    return [*words[: k - 1], *words[k + 1 :]] if k > 1 and words[k - 1].kind == "preposition" else words
