@@ -256,6 +256,22 @@ def test_pairs_without_a_contact_are_refused_with_what_there_is() -> None:
         fb.System.from_text(point)
 
 
+def test_ball_stays_inside_the_hollow_of_a_sphere_and_out_of_the_bore_of_a_pipe() -> None:
+    model = (
+        "space: true\nbodies:\n  bowl: {BOWL, fixed: true}\n"
+        "  ball: {sphere: {mass: 1 kg, radius: 0.1 m}, at: [0, 0, 0.1 m]}\n"
+        f"connections: {{it: {{contact: {{between: [ball, inside bowl], restitution: 0}}}}}}\n{WEIGHT}"
+    )
+    hollow = model.replace("BOWL", "hollow_sphere: {mass: 1 kg, radius: 0.5 m, inner_radius: 0.4 m}")
+    found = fb.System.from_text(hollow).simulate(0.5)
+    assert found.course.events[0].time == pytest.approx(math.sqrt(2 * math.sqrt(0.08) / G), rel=1e-9)
+    assert np.linalg.norm(found.course.poses[-1, 0, :3]) == pytest.approx(0.3, abs=1e-9)
+    pipe = "hollow_cylinder: {mass: 1 kg, radius: 0.5 m, inner_radius: 0.4 m, length: 1 m}"
+    for between in ("inside bowl", "bowl"):
+        with pytest.raises(fb.ModelError, match="there is no contact of ball with"):
+            fb.System.from_text(model.replace("BOWL", pipe).replace("inside bowl", between))
+
+
 def test_ball_inside_another_at_the_start_is_told() -> None:
     model = (
         "space: true\nbodies:\n  a: {sphere: {mass: 1, radius: 1}, at: [0, 1, 0]}\n"

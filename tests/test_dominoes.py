@@ -1,13 +1,13 @@
 """A row of dominoes that lean on each other, beside the recursion of Shaw.
 
-Every tile turns about its lower edge on the far side; theta is its angle, w its thickness, d the gap. While tile j leans
-on tile j + 1,
+Every tile turns about its lower edge on the far side; theta is its angle, w its thickness, d the gap. While tile j
+leans on tile j + 1,
 
     h sin(theta_j - theta_j+1) = (d + w) cos(theta_j+1) - w,
 
 so that all follow the front one. It hits the next at sin(theta) = d/h. Up to that energy is conserved,
-I/2 sum c_j^2 omega^2 + V with c_j = d theta_j/d theta_front and I = m (h^2 + w^2)/3; the blow acts on the front tile and
-the next one at the same arm, so that I sum c_j^2 omega = (I sum c_j^2 + I) omega' without rebound. Source: Shaw,
+I/2 sum c_j^2 omega^2 + V with c_j = d theta_j/d theta_front and I = m (h^2 + w^2)/3; the blow acts on the front tile
+and the next one at the same arm, so that I sum c_j^2 omega = (I sum c_j^2 + I) omega' without rebound. Source: Shaw,
 Am. J. Phys. 46 (1978) 640-642.
 """
 
