@@ -17,6 +17,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 import freebody as fb
+from freebody.connections.places_on_bodies import F, Q
 from freebody.numeric.reference import Reference
 
 G = 9.81
@@ -49,7 +50,7 @@ LYING = "cylinder: {mass: 1 kg, radius: R, length: 4 m, axis: [-sin(turn), 0, co
 
 
 @pytest.mark.parametrize("solid", [SPHERE, LYING])
-@pytest.mark.parametrize(("friction", "share"), [(0, 2 / 3), (1e6, 10 / 17)])
+@pytest.mark.parametrize(("friction", "share"), [(0, 2 / 3), (1e3, 10 / 17)])
 def test_ball_leaves_a_dome_at_a_known_angle(solid: str, friction: float, share: float) -> None:
     """In a plane of motion that is oblique to x and z."""
     found = fb.System.from_text(dome(solid, friction, ROUND)).simulate(1.0)
@@ -57,7 +58,7 @@ def test_ball_leaves_a_dome_at_a_known_angle(solid: str, friction: float, share:
     assert len(parts) == 1
     at = np.searchsorted(found.course.times, parts[0].time)
     pose = found.course.poses[at, 0]
-    assert pose[1] / 0.55 == pytest.approx(share * math.cos(math.radians(5)), abs=2e-6)
+    assert pose[1] / 0.55 == pytest.approx(share * math.cos(math.radians(5)), abs=2e-5)
     assert pose[2] / pose[0] == pytest.approx(math.tan(math.radians(25)), rel=1e-6)
 
 
@@ -73,7 +74,7 @@ def test_ball_rolls_over_the_edge_of_a_box_and_leaves_it() -> None:
         "  desk: {box: {mass: 1 kg, size: [0.2 m, 1 m, 2 m]}, fixed: true, turned: 0.4 rad about y}\n"
         f"  ball: {{sphere: {{mass: 0.3 kg, radius: {r} m}}, at: {start.tolist()}, velocity: {(v * heading).tolist()}, "
         f"angular_velocity: {spin.tolist()}}}\n"
-        f"connections: {{contact: {{contact: {{between: [ball, desk], friction: 1e6}}}}}}\n{WEIGHT}"
+        f"connections: {{contact: {{contact: {{between: [ball, desk], friction: 1e3}}}}}}\n{WEIGHT}"
     )
     found = fb.System.from_text(model).simulate(1.5)
     parts = [event for event in found.course.events if event.kind == "parts"]
@@ -112,6 +113,12 @@ def test_two_balls_that_collide_get_the_impulses_of_coulomb_friction(mu: float, 
     assert velocities[1, :3] == pytest.approx(-impulse / m2, abs=1e-9)
     assert rotation.velocities[-1, 0] == pytest.approx(w1 + np.cross(-r1 * n, impulse) / (0.4 * m1 * r1**2), abs=1e-7)
     assert rotation.velocities[-1, 1] == pytest.approx(w2 - np.cross(r2 * n, impulse) / (0.4 * m2 * r2**2), abs=1e-7)
+
+
+def test_directions_across_the_normal_are_a_right_handed_frame() -> None:
+    q, f, g = (np.array([float(c.value) for c in v]) for v in (Q, *F))  # type: ignore[attr-defined]
+    assert np.cross(f, g) == pytest.approx(q, abs=1e-15)
+    assert np.column_stack((f, g, q)).T @ np.column_stack((f, g, q)) == pytest.approx(np.eye(3), abs=1e-15)
 
 
 def test_newtons_cradle_hands_the_velocity_on() -> None:

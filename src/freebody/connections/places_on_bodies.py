@@ -17,9 +17,9 @@ rotation that takes a fixed q to n takes two across q,
 
     b_j = f_j - (n.f_j)/(1 + n.q) (n + q),
 
-which is smooth but for n = -q; q is oblique to all faces. With the arm r = -R n of the material point of the ball, the
-slip seen from the other body is b . (d' + w x r), w the angular velocity against it. Sources: Ericson, Real-Time
-Collision Detection, 2005, sec. 5.1; Duff et al., J. Computer Graphics Techniques 6 (2017) 1-8 (the frame).
+which is smooth but for n = -q, a direction in which nothing lies by chance. With the arm r = -R n of the material point
+of the ball, the slip seen from the other body is b . (d' + w x r), w the angular velocity against it. Sources: Ericson,
+Real-Time Collision Detection, 2005, sec. 5.1; Duff et al., J. Computer Graphics Techniques 6 (2017) 1-8 (the frame).
 """
 
 from __future__ import annotations
@@ -47,10 +47,11 @@ if TYPE_CHECKING:
     from freebody.model.names import Names
 
 D = (Symbol("d1"), Symbol("d2"), Symbol("d3"))
-Q: Components = tuple(number(Fraction(k, 7)) for k in (2, 3, 6))  # q, and two directions across it: F_1 x F_2 = Q
+# q, and two directions across it, F_1 x F_2 = Q: a rotation in fractions, of a direction that no model has of its own
+Q: Components = tuple(number(Fraction(k, 209)) for k in (111, 168, 56))
 F: tuple[Components, Components] = (
-    tuple(number(Fraction(k, 7)) for k in (3, -6, 2)),
-    tuple(number(Fraction(k, 7)) for k in (6, 2, -3)),
+    tuple(number(Fraction(k, 209)) for k in (-168, 79, 96)),
+    tuple(number(Fraction(k, 209)) for k in (56, -96, 177)),
 )
 INSIDE = "inside "
 
