@@ -593,6 +593,9 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
     },
     # the belt runs faster than the block: friction pulls it along
     **{name: {"freedom": "6"} for name in ("ball_with_side_spin", "coin_coming_to_rest", "tippe_top", "tumbling_cube")},
+    "ball_off_a_dome": {"freedom": "6"},
+    "spinning_balls_collide": {"freedom": "12"},
+    "dominoes": {"freedom": "4"},
     "rattleback": {"freedom": "3"},
     "stick_slip_oscillator": {"acceleration": "mu_k*g", "friction": "mu_k*m*g"},
     # v = v0 + g (sin - mu cos) t, r w = 5/2 mu g cos t; they meet at T = 2 v0/(g (7 mu cos - 2 sin))

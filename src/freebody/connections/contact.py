@@ -8,9 +8,10 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from freebody.connections.base import Connection
-from freebody.connections.contact_in_space import OnPlane, SurfaceInSpace
+from freebody.connections.contact_in_space import PairInSpace, SurfaceInSpace
 from freebody.connections.outlines import KINDS, Outline, read_outline
 from freebody.connections.pairs import ContactSurface, OutlinePair
+from freebody.connections.places_on_bodies import INSIDE
 from freebody.connections.sites import sites
 from freebody.language.natural import natural
 from freebody.language.sentences import Message
@@ -33,18 +34,24 @@ ground: {{planes: {{floor: {{normal: up}}}}}}
 bodies: {{stone: {{{body}}}}}
 connections: {{it: {{contact: {{between: [{touching}, ground.floor], friction: 0.3, restitution: 0.5}}}}}}
 """
+_ON_A_BODY = """
+space: true
+bodies: {{ball: {{sphere: {{mass: 1 kg, radius: 0.1 m}}}}, other: {{{body}}}}}
+connections: {{it: {{contact: {{between: [ball, {touching}], restitution: 0.5}}}}}}
+"""
 
 
 class Contact(Connection, kind="contact"):
     """`contact: {between: [ball, ground.floor], friction: mu, restitution: e}`; `among: [a, b, floor]` for every pair
     of several, `among: all` for all bodies and lines of the ground.
 
-    What touches is named by a body (its circle, or its straight edges and corners), a point, a line (solid on the
-    right of its direction, so below one that points to the right; `below: true` for the other side), or `inside bowl`
-    for the inside of a ring. friction: one coefficient, or {static: 0.5, kinetic: 0.4}; restitution between 0 (default)
-    and 1; rolling_resistance: the arm of the normal force [m]. A contact whose bodies have no place (`at`) starts
-    touching, and `touching: true` moves the bodies there, or out of each other, by the least; `touching: false` leaves
-    them where they are."""
+    What touches is named by a body (its circle, or its straight edges and corners), a point, a line (solid on the right
+    of its direction, so below one that points to the right; `below: true` for the other side), or `inside bowl` for the
+    inside of a ring. In space: a body on a plane of another one (see `planes`), and a sphere on a sphere, inside one,
+    on a box, a cylinder, a disk, a ring, a rod or a point. friction: one coefficient, or {static: 0.5, kinetic: 0.4};
+    restitution between 0 (default) and 1; rolling_resistance: the arm of the normal force [m]. A contact whose bodies
+    have no place (`at`) starts touching, and `touching: true` moves the bodies there, or out of each other, by the
+    least; `touching: false` leaves them where they are."""
 
     between: list[str] | None = None
     among: list[str] | str | None = None
@@ -79,10 +86,36 @@ connections: {it: {contact: {between: [ball, floor], friction: 0.3, restitution:
             ),
             ("point in space", "stone.tip", "box: {mass: 1 kg, size: [1 m, 2 m, 3 m]}, points: {tip: [1 m, -1 m, 0]}"),
         )
+    } | {
+        name: _ON_A_BODY.format(body=body, touching=touching)
+        for name, touching, body in (
+            ("ball on a ball in space", "other", "sphere: {mass: 2 kg, radius: 0.2 m}, at: [0.1 m, -0.2 m, 0.3 m]"),
+            (
+                "ball in a bowl in space",
+                "inside other",
+                "spherical_shell: {mass: 2 kg, radius: 0.5 m}, at: [0, 0.3 m, 0]",
+            ),
+        )
     }
 
     def is_in_plane(self, names: Names) -> bool:
-        return not self._planes(names) and not self._misnamed(names)
+        return not self._planes(names) and not self._misnamed(names) and not self._bodies_in_space(names)
+
+    def _bodies_in_space(self, names: Names) -> list[str]:
+        """In space: the bodies, points and insides that may touch each other, unless all that move stay in a plane."""
+        if not names.space or (texts := self._texts()) is None:
+            return []
+        flat = {body for c in names.connections.values() if c.keeps_flat(names) for body in c.mentions(names)}
+        solids = [text for text in texts if names.plane(text) is None and names.line(text) is None]
+        owners = {text.removeprefix(INSIDE).partition(".")[0] for text in solids}
+        if len(solids) < 2 or not owners <= names.bodies.keys():
+            return []
+        return solids if any(not names.bodies[b].fixed and b not in flat for b in owners) else []
+
+    def _texts(self) -> list[str] | None:
+        """What may touch, with `inside` written in one way."""
+        texts = self.between if self.between is not None else self.among
+        return [" ".join(t.split()).replace("inside of ", INSIDE) for t in texts] if isinstance(texts, list) else None
 
     def _misnamed(self, names: Names) -> list[str]:
         """In space: what is called like a plane of a body that has some, and is nothing of it."""
@@ -101,26 +134,29 @@ connections: {it: {contact: {between: [ball, floor], friction: 0.3, restitution:
         return [text for text in texts if names.space and names.plane(text) is not None]
 
     def bounds(self, names: Names, connection: str) -> tuple[list[UnilateralConstraint], list[DryFriction]]:
-        """Of contacts with planes in space."""
-        planes = self._planes(names)
+        """Of contacts in space."""
         for text in self._misnamed(names):
             body = names.bodies[text.rpartition(".")[0] or GROUND]
             hint = did_you_mean(text, [f"{body.name}.{plane}" for plane in body.planes])
             told = Message("there is no plane {text}.{hint}", text=text, hint=hint)
             names.problem(told, "between" if self.among is None else "among")
         found: tuple[list[UnilateralConstraint], list[DryFriction]] = [], []
-        for pair in self._on_planes(names, connection, planes) if planes else ():
+        for pair in self._in_space(names, connection):
             for whole, part in zip(found, pair.elements(names), strict=True):
                 whole.extend(part)  # type: ignore[arg-type]
         return found
 
-    def _on_planes(self, names: Names, connection: str, planes: list[str]) -> list[OnPlane]:
-        field = "between" if self.among is None else "among"
-        texts = self.between or self.among
-        assert isinstance(texts, list)
-        solids = [text for text in texts if text not in planes and names.body(text.partition(".")[0], field)]
+    def _in_space(self, names: Names, connection: str) -> list[PairInSpace]:
+        """Bodies on planes, and bodies on bodies."""
+        planes, bodies = self._planes(names), self._bodies_in_space(names)
+        if not planes and not bodies:
+            return []
+        field, texts = "between" if self.among is None else "among", self._texts()
+        assert texts is not None
+        solids = [t for t in texts if t not in planes and names.body(t.removeprefix(INSIDE).partition(".")[0], field)]
         if (self.between is not None and len(texts) != 2) or not solids:
-            names.problem(Message("between takes a body, or a point of one, and a plane; write among for more"), field)
+            told = Message("between takes two: a body, or a point of one, and a plane or a body; write among for more")
+            names.problem(told, field)
             return []
         surface = SurfaceInSpace(
             read_friction(names, self.friction, DIMENSIONLESS),
@@ -128,24 +164,24 @@ connections: {it: {contact: {between: [ball, floor], friction: 0.3, restitution:
             names.positive(self, "rolling_resistance", LENGTH),
             names.positive(self, "spinning_resistance", LENGTH),
         )
-        found: list[OnPlane] = []
-        for solid, text in itertools.product(solids, planes):
-            plane = names.plane(text)
-            assert plane is not None
-            bodies = solid.partition(".")[0], plane.normal.body
-            if bodies[0] == bodies[1] or all(names.known(body).fixed for body in bodies):
+        joined = [*itertools.product(solids, planes), *itertools.combinations(bodies, 2)]
+        found: list[PairInSpace] = []
+        for one, other in joined:
+            plane = names.plane(other)
+            second = other.removeprefix(INSIDE).partition(".")[0] if plane is None else plane.normal.body
+            owners = one.removeprefix(INSIDE).partition(".")[0], second
+            if owners[0] == owners[1] or all(names.known(body).fixed for body in owners):
                 continue
-            starts = self._start_closed(names, *bodies)
-            is_alone = len(solids) * len(planes) == 1
-            found.append(OnPlane(connection, solid, plane, plane.name or text, surface, starts, is_alone))
+            starts = self._start_closed(names, *owners)
+            found.append(PairInSpace(connection, one, other, plane, surface, starts, len(joined) == 1))
         return found
 
     def pairs(self, names: Names, connection: str) -> list[OutlinePair]:
         """The pairs of outlines that may touch."""
-        if self._planes(names) or self._misnamed(names):
+        if not self.is_in_plane(names):
             return []
         if self.spinning_resistance not in (0, "0"):
-            told = Message("spinning_resistance is for contacts with planes in space")
+            told = Message("spinning_resistance is for contacts in space")
             names.problem(told, "spinning_resistance")
         surface = ContactSurface(
             read_friction(names, self.friction, DIMENSIONLESS),
@@ -228,9 +264,13 @@ connections: {it: {contact: {between: [ball, floor], friction: 0.3, restitution:
         )
 
     def glyphs(self, names: Names) -> Iterable[Glyph]:
-        for pair in self._on_planes(names, "", self._planes(names)) if self._planes(names) else ():
-            body = names.known(pair.solid.partition(".")[0])
-            yield glyphs.Face(pair.plane.through, body.center, pair.plane.normal, "rolls")
+        for pair in self._in_space(names, ""):
+            first, second = (t.removeprefix(INSIDE).partition(".")[0] for t in (pair.first, pair.second))
+            if pair.plane is not None:
+                yield glyphs.Face(pair.plane.through, names.known(first).center, pair.plane.normal, "rolls")
+            else:
+                yield glyphs.Touch(first, second, within=pair.first.startswith(INSIDE))
+                yield glyphs.Touch(second, first, within=pair.second.startswith(INSIDE))
         pairs = self.pairs(names, "")
         is_rough = self.friction not in (0, "0")
         ordered = [*((p.first, p.second) for p in pairs), *((p.second, p.first) for p in pairs)]

@@ -1,4 +1,5 @@
-"""Contact in space: the bounds and the dry friction of the places at which bodies can touch planes.
+"""Contact in space: the bounds and the dry friction of the places at which bodies can touch planes
+and each other.
 
 Dry friction has the circular cone: at rest its two components stay within a coefficient times the normal force, and
 while it slides it points against the slip. What resists rolling is a moment of the normal force times an arm in the
@@ -11,19 +12,23 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from freebody.connections.joints import across_names
-from freebody.connections.places_on_planes import PlaceOnPlane, along_plane, places_on_plane
+from freebody.connections.contact_places import ContactPlace
+from freebody.connections.places_on_bodies import place_on_body
+from freebody.connections.places_on_planes import places_on_plane
 from freebody.language.expression import ZERO, Expr
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.model.elements import BodyPlane, ConstraintRow, DryFriction, NonholonomicForm, UnilateralConstraint
 from freebody.model.friction import Friction
-from freebody.model.spins import spin
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
 
-FORMS = Message("a sphere, an ellipsoid, a disk, a ring, a cylinder, a box, or a point")
+ON_PLANE = Message("a sphere, an ellipsoid, a disk, a ring, a cylinder, a box, or a point")
+ON_BODY = Message(
+    "a sphere touches a sphere (also inside it, as in [ball, inside bowl]), a box, a cylinder, a disk, a ring, a rod "
+    "or a point, and a point a sphere"
+)
 
 
 @dataclass(frozen=True)
@@ -37,59 +42,70 @@ class SurfaceInSpace:
 
 
 @dataclass(frozen=True)
-class OnPlane:
-    """A body, or a point of one, that may touch a plane."""
+class PairInSpace:
+    """A body, or a point of one, that may touch a plane, or another body."""
 
     connection: str
-    solid: str
-    plane: BodyPlane
-    plane_label: str
+    first: str
+    second: str
+    plane: BodyPlane | None  # that the second one is
     surface: SurfaceInSpace
     starts_closed: bool
     is_alone: bool  # the only pair of its connection
 
+    @property
+    def second_label(self) -> str:
+        return self.second if self.plane is None else self.plane.name or self.second
+
+    def places(self, names: Names) -> list[ContactPlace]:
+        """Where the two can touch."""
+        if self.plane is not None:
+            return [place.on(self.plane, self.second_label) for place in places_on_plane(names, self.first, self.plane)]
+        found = place_on_body(names, self.first, self.second) or place_on_body(names, self.second, self.first)
+        return [] if found is None else [found]
+
     def elements(self, names: Names) -> tuple[list[UnilateralConstraint], list[DryFriction]]:
         """The bound and the dry friction of every place; a problem is noted where there is none."""
-        places = places_on_plane(names, self.solid, self.plane)
+        places = self.places(names)
         if not places:
-            told = Message(
-                "there is no contact of {a} with the plane {b}: it takes {kinds}",
-                a=self.solid,
-                b=self.plane_label,
-                kinds=FORMS,
-            )
-            names.problem(told, "between")
+            self._refuse(names)
         bounds: list[UnilateralConstraint] = []
         rubs: list[DryFriction] = []
         for place in places:
-            component = "contact" if self.is_alone and len(places) == 1 else f"{place.label} on {self.plane_label}"
-            row = self._row(place, component, "normal force", place.gap, unilateral=True, target=place.target)
-            family = f"{self.connection}: {self.solid}, {self.plane_label}"
+            component = "contact" if self.is_alone and len(places) == 1 else f"{place.label} on {place.facing}"
+            row = self._row(place, component, "normal force", place.measure, is_bound=True)
+            family = f"{self.connection}: {self.first}, {self.second_label}"
             bounds.append(
                 UnilateralConstraint(row, self.surface.restitution, starts_closed=self.starts_closed, family=family)
             )
             rubs += self._rubs(place, component, row)
         return bounds, rubs
 
-    def _rubs(self, place: PlaceOnPlane, component: str, normal: ConstraintRow) -> list[DryFriction]:
-        """Friction along the plane, and what resists rolling and spinning."""
-        s, body, found = self.surface, place.center.body, list[DryFriction]()
-        p, q = along_plane(self.plane)
-        owner, n = self.plane.normal.body, self.plane.normal
-        one, other = across_names(n)
+    def _refuse(self, names: Names) -> None:
+        a, b = self.first, self.second_label
+        if self.plane is not None:
+            told = Message("there is no contact of {a} with the plane {b}: it takes {kinds}", a=a, b=b, kinds=ON_PLANE)
+        else:
+            told = Message(
+                "there is no contact of {a} with {b} in space: {kinds}. Others touch planes of bodies: name a "
+                "plane of one, or weld spheres together",
+                a=a,
+                b=b,
+                kinds=ON_BODY,
+            )
+        names.problem(told, "between")
+
+    def _rubs(self, place: ContactPlace, component: str, normal: ConstraintRow) -> list[DryFriction]:
+        """Friction across the normal, and what resists rolling and spinning."""
+        s, found = self.surface, list[DryFriction]()
         if not s.friction.is_none:
-            slips = place.slip(p, self.plane), place.slip(q, self.plane)
-            found.append(
-                self._pair("slip", "friction force", place, component, slips, (one, other), s.friction, normal)
-            )
+            found.append(self._pair("slip", "friction force", place, component, place.slip, s.friction, normal))
         if s.rolling_resistance != ZERO:
-            turns = spin(body, p, owner), spin(body, q, owner)
             resisted = Friction(s.rolling_resistance, s.rolling_resistance)
-            found.append(
-                self._pair("rolling", "rolling resistance", place, component, turns, (one, other), resisted, normal)
-            )
+            turns = place.rolling()
+            found.append(self._pair("rolling", "rolling resistance", place, component, turns, resisted, normal))
         if s.spinning_resistance != ZERO:
-            row = self._row(place, _of("spinning", component), "spinning resistance", spin(body, n, owner))
+            row = self._row(place, _of("spinning", component), "spinning resistance", place.spinning())
             arm = s.spinning_resistance
             found.append(DryFriction(row, arm, arm, (normal.name,), normal.name))
         return found
@@ -98,36 +114,35 @@ class OnPlane:
         self,
         what: str,
         reaction: str,
-        place: PlaceOnPlane,
+        place: ContactPlace,
         component: str,
         rates: tuple[Measure | NonholonomicForm, Measure | NonholonomicForm],
-        across: tuple[str, str],
         friction: Friction,
         normal: ConstraintRow,
     ) -> DryFriction:
         rows = [
             self._row(place, f"{_of(what, component)} {name}", f"{reaction} {name}", rate)
-            for name, rate in zip(across, rates, strict=True)
+            for name, rate in zip(place.across, rates, strict=True)
         ]
         return DryFriction(rows[0], friction.static, friction.kinetic, (normal.name,), normal.name, across=rows[1])
 
     def _row(
         self,
-        place: PlaceOnPlane,
+        place: ContactPlace,
         component: str,
         reaction: str,
         measure: Measure | NonholonomicForm,
         *,
-        unilateral: bool = False,
-        target: Expr | None = None,
+        is_bound: bool = False,
     ) -> ConstraintRow:
         return ConstraintRow(
             component,
             reaction,
             measure,
-            target,
-            ends=(place.label, self.plane_label),
-            unilateral=unilateral,
+            place.target if is_bound else None,
+            place.sign if is_bound else 1,
+            ends=(place.label, place.facing),
+            unilateral=is_bound,
             connection=self.connection,
         )
 

@@ -17,6 +17,8 @@ import itertools
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from freebody.connections.contact_places import ContactPlace
+from freebody.connections.joints import across_names
 from freebody.language.expression import ZERO, Call, Expr, Symbol, divide, number
 from freebody.language.units import LENGTH
 from freebody.measures.base import Measure
@@ -27,7 +29,7 @@ from freebody.measures.turn import Alignment
 from freebody.model.elements import BodyPlane, NonholonomicForm, RigidBody
 from freebody.model.rotations import perpendiculars
 from freebody.model.solids import BOX, CYLINDER, ELLIPSOID
-from freebody.model.spins import body_axes, velocity_of_place
+from freebody.model.spins import body_axes, spin, velocity_of_place
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -45,7 +47,21 @@ class PlaceOnPlane:
     target: Expr | None
     arm: Arm | None
 
-    def slip(self, along: Direction, plane: BodyPlane) -> Measure | NonholonomicForm:
+    def on(self, plane: BodyPlane, facing: str) -> ContactPlace:
+        """With its slip along two directions of the plane, and its turning about them and the normal."""
+        (p, q), owner, body = along_plane(plane), plane.normal.body, self.center.body
+        return ContactPlace(
+            self.label,
+            facing,
+            self.gap,
+            self.target,
+            (self._slip(p, plane), self._slip(q, plane)),
+            across_names(plane.normal),
+            lambda: (spin(body, p, owner), spin(body, q, owner)),
+            lambda: spin(body, plane.normal, owner),
+        )
+
+    def _slip(self, along: Direction, plane: BodyPlane) -> Measure | NonholonomicForm:
         """What slips along a direction of the plane."""
         if self.arm is None:
             return Displacement(self.center, plane.through, along)

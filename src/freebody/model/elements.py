@@ -151,6 +151,7 @@ class RigidBody:
     frame: str = GROUND
     solid: SolidKind = NO_SOLID  # what it looks like, and its sizes
     sizes: Components = ()
+    inner: Expr | None = None  # radius of what is hollow in it
 
     def point(self, name: str | None = None) -> Point:
         chosen = name or self.default_point

@@ -24,7 +24,7 @@ from freebody.api import System
 from freebody.connections.base import Connection
 from freebody.loads.base import Load
 from freebody.measures.geometry import GROUND
-from freebody.model.glyphs import Face
+from freebody.model.glyphs import Face, Touch
 from freebody.numeric.engine.integrators import integrators
 from freebody.numeric.jets import Array
 from freebody.numeric.options import has_step
@@ -263,6 +263,8 @@ def _check_drawn(system: Description) -> None:
     own = [shown.sign for shown in system.glyphs if shown.owner == "it"]
     if own and all(isinstance(sign, Face) and sign.normal.body == GROUND for sign in own):
         return  # a plane of the ground is drawn, whatever is on it
+    if own and all(isinstance(sign, Touch) for sign in own) and system.space:
+        return  # solids are drawn as they stand, touching
     bare = replace(system)
     vars(bare)["glyphs"] = tuple(shown for shown in system.glyphs if shown.owner != "it")
     assert picture(system).svg() != picture(bare).svg(), "what it declares to look like is not seen in a picture"

@@ -42,6 +42,7 @@ class Build:
     axis: Components = ()
     solid: SolidKind = NO_SOLID
     sizes: Components = ()
+    inner: Expr | None = None  # radius of what is hollow in it
 
 
 class Shape(Spec):

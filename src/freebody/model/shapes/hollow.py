@@ -44,7 +44,7 @@ class Annulus(Shape, kind="annulus"):
         along = half(m * (square(R) + square(r)))
         axis = own_axis(names, self)
         tensor = about_axis(axis, along, half(along)) if axis else ()
-        return Build(m, along, radius=R, tensor=tensor, round="disk", axis=axis, solid=DISK, sizes=(R,))
+        return Build(m, along, radius=R, tensor=tensor, round="disk", axis=axis, solid=DISK, sizes=(R,), inner=r)
 
 
 class HollowCylinder(Shape, kind="hollow_cylinder"):
@@ -80,6 +80,7 @@ class HollowCylinder(Shape, kind="hollow_cylinder"):
             axis=axis,
             solid=CYLINDER,
             sizes=(R, length),
+            inner=r,
         )
 
 
@@ -99,7 +100,7 @@ class HollowSphere(Shape, kind="hollow_sphere"):
         m, R, r = _mass_and_radii(names, self)
         # (R^5 - r^5)/(R^3 - r^3), both by R - r: it has a value for r = R, that of the shell
         above = _powers(R, r, 4)
-        return _ball(names, m, R, divide(multiply(number(2), m, above), 5 * _powers(R, r, 2)))
+        return _ball(names, m, R, r, divide(multiply(number(2), m, above), 5 * _powers(R, r, 2)))
 
 
 class SphericalShell(Shape, kind="spherical_shell"):
@@ -115,12 +116,12 @@ class SphericalShell(Shape, kind="spherical_shell"):
 
     def build(self, names: Names) -> Build:
         m, R = names.positive(self, "mass", MASS), names.positive(self, "radius", LENGTH)
-        return _ball(names, m, R, divide(multiply(number(2), m, square(R)), number(3)))
+        return _ball(names, m, R, R, divide(multiply(number(2), m, square(R)), number(3)))
 
 
-def _ball(names: Names, m: Expr, R: Expr, inertia: Expr) -> Build:
+def _ball(names: Names, m: Expr, R: Expr, r: Expr, inertia: Expr) -> Build:
     tensor = (inertia, inertia, inertia, ZERO, ZERO, ZERO) if names.space else ()
-    return Build(m, inertia, radius=R, tensor=tensor, round="sphere", solid=SPHERE, sizes=(R,))
+    return Build(m, inertia, radius=R, tensor=tensor, round="sphere", solid=SPHERE, sizes=(R,), inner=r)
 
 
 def _powers(R: Expr, r: Expr, n: int) -> Expr:

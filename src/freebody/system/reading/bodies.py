@@ -128,6 +128,7 @@ class BodySections:
             frame=frame,
             solid=build.solid,
             sizes=build.sizes,
+            inner=build.inner,
         )
 
     def _shape(self, name: str, entry: dict[str, Any]) -> Shape | None:

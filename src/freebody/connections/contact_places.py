@@ -1,0 +1,28 @@
+"""What a place at which two bodies in space can touch comes to, whatever they are."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from freebody.language.expression import Expr
+from freebody.measures.base import Measure
+from freebody.model.elements import NonholonomicForm
+
+Rate = Measure | NonholonomicForm
+
+
+@dataclass(frozen=True)
+class ContactPlace:
+    """gap = sign (measure - target); slip: its components along two directions across the normal, which are called
+    `across`; rolling: the angular velocity along the same two, and spinning along the normal."""
+
+    label: str
+    facing: str  # what of the other body is touched
+    measure: Measure
+    target: Expr | None
+    slip: tuple[Rate, Rate]
+    across: tuple[str, str]
+    rolling: Callable[[], tuple[Rate, Rate]]
+    spinning: Callable[[], Rate]
+    sign: int = 1

@@ -1,0 +1,219 @@
+"""Where a ball in space, or a point, can touch another body: at the place of that body which is nearest to its centre.
+
+With d from the middle of the other body to the centre, by components along axes of that body, and v from the nearest
+place of its core to the centre, clamp(x, h) = (|x + h| - |x - h|)/2 being x kept between -h and h,
+
+    a sphere                          v = d,                                        gap |v| - R - r
+    a box of the halves h             v_k = d_k - clamp(d_k, h_k),                  gap |v| - r
+    a cylinder, a disk (length 0)     v_k = d_k (1 - R/max(rho, R)) across its axis,
+                                      v_3 = d_3 - clamp(d_3, L/2) along it,         gap |v| - r
+    a rod                             v_k = d_k across, v_3 as of a cylinder,       gap |v| - r
+    a ring                            v_k = d_k (1 - R/rho) across, v_3 = d_3,      gap |v| - r
+    the inside of a sphere            v = d,                                        gap R - r - |v|
+
+so that faces, edges and corners are one place whose normal turns as the ball goes from one to the other. While they
+touch, |v| is the known sum of radii s, and the normal is n = v/s. Two directions across it are those into which the
+rotation that takes a fixed q to n takes two across q,
+
+    b_j = f_j - (n.f_j)/(1 + n.q) (n + q),
+
+which is smooth but for n = -q, a direction in which nothing lies by chance. With the arm r = -R n of the material point
+of the ball, the slip seen from the other body is b . (d' + w x r), w the angular velocity against it. Sources: Ericson,
+Real-Time Collision Detection, 2005, sec. 5.1; Duff et al., J. Computer Graphics Techniques 6 (2017) 1-8 (the frame).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import TYPE_CHECKING
+
+from freebody.connections.contact_places import ContactPlace
+from freebody.language.expression import ONE, ZERO, Call, Expr, Symbol, divide, number
+from freebody.language.units import DIMENSIONLESS, LENGTH, Dimension
+from freebody.measures.base import Measure
+from freebody.measures.combination import Composed
+from freebody.measures.displacement import Displacement
+from freebody.measures.distance import Distance
+from freebody.measures.geometry import Components, Direction, Point
+from freebody.measures.turn import Alignment
+from freebody.model.elements import NonholonomicForm, RigidBody
+from freebody.model.rotations import UNIT, dot, perpendiculars
+from freebody.model.solids import BOX, CYLINDER, DISK, RING, ROD, SolidKind
+from freebody.model.spins import body_axes
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+D = (Symbol("d1"), Symbol("d2"), Symbol("d3"))
+# q, and two directions across it, F_1 x F_2 = Q: a rotation in fractions, of a direction that no model has of its own
+Q: Components = tuple(number(Fraction(k, 209)) for k in (111, 168, 56))
+F: tuple[Components, Components] = (
+    tuple(number(Fraction(k, 209)) for k in (-168, 79, 96)),
+    tuple(number(Fraction(k, 209)) for k in (56, -96, 177)),
+)
+INSIDE = "inside "
+
+
+@dataclass(frozen=True)
+class Ball:
+    """A sphere, or a point as one of radius 0."""
+
+    label: str
+    center: Point
+    radius: Expr
+    turns: bool
+
+
+@dataclass(frozen=True)
+class Core:
+    """What a ball stays away from: axes of the body, the vector v by components along them, and the distance s from
+    it at which the ball touches; inside: where it has to stay nearer than that."""
+
+    body: RigidBody
+    label: str
+    axes: tuple[Direction, Direction, Direction]
+    v: Components
+    reach: Expr
+    inside: bool = False
+
+
+def ball_of(names: Names, text: str) -> Ball | None:
+    """`ball`, `rod.end`; None for what is neither a sphere nor a point."""
+    owner, dot_, _point = text.partition(".")
+    body = names.known(owner)
+    if dot_ or not body.turns:
+        return Ball(text, names.point(text, "between"), ZERO, body.turns)
+    if body.round == "sphere" and body.radius is not None:
+        return Ball(body.name, body.center, body.radius, body.turns)
+    return None
+
+
+def core_of(names: Names, text: str, ball: Ball) -> Core | None:
+    """What of a body the ball stays away from; None where nothing is known of its form."""
+    other = ball_of(names, text.removeprefix(INSIDE))
+    if other is not None and (other.radius != ZERO or not text.startswith(INSIDE)):
+        body, inside = names.known(other.center.body), text.startswith(INSIDE)
+        reach = (body.inner or other.radius) - ball.radius if inside else other.radius + ball.radius
+        return None if reach == ZERO else Core(body, text, body_axes(body.name), D, reach, inside)
+    body = names.known(text)
+    if text.startswith(INSIDE) or ball.radius == ZERO or body.solid not in _CORES or body.inner is not None:
+        return None  # nothing is known of the edge of a bore
+    axes, v = _CORES[body.solid](body)
+    return Core(body, text, axes, v, ball.radius)
+
+
+def place_on_body(names: Names, text: str, other: str) -> ContactPlace | None:
+    """The place at which a ball, or a point, can touch another body; None where the pair has none."""
+    ball = ball_of(names, text)
+    core = None if ball is None else core_of(names, other, ball)
+    return None if ball is None or core is None else _Touching(ball, core).place()
+
+
+# -- cores ---------------------------------------------------------------------------------------
+Made = tuple[tuple[Direction, Direction, Direction], Components]
+
+
+def _clamped(x: Expr, half: Expr) -> Expr:
+    return (Call("abs", x + half) - Call("abs", x - half)) / 2
+
+
+def _box(body: RigidBody) -> Made:
+    halves = [divide(size, number(2)) for size in body.sizes]
+    return body_axes(body.name), tuple(x - _clamped(x, half) for x, half in zip(D, halves, strict=True))
+
+
+def _about(body: RigidBody, axis: Components) -> tuple[Direction, Direction, Direction]:
+    b, c = perpendiculars(axis)
+    return Direction(body.name, b), Direction(body.name, c), Direction(body.name, axis)
+
+
+def _round(body: RigidBody) -> Made:
+    """A cylinder, and a disk as one without length."""
+    radius, *length = body.sizes
+    rho2, square = D[0] * D[0] + D[1] * D[1], radius * radius
+    farther = (rho2 + square + Call("abs", rho2 - square)) / 2  # max(rho, R)^2, so that the axis is no exception
+    beyond = ONE - radius / Call("sqrt", farther)
+    along = D[2] - _clamped(D[2], divide(length[0], number(2))) if length else D[2]
+    return _about(body, body.axis), (D[0] * beyond, D[1] * beyond, along)
+
+
+def _ring(body: RigidBody) -> Made:
+    beyond = ONE - body.sizes[0] / Call("sqrt", D[0] * D[0] + D[1] * D[1])
+    return _about(body, body.axis), (D[0] * beyond, D[1] * beyond, D[2])
+
+
+def _rod(body: RigidBody) -> Made:
+    return _about(body, UNIT[0]), (D[0], D[1], D[2] - _clamped(D[2], divide(body.sizes[0], number(2))))
+
+
+_CORES: dict[SolidKind, Callable[[RigidBody], Made]] = {
+    BOX: _box,
+    CYLINDER: _round,
+    DISK: _round,
+    RING: _ring,
+    ROD: _rod,
+}
+
+
+# -- the place -----------------------------------------------------------------------------------
+class _Touching:
+    """Gap, slip and turning of a ball and a core."""
+
+    def __init__(self, ball: Ball, core: Core) -> None:
+        self.ball, self.core = ball, core
+        self.moves = [Displacement(ball.center, core.body.center, along) for along in core.axes]
+        self.seen: list[tuple[str, Measure]] = [(s.name, move) for s, move in zip(D, self.moves, strict=True)]
+        n = self.n = tuple(c / core.reach for c in core.v)
+        leaning = [dot(n, f) / (ONE + dot(n, Q)) for f in F]
+        self.across = [
+            tuple(f[k] - share * (n[k] + Q[k]) for k in range(3)) for f, share in zip(F, leaning, strict=True)
+        ]
+
+    def place(self) -> ContactPlace:
+        core = self.core
+        sphere = core.v == D
+        gap: Measure = Distance(core.body.center, self.ball.center)
+        if not sphere:
+            gap = Composed(Call("sqrt", dot(core.v, core.v)), tuple(self.seen), LENGTH)
+        one, other = self.across
+        return ContactPlace(
+            self.ball.label,
+            core.label,
+            gap,
+            core.reach,
+            (self._slip(one, other, -1), self._slip(other, one, 1)),
+            ("1", "2"),
+            lambda: (self._turning(one), self._turning(other)),
+            lambda: self._turning(self.n),
+            -1 if core.inside else 1,
+        )
+
+    def _slip(self, along: Components, other: Components, sign: int) -> NonholonomicForm:
+        """b . d' + w . (r x b): r = -R n, and n x b_1 = b_2, n x b_2 = -b_1; inside r = R n."""
+        sign = -sign if self.core.inside else sign
+        terms: list[tuple[Measure, Measure]] = [
+            (Composed(c, tuple(self.seen), DIMENSIONLESS), move) for c, move in zip(along, self.moves, strict=True)
+        ]
+        if self.ball.radius != ZERO:
+            arm = number(sign) * self.ball.radius
+            terms += self._rotating(tuple(arm * c for c in other), LENGTH)
+        return NonholonomicForm(tuple(terms), LENGTH)
+
+    def _turning(self, along: Components) -> NonholonomicForm:
+        return NonholonomicForm(tuple(self._rotating(along, DIMENSIONLESS)), DIMENSIONLESS)
+
+    def _rotating(self, along: Components, dimension: Dimension) -> list[tuple[Measure, Measure]]:
+        """w . u of the ball against the core, u by components along the core's axes e:
+        w . e_k = - sum_i (e_k+2 . a_i) d(e_k+1 . a_i)/dt, as in `model.spins`."""
+        terms: list[tuple[Measure, Measure]] = []
+        if not self.ball.turns and not self.core.body.turns:
+            return terms
+        e = self.core.axes
+        for k, c in enumerate(along):
+            p, q = e[(k + 1) % 3], e[(k + 2) % 3]
+            for a in body_axes(self.ball.center.body):
+                seen = (*self.seen, ("c", Alignment(q, a)))
+                terms.append((Composed(-c * Symbol("c"), seen, dimension), Alignment(p, a)))
+        return terms

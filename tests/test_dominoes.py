@@ -1,0 +1,66 @@
+"""A row of dominoes that lean on each other, beside the recursion of Shaw.
+
+Every tile turns about its lower edge on the far side; theta is its angle, w its thickness, d the gap. While tile j
+leans on tile j + 1,
+
+    h sin(theta_j - theta_j+1) = (d + w) cos(theta_j+1) - w,
+
+so that all follow the front one. It hits the next at sin(theta) = d/h. Up to that energy is conserved,
+I/2 sum c_j^2 omega^2 + V with c_j = d theta_j/d theta_front and I = m (h^2 + w^2)/3; the blow acts on the front tile
+and the next one at the same arm, so that I sum c_j^2 omega = (I sum c_j^2 + I) omega' without rebound. Source: Shaw,
+Am. J. Phys. 46 (1978) 640-642.
+"""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import pytest
+
+import freebody as fb
+
+EXAMPLE = Path(__file__).parents[1] / "examples/dominoes.yaml"
+M, H, W, D, OMEGA, G = 0.01, 0.048, 0.008, 0.016, 5.0, 9.81
+
+
+def leaning(front: float, n: int) -> tuple[list[float], list[float]]:
+    """The angles of n tiles, the front one first, and their derivatives by its angle."""
+    angles, slopes = [front], [1.0]
+    for _ in range(n - 1):
+        theta = angles[-1]
+        sine = ((D + W) * math.cos(theta) - W) / H
+        angles.append(theta + math.asin(sine))
+        slopes.append(slopes[-1] * (1.0 - (D + W) * math.sin(theta) / (H * math.sqrt(1.0 - sine**2))))
+    return angles, slopes
+
+
+def potential(angles: list[float]) -> float:
+    return sum(M * G / 2 * (H * math.cos(theta) + W * math.sin(theta)) for theta in angles)
+
+
+def blows(n: int) -> list[tuple[float, float]]:
+    """The angular velocity of the front tile before each blow, and the common one after it."""
+    inertia, omega, found = M * (H**2 + W**2) / 3, OMEGA, list[tuple[float, float]]()
+    for k in range(1, n):
+        (start, slopes), (end, later) = leaning(0.0, k), leaning(math.asin(D / H), k)
+        energy = inertia / 2 * sum(c**2 for c in slopes) * omega**2 + potential(start) - potential(end)
+        moved = inertia * sum(c**2 for c in later)
+        before = math.sqrt(2 * energy / moved)
+        omega = moved * before / (moved + inertia)
+        found.append((before, omega))
+    return found
+
+
+def test_row_of_dominoes_falls_as_the_recursion_says() -> None:
+    found = fb.System.load(EXAMPLE).simulate(0.25)
+    record = found.course.contact
+    assert record is not None
+    known = blows(4)
+    tiles = ("first", "second", "third", "fourth")
+    assert len(record.collisions) == len(known)
+    for k, (hit, (before, after)) in enumerate(zip(record.collisions, known, strict=True)):
+        name = f"hit{k + 2}.{tiles[k]}.top_right on {tiles[k + 1]} top_left-bottom_left"
+        arm = H * math.cos(math.asin(D / H))
+        assert hit.before[name] == pytest.approx(-before * arm, rel=1e-8)
+        assert hit.impulses[name] == pytest.approx(M * (H**2 + W**2) / 3 * after / arm, rel=1e-8)
