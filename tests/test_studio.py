@@ -380,6 +380,14 @@ def test_a_worker_answers_over_the_server(server: Server) -> None:
     assert (opening["file"]["text"], opening["files"]) == (PENDULUM, ["pendulum.yaml"])
 
 
+def test_a_name_that_no_model_file_has_is_refused_in_the_language_of_the_page(server: Server) -> None:
+    request = {"name": "../{.yaml", "text": PENDULUM, "version": "", "language": "de"}
+    status, _headers, content = server.post("/api/save", request)
+    answer = json.loads(content)
+    assert (status, answer["version"]) == (200, "")
+    assert answer["message"].startswith("../{.yaml: eine Modelldatei heißt")
+
+
 @pytest.mark.parametrize(
     ("changes", "status"),
     [

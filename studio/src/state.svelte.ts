@@ -195,9 +195,13 @@ export class Studio {
     const text = this.text;
     try {
       const version = name === this.file ? this.version : "";
-      const done = await server.save({ name, text, version, overwrite });
+      const done = await server.save({ name, text, version, overwrite, language: this.language });
       if (done.is_changed) {
         this.dialog = "changed";
+        return;
+      }
+      if (done.message) {
+        this.failure = done.message;
         return;
       }
       this.dialog = "";

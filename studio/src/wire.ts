@@ -294,7 +294,7 @@ export interface Request {
   language?: "en" | "de";
 }
 
-/** version: the new one; is_changed: the file has been changed by somebody else, and nothing was written */
+/** version: the new one; is_changed: the file has been changed by somebody else, and nothing was written; message: why nothing was written, empty if it was */
 export interface SaveAnswer {
   version: string;
   is_changed: boolean;
@@ -307,6 +307,7 @@ export interface SaveRequest {
   text: string;
   version: string;
   overwrite?: boolean;
+  language?: "en" | "de";
 }
 
 /** The page of the studio with all its answers in it, as one file. name: of the model file; vary: what sliders move, as "L=0.5..2 m:9" */

@@ -29,7 +29,8 @@ from freebody.studio.folder import Folder
 from freebody.studio.kinds import kinds
 from freebody.studio.lanes import Lanes
 from freebody.studio.look import style_sheet
-from freebody.studio.wire import Call, Example, Opening, SaveRequest
+from freebody.studio.telling import told
+from freebody.studio.wire import Call, Example, Opening, SaveAnswer, SaveRequest
 from freebody.studio.work import WORK
 from freebody.system.schema import json_schema
 
@@ -130,7 +131,12 @@ def studio(folder: Folder, token: str, port: int) -> Starlette:
         return folder.opened(str(body["name"])).model_dump()
 
     async def save(body: Any) -> Any:
-        return folder.save(SaveRequest.model_validate(body)).model_dump()
+        request = SaveRequest.model_validate(body)
+        try:
+            return folder.save(request).model_dump()
+        except InputError as error:  # a name that somebody typed: an answer, and no failure of the page
+            message = told(str(error), request.language)
+            return SaveAnswer(version="", is_changed=False, message=message).model_dump()
 
     async def examples(_body: Any) -> Any:
         return [each.model_dump() for each in _examples()]

@@ -406,10 +406,12 @@ class SaveRequest(Said):
     text: str = Field(max_length=LONGEST_TEXT)
     version: str
     overwrite: bool = False
+    language: Language = "en"
 
 
 class SaveAnswer(Said):
-    """version: the new one; is_changed: the file has been changed by somebody else, and nothing was written"""
+    """version: the new one; is_changed: the file has been changed by somebody else, and nothing was written; message:
+    why nothing was written, empty if it was"""
 
     version: str
     is_changed: bool
