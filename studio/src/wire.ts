@@ -22,13 +22,15 @@ export interface Call {
   request: Record<string, unknown>;
 }
 
-/** Bring a point of a body, at the place `grabbed` [m] at the start, as near `to` another place as it goes. */
+/** Bring a point of a body, at the place `grabbed` [m] at the start, as near `to` another place as it goes in a picture. across, up: what runs right and up in it, along the axes of the ground; how deep a point lies is free */
 export interface DragRequest {
   text: string;
   language?: "en" | "de";
   body: string;
-  grabbed: [number, number];
-  to: [number, number];
+  grabbed: number[];
+  to: number[];
+  across?: [number, number, number];
+  up?: [number, number, number];
 }
 
 /** Set the value at a path, as the YAML of a scalar; None takes it out. */
@@ -202,13 +204,12 @@ export interface OpenedFile {
   version: string;
 }
 
-/** What the page begins with. is_file: whether a file was named; kinds: of elements that can be added */
+/** What the page begins with. is_file: whether a file was named */
 export interface Opening {
   file: OpenedFile;
   files: string[];
   is_file: boolean;
   version: string;
-  kinds: Kind[];
 }
 
 /** The motion as one HTML file that plays without a server. */

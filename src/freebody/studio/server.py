@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import json
 import secrets
+from asyncio import to_thread
 from collections.abc import AsyncGenerator, Awaitable, Callable
 from contextlib import asynccontextmanager
 from importlib.metadata import version
@@ -110,7 +111,6 @@ def studio(folder: Folder, token: str, port: int) -> Starlette:
             files=folder.names(),
             is_file=bool(folder.first),
             version=version("freebody"),
-            kinds=kinds(),
         )
         return opening.model_dump()
 
@@ -141,6 +141,9 @@ def studio(folder: Folder, token: str, port: int) -> Starlette:
     async def examples(_body: Any) -> Any:
         return [each.model_dump() for each in _examples()]
 
+    async def all_kinds(_body: Any) -> Any:
+        return [each.model_dump() for each in await to_thread(kinds)]  # every example is read once
+
     async def schema(_body: Any) -> Any:
         return json_schema()
 
@@ -152,6 +155,7 @@ def studio(folder: Folder, token: str, port: int) -> Starlette:
         "file": read_file,
         "save": save,
         "examples": examples,
+        "kinds": all_kinds,
         "schema": schema,
     }
     routes = [Route(f"/api/{name}", guarded(answer), methods=["POST"]) for name, answer in answers.items()]

@@ -54,11 +54,14 @@ class AddRequest(Request):
 
 
 class DragRequest(Request):
-    """Bring a point of a body, at the place `grabbed` [m] at the start, as near `to` another place as it goes."""
+    """Bring a point of a body, at the place `grabbed` [m] at the start, as near `to` another place as it goes in a
+    picture. across, up: what runs right and up in it, along the axes of the ground; how deep a point lies is free"""
 
     body: str = Field(max_length=200)
-    grabbed: tuple[float, float]
-    to: tuple[float, float]
+    grabbed: list[float] = Field(min_length=2, max_length=3)
+    to: list[float] = Field(min_length=2, max_length=3)
+    across: tuple[float, float, float] = (1.0, 0.0, 0.0)
+    up: tuple[float, float, float] = (0.0, 1.0, 0.0)
 
 
 class End(Said):
@@ -389,13 +392,12 @@ class OpenedFile(Said):
 
 
 class Opening(Said):
-    """What the page begins with. is_file: whether a file was named; kinds: of elements that can be added"""
+    """What the page begins with. is_file: whether a file was named"""
 
     file: OpenedFile
     files: list[str]
     is_file: bool
     version: str
-    kinds: list[Kind]
 
 
 class SaveRequest(Said):
