@@ -510,6 +510,18 @@ def test_motions_found_beforehand_are_those_of_the_texts_that_the_sliders_stand_
             assert found["times"] == expected["times"]
 
 
+def test_answers_follow_the_sliders_by_the_formula() -> None:
+    """Of a rod on a pin, theta'' = -3 g/(2 L) cos(theta)."""
+    text = PENDULUM
+    request = wire.ShareRequest(text=text, until=0.2, frames=11, vary=["L=0.5..2 m:3", "theta=-90, -30 deg"])
+    own = motion(wire.MotionRequest(text=text, until=0.2, frames=11)).model_dump(mode="json")
+    (answer,) = moved_beforehand(System.from_text(text), request, own).answers
+    lengths, angles = (0.5, 1.0, 1.25, 2.0), (-90, -60, -30)
+    expected = [-1.5 * 9.81 / L * math.cos(math.radians(a)) for L in lengths for a in angles]
+    found = [float(value.removesuffix(" rad/s^2")) for value in answer.values]
+    assert found == pytest.approx(expected, rel=1e-4, abs=1e-12)
+
+
 @pytest.mark.parametrize(
     ("vary", "words"),
     [

@@ -602,11 +602,12 @@ def test_a_shared_page_answers_without_a_server(browser: Any, tmp_path: Path) ->
     slider.focus()
     page.keyboard.press("End")
     page.locator(".sliders .number:has-text('2 m')").wait_for()
-    page.locator(".sliders >> text=answers and pictures those of the file").wait_for()
+    page.locator(".values dd:has-text('-3.678')").wait_for()  # -3/2 g/L cos(-60 deg)
+    page.locator(".sliders >> text=numbers in reports, are those of the file").wait_for()
     assert page.evaluate(PICTURE) != before
     page.keyboard.press("Home")
     page.keyboard.press("ArrowRight")
-    page.locator(".sliders >> text=answers and pictures those of the file").wait_for(state="detached")
+    page.locator(".sliders >> text=numbers in reports, are those of the file").wait_for(state="detached")
     page.close()
     assert wrong == []
 

@@ -60,9 +60,15 @@ export function ask<K extends keyof Requests>(kind: K, request: Requests[K], top
   }
   return post("ask", { kind, topic, request });
 }
-/** The motion at places of the sliders of a shared page. */
+const caseOf = (places: number[]) => sliders.reduce((before, slider, k) => before * slider.values.length + places[k]!, 0);
+/** The answers to the questions of the file at places of the sliders of a shared page. */
+export function answersAt(places: number[]): { id: string; text: string; value: string }[] {
+  const at = caseOf(places);
+  return (kept?.moved?.answers ?? []).map(({ id, text, values }) => ({ id, text, value: values[at]! }));
+}
+/** The motion there. */
 export function movedTo(places: number[]): Told<"motion"> {
-  const at = sliders.reduce((before, slider, k) => before * slider.values.length + places[k]!, 0);
+  const at = caseOf(places);
   const told = kept!.moved!.replies[at] as Told<"motion">;
   if (!told.answer) return told;
   const own = kept!.replies[keyOf("motion", {})]!.answer as Answers["motion"];

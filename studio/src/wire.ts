@@ -191,10 +191,11 @@ export interface MotionRequest {
   frames?: number;
 }
 
-/** The motions of all values of some sliders, the last of which runs fastest. replies: of `player` what differs from that of the file's values */
+/** The motions of all values of some sliders, the last of which runs fastest. replies: of `player` what differs from that of the file's values; answers: to the questions of the file */
 export interface Moved {
   sliders: Slider[];
   replies: Reply[];
+  answers: Valued[];
 }
 
 /** A file of the opened folder. version: changes with its content, empty for one that is not there yet */
@@ -379,6 +380,13 @@ export interface SuggestRequest {
 /** The changed text. */
 export interface TextAnswer {
   text: string;
+}
+
+/** A question of the file in all places of the sliders. values: numbers with units, or why there is none */
+export interface Valued {
+  id: string;
+  text: string;
+  values: string[];
 }
 
 export interface Requests {

@@ -305,12 +305,21 @@ class Slider(Said):
     own: int
 
 
+class Valued(Said):
+    """A question of the file in all places of the sliders. values: numbers with units, or why there is none"""
+
+    id: str
+    text: str
+    values: list[str]
+
+
 class Moved(Said):
     """The motions of all values of some sliders, the last of which runs fastest. replies: of `player` what differs
-    from that of the file's values"""
+    from that of the file's values; answers: to the questions of the file"""
 
     sliders: list[Slider]
     replies: list[Reply]
+    answers: list[Valued]
 
 
 class PictureAnswer(Said):
