@@ -1,5 +1,5 @@
-"""Motions and answers found beforehand, for the sliders of a page that has nobody to ask: of all values of some names, as a sweep
-varies them, and of the file's own."""
+"""Motions and answers found beforehand, for the sliders of a page that has nobody to ask: of all values of some names,
+as a sweep varies them, and of the file's own."""
 
 from __future__ import annotations
 
