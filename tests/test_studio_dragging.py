@@ -145,6 +145,6 @@ def test_a_body_without_a_word_of_its_start_gets_a_place() -> None:
 
 
 def test_a_view_without_two_directions_is_refused() -> None:
-    flat = {"across": (1.0, 0.0, 0.0), "up": (2.0, 0.0, 0.0)}
+    across, up = (1.0, 0.0, 0.0), (2.0, 0.0, 0.0)
     with pytest.raises(InputError, match="direction"):
-        drag(wire.DragRequest(text=PENDULUM, body="rod", grabbed=[0, 0], to=[1, 1], **flat))
+        drag(wire.DragRequest(text=PENDULUM, body="rod", grabbed=[0, 0], to=[1, 1], across=across, up=up))

@@ -17,6 +17,7 @@ is there. Source of damping: Nocedal & Wright, Numerical Optimization, 2nd ed. 2
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -67,7 +68,7 @@ def drag(request: DragRequest) -> TextAnswer:
     return TextAnswer(text=text or request.text)
 
 
-def _place(given: list[float]) -> Array:
+def _place(given: Sequence[float]) -> Array:
     """(3,) [m]; a place of the plane lies at z = 0"""
     return np.array((*given, 0.0)[:3])
 

@@ -5,6 +5,7 @@ Places in a text count as a browser does: UTF-16 units from 0.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any, Literal
 
 from pydantic import BaseModel, ConfigDict, Field
@@ -58,8 +59,8 @@ class DragRequest(Request):
     picture. across, up: what runs right and up in it, along the axes of the ground; how deep a point lies is free"""
 
     body: str = Field(max_length=200)
-    grabbed: list[float] = Field(min_length=2, max_length=3)
-    to: list[float] = Field(min_length=2, max_length=3)
+    grabbed: Sequence[float] = Field(min_length=2, max_length=3)
+    to: Sequence[float] = Field(min_length=2, max_length=3)
     across: tuple[float, float, float] = (1.0, 0.0, 0.0)
     up: tuple[float, float, float] = (0.0, 1.0, 0.0)
 
