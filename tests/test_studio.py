@@ -174,6 +174,13 @@ def test_a_question_is_understood_while_it_is_typed() -> None:
     assert "acceleration of rod" in unclear.suggestions
 
 
+def test_a_planet_with_less_than_half_a_tooth_is_read() -> None:
+    text = (ROOT / "examples" / "planetary_gear_with_three_planets.yaml").read_text(encoding="utf-8")
+    few = re.sub(r"z_P: [\d.]+", "z_P: 0.3", text)
+    assert few != text
+    assert read(wire.ReadRequest(text=few)).elements
+
+
 # -- motion and studies -----------------------------------------------------------------------
 def test_a_motion_has_its_curves_and_what_the_player_draws() -> None:
     found = motion(wire.MotionRequest(text=PENDULUM, until=1.0, frames=51))
