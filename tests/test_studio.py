@@ -23,12 +23,10 @@ import pytest
 
 pytest.importorskip("starlette")
 
-from freebody.errors import CannotAnswer, InputError
+from freebody.errors import InputError
 from freebody.language.document import Document
-from freebody.numeric.reference import Reference
 from freebody.studio import wire
 from freebody.studio.beforehand import moved_beforehand
-from freebody.studio.dragging import drag
 from freebody.studio.editing import add, edit, suggest
 from freebody.studio.folder import Folder
 from freebody.studio.kinds import kinds
@@ -176,42 +174,11 @@ def test_a_question_is_understood_while_it_is_typed() -> None:
     assert "acceleration of rod" in unclear.suggestions
 
 
-# -- dragging ---------------------------------------------------------------------------------
-def end_of(text: str, body: str, length: float) -> tuple[float, float]:
-    """Of a rod, from its mass centre."""
-    reference = Reference(System.from_text(text))
-    x, y, angle = reference.pose(reference.assemble(), body)
-    return x + length / 2 * math.cos(angle), y + length / 2 * math.sin(angle)
-
-
-@pytest.mark.parametrize("target", [(0.8, -0.6), (0.3, -3.0), (0.2, 0.1)])
-def test_the_end_of_a_pendulum_follows_the_pointer_on_its_circle(target: tuple[float, float]) -> None:
-    """The nearest point of a circle of radius L to a point P is L P/|P|."""
-    text = drag(wire.DragRequest(text=PENDULUM, body="rod", grabbed=end_of(PENDULUM, "rod", 1.0), to=target)).text
-    size = math.hypot(*target)
-    assert end_of(text, "rod", 1.0) == pytest.approx((target[0] / size, target[1] / size), abs=2e-3)
-    assert text.splitlines()[1] == PENDULUM.splitlines()[1]  # only the start has changed
-    assert text.replace(text.splitlines()[8], "start: {theta: -60 deg}") == PENDULUM
-
-
-def test_a_parameter_of_the_start_is_dragged_in_its_own_unit() -> None:
-    text = PENDULUM.replace("theta: -60 deg", "theta: phi").replace(
-        "{L: 1 m", "{phi: {value: -60 deg, sign: any}, L: 1 m"
-    )
-    found = drag(wire.DragRequest(text=text, body="rod", grabbed=end_of(text, "rod", 1.0), to=(0.0, -5.0))).text
-    assert Document.read(found).data["parameters"]["phi"]["value"] == "-90 deg"
-
-
-def test_a_free_body_is_dragged_by_its_place() -> None:
-    text = "bodies: {ball: {particle: {mass: 1 kg}, at: [0, 1 m]}}\n"
-    found = drag(wire.DragRequest(text=text, body="ball", grabbed=(0, 1), to=(2.5, -0.5))).text
-    assert found == "bodies: {ball: {particle: {mass: 1 kg}, at: [2.5, -0.5 m]}}\n"
-
-
-def test_a_start_by_formulas_is_not_dragged() -> None:
-    text = PENDULUM.replace("theta: -60 deg", "theta: -2*phi").replace("{L: 1 m", "{phi: 30 deg, L: 1 m")
-    with pytest.raises(CannotAnswer, match="formulas"):
-        drag(wire.DragRequest(text=text, body="rod", grabbed=end_of(text, "rod", 1.0), to=(0.0, -5.0)))
+def test_a_planet_with_less_than_half_a_tooth_is_read() -> None:
+    text = (ROOT / "examples" / "planetary_gear_with_three_planets.yaml").read_text(encoding="utf-8")
+    few = re.sub(r"z_P: [\d.]+", "z_P: 0.3", text)
+    assert few != text
+    assert read(wire.ReadRequest(text=few)).elements
 
 
 # -- motion and studies -----------------------------------------------------------------------
@@ -380,6 +347,14 @@ def test_a_worker_answers_over_the_server(server: Server) -> None:
     assert (opening["file"]["text"], opening["files"]) == (PENDULUM, ["pendulum.yaml"])
 
 
+def test_a_name_that_no_model_file_has_is_refused_in_the_language_of_the_page(server: Server) -> None:
+    request = {"name": "../{.yaml", "text": PENDULUM, "version": "", "language": "de"}
+    status, _headers, content = server.post("/api/save", request)
+    answer = json.loads(content)
+    assert (status, answer["version"]) == (200, "")
+    assert answer["message"].startswith("../{.yaml: eine Modelldatei heißt")
+
+
 @pytest.mark.parametrize(
     ("changes", "status"),
     [
@@ -540,6 +515,18 @@ def test_motions_found_beforehand_are_those_of_the_texts_that_the_sliders_stand_
             found = moved.replies[3 * k + n].answer
             assert {**own["player"], **found["player"]} == expected["player"]
             assert found["times"] == expected["times"]
+
+
+def test_answers_follow_the_sliders_by_the_formula() -> None:
+    """Of a rod on a pin, theta'' = -3 g/(2 L) cos(theta)."""
+    text = PENDULUM
+    request = wire.ShareRequest(text=text, until=0.2, frames=11, vary=["L=0.5..2 m:3", "theta=-90, -30 deg"])
+    own = motion(wire.MotionRequest(text=text, until=0.2, frames=11)).model_dump(mode="json")
+    (answer,) = moved_beforehand(System.from_text(text), request, own).answers
+    lengths, angles = (0.5, 1.0, 1.25, 2.0), (-90, -60, -30)
+    expected = [-1.5 * 9.81 / L * math.cos(math.radians(a)) for L in lengths for a in angles]
+    found = [float(value.removesuffix(" rad/s^2")) for value in answer.values]
+    assert found == pytest.approx(expected, rel=1e-4, abs=1e-12)
 
 
 @pytest.mark.parametrize(

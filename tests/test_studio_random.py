@@ -77,6 +77,7 @@ class Somebody:
 
     def __init__(self, page: Any, chance: random.Random) -> None:
         self.page, self.chance = page, chance
+        self.handles: list[Any] = []  # what they hold stays in the memory of the page
         self.actions: dict[str, Callable[[], None]] = {
             "type": self.type_in_text,
             "undo": lambda: self.key(self.chance.choice(["Control+z", "Control+y"]), ".cm-content"),
@@ -97,12 +98,16 @@ class Somebody:
     def act(self) -> str:
         name = self.chance.choice(list(self.actions))
         self.actions[name]()
+        for handle in self.handles:
+            handle.dispose()
+        self.handles.clear()
         return name
 
     # -- what there is --------------------------------------------------------------------------
     def any_of(self, selector: str) -> Any | None:
         """One of those that can be seen and used now."""
-        return self.page.evaluate_handle(CHOSEN, [selector, self.chance.random()]).as_element()
+        self.handles.append(self.page.evaluate_handle(CHOSEN, [selector, self.chance.random()]))
+        return self.handles[-1].as_element()
 
     def click(self, selector: str) -> None:
         element = self.any_of(selector)

@@ -9,6 +9,7 @@ declare module "virtual:player" {
     axes(length: number): string;
     drawn(frame: number, time: number): void;
   }
+  export type Place = [number, number, number];
   export interface Player {
     draw(): void;
     measure(): void;
@@ -19,7 +20,10 @@ declare module "virtual:player" {
     move(right: number, down: number): void;
     resetView(): void;
     pick(at: [number, number]): number | null;
-    place(at: [number, number]): [number, number];
+    place(at: [number, number], depth?: number): Place;
+    depth(at: [number, number]): number;
+    held(name: string): { spot: [number, number]; depth: number }[];
+    sides(): [Place, Place];
     at(): number;
     last(): number;
   }

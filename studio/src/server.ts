@@ -1,6 +1,6 @@
 // What is asked of the server: with the token of the address, and in the schema of `wire.ts`.
 import { fromKernel, notebook } from "./notebook";
-import type { Answers, Example, Moved, OpenedFile, Opening, Reply, Requests, SaveAnswer, SaveRequest } from "./wire";
+import type { Answers, Example, Kind, Moved, OpenedFile, Opening, Reply, Requests, SaveAnswer, SaveRequest } from "./wire";
 
 /** A page that was written to be shared has its answers with it, and no server. */
 interface Kept {
@@ -60,9 +60,15 @@ export function ask<K extends keyof Requests>(kind: K, request: Requests[K], top
   }
   return post("ask", { kind, topic, request });
 }
-/** The motion at places of the sliders of a shared page. */
+const caseOf = (places: number[]) => sliders.reduce((before, slider, k) => before * slider.values.length + places[k]!, 0);
+/** The answers to the questions of the file at places of the sliders of a shared page. */
+export function answersAt(places: number[]): { id: string; text: string; value: string }[] {
+  const at = caseOf(places);
+  return (kept?.moved?.answers ?? []).map(({ id, text, values }) => ({ id, text, value: values[at]! }));
+}
+/** The motion there. */
 export function movedTo(places: number[]): Told<"motion"> {
-  const at = sliders.reduce((before, slider, k) => before * slider.values.length + places[k]!, 0);
+  const at = caseOf(places);
   const told = kept!.moved!.replies[at] as Told<"motion">;
   if (!told.answer) return told;
   const own = kept!.replies[keyOf("motion", {})]!.answer as Answers["motion"];
@@ -74,4 +80,5 @@ export const open = () => kept ? Promise.resolve(kept.opening) : post<Opening>("
 export const openFile = (name: string) => post<OpenedFile>("file", { name });
 export const save = (request: SaveRequest) => post<SaveAnswer>("save", request);
 export const examples = () => post<Example[]>("examples", {});
+export const kinds = () => isAlone ? Promise.resolve<Kind[]>([]) : post<Kind[]>("kinds", {});
 export const schema = () => isAlone ? Promise.resolve<Record<string, unknown>>({}) : post<Record<string, unknown>>("schema", {});

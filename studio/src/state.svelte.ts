@@ -4,6 +4,7 @@ import { hearText, notebook, tellText } from "./notebook";
 import * as server from "./server";
 import type { Told } from "./server";
 import { type Change, changeBetween } from "./text";
+import type { Place } from "virtual:player";
 import type { Answers, Element, End, Kind, MotionAnswer, Parameter, ReadAnswer, Spot, StudyAnswer } from "./wire";
 import { WORDS, type Word } from "./words";
 
@@ -19,6 +20,12 @@ interface Joining {
   spots: Spot[];
   ends: End[];
   preview: string;
+}
+
+/** Of a dragged point: where it is at the start, and where to. */
+export interface Pull {
+  grabbed: Place;
+  to: Place;
 }
 
 /** What the editor can do for the rest of the page. */
@@ -76,6 +83,7 @@ export class Studio {
   // -- what follows from it
   motion = $state.raw<MotionAnswer | null>(null);
   motionMessage = $state("");
+  motionText = "";
   count = $state.raw<StudyAnswer | null>(null);
   isStale = $state(false);
   failure = $state("");
@@ -103,6 +111,8 @@ export class Studio {
   private counting = new Latest();
   private dragging = new Latest();
   private looking = new Latest();
+  private draggedTo = "";
+  private learning: Promise<void> | null = null;
 
   constructor() {
     const language = notebook?.language ?? kept.get("language") ?? navigator.language.slice(0, 2);
@@ -139,7 +149,6 @@ export class Studio {
     try {
       const opening = await server.open();
       this.files = opening.files;
-      this.kinds = opening.kinds;
       this.release = opening.version;
       this.take(opening.file.name, opening.file.text, opening.file.version);
       if (!opening.file.text) {
@@ -150,6 +159,12 @@ export class Studio {
     } catch (error) {
       this.fail(error);
     }
+  }
+
+  /** What can be added: after the first picture, which does not wait for it. */
+  async learnKinds(): Promise<void> {
+    this.learning ??= server.kinds().then((found) => void (this.kinds = found));
+    await this.learning.catch((error: unknown) => this.fail(error));
   }
 
   /** Shows a file. A draft of it that differs is offered. */
@@ -195,9 +210,13 @@ export class Studio {
     const text = this.text;
     try {
       const version = name === this.file ? this.version : "";
-      const done = await server.save({ name, text, version, overwrite });
+      const done = await server.save({ name, text, version, overwrite, language: this.language });
       if (done.is_changed) {
         this.dialog = "changed";
+        return;
+      }
+      if (done.message) {
+        this.failure = done.message;
         return;
       }
       this.dialog = "";
@@ -254,7 +273,11 @@ export class Studio {
       const told = await this.asked("motion", { text, language: this.language, until: this.until, frames });
       if (!told) return;
       const isAbout = text === this.text && text === this.modelText;
-      if (told.answer || (told.status !== "replaced" && isAbout)) this.shown(told);
+      if (told.answer || (told.status !== "replaced" && isAbout)) {
+        this.motionText = text;
+        this.shown(told);
+        void this.learnKinds();
+      }
       if (text === this.text) this.isStale = false;
     });
   }
@@ -292,6 +315,7 @@ export class Studio {
   /** A parameter gets another text; the motion follows at once, without waiting for the rest. */
   setParameter(parameter: Parameter, text: string): void {
     const { start, end } = parameter.span;
+    if (this.text.slice(start, end) !== parameter.text) return; // its place is not known until the text is read
     this.writer?.change([{ from: start, to: end, insert: text }], "input.type.slider");
     this.follow(this.text, FEWER);
   }
@@ -300,7 +324,8 @@ export class Studio {
   moved(map: (place: number, side: number) => number, text: string): void {
     this.parameters = this.parameters.map((p) => {
       const span = { start: map(p.span.start, -1), end: map(p.span.end, 1) };
-      return { ...p, span, text: text.slice(span.start, span.end) };
+      const now = text.slice(span.start, span.end);
+      return { ...p, span, text: /[,:{}\n]/.test(now) ? p.text : now }; // a change that took more than this value
     });
   }
 
@@ -325,15 +350,26 @@ export class Studio {
     } else if (told) this.failure = this.reason(told);
   }
 
-  /** Brings a point of a body from one place at the start to another, as far as it goes. */
-  drag(text: string, body: string, grabbed: [number, number], to: [number, number]): void {
+  /** Brings a point of a body from one place at the start to another, as far as it goes: by the first pull that moves it. */
+  drag(text: string, body: string, pulls: Pull[], sides: [Place, Place]): void {
     this.dragging.run(async () => {
-      const told = await this.asked("drag", { text, language: this.language, body, grabbed, to });
-      if (told?.answer) {
-        this.rewrite(told.answer.text, "input.type.drag");
-        this.follow(this.text, FEWER);
-      } else if (told && told.status !== "replaced") this.failure = this.reason(told);
+      for (const pull of pulls) {
+        const told = await this.asked("drag", { text, language: this.language, body, ...pull, across: sides[0], up: sides[1] });
+        if (this.text !== text && this.text !== this.draggedTo) return; // undone, or changed otherwise, meanwhile
+        if (told?.answer && told.answer.text !== text) {
+          this.draggedTo = told.answer.text;
+          this.rewrite(told.answer.text, "input.type.drag");
+          return this.follow(this.text, FEWER);
+        }
+        if (!told || told.status === "replaced") return;
+        if (!told.answer) this.failure = this.reason(told);
+      }
     });
+  }
+  /** Whether a body is shown where the text has it, and can be dragged from there. */
+  canDrag(body: string | null | undefined): body is string {
+    const isAtStart = this.motion !== null && this.time <= (this.motion.times[0] ?? 0);
+    return !this.isShared && isAtStart && this.isCurrent && this.motionText === this.text && Boolean(body && this.model?.moving.includes(body));
   }
 
   /** A new element; value: its YAML, in one line. */

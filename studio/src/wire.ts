@@ -22,13 +22,15 @@ export interface Call {
   request: Record<string, unknown>;
 }
 
-/** Bring a point of a body, at the place `grabbed` [m] at the start, as near `to` another place as it goes. */
+/** Bring a point of a body, at the place `grabbed` [m] at the start, as near `to` another place as it goes in a picture. across, up: what runs right and up in it, along the axes of the ground; how deep a point lies is free */
 export interface DragRequest {
   text: string;
   language?: "en" | "de";
   body: string;
-  grabbed: [number, number];
-  to: [number, number];
+  grabbed: number[];
+  to: number[];
+  across?: [number, number, number];
+  up?: [number, number, number];
 }
 
 /** Set the value at a path, as the YAML of a scalar; None takes it out. */
@@ -189,10 +191,11 @@ export interface MotionRequest {
   frames?: number;
 }
 
-/** The motions of all values of some sliders, the last of which runs fastest. replies: of `player` what differs from that of the file's values */
+/** The motions of all values of some sliders, the last of which runs fastest. replies: of `player` what differs from that of the file's values; answers: to the questions of the file */
 export interface Moved {
   sliders: Slider[];
   replies: Reply[];
+  answers: Valued[];
 }
 
 /** A file of the opened folder. version: changes with its content, empty for one that is not there yet */
@@ -202,13 +205,12 @@ export interface OpenedFile {
   version: string;
 }
 
-/** What the page begins with. is_file: whether a file was named; kinds: of elements that can be added */
+/** What the page begins with. is_file: whether a file was named */
 export interface Opening {
   file: OpenedFile;
   files: string[];
   is_file: boolean;
   version: string;
-  kinds: Kind[];
 }
 
 /** The motion as one HTML file that plays without a server. */
@@ -294,7 +296,7 @@ export interface Request {
   language?: "en" | "de";
 }
 
-/** version: the new one; is_changed: the file has been changed by somebody else, and nothing was written */
+/** version: the new one; is_changed: the file has been changed by somebody else, and nothing was written; message: why nothing was written, empty if it was */
 export interface SaveAnswer {
   version: string;
   is_changed: boolean;
@@ -307,6 +309,7 @@ export interface SaveRequest {
   text: string;
   version: string;
   overwrite?: boolean;
+  language?: "en" | "de";
 }
 
 /** The page of the studio with all its answers in it, as one file. name: of the model file; vary: what sliders move, as "L=0.5..2 m:9" */
@@ -377,6 +380,13 @@ export interface SuggestRequest {
 /** The changed text. */
 export interface TextAnswer {
   text: string;
+}
+
+/** A question of the file in all places of the sliders. values: numbers with units, or why there is none */
+export interface Valued {
+  id: string;
+  text: string;
+  values: string[];
 }
 
 export interface Requests {

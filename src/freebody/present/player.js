@@ -585,7 +585,25 @@ function pick([x, y]) {
   }
   return null;
 }
-function place([x, y]) { return [(x - view.x) / view.scale, (view.y - y) / view.scale]; }
+const onSight = ([x, y]) => [(x - view.x) / view.scale, (view.y - y) / view.scale];
+function place(spot, depth = 0) {
+  // where in the model a place on the canvas is, so deep in the picture: `seen` undone
+  const local = [...onSight(spot), depth], shrunk = data.distance ? data.distance / (data.distance + depth) : 1;
+  return [0, 1, 2].map((c) => data.middle[c] + shrunk * local.reduce((sum, l, k) => sum + l * camera.axes[k][c], 0));
+}
+function depth(spot) {
+  // of what `pick` finds there
+  const owner = pick(spot), solids = taken.filter((each) => each.owner === owner && each.piece);
+  const hit = solids.findLast((each) => contains(each.outline.map(onPaper), spot));
+  return hit ? depths(hit, onSight(spot))[1] : solids.at(-1)?.depth ?? 0;
+}
+function held(name) {
+  // by what a body is moved without a pointer: its mass centre, then what is drawn farthest from that; each with its depth
+  const own = taken.filter((each) => each.owner === data.labels.find((label) => label.text === name)?.owner);
+  const center = seen(pose(data.names.indexOf(name), at)[0]), away = (p) => Math.hypot(p[0] - center[0], p[1] - center[1]);
+  const far = own.flatMap((each) => each.points).reduce((most, p) => (away(p) > away(most) ? p : most), center);
+  return [center, far].map((p) => ({ spot: onPaper(p), depth: p[2] }));
+}
 resetView();
-return { draw, measure, show, go, turn, zoom, move, resetView, pick, place, at: () => at, last: () => last };
+return { draw, measure, show, go, turn, zoom, move, resetView, pick, place, depth, held, sides: () => camera.axes.slice(0, 2), at: () => at, last: () => last };
 }

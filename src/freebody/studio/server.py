@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import json
 import secrets
+from asyncio import to_thread
 from collections.abc import AsyncGenerator, Awaitable, Callable
 from contextlib import asynccontextmanager
 from importlib.metadata import version
@@ -29,7 +30,8 @@ from freebody.studio.folder import Folder
 from freebody.studio.kinds import kinds
 from freebody.studio.lanes import Lanes
 from freebody.studio.look import style_sheet
-from freebody.studio.wire import Call, Example, Opening, SaveRequest
+from freebody.studio.telling import told
+from freebody.studio.wire import Call, Example, Opening, SaveAnswer, SaveRequest
 from freebody.studio.work import WORK
 from freebody.system.schema import json_schema
 
@@ -109,7 +111,6 @@ def studio(folder: Folder, token: str, port: int) -> Starlette:
             files=folder.names(),
             is_file=bool(folder.first),
             version=version("freebody"),
-            kinds=kinds(),
         )
         return opening.model_dump()
 
@@ -130,10 +131,18 @@ def studio(folder: Folder, token: str, port: int) -> Starlette:
         return folder.opened(str(body["name"])).model_dump()
 
     async def save(body: Any) -> Any:
-        return folder.save(SaveRequest.model_validate(body)).model_dump()
+        request = SaveRequest.model_validate(body)
+        try:
+            return folder.save(request).model_dump()
+        except InputError as error:  # a name that somebody typed: an answer, and no failure of the page
+            message = told(str(error), request.language)
+            return SaveAnswer(version="", is_changed=False, message=message).model_dump()
 
     async def examples(_body: Any) -> Any:
         return [each.model_dump() for each in _examples()]
+
+    async def all_kinds(_body: Any) -> Any:
+        return [each.model_dump() for each in await to_thread(kinds)]  # every example is read once
 
     async def schema(_body: Any) -> Any:
         return json_schema()
@@ -146,6 +155,7 @@ def studio(folder: Folder, token: str, port: int) -> Starlette:
         "file": read_file,
         "save": save,
         "examples": examples,
+        "kinds": all_kinds,
         "schema": schema,
     }
     routes = [Route(f"/api/{name}", guarded(answer), methods=["POST"]) for name, answer in answers.items()]

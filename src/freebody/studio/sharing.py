@@ -57,7 +57,7 @@ def shared_page(request: ShareRequest) -> str:
 def opening_of(name: str, text: str) -> Opening:
     """What a page begins with that has one model, and neither a folder nor anything to add."""
     file = OpenedFile(name=name, text=text, version="")
-    return Opening(file=file, files=[], is_file=True, version=version("freebody"), kinds=[])
+    return Opening(file=file, files=[], is_file=True, version=version("freebody"))
 
 
 def _questions(request: ShareRequest, questions: list[str], bodies: list[str]) -> Iterator[tuple[str, dict[str, Any]]]:

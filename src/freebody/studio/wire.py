@@ -5,6 +5,7 @@ Places in a text count as a browser does: UTF-16 units from 0.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any, Literal
 
 from pydantic import BaseModel, ConfigDict, Field
@@ -54,11 +55,14 @@ class AddRequest(Request):
 
 
 class DragRequest(Request):
-    """Bring a point of a body, at the place `grabbed` [m] at the start, as near `to` another place as it goes."""
+    """Bring a point of a body, at the place `grabbed` [m] at the start, as near `to` another place as it goes in a
+    picture. across, up: what runs right and up in it, along the axes of the ground; how deep a point lies is free"""
 
     body: str = Field(max_length=200)
-    grabbed: tuple[float, float]
-    to: tuple[float, float]
+    grabbed: Sequence[float] = Field(min_length=2, max_length=3)
+    to: Sequence[float] = Field(min_length=2, max_length=3)
+    across: tuple[float, float, float] = (1.0, 0.0, 0.0)
+    up: tuple[float, float, float] = (0.0, 1.0, 0.0)
 
 
 class End(Said):
@@ -302,12 +306,21 @@ class Slider(Said):
     own: int
 
 
+class Valued(Said):
+    """A question of the file in all places of the sliders. values: numbers with units, or why there is none"""
+
+    id: str
+    text: str
+    values: list[str]
+
+
 class Moved(Said):
     """The motions of all values of some sliders, the last of which runs fastest. replies: of `player` what differs
-    from that of the file's values"""
+    from that of the file's values; answers: to the questions of the file"""
 
     sliders: list[Slider]
     replies: list[Reply]
+    answers: list[Valued]
 
 
 class PictureAnswer(Said):
@@ -389,13 +402,12 @@ class OpenedFile(Said):
 
 
 class Opening(Said):
-    """What the page begins with. is_file: whether a file was named; kinds: of elements that can be added"""
+    """What the page begins with. is_file: whether a file was named"""
 
     file: OpenedFile
     files: list[str]
     is_file: bool
     version: str
-    kinds: list[Kind]
 
 
 class SaveRequest(Said):
@@ -406,10 +418,12 @@ class SaveRequest(Said):
     text: str = Field(max_length=LONGEST_TEXT)
     version: str
     overwrite: bool = False
+    language: Language = "en"
 
 
 class SaveAnswer(Said):
-    """version: the new one; is_changed: the file has been changed by somebody else, and nothing was written"""
+    """version: the new one; is_changed: the file has been changed by somebody else, and nothing was written; message:
+    why nothing was written, empty if it was"""
 
     version: str
     is_changed: bool

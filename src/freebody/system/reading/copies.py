@@ -186,9 +186,10 @@ def _look_at_assembly(names: Names, body: RigidBody, connections: Mapping[str, C
     found = [mesh for spec in connections.values() if (mesh := spec.teeth_with(names, body.name)) is not None]
     for k, (z1, p1, sense1) in enumerate(found):
         for z2, p2, sense2 in found[k + 1 :]:
-            total = abs(round(z1) * round(p2) - sense1 * sense2 * round(z2) * round(p1)) // math.gcd(
-                round(p1), round(p2)
-            )
+            common = math.gcd(round(p1), round(p2))
+            if not common:  # less than half a tooth
+                continue
+            total = abs(round(z1) * round(p2) - sense1 * sense2 * round(z2) * round(p1)) // common
             if total % n:
                 able = [m for m in range(2, n + 4) if total % m == 0]
                 told = Message(
