@@ -94,7 +94,8 @@ connections: {it: {contact: {between: [ball, floor], friction: 0.3, restitution:
                 (
                     "ellipsoid in space",
                     "stone",
-                    "ellipsoid: {mass: 1 kg, semi_axes: [0.1 m, 0.1 m, 0.2 m]}, turned: [p about z, l about x, s about z]",
+                    "ellipsoid: {mass: 1 kg, semi_axes: [0.1 m, 0.1 m, 0.2 m]}, "
+                    "turned: [p about z, l about x, s about z]",
                 ),
                 (
                     "point in space",

@@ -96,7 +96,7 @@ def core_of(names: Names, text: str, ball: Ball) -> Core | None:
     other = ball_of(names, text.removeprefix(INSIDE))
     if other is not None and (other.radius != ZERO or not text.startswith(INSIDE)):
         body, inside = names.known(other.center.body), text.startswith(INSIDE)
-        reach = (body.inner or other.radius) - ball.radius if inside else other.radius + ball.radius
+        reach = (body.inside_radius or ZERO) - ball.radius if inside else other.radius + ball.radius
         return None if reach == ZERO else Core(body, text, body_axes(body.name), D, _size(D), reach, inside)
     body = names.known(text)
     if text.startswith(INSIDE) or ball.radius == ZERO or body.solid not in _CORES or body.inner is not None:
