@@ -11,6 +11,7 @@ Two balls that collide get N = (1 + e) m w along the normal, m their reduced mas
 from __future__ import annotations
 
 import math
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -20,6 +21,8 @@ import freebody as fb
 from freebody.connections.places_on_bodies import F, Q
 from freebody.numeric.contact.record import Collision
 from freebody.numeric.reference import Reference
+from freebody.study.setup import Setup
+from freebody.system.modes import ContactMode, in_mode
 
 G = 9.81
 WEIGHT = "loads: {weight: {gravity: 9.81 m/s^2}}\n"
@@ -294,3 +297,33 @@ def test_ball_inside_another_at_the_start_is_told() -> None:
     )
     with pytest.raises(fb.FreebodyError, match=r"at the start a is 0\.5 m inside b \(it\)"):
         fb.System.from_text(model).simulate(0.1)
+
+
+def test_formula_of_a_ball_on_a_free_box_is_given_up_after_a_bounded_number_of_terms() -> None:
+    model = (
+        "space: true\nbodies: {ball: {sphere: {mass: 1 kg, radius: 0.1 m}}, "
+        "crate: {box: {mass: 2 kg, size: [0.3 m, 0.2 m, 0.4 m]}}}\n"
+        "connections: {it: {contact: {between: [ball, crate]}}}\n"
+    )
+    system = fb.System.from_text(model)
+    held = in_mode(system, ContactMode.of({bound.name for bound in system.bounds}, {}))[0]
+    with pytest.raises(fb.FreebodyError, match="more than 60000 terms"):
+        Setup(held).state  # noqa: B018
+
+
+@pytest.mark.parametrize(("body", "reach"), [("particle: {mass: 1}", 0.4), ("disk: {mass: 1, radius: 0.1}", 0.3)])
+def test_what_falls_inside_an_annulus_reaches_its_hole(body: str, reach: float) -> None:
+    model = (
+        "bodies:\n  pipe: {annulus: {mass: 1, radius: 0.5, inner_radius: 0.4}, fixed: true, at: [0, 0]}\n"
+        f"  it: {{{body}, at: [0, 0.1]}}\nconnections: {{c: {{contact: {{between: [it, inside pipe]}}}}}}\n{WEIGHT}"
+    )
+    found = fb.System.from_text(model).simulate(0.5)
+    assert found.course.events[0].time == pytest.approx(math.sqrt(2 * (reach + 0.1) / G), rel=1e-9)
+    assert found.course.poses[-1, 0, 1] == pytest.approx(-reach, abs=1e-9)
+
+
+def test_domino_that_is_hit_leaves_the_stop_on_which_it_rested() -> None:
+    text = (Path(__file__).parents[1] / "examples" / "dominoes.yaml").read_text()
+    told = [str(e.name) for e in fb.System.from_text(text).simulate(0.1).course.events]
+    assert "stands2 leaves its min" in told
+    assert not [name for name in told if "hits" in name]

@@ -34,6 +34,13 @@ ground: {{planes: {{floor: {{normal: up}}}}}}
 bodies: {{stone: {{{body}}}}}
 connections: {{it: {{contact: {{between: [{touching}, ground.floor], friction: 0.3, restitution: 0.5}}}}}}
 """
+_SLIDING = """
+space: true
+bodies: {{ball: {{sphere: {{mass: 1 kg, radius: 0.1 m}}, at: {at}}}, other: {{{body}}}}}
+connections:
+  slide: {{prismatic: {{first: ground.A, second: other.center, along: z}}}}
+  it: {{contact: {{between: [ball, other], friction: {friction}, restitution: 0.5, touching: true}}}}
+"""
 _ON_A_BODY = """
 space: true
 bodies: {{ball: {{sphere: {{mass: 1 kg, radius: 0.1 m}}}}, other: {{{body}}}}}
@@ -74,29 +81,49 @@ ground: {lines: {floor: {along: right}}}
 bodies: {ball: {sphere: {mass: 1 kg, radius: 0.1 m}}}
 connections: {it: {contact: {between: [ball, floor], friction: 0.3, restitution: 0.5}}}
 """
-    more_examples: ClassVar[dict[str, str]] = {
-        name: _IN_SPACE.format(body=body, touching=touching)
-        for name, touching, body in (
-            ("ball in space", "stone", "sphere: {mass: 1 kg, radius: 0.1 m}"),
-            ("rim in space", "stone", "disk: {mass: 1 kg, radius: 0.1 m}, turned: [p about y, l about x, s about z]"),
-            (
-                "ellipsoid in space",
-                "stone",
-                "ellipsoid: {mass: 1 kg, semi_axes: [0.1 m, 0.1 m, 0.2 m]}, turned: [p about z, l about x, s about z]",
-            ),
-            ("point in space", "stone.tip", "box: {mass: 1 kg, size: [1 m, 2 m, 3 m]}, points: {tip: [1 m, -1 m, 0]}"),
-        )
-    } | {
-        name: _ON_A_BODY.format(body=body, touching=touching)
-        for name, touching, body in (
-            ("ball on a ball in space", "other", "sphere: {mass: 2 kg, radius: 0.2 m}, at: [0.1 m, -0.2 m, 0.3 m]"),
-            (
-                "ball in a bowl in space",
-                "inside other",
-                "spherical_shell: {mass: 2 kg, radius: 0.5 m}, at: [0, 0.3 m, 0]",
-            ),
-        )
-    }
+    more_examples: ClassVar[dict[str, str]] = (
+        {
+            name: _IN_SPACE.format(body=body, touching=touching)
+            for name, touching, body in (
+                ("ball in space", "stone", "sphere: {mass: 1 kg, radius: 0.1 m}"),
+                (
+                    "rim in space",
+                    "stone",
+                    "disk: {mass: 1 kg, radius: 0.1 m}, turned: [p about y, l about x, s about z]",
+                ),
+                (
+                    "ellipsoid in space",
+                    "stone",
+                    "ellipsoid: {mass: 1 kg, semi_axes: [0.1 m, 0.1 m, 0.2 m]}, "
+                    "turned: [p about z, l about x, s about z]",
+                ),
+                (
+                    "point in space",
+                    "stone.tip",
+                    "box: {mass: 1 kg, size: [1 m, 2 m, 3 m]}, points: {tip: [1 m, -1 m, 0]}",
+                ),
+            )
+        }
+        | {
+            name: _ON_A_BODY.format(body=body, touching=touching)
+            for name, touching, body in (
+                ("ball on a ball in space", "other", "sphere: {mass: 2 kg, radius: 0.2 m}, at: [0.1 m, -0.2 m, 0.3 m]"),
+                (
+                    "ball in a bowl in space",
+                    "inside other",
+                    "spherical_shell: {mass: 2 kg, radius: 0.5 m}, at: [0, 0.3 m, 0]",
+                ),
+            )
+        }
+        | {
+            f"ball on a {name} in space": _SLIDING.format(body=body, at=at, friction=friction)
+            for name, body, at, friction in (
+                ("box", "box: {mass: 2 kg, size: [1 m, 0.8 m, 1 m]}", "[0.1 m, 0.5 m, 0.05 m]", 0.3),
+                ("cylinder", "cylinder: {mass: 2 kg, radius: 0.4 m, length: 2 m, axis: y}", "[0.1 m, 0.1 m, 0.5 m]", 0),
+                ("rod", "rod: {mass: 2 kg, length: 1 m}", "[0.1 m, 0.06 m, 0.08 m]", 0),
+            )
+        }
+    )
 
     def is_in_plane(self, names: Names) -> bool:
         return not self._planes(names) and not self._misnamed(names) and not self._bodies_in_space(names)

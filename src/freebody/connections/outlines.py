@@ -108,7 +108,7 @@ def read_outline(names: Names, text: str, *path: str | int, below: bool = False)
     for prefix in ("inside of ", "inside "):
         if words.startswith(prefix):
             body = names.body(words.removeprefix(prefix), *path)
-            radius = names.radius(body.name, *path)
+            radius = names.radius(body.name, *path, inside=True)
             return Outline(body.name, words, hollows=(Hollow(body.center, radius, words),))
     line = names.line(words)
     if line is not None:

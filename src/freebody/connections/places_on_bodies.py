@@ -68,13 +68,14 @@ class Ball:
 
 @dataclass(frozen=True)
 class Core:
-    """What a ball stays away from: axes of the body, the vector v by components along them, and the distance s from
-    it at which the ball touches; inside: where it has to stay nearer than that."""
+    """What a ball stays away from: axes of the body, the vector v by components along them, |v| in as simple a
+    form as there is, and the distance s from it at which the ball touches; inside: where it has to stay nearer."""
 
     body: RigidBody
     label: str
     axes: tuple[Direction, Direction, Direction]
     v: Components
+    size: Expr
     reach: Expr
     inside: bool = False
 
@@ -95,13 +96,13 @@ def core_of(names: Names, text: str, ball: Ball) -> Core | None:
     other = ball_of(names, text.removeprefix(INSIDE))
     if other is not None and (other.radius != ZERO or not text.startswith(INSIDE)):
         body, inside = names.known(other.center.body), text.startswith(INSIDE)
-        reach = (body.inner or other.radius) - ball.radius if inside else other.radius + ball.radius
-        return None if reach == ZERO else Core(body, text, body_axes(body.name), D, reach, inside)
+        reach = (body.inside_radius or ZERO) - ball.radius if inside else other.radius + ball.radius
+        return None if reach == ZERO else Core(body, text, body_axes(body.name), D, _size(D), reach, inside)
     body = names.known(text)
     if text.startswith(INSIDE) or ball.radius == ZERO or body.solid not in _CORES or body.inner is not None:
         return None  # nothing is known of the edge of a bore
-    axes, v = _CORES[body.solid](body)
-    return Core(body, text, axes, v, ball.radius)
+    axes, v, size = _CORES[body.solid](body)
+    return Core(body, text, axes, v, size, ball.radius)
 
 
 def place_on_body(names: Names, text: str, other: str) -> ContactPlace | None:
@@ -112,7 +113,11 @@ def place_on_body(names: Names, text: str, other: str) -> ContactPlace | None:
 
 
 # -- cores ---------------------------------------------------------------------------------------
-Made = tuple[tuple[Direction, Direction, Direction], Components]
+Made = tuple[tuple[Direction, Direction, Direction], Components, Expr]
+
+
+def _size(v: Components) -> Expr:
+    return Call("sqrt", dot(v, v))
 
 
 def _clamped(x: Expr, half: Expr) -> Expr:
@@ -121,7 +126,8 @@ def _clamped(x: Expr, half: Expr) -> Expr:
 
 def _box(body: RigidBody) -> Made:
     halves = [divide(size, number(2)) for size in body.sizes]
-    return body_axes(body.name), tuple(x - _clamped(x, half) for x, half in zip(D, halves, strict=True))
+    v = tuple(x - _clamped(x, half) for x, half in zip(D, halves, strict=True))
+    return body_axes(body.name), v, _size(v)
 
 
 def _about(body: RigidBody, axis: Components) -> tuple[Direction, Direction, Direction]:
@@ -130,22 +136,26 @@ def _about(body: RigidBody, axis: Components) -> tuple[Direction, Direction, Dir
 
 
 def _round(body: RigidBody) -> Made:
-    """A cylinder, and a disk as one without length."""
+    """A cylinder, and a disk as one without length. With a >= 0 across the axis and b along it the size is
+    sqrt(a^2 + b^2) = a + b^2/(a + sqrt(a^2 + b^2)), which is a itself beside the body, where b is zero."""
     radius, *length = body.sizes
     rho2, square = D[0] * D[0] + D[1] * D[1], radius * radius
     farther = (rho2 + square + Call("abs", rho2 - square)) / 2  # max(rho, R)^2, so that the axis is no exception
-    beyond = ONE - radius / Call("sqrt", farther)
+    out = Call("sqrt", farther)
+    beyond, a = ONE - radius / out, out - radius
     along = D[2] - _clamped(D[2], divide(length[0], number(2))) if length else D[2]
-    return _about(body, body.axis), (D[0] * beyond, D[1] * beyond, along)
+    return _about(body, body.axis), (D[0] * beyond, D[1] * beyond, along), a + along * along / (a + _size((a, along)))
 
 
 def _ring(body: RigidBody) -> Made:
-    beyond = ONE - body.sizes[0] / Call("sqrt", D[0] * D[0] + D[1] * D[1])
-    return _about(body, body.axis), (D[0] * beyond, D[1] * beyond, D[2])
+    radius, rho = body.sizes[0], Call("sqrt", D[0] * D[0] + D[1] * D[1])
+    beyond = ONE - radius / rho
+    return _about(body, body.axis), (D[0] * beyond, D[1] * beyond, D[2]), _size((rho - radius, D[2]))
 
 
 def _rod(body: RigidBody) -> Made:
-    return _about(body, UNIT[0]), (D[0], D[1], D[2] - _clamped(D[2], divide(body.sizes[0], number(2))))
+    v = (D[0], D[1], D[2] - _clamped(D[2], divide(body.sizes[0], number(2))))
+    return _about(body, UNIT[0]), v, _size(v)
 
 
 _CORES: dict[SolidKind, Callable[[RigidBody], Made]] = {
@@ -176,7 +186,7 @@ class _Touching:
         sphere = core.v == D
         gap: Measure = Distance(core.body.center, self.ball.center)
         if not sphere:
-            gap = Composed(Call("sqrt", dot(core.v, core.v)), tuple(self.seen), LENGTH)
+            gap = Composed(core.size, tuple(self.seen), LENGTH)
         one, other = self.across
         return ContactPlace(
             self.ball.label,

@@ -84,9 +84,9 @@ connections: {it: {rolling: {body: wheel, on: floor}}}
             return []
         if other.radius is None:
             return self._nothing_there(names)
-        distance, total, rolled = touching(
-            other.center, other.radius, body.center, radius, internal=self.inside is not None
-        )
+        inside = self.inside is not None
+        rim = names.radius(other.name, inside=inside)
+        distance, total, rolled = touching(other.center, rim, body.center, radius, internal=inside)
         return [
             ConstraintRow("contact", "normal force", distance, total, sign=-1 if self.inside else 1, unilateral=True),
             ConstraintRow("no slip", "friction force", rolled, sign=-1, needs="contact"),
@@ -134,5 +134,6 @@ connections: {it: {rolling: {body: wheel, on: floor}}}
             yield glyphs.Track(body.center, line.direction, negate(radius) if self.below else radius)
             return
         other = names.body(str(self.on or self.inside))
-        radii = names.radius(other.name), negate(radius) if self.inside is not None else radius
+        inside = self.inside is not None
+        radii = names.radius(other.name, inside=inside), negate(radius) if inside else radius
         yield glyphs.Wheels(other.center, body.center, radii)

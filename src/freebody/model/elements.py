@@ -153,6 +153,11 @@ class RigidBody:
     sizes: Components = ()
     inner: Expr | None = None  # radius of what is hollow in it
 
+    @property
+    def inside_radius(self) -> Expr | None:
+        """Of the circle that it has on its inside: that of its hole, where it has one, else its own."""
+        return self.radius if self.inner is None else self.inner
+
     def point(self, name: str | None = None) -> Point:
         chosen = name or self.default_point
         label = self.name if name is None else f"{self.name}.{name}"

@@ -344,12 +344,14 @@ class Names(Formulas):
         size = Call("sqrt", square)
         return self.fixed_in(body, tuple(c / size for c in along))
 
-    def radius(self, name: str, *path: str | int) -> Expr:
+    def radius(self, name: str, *path: str | int, inside: bool = False) -> Expr:
+        """Of a round body; inside: of what is hollow in it, where something is."""
         body = self.body(name, *path)
-        if body.radius is None:
+        radius = body.inside_radius if inside else body.radius
+        if radius is None:
             self.problem(
                 Message("{name} has no radius; make it a disk, ring or sphere, or give its body a radius", name=name),
                 *path,
             )
             return number(1)
-        return body.radius
+        return radius

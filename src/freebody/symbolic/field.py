@@ -393,7 +393,8 @@ class Field(PolynomialRing):
         is_plain = all(self.generators[g].kind != "root" for g in self.used(den))  # a root goes with its square
         if slope == 0 and is_plain:  # a square of sines, once reduced, would no more show that it cancels
             return self.quotient(num.derivative(name), den)
-        return self.quotient(num.derivative(name) * den - num * slope, den * den)
+        top = self.product(num.derivative(name), den) - self.product(num, slope)
+        return self.quotient(top, self.product(den, den))
 
     def rate(self, x: Ratio) -> Ratio:
         """Total time derivative."""

@@ -107,8 +107,18 @@ class PolynomialRing:
             return poly
         for index in sorted(self._relations, reverse=True):
             if poly.degrees()[last - index] >= 2:
+                self._check_work(poly, index)
                 poly = divmod(poly, self._relations[index])[1]
         return poly
+
+    def _check_work(self, poly: Poly, index: int) -> None:
+        """Raises CannotAnswer where to put a square in would take too many products of terms."""
+        most, n = PRODUCT_LIMIT, len(self._relations[index])
+        if len(poly) * n <= most:
+            return
+        k = self._capacity - 1 - index
+        if n * sum(m[k] // 2 for m in poly.monoms() if m[k] >= 2) > most:
+            raise _too_long()
 
     # -- reading them -------------------------------------------------------------------------
     def used(self, poly: Poly) -> set[int]:

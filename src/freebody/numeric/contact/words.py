@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from freebody.language.sentences import Message
-from freebody.numeric.contact.after import After
+from freebody.numeric.contact.after import After, ImpactRecord
 from freebody.numeric.contact.bounded import Bounded
 from freebody.numeric.contact.rows import FrictionRow, ModeOf, UnilateralRow
 from freebody.numeric.engine.course import Event
+from freebody.tolerances import ROUND_OFF
 
 
 def events_between(bounded: Bounded, before: ModeOf | None, after: After, t: float) -> Iterator[Event]:
@@ -20,7 +21,7 @@ def events_between(bounded: Bounded, before: ModeOf | None, after: After, t: flo
         first, second = bounded.barriers[after.jammed].words
         yield Event(t, Message("{a} jams on {b}" if second else "{a} jams", a=first, b=second), "jams")
     was = frozenset[int]() if before is None else before.closed
-    hit = {k for impact in after.impacts for k, rate in impact.before.items() if rate < 0.0}
+    hit = {k for impact in after.impacts for k in _hit(impact)}
     for k, barrier in enumerate(bounded.barriers):
         if k in after.handed:
             continue
@@ -45,6 +46,12 @@ def events_between(bounded: Bounded, before: ModeOf | None, after: After, t: flo
         if old == new or old is None or new is None:
             continue
         yield Event(t, *_slips(drag, old, new))
+
+
+def _hit(impact: ImpactRecord) -> Iterator[int]:
+    """The barriers that were approached by more than round-off: what rests is no more than left."""
+    least = ROUND_OFF * max((abs(rate) for rate in impact.before.values()), default=0.0)
+    return (k for k, rate in impact.before.items() if rate < -least)
 
 
 def event_names(bounded: Bounded) -> list[str]:
