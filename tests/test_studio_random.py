@@ -195,7 +195,7 @@ class Somebody:
     def example(self) -> None:
         self.page.keyboard.press("Control+o")
         with suppress(pytest.importorskip("playwright.sync_api").Error):
-            self.page.wait_for_selector("dialog[open] .cards button", timeout=10_000)
+            self.page.locator("dialog[open] .cards button").first.wait_for(timeout=10_000)
         self.click("dialog[open] .cards button")
         self.page.keyboard.press("Escape")
 
@@ -223,10 +223,11 @@ def at_rest(page: Any, text: str) -> int:
     page.click(".cm-content")
     page.keyboard.press("Control+a")
     page.keyboard.insert_text(text)
-    page.wait_for_selector("canvas", timeout=WAIT)
-    page.wait_for_function("() => !document.querySelector('.stamp, .badge.bad')", timeout=WAIT)
-    page.wait_for_selector(".badge.dof:not(.stale)", timeout=WAIT)
-    page.wait_for_function("() => !document.querySelector('.working')", timeout=WAIT)
+    # a locator leaves nothing behind; what `wait_for_selector` returns would hold the page as it was then
+    page.locator("canvas").first.wait_for(timeout=WAIT)
+    page.wait_for_function("() => !document.querySelector('.stamp, .badge.bad')", timeout=WAIT).dispose()
+    page.locator(".badge.dof:not(.stale)").first.wait_for(timeout=WAIT)
+    page.wait_for_function("() => !document.querySelector('.working')", timeout=WAIT).dispose()
     page.wait_for_timeout(500)
     return memory_of(page)
 

@@ -113,6 +113,8 @@ export class Studio {
   private looking = new Latest();
   private draggedTo = "";
   private learning: Promise<void> | null = null;
+  /** Of what the reader takes. */
+  schema: Record<string, unknown> | null = null;
 
   constructor() {
     const language = notebook?.language ?? kept.get("language") ?? navigator.language.slice(0, 2);
@@ -161,10 +163,16 @@ export class Studio {
     }
   }
 
-  /** What can be added: after the first picture, which does not wait for it. */
-  async learnKinds(): Promise<void> {
-    this.learning ??= server.kinds().then((found) => void (this.kinds = found));
-    await this.learning.catch((error: unknown) => this.fail(error));
+  /** What can be added and written: after the first picture, which does not wait for it. */
+  async learn(): Promise<void> {
+    this.learning ??= Promise.all([server.kinds(), server.schema()]).then(([kinds, schema]) => {
+      this.kinds = kinds;
+      this.schema = schema;
+    });
+    await this.learning.catch((error: unknown) => {
+      this.learning = null;
+      this.fail(error);
+    });
   }
 
   /** Shows a file. A draft of it that differs is offered. */
@@ -259,7 +267,7 @@ export class Studio {
       if (!told?.answer || text !== this.text) return;
       this.read = told.answer;
       this.parameters = told.answer.parameters;
-      if (!told.answer.is_model) return;
+      if (!told.answer.is_model) return void this.learn(); // there is no picture to come first
       this.model = told.answer;
       this.modelText = text;
       this.follow(text);
@@ -276,7 +284,7 @@ export class Studio {
       if (told.answer || (told.status !== "replaced" && isAbout)) {
         this.motionText = text;
         this.shown(told);
-        void this.learnKinds();
+        void this.learn();
       }
       if (text === this.text) this.isStale = false;
     });

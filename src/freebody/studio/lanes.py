@@ -122,7 +122,7 @@ class Worker:
         if self.process is None or self.process.returncode is not None:
             alone = {f"{name}_NUM_THREADS": "1" for name in ("OMP", "OPENBLAS", "MKL")}
             self.process = await asyncio.create_subprocess_exec(
-                *(sys.executable, "-m", "freebody.studio.worker", self.lane.name),
+                *(sys.executable, "-m", "freebody.studio.worker", self.lane.name, str(self.lane.courtesy)),
                 stdin=PIPE,
                 stdout=PIPE,
                 limit=_LONGEST,

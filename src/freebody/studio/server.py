@@ -145,7 +145,7 @@ def studio(folder: Folder, token: str, port: int) -> Starlette:
         return [each.model_dump() for each in await to_thread(kinds)]  # every example is read once
 
     async def schema(_body: Any) -> Any:
-        return json_schema()
+        return await to_thread(json_schema)
 
     answers: dict[str, Answer] = {
         "open": open_page,

@@ -1,5 +1,6 @@
 """The table of what a worker does: by the name of a request its schema, its function, and the lane that it is done in.
-Some lanes answer at once, one takes its time; nobody waits for another lane."""
+Some lanes answer at once, one takes its time; nobody waits for another lane, and what is drawn goes before what is
+studied, from the start of the processes on."""
 
 from __future__ import annotations
 
@@ -17,17 +18,19 @@ from freebody.studio.telling import told
 
 @dataclass(frozen=True)
 class Lane:
-    """Work that shares a process. seconds: that one piece of it may take."""
+    """Work that shares a process. seconds: that one piece of it may take. courtesy: how far it lets other processes go
+    first, as `os.nice` counts"""
 
     name: str
     seconds: float
+    courtesy: int = 0
 
 
 READING, MOVING, COUNTING, STUDYING = (
     Lane("reading", 60),
     Lane("moving", 90),
-    Lane("counting", 90),
-    Lane("studying", 600),
+    Lane("counting", 90, courtesy=5),
+    Lane("studying", 600, courtesy=10),
 )
 
 
@@ -72,7 +75,7 @@ WORK: dict[str, Work] = {
 }
 
 
-def prepare(lane: str = "") -> None:
+def prepare(lane: str) -> None:
     """Imports what the work of a lane needs, before the first piece of it comes."""
     for work in WORK.values():
         if work.lane.name == lane:

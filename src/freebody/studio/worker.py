@@ -1,7 +1,8 @@
 """A worker: a process that does what it is given, line by line, and says on the way what it is busy with.
 
 It reads one JSON document a line and answers with one. What anything prints goes to stderr. On systems that can, its
-memory is limited, so that a model that is too large ends the worker and nothing else.
+memory is limited, so that a model that is too large ends the worker and nothing else. sys.argv: its lane, and the
+courtesy of that.
 """
 
 from __future__ import annotations
@@ -20,10 +21,13 @@ def main() -> None:
     """Until its input ends."""
     answers = os.fdopen(os.dup(1), "w", encoding="utf-8")
     os.dup2(2, 1)
+    lane, courtesy = sys.argv[1:]
     _limit_memory()
+    if hasattr(os, "nice"):  # Windows has none
+        os.nice(int(courtesy))
     from freebody.studio.work import done, prepare
 
-    prepare(*sys.argv[1:])
+    prepare(lane)
     lock = threading.Lock()
 
     def say(document: str) -> None:
