@@ -31,7 +31,7 @@ _TURNED_ROUND = re.compile(r"^(?:value|range|least|largest) (?:of )?(?P<paramete
 _NO_QUANTITY = re.compile(r"^(?:value|range|least|largest|ratio|does|is|when|time|change|energy|work|turns) ")
 _TORQUE = re.compile(r"\b(?:torque|moment) (?:of|on) ")
 _OF_TORQUE = re.compile(r"\b(?:torque|moment|impulse|power)\b|\bforce in |/|\*")
-_COMPONENT = re.compile(r"\b(?:along|horizontal|vertical|when|until|normal|while)\b")
+_COMPONENT = re.compile(r"\b(?:along|horizontal|vertical|when|until|normal|while|tension)\b")
 
 
 def is_accounted_for(names: Names, words: Sequence[Word], text: str) -> bool:
