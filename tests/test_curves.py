@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -11,6 +12,7 @@ from scipy.integrate import solve_ivp
 import freebody as fb
 
 G = 9.81
+EXAMPLES = Path(__file__).parents[1] / "examples"
 
 
 def simulated(text: str, until: float, **words: object) -> fb.Simulation:
@@ -211,3 +213,12 @@ start: {x: 0, rate(x): v}
     answer = fb.System.from_text(text).solve("normal force of hill at start").answers[0]
     assert answer.expression is not None
     assert answer.value == pytest.approx(2 * (G - 2 * 0.2 * 4))
+
+
+def test_a_wheel_on_a_hump_can_be_asked_when_it_leaves_the_road() -> None:
+    # the foot of the wheel on the curve has a place of its own where a phase begins; with no slip the wheel turns by a
+    # length of the curve that has no formula, so that there is a reason and no answer
+    text = (EXAMPLES / "wheel_over_a_hump.yaml").read_text("utf-8")
+    answer = fb.System.from_text(text).solve("largest v so that wheel never leaves road").answers[0]
+    assert answer.expression is None
+    assert answer.reason

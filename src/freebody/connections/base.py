@@ -156,6 +156,10 @@ class Connection(Spec):
         """What it takes for granted of where the bodies are."""
         return []
 
+    def lowest(self, names: Names) -> tuple[Measure, ...]:
+        """The measures of where something is along a curve, which are zero where this is lowest."""
+        return ()
+
     def curve_place(self, names: Names) -> CurvePlace | None:
         """Where it keeps a point beside a curve, if its foot there is a coordinate of its own."""
         return None

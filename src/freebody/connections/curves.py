@@ -13,12 +13,14 @@ from freebody.language.expression import Expr, Symbol, evaluate, number, substit
 from freebody.language.parser import parse
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, LENGTH, Dimension, dimension_of
+from freebody.measures.base import Measure
 from freebody.measures.geometry import GROUND, Direction, Point
 from freebody.model import glyphs
 from freebody.model.curves import PARAMETER, Curve, CurvePlace
 from freebody.model.glyphs import Glyph
 from freebody.model.rotations import UNIT
 from freebody.model.spec import Formula
+from freebody.tolerances import ROUNDED
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -106,6 +108,29 @@ class AlongCurve(Connection):
         """The least radius of curvature [m] where the curve is drawn, on the side to which a normal points."""
         bends = [side * bend for _s, _x, _y, bend in self._looked_at(names, curve)]
         return 1.0 / max(bends) if bends and max(bends) > 0.0 else None
+
+    def lowest(self, names: Names) -> tuple[Measure, ...]:
+        """None for a closed curve, which has a lowest place in each turn."""
+        curve, values = self.curve(names), {p.name: p.value for p in names.parameters.values() if p.value is not None}
+
+        def at(s: float, e: Expr) -> float:
+            return float(evaluate(e, {**values, PARAMETER: s}))
+
+        places = self._looked_at(names, curve)
+        try:
+            is_closed = curve.dimension == DIMENSIONLESS and math.isclose(
+                at(0.0, curve.x), at(2.0 * math.pi, curve.x), abs_tol=ROUNDED
+            )
+            is_level = abs(at(0.0, curve.slopes[1])) <= ROUNDED
+            bottom = at(0.0, curve.y)
+        except (ArithmeticError, ValueError, FreebodyError):
+            return ()
+        inner = [place for place in places if abs(place[0]) > ROUNDED]
+        if is_closed or not is_level or not inner or any(place[2] <= bottom for place in inner):
+            return ()
+        (_x, along), _y = curve.place_of(self.moved_point(names))
+        place = self.curve_place(names)
+        return (along,) if place is None else (place.parameter,)
 
     # -- what is drawn ------------------------------------------------------------------------
     def drawn(self, names: Names) -> Iterable[Glyph]:

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from freebody.model.names import Names
 
 
+_TIME = "t"
 _SYMBOL = re.compile(r"[^\W\d]\w*")
 
 
@@ -144,7 +145,8 @@ def chosen(names: Names, kind: ParameterKind, of: list[str]) -> list[str]:
     if kind.is_push:
         exerted = [load for load in names.applied_loads if "gravity" not in names.called.get(load.load, ())]
         loads = [load for load in exerted if load.load in of] or exerted
-        pushed = frozenset[str]().union(*(free_symbols(load.law) for load in loads))
+        laws = [free_symbols(load.law) for load in loads]  # what is in one of a motion is a stiffness, a damping
+        pushed = frozenset[str]().union(*(law for law in laws if law <= names.parameters.keys() | {_TIME}))
         return [name for name in found if name in pushed]
     sizes = frozenset[str]().union(
         *(free_symbols(body.inertia) | free_symbols(body.radius or ZERO) for body in names.bodies.values())

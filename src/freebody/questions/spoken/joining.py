@@ -29,7 +29,9 @@ def rolls(names: Names) -> bool:
 
 def rough(names: Names, thing: str) -> list[str]:
     """Connections with dry friction that are, or touch, a thing; all where none is named."""
-    joints_ = dict.fromkeys(row.connection for row in names.constraint_rows if row.reaction == "friction force")
+    joints_ = dict.fromkeys(
+        row.connection for row in names.constraint_rows if row.reaction.startswith("friction force")
+    )
     return [name for name in joints_ if not thing or touches(names, name, thing)]
 
 
@@ -271,7 +273,7 @@ def is_joined(names: Names, name: str) -> bool:
 
 def is_rough(names: Names) -> bool:
     """Whether dry friction holds something."""
-    return any(row.reaction == "friction force" for row in names.constraint_rows)
+    return any(row.reaction.startswith("friction force") for row in names.constraint_rows)
 
 
 def is_at(names: Names, name: str, thing: str) -> bool:
@@ -290,3 +292,20 @@ def turned(names: Names, body: str) -> list[str]:
     }
     begun = names.started_at_zero | {name for name in plain if name not in names.placed_at_start}
     return [name for name in lookup.angles(names, body) if name in begun]
+
+
+def feel_as_first(names: Names, placed: list[tuple[str, str]]) -> bool:
+    """Whether teeth act on what is named as on the first wheel: what is radial for this is axial for another one that
+    turns about another axis."""
+    for mesh in {row.connection for row in names.constraint_rows if row.reaction == "tooth force"}:
+        given = given_of(names.connections[mesh])
+        first, second = (str(given.get(key, given.get(also))) for key, also in (("first", "worm"), ("second", "wheel")))
+        if any(name == second for _, name in placed) and _axes(names, mesh, first) != _axes(names, mesh, second):
+            return False
+    return True
+
+
+def _axes(names: Names, mesh: str, body: str) -> set[str]:
+    """The axes about which connections other than a mesh let a body turn, as they are written."""
+    own = (spec for name, spec in names.connections.items() if name != mesh and touches(names, name, body))
+    return {str(given_of(spec).get("about")) for spec in own}

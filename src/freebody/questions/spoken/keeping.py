@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING
 from freebody.language.expression import free_symbols
 from freebody.measures.geometry import GROUND
 from freebody.questions.spoken import given, joining, lookup
+from freebody.questions.spoken.accounting import is_accounted_for
 from freebody.questions.spoken.lexicon import Word
 
 if TYPE_CHECKING:
@@ -32,7 +33,9 @@ _NUMBER = re.compile(r"(?<![\w.])\d+(?:\.\d+)?")
 
 
 def is_kept(names: Names, words: Sequence[Word], text: str) -> bool:
-    """Whether each name and each number of what was asked stands in words of the grammar."""
+    """Whether each name and each number of what was asked stands in words of the grammar, and its kind and way."""
+    if not is_accounted_for(names, words, text):
+        return False
     things = {thing for thing in _THING.findall(text) if _is_thing(names, thing)}
     numbers = {float(number) for number in _NUMBER.findall(text)}
     told = [float(number) for word in words if word.kind == "value" for number in _NUMBER.findall(word.what)]

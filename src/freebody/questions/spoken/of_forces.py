@@ -26,8 +26,13 @@ _KINDS = {  # kinds of what is said so, by how likely they are meant
     "moment": ("moment", "torque"),
     "driving force": ("driving force", "force"),
     "tooth force": ("tooth force", "belt force", "chain force"),
-    "axial force": ("tension", "reaction"),
+    "axial force": ("tension", "axial tooth force"),
+    "tangential tooth force": ("tangential tooth force", "tooth force", "belt force", "chain force"),
     "bearing reaction": ("bearing reaction", "reaction"),
+}
+_GIVEN_BY_JOINTS = {
+    **dict.fromkeys(("force", "driving force"), ("driving force",)),
+    **dict.fromkeys(("torque", "moment", "driving torque"), ("driving torque", "friction torque")),
 }
 
 
@@ -82,7 +87,8 @@ def _transmitted(names: Names, quantity: str, rest: Clause) -> Groups:
     if quantity == "force" and joints <= pulling and joints and rest.only("name", *SILENT) and len(rest.names) == 1:
         kinds = ("force",)  # the force in a rope is no sum of what its parts pull with
     for kind in kinds:
-        yield from _of_joint(names, kind, rest)
+        if kind not in ("radial tooth force", "axial tooth force") or joining.feel_as_first(names, rest.names):
+            yield from _of_joint(names, kind, rest)
 
 
 def _torques_on(names: Names, rest: Clause) -> list[str]:
@@ -172,6 +178,9 @@ def _headed(kind: str, rest: Clause) -> str | None:
 
 def _at_joint(names: Names, kind: str, head: str, joint: str, things: list[tuple[str, str]], ends: str) -> Groups:
     """A force of a connection that is named, with the body on which, or the place at which it acts."""
+    clamped = {row.connection for row in names.constraint_rows if row.reaction == "moment"}
+    if kind == "moment" and joint not in clamped and not ends:  # what is not clamped transmits none
+        return
     if kind == "force":
         own = list(dict.fromkeys(row.reaction for row in names.constraint_rows if row.connection == joint))
         own = ["tension"] if "tension" in own else own
@@ -318,7 +327,7 @@ def _of_belt(names: Names, quantity: str, rest: Clause) -> Groups:
         quantity == "belt force"
     ):  # the force round a wheel is that of its teeth; where none are, it is the whole force
         toothed = any(row.reaction == "tooth force" for row in names.constraint_rows)
-        yield from _transmitted(names, "tooth force" if toothed else "force", rest)
+        yield from _transmitted(names, "tangential tooth force" if toothed else "force", rest)
 
 
 @said_of("links")

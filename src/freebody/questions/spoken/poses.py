@@ -72,8 +72,19 @@ def begins_uppermost(names: Names, body: str) -> bool:
 
 
 def lowermost(names: Names, body: str) -> list[str]:
-    """The condition that what goes round a point of the ground is straight below it."""
-    return _conditions(names, body, -90.0)
+    """The condition that what goes round a point of the ground is straight below it, or at the bottom of a curve."""
+    return _conditions(names, body, -90.0) or _at_bottom(names, body)
+
+
+def _at_bottom(names: Names, body: str) -> list[str]:
+    """The condition that what is on a curve is where this is lowest."""
+    with names.quietly():
+        found = [m for name, spec in names.connections.items() if _is_on(names, name, body) for m in spec.lowest(names)]
+    return [f"{name} = 0" for name, measure in names.measures.items() if measure in found]
+
+
+def _is_on(names: Names, joint: str, body: str) -> bool:
+    return body in ("", joint) or body not in names.bodies or joining.touches(names, joint, body)
 
 
 def upright(names: Names, body: str) -> list[str]:

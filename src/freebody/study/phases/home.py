@@ -228,7 +228,7 @@ class Home:
             center = (shown(spatial.center.x), shown(spatial.center.y), shown(spatial.center.z))
             velocity = tuple(map(shown, model.kinematics.velocities[body.name][:3]))
             starts[body.name] = Start((body.default_point, center), velocity=velocity)
-        for body in () if phase.system.space else phase.system.moving:
+        for body in () if phase.system.space else phase.system.all_moving:
             pose, (vx, vy, w) = model.poses[body.name], model.kinematics.velocities[body.name]
             assert isinstance(pose, Pose)
             name = body.default_point

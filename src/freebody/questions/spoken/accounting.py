@@ -1,0 +1,64 @@
+"""Whether what is understood is of the kind that was asked for, and goes the way that was said.
+
+Names and numbers are kept in keeping.py. Here the other words are looked after that say which quantity is meant: a
+force is no torque, a component is no vector, a place is no extreme of it, and a parameter has the unit of what is
+asked.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from itertools import takewhile
+from typing import TYPE_CHECKING
+
+from freebody.questions.spoken import given
+from freebody.questions.spoken.composing import ALONG
+from freebody.questions.spoken.lexicon import Word
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+_PUSHES = frozenset(
+    {
+        *("force", "contact force", "tension", "normal force", "friction force", "reaction", "bearing reaction"),
+        *("spring force", "axial force", "tooth force", "driving force"),
+    }
+)
+_TURNS = frozenset({"moment", "torque", "driving torque", "friction torque"})
+_WAYS = {*ALONG, "uphill", "downhill"}  # what goes that way is a component, or an instant of a motion that way
+_TURNED_ROUND = re.compile(r"^(?:value|range|least|largest) (?:of )?(?P<parameter>\w+) (?:for|so|that) ")
+_NO_QUANTITY = re.compile(r"^(?:value|range|least|largest|ratio|does|is|when|time|change|energy|work|turns) ")
+_TORQUE = re.compile(r"\b(?:torque|moment) (?:of|on) ")
+_OF_TORQUE = re.compile(r"\b(?:torque|moment|impulse|power)\b|\bforce in |/|\*")
+_COMPONENT = re.compile(r"\b(?:along|horizontal|vertical|when|until|normal|while|tension)\b")
+
+
+def is_accounted_for(names: Names, words: Sequence[Word], text: str) -> bool:
+    """Whether words of the grammar ask for a quantity of the kind that words of a text name, along the way they say."""
+    asked = {word.what for word in words if word.kind == "quantity"}
+    if turned := _TURNED_ROUND.match(text):
+        return _has_unit(names, words, turned["parameter"])
+    if _NO_QUANTITY.match(text):
+        return True
+    is_push, is_turn = bool(asked & _PUSHES), bool(asked & _TURNS)
+    if is_push and not is_turn and _TORQUE.search(text):
+        return False
+    if is_turn and not is_push and not _OF_TORQUE.search(text):
+        return False
+    main = [*takewhile(lambda word: word.kind != "mark", words)]
+    goes = any(word.kind in ("part", "updown") and word.what in _WAYS for word in main)
+    if goes and asked & (_PUSHES | _TURNS) and not _COMPONENT.search(text):
+        return False
+    is_place = Word("ask", "where") in words and not asked
+    return not (is_place and text.startswith(("greatest ", "least ")))
+
+
+def _has_unit(names: Names, words: Sequence[Word], parameter: str) -> bool:
+    """Whether a parameter that nobody names is of a kind that is named before what is to be so."""
+    if parameter not in names.parameters or any(word.kind == "name" and word.what == parameter for word in words):
+        return True
+    kinds = [given.KIND_OF[w.what] for w in words if w.kind == "quantity" and w.what in given.KIND_OF]
+    if not kinds or any(kind.written for kind in kinds):
+        return True
+    return any(kind.has(names.parameters[parameter]) for kind in kinds)
