@@ -293,3 +293,43 @@ def test_of_several_kinds_that_a_name_begins_none_is_preferred() -> None:
         fb.System.from_text(f"space: true\n{text}")
     with pytest.raises(fb.ModelError, match=r"Did you mean gear_mesh\?"):
         fb.System.from_text(text)
+
+
+PUSHED = """
+freebody: 1
+parameters: {m: 2 kg, mu: 0.25, F: 10 N}
+bodies: {block: {particle: {mass: m}}}
+loads: {push: {force: {at: block, along: right, magnitude: F}}}
+measures: {x: x of block}
+start: {x: 0, rate(x): 0}
+"""
+
+
+def test_all_questions_of_a_command_line_are_answered_in_their_order(tmp_path: Path) -> None:
+    (tmp_path / "pushed.yaml").write_text(PUSHED)
+    asked = ["acceleration of x", "time until x = 10 m"]
+    found = freebody("solve", "pushed.yaml", "--find", asked[0], "--find", asked[1], "--json", cwd=tmp_path)
+    answers = json.loads(found.stdout)["answers"]
+    assert [a["question"] for a in answers] == asked
+    assert [a["value"] for a in answers] == pytest.approx([5.0, 2.0])  # F/m, and sqrt(2 x/(F/m))
+    derived = freebody("explain", "pushed.yaml", "--find", asked[0], "--find", asked[1], "--json", cwd=tmp_path)
+    assert [d["reason"] for d in json.loads(derived.stdout)["derivations"]] == [None, None]
+
+
+def test_a_mistake_in_one_of_several_questions_is_told_of_that_one(tmp_path: Path) -> None:
+    (tmp_path / "pushed.yaml").write_text(PUSHED)
+    done = freebody("solve", "pushed.yaml", "--find", "acceleration of x", "--find", "acceleration of z", cwd=tmp_path)
+    assert done.returncode == 2
+    assert done.stderr.endswith("z is no measure, body or point. There is: block, ground, x.\n")
+
+
+def test_a_parameter_in_a_question_of_the_command_line_is_used(tmp_path: Path) -> None:
+    (tmp_path / "pushed.yaml").write_text(PUSHED)
+    asked = ["solve", "pushed.yaml", "--json", "--find", "acceleration of x"]
+    other = freebody(*asked, cwd=tmp_path)
+    assert [w["kind"] for w in json.loads(other.stdout)["warnings"]] == ["unused"]
+    assert "mu is used nowhere" in other.stderr
+    done = freebody(*asked, "--find", "mu*m*(acceleration of x)", cwd=tmp_path)
+    assert "warnings" not in json.loads(done.stdout)
+    assert not done.stderr
+    assert json.loads(done.stdout)["answers"][1]["value"] == pytest.approx(2.5)  # mu F

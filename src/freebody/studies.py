@@ -68,7 +68,7 @@ class Option:
         if self.is_list:
             given: list[str] = word or []
             return [part for part in map(str.strip, ",".join(given).split(",")) if part]
-        if self.is_joined:
+        if self.is_joined or word == []:
             word = word or None
         if word is None or not self.read:
             return word
@@ -139,11 +139,17 @@ class Studies:
         "freebody.study.answering.solve",
         "solve",
         busy="reading the model",
-        options=[Option("question", ("--find",), "Answer this question instead of those in the file.")],
+        options=[
+            Option(
+                "question", ("--find",), "Answer this question instead of those in the file (repeatable).", list[str]
+            )
+        ],
         is_short=True,
     )
-    def solve(self, question: str | None = None) -> Solution:
-        """Answer the questions of a model in closed form."""
+    def solve(self, question: str | Sequence[str] | None = None) -> Solution:
+        """Answer the questions of a model in closed form.
+
+        question: in words, one or several, instead of those of the model."""
         ...
 
     @study(
@@ -151,16 +157,28 @@ class Studies:
         "explain",
         busy="reading the model",
         options=[
-            Option("question", ("--find",), "Only this question: its id in the file, or one in words."),
+            Option(
+                "question",
+                ("--find",),
+                "Only this question: its id in the file, or one in words (repeatable).",
+                list[str],
+            ),
             Option("method", ("--method",), "auto, newton, lagrange or energy.", default="auto"),
             Option("compare", ("--compare",), "A second method beside the first.", metavar="METHOD"),
             Option("language", ("--language",), f"{' or '.join(reversed(languages()))}.", default="en"),
         ],
     )
     def explain(
-        self, question: str | None = None, *, method: str = "auto", compare: str | None = None, language: str = "en"
+        self,
+        question: str | Sequence[str] | None = None,
+        *,
+        method: str = "auto",
+        compare: str | None = None,
+        language: str = "en",
     ) -> Explanation:
-        """Derive the answers step by step, with pictures."""
+        """Derive the answers step by step, with pictures.
+
+        question: its id, or one in words, or several, instead of those of the model."""
         ...
 
     @study(

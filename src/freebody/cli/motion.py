@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from freebody.cli.options import Json, ModelFile, Set, Watch, model_of, seconds_of
+from freebody.cli.options import Json, ModelFile, Set, Watch, model_of, said, seconds_of
 from freebody.cli.output import print_result, print_written
 from freebody.numeric.engine.integrators import integrators  # their names alone
 
@@ -55,11 +55,12 @@ def simulate(
     from freebody.present.busy import busy
     from freebody.present.progress_bar import progress_bar
 
+    asked = said(show, event)
     with busy("reading the model"):
         from freebody.numeric.options import SimulationOptions
         from freebody.study.simulation.simulate import simulate as run
 
-        system = model_of(file, set_)
+        system = model_of(file, set_, asked=asked)
         _check_outputs(out, plot, animate)
         if show:
             _check_shown(system, show)
@@ -80,7 +81,7 @@ def simulate(
         result = run(system, seconds, options=options, events=event or (), progress=progress)
     with busy("evaluating the motion"):
         result.summary()  # what it takes is computed here, not while it is printed
-    print_result(result, system, as_json=as_json)
+    print_result(result, system, as_json=as_json, asked=asked)
     with busy("writing"):
         written = _written(result, out, plot, show or [], animate)
     if not as_json:

@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from freebody.cli.options import Effort, Json, ModelFile, Set, model_of, seconds_of
+from freebody.cli.options import Effort, Json, ModelFile, Set, model_of, said, seconds_of
 from freebody.cli.output import print_result, print_written
 
 _List = list[str] | None
@@ -49,6 +49,7 @@ def optimise(
     """Find the parameters at which a goal is best, under limits; of several goals the Pareto front."""
     from freebody.present.busy import busy
 
+    asked = said(minimise, maximise, subject_to)
     with busy("optimising"):
         from freebody.numeric.options import SimulationOptions
         from freebody.present.files import check_writable
@@ -56,7 +57,7 @@ def optimise(
         from freebody.study.given import ranges_of
         from freebody.study.optimising.optimise import optimise as run
 
-        system = model_of(file, set_)
+        system = model_of(file, set_, asked=asked)
         if plot is not None:
             check_writable(checked_path(plot))
         found = run(
@@ -73,7 +74,7 @@ def optimise(
             options=SimulationOptions(tolerance=tolerance),
             out=out or (),
         )
-    print_result(found, system, as_json=as_json)
+    print_result(found, system, as_json=as_json, asked=asked)
     drawn = [] if plot is None else [found.chart().write(plot)]
     if not as_json:
         print_written([*found.files, *drawn])

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
@@ -52,24 +52,31 @@ Set = Annotated[
 Watch = Annotated[bool, typer.Option("--watch", help="Run again whenever the file is saved, until Ctrl-C.")]
 
 
-def model_of(file: Path, assignments: list[str] | None, language: object = None) -> System:
-    """The system of a file, with other values of parameters; what is unlikely in it is told on stderr."""
+def model_of(file: Path, assignments: list[str] | None, language: object = None, asked: tuple[str, ...] = ()) -> System:
+    """The system of a file, with other values of parameters; what is unlikely in it is told on stderr. asked: what is
+    said of it on the command line."""
     from freebody.system.system import System
 
     system = System.load(file)
     if assignments:
         system = system.with_parameters(**dict(assignment(text) for text in assignments))
-    tell_warnings(system, language)
+    tell_warnings(system, language, asked)
     return system
 
 
-def tell_warnings(system: System, language: object = None) -> None:
+def tell_warnings(system: System, language: object = None, asked: tuple[str, ...] = ()) -> None:
     from freebody.cli.running import in_language, say
     from freebody.study.model_warnings import warnings_of
 
-    for warning in warnings_of(system):
+    for warning in warnings_of(system, asked):
         told = Message("warning: {text}", text=warning.text(system.file))
         say(in_language(told, language))
+
+
+def said(*words: Any) -> tuple[str, ...]:
+    """The texts among what stands behind the options of a command, once or several times."""
+    lists: list[list[Any]] = [word if isinstance(word, list) else [word] for word in words]
+    return tuple(one for words in lists for one in words if isinstance(one, str))
 
 
 def seconds_of(text: str, option: str) -> float:

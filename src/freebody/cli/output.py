@@ -35,29 +35,30 @@ def print_result(
     as_latex: bool = False,
     out: Path | None = None,
     is_short: bool = False,
+    asked: tuple[str, ...] = (),
 ) -> None:
     """A result as a report in a file, and as one JSON document, as LaTeX, or, where no file is written, as text; if it
-    `is_short`, formulas that nobody would read by their size."""
+    `is_short`, formulas that nobody would read by their size. asked: what was said of the model on the command line."""
     from freebody.present.busy import busy
 
     with busy("writing"):
         written = [] if out is None else found.write(out)
         text = found.to_latex() if as_latex else found.to_text(is_short=is_short) if not (written or as_json) else ""
     if as_json:
-        print_json(_with_warnings(found.to_plain(), system))
+        print_json(_with_warnings(found.to_plain(), system, asked))
     elif text:
         print(text.rstrip("\n"), flush=True)
     else:
         print_written(written)
 
 
-def _with_warnings(document: dict[str, Any], system: System | None) -> dict[str, Any]:
+def _with_warnings(document: dict[str, Any], system: System | None, asked: tuple[str, ...]) -> dict[str, Any]:
     """A document with the warnings about its model, if there are any."""
     if system is None:
         return document
     from freebody.study.model_warnings import warnings_of
 
-    told = [warning.to_plain() for warning in warnings_of(system)]
+    told = [warning.to_plain() for warning in warnings_of(system, asked)]
     return {**document, "warnings": told} if told else document
 
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from freebody.cli.options import Effort, Json, ModelFile, ReportFile, Set, Watch, model_of
+from freebody.cli.options import Effort, Json, ModelFile, ReportFile, Set, Watch, model_of, said
 from freebody.cli.output import check_out, print_result, print_written
 from freebody.studies import Option, Study
 
@@ -73,8 +73,13 @@ def _found(study: Study, file: Any, words: dict[str, Any]) -> tuple[Any, System]
 
     with busy(study.busy):
         given = {option.parameter: option.given(words[option.parameter]) for option in study.options}
-        system = model_of(file, words["set_"], words.get("language"))
+        system = model_of(file, words["set_"], words.get("language"), _said(study, words))
         return study.function(system, **{name: x for name, x in given.items() if x is not None}), system
+
+
+def _said(study: Study, words: dict[str, Any]) -> tuple[str, ...]:
+    """What is said of the model behind the options of its own that a study has."""
+    return said(*(words[option.parameter] for option in study.options))
 
 
 def _report(study: Study, file: Any, words: dict[str, Any]) -> None:
@@ -87,6 +92,7 @@ def _report(study: Study, file: Any, words: dict[str, Any]) -> None:
         as_latex=words["latex"],
         out=words["out"],
         is_short=study.is_short and not words["is_full"] and words["formula"] is not FormulaLength.LONG,
+        asked=_said(study, words),
     )
     if not found.is_complete:
         raise typer.Exit(1)

@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from freebody.cli.options import Effort, Json, ModelFile, Set, model_of, seconds_of
+from freebody.cli.options import Effort, Json, ModelFile, Set, model_of, said, seconds_of
 from freebody.cli.output import print_result, print_written
 from freebody.numeric.engine.integrators import integrators  # their names alone
 
@@ -96,6 +96,7 @@ def sweep(
     from freebody.present.busy import busy
     from freebody.present.progress_bar import count_bar
 
+    asked = said(find, record, event)
     with busy("reading the model"):
         from freebody.numeric.options import SimulationOptions
         from freebody.present.files import check_writable
@@ -103,7 +104,7 @@ def sweep(
         from freebody.study.given import ranges_of
         from freebody.study.sweeps.sweep import sweep as run
 
-        system = model_of(file, set_)
+        system = model_of(file, set_, asked=asked)
         if plot is not None:
             check_writable(checked_path(plot))
         options = SimulationOptions(
@@ -133,7 +134,7 @@ def sweep(
             resume=resume,
             progress=progress,
         )
-    print_result(found, system, as_json=as_json)
+    print_result(found, system, as_json=as_json, asked=asked)
     if not found.is_complete:
         from freebody.cli.running import say
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
 from pathlib import Path
@@ -30,6 +30,7 @@ from freebody.study.answering.answer import Answer
 from freebody.study.answering.places_of_quantities import placed
 from freebody.study.answering.solution import Solution
 from freebody.study.answering.solve import solve
+from freebody.study.given import each
 from freebody.study.worded import in_words
 from freebody.system.system import System
 
@@ -66,13 +67,13 @@ class Explanation(WorkedSolutions, Result):
 @in_words
 def explain(
     system: System,
-    question: str | None = None,
+    question: str | Sequence[str] | None = None,
     *,
     method: str = "auto",
     compare: str | None = None,
     language: str = "en",
 ) -> Explanation:
-    """Derives the answers to the questions of a system, or to one: the id of a question of the file, or one in words.
+    """Derives the answers to the questions of a system, or to those given: ids of questions of the file, or in words.
 
     method: "auto", "newton", "lagrange" or "energy"; compare: a second method, shown beside the first. Raises
     ModelError for a question that cannot be read, InputError for an unknown method or language. A question without a
@@ -81,17 +82,7 @@ def explain(
     chosen = _method(method)
     second = None if compare is None else _method(compare)
     known = {q.id: q for q in system.questions}
-    if question is not None and question.isidentifier() and question not in known:
-        raise InputError(
-            Message(
-                "there is no question with the id {question}.{hint}",
-                question=question,
-                hint=did_you_mean(question, known),
-            )
-        )
-    asked = system.questions
-    if question is not None:
-        asked = (known[question],) if question in known else system.asked(question)
+    asked = system.questions if question is None else _asked(system, known, each(question))
     asked = tuple(placed(system, asked, solve)[0])
     system = system if asked == system.questions else replace(system, questions=asked)
     context = Context(system)
@@ -109,6 +100,19 @@ def explain_solved(system: System, solution: Solution, k: int, *, language: str 
     alone = replace(system, questions=(question,))
     found = replace(solution, system=alone, answers=(solution.answers[k],))
     return _explained(Context(alone), found, "auto", None, language)
+
+
+def _asked(system: System, known: Mapping[str, Question], texts: Sequence[str]) -> tuple[Question, ...]:
+    """Questions of the file by their ids, and others in words, in the order in which they are asked."""
+    for text in texts:
+        if text.isidentifier() and text not in known:
+            told = Message(
+                "there is no question with the id {question}.{hint}", question=text, hint=did_you_mean(text, known)
+            )
+            raise InputError(told)
+    if all(text in known for text in texts):
+        return tuple(known[text] for text in texts)
+    return system.asked(*(known[text].text if text in known else text for text in texts))
 
 
 def _explained(

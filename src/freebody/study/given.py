@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 
 from freebody.errors import InputError
 from freebody.language.expression import Expr
@@ -12,6 +12,11 @@ from freebody.measures.base import Measure
 from freebody.model.names import Names
 from freebody.model.noting import did_you_mean
 from freebody.system.system import System
+
+
+def each(given: str | Sequence[str]) -> tuple[str, ...]:
+    """One text, or several."""
+    return (given,) if isinstance(given, str) else tuple(given)
 
 
 def named_measure(system: System, name: str) -> Measure:

@@ -75,14 +75,19 @@ class System(SystemDescription):
             document = document.with_value(path, value)
         return self._read_given(document, "parameters")
 
-    def _read_given(self, document: Document, *under: str | int) -> Self:
+    def _read_given(self, document: Document, *under: str | int | None) -> Self:
         """What was read with a value that no file has: of a mistake in it no place in the file is told. under: where
-        the value stands in the document; what follows there, such as the name of a parameter, is its place."""
+        the value stands in the document, None for any; what follows there, such as the name of a parameter, is its
+        place."""
         try:
             return self._read(document, self.file)
         except ModelError as error:
             n = len(under)
-            told = [Problem(p.path[n:], p.message) if p.path[:n] == under else p for p in error.problems]
+
+            def is_under(path: tuple[str | int, ...]) -> bool:
+                return len(path) >= n and all(own in (None, part) for own, part in zip(under, path, strict=False))
+
+            told = [Problem(p.path[n:], p.message) if is_under(p.path) else p for p in error.problems]
             if all(p.line is None for p in told):
                 raise ModelError(told) from error
             raise ModelError(told, self.file) from error
@@ -108,14 +113,15 @@ class System(SystemDescription):
             raise InputError(told)
         return next(iter(found))
 
-    def asked(self, text: str) -> tuple[Question, ...]:
-        """What a text asks for: one question, or several. Raises InputError if it cannot be read."""
-        if len(text) > LONGEST:
-            raise InputError(
-                Message("a question has at most {most} characters, this one {n}", most=LONGEST, n=len(text))
-            )
-        document = self.document.with_value(("questions",), [{"find": text}])
-        return self._read_given(document, "questions", 0, "find").questions
+    def asked(self, *texts: str) -> tuple[Question, ...]:
+        """What texts ask for: one question each, or several. Raises InputError if one cannot be read."""
+        for text in texts:
+            if len(text) > LONGEST:
+                raise InputError(
+                    Message("a question has at most {most} characters, this one {n}", most=LONGEST, n=len(text))
+                )
+        document = self.document.with_value(("questions",), [{"find": text} for text in texts])
+        return self._read_given(document, "questions", None, "find").questions
 
     def to_yaml(self) -> str:
         """The model file, with its comments."""

@@ -24,19 +24,20 @@ from freebody.study.answering.parts import part_for
 from freebody.study.answering.places_of_quantities import placed, with_place
 from freebody.study.answering.plain_numbers import with_plain_numbers
 from freebody.study.answering.solution import Solution
+from freebody.study.given import each
 from freebody.study.setup import Setup, independent_measures
 from freebody.study.worded import in_words
 from freebody.system.system import System
 
 
 @in_words
-def solve(system: System, question: str | None = None, *, setup: Setup | None = None) -> Solution:
-    """Answers the questions of a system, or one question given in words. setup: of the same system, where there is one
-    already.
+def solve(system: System, question: str | Sequence[str] | None = None, *, setup: Setup | None = None) -> Solution:
+    """Answers the questions of a system, or those given in words, one or several. setup: of the same system, where
+    there is one already.
 
     Raises ModelError if the system cannot be assembled or the question cannot be read. A question without a closed
     form, or one whose closed form fails its check, has an Answer that says why and shows no formula."""
-    asked = system.questions if question is None else system.asked(question)
+    asked = system.questions if question is None else system.asked(*each(question))
     questions, no_place = placed(system, asked, solve)
     found = _solved(system, [q for q in questions if q.id not in no_place], setup)
     answers = {a.id: a for a in found.answers}

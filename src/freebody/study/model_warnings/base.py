@@ -43,10 +43,12 @@ class ModelWarning:
 
 class Opened:
     """A model at its start and in a few poses that it can move to, each worked out when a kind first asks. Raises
-    FreebodyError where there is no such pose: then another message tells why."""
+    FreebodyError where there is no such pose: then another message tells why.
 
-    def __init__(self, system: System) -> None:
-        self.system = system
+    asked: what is said of it beside the file, as a question on the command line."""
+
+    def __init__(self, system: System, asked: tuple[str, ...] = ()) -> None:
+        self.system, self.asked = system, asked
 
     @cached_property
     def start(self) -> Snapshot:

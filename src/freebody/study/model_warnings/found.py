@@ -18,11 +18,12 @@ _UNTOLD = (FreebodyError, ArithmeticError, ValueError, np.linalg.LinAlgError)
 
 
 @lru_cache(maxsize=8)
-def warnings_of(system: System) -> tuple[ModelWarning, ...]:
-    """In the order of the file, without those that follow from others."""
+def warnings_of(system: System, asked: tuple[str, ...] = ()) -> tuple[ModelWarning, ...]:
+    """In the order of the file, without those that follow from others. asked: what is said of the model beside its
+    file, as a question on the command line."""
     if len(system.bodies) > _MOST_BODIES:
         return ()
-    model, found = Opened(system), list[ModelWarning]()
+    model, found = Opened(system, asked), list[ModelWarning]()
     for kind in sorted(WarningKind.kinds, key=lambda kind: kind.name):
         with suppress(*_UNTOLD):  # a model that cannot be opened has its own message
             found.extend(kind().look(model))

@@ -14,7 +14,8 @@ _PROSE = ("title", "about", "source")
 
 
 class Unused(WarningKind, name="unused"):
-    """A parameter whose name stands nowhere else in the file, questions and options included."""
+    """A parameter whose name stands nowhere else in the file, questions and options included, and in no question beside
+    it."""
 
     def look(self, model: Opened) -> Iterator[ModelWarning]:
         data = model.system.document.data
@@ -23,6 +24,7 @@ class Unused(WarningKind, name="unused"):
             return
         used = set(_names({key: value for key, value in data.items() if key not in (*_PROSE, "parameters")}))
         used |= {name for value in given.values() for name in _names(value)}  # pyright: ignore[reportUnknownVariableType, reportUnknownArgumentType]
+        used |= {*_names(list(model.asked))}
         for name in map(str, given):  # pyright: ignore[reportUnknownArgumentType]
             if name not in used:
                 told = Message("{name} is used nowhere in the model: leave it out, or use it", name=name)
