@@ -24,10 +24,14 @@ def questions_in(question: Question) -> tuple[Question, ...]:
     """A question for each operand that is more than parameters."""
     alone = replace(question, options={}, key=None, event=None, transition=None)
     return tuple(
-        replace(alone, id=f"{question.id} {k}", quantity=q.of if is_at_start else q, at_start=is_at_start)
+        replace(
+            alone,
+            id=f"{question.id} {k}",
+            quantity=q.of if isinstance(q, AtStart) else q,
+            at_start=isinstance(q, AtStart),
+        )
         for k, q in enumerate(question.quantity.inner)
         if not isinstance(q, OfParameters)
-        for is_at_start in (isinstance(q, AtStart),)
     )
 
 
