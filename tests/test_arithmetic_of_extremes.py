@@ -52,7 +52,7 @@ def test_extremes_are_calculated_with(model: str, question: str, by_hand: float)
 
 
 def test_what_is_meant_at_no_instant_is_asked_for_one() -> None:
-    with pytest.raises(fb.FreebodyError, match=r"say of each quantity in '.*' when it is meant"):
+    with pytest.raises(fb.FreebodyError, match="when it is meant"):
         fb.System.from_text(PENDULUM).solve("(greatest theta) - (tension of rod)*m/m")
 
 
