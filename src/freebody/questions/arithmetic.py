@@ -49,7 +49,7 @@ class Joined(Quantity):
     def counted(self, passage: Passage[Any]) -> Any:
         if all(q.scope == "instant" for q in self.inner):
             return passage.there(self)
-        return self.made_of(tuple(q.counted(passage) for q in self.inner), _OnTheWay())
+        return self.made_of(tuple(q.counted(passage) for q in self.inner), OnTheWay())
 
     @property
     def kinematic_order(self) -> int | None:
@@ -178,7 +178,17 @@ class CalculatedOnTheWay(Calculated):
     scope = "course"
 
 
-class _OnTheWay:
+class CalculatedOfMotion(Calculated):
+    """The same where an operand is an extreme of the motion; another one is meant at the start."""
+
+    scope = "whole motion"
+
+    @property
+    def is_of_answers(self) -> bool:
+        return True
+
+
+class OnTheWay:
     """Functions of what is gathered on the way to an event: what sign it has does not follow from its formula."""
 
     def sqrt(self, x: Any) -> Any:
@@ -292,8 +302,9 @@ def read_calculated(
     form = _with_constants(form, {*named}, inside, dimensions)
     used = free_symbols(form)
     operands_left = tuple((name, q) for name, q in inside if name in used)
-    counted = any(q.scope == "course" for _name, q in operands_left)
-    return (CalculatedOnTheWay if counted else Calculated)(form, operands_left, measured, text)
+    scopes = {q.scope for _name, q in operands_left}
+    kind = CalculatedOfMotion if "whole motion" in scopes else CalculatedOnTheWay if "course" in scopes else Calculated
+    return kind(form, operands_left, measured, text)
 
 
 def _numbers(runs: Sequence[str]) -> dict[int, Quantity]:

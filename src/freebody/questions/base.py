@@ -318,6 +318,12 @@ class Quantity:
         return None
 
     @property
+    def is_of_answers(self) -> bool:
+        """Whether it is calculated from the answers to questions for its inner quantities, each with an instant of its
+        own or none."""
+        return False
+
+    @property
     def keeps_what_is_given(self) -> bool:
         """Whether an event is no event of a motion, but says what a steady motion keeps."""
         return False

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Literal
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any, Literal, cast
 
 from freebody.language.expression import ZERO, Symbol
 from freebody.language.sentences import Message, Sentence
 from freebody.language.units import DIMENSIONLESS, Dimension
 from freebody.measures.base import Measure
 from freebody.model.phrases import PHRASES, composed, measure_of
+from freebody.questions.arithmetic import AtStart, Functions, Joined
 from freebody.questions.base import Described, Found, Path, Quantity, angular_unit, asked
 from freebody.questions.event import QuestionEvent
 from freebody.questions.motion import OfMeasure
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
     from freebody.model.names import Names
 
 
+_SIZE = re.compile(r"\|([^|]*)\|")  # greatest |acceleration of x|
 _SUM = re.compile(r"\(([^()]*)\)")  # least (x2 - x1)
 
 
@@ -107,6 +109,61 @@ questions: {it: greatest tension of rod}
         return None if of is None else Sentence(f"what.{self.end}_of", {"of": of})
 
 
+@dataclass(frozen=True)
+class GreatestChange(Joined, kind="greatest change"):
+    """How far a quantity gets from its value at the start, up or down: the greater of top - x_0 and x_0 - bottom, which
+    is (top - bottom + |top + bottom - 2 x_0|)/2."""
+
+    top: Quantity
+    bottom: Quantity
+    of: Quantity
+
+    example = """
+bodies: {ball: {particle: {mass: 2 kg}}}
+connections: {spring: {spring: {between: [ground.O, ball], stiffness: 80 N/m}}}
+measures: {x: x of ball}
+start: {ball: {at: [0.1 m, 0]}, rate(x): 0}
+questions: {it: greatest change of x}
+"""
+    scope = "whole motion"
+
+    @classmethod
+    def from_start(cls, top: Extent | ExtremeOfMotion) -> GreatestChange:
+        """From the greatest value."""
+        of = top.of if isinstance(top, ExtremeOfMotion) else top.of_motion.of
+        return cls(top, replace(top, end="least"), of)
+
+    @property
+    def dimension(self) -> Dimension:
+        return self.of.dimension
+
+    @property
+    def unit(self) -> str:
+        return self.top.unit
+
+    @property
+    def inner(self) -> tuple[Quantity, ...]:
+        return self.top, self.bottom, AtStart(self.of)
+
+    @property
+    def is_of_answers(self) -> bool:
+        return True
+
+    def made_of(self, values: tuple[Any, ...], of: Functions) -> Any:
+        top, bottom, first = values
+        return (top - bottom + of.absolute(top + bottom - 2 * first)) / 2
+
+
+@asked(
+    "greatest change of QUANTITY",
+    rf"(?:{GREATEST}) change (?:of|in) (?:the )?(?P<of>.+?)(?: (?:over|during|in) the (?:whole )?motion)?",
+    rank=16,
+)
+def greatest_change(names: Names, found: Found, path: Path) -> Quantity | None:
+    top = extreme(names, {"of": found["of"], "end": "greatest"}, path)
+    return None if top is None else GreatestChange.from_start(cast("Extent | ExtremeOfMotion", top))
+
+
 @asked(
     "greatest | least QUANTITY [over the motion]",
     rf"(?P<end>{GREATEST}|{LEAST}) (?:value )?(?:of )?(?:the )?(?P<of>.+?)"
@@ -114,7 +171,7 @@ questions: {it: greatest tension of rod}
     rank=15,
 )
 def extreme(names: Names, found: Found, path: Path) -> Quantity | None:
-    of, end = str(found["of"]), "greatest" if found["end"] in GREATEST else "least"
+    of, end = _SIZE.sub(r"size of \1", str(found["of"])), "greatest" if found["end"] in GREATEST else "least"
     if (summed := _SUM.fullmatch(of)) and _is_of_measures(names, summed[1]):
         measure = composed(names, summed[1], *path)
         return None if measure is None else Extent(measure, of, end)

@@ -21,8 +21,6 @@ if TYPE_CHECKING:
 _EVENTS = (" when ", " until ", " to reach ")
 _SIZE = re.compile(r"^(?:the )?(?:size|magnitude|absolute value) of (?:the )?")
 _START = re.compile(r" at (?:the )?start$")
-# what belongs to a quantity stands before what is an operator
-_OPERATORS = re.compile(r"rate\(\s*\w+\s*\)|\[[^\]]*\]|\*\*|[-+*/^()|]")
 _OPERATOR_SIGNS = {"+", "-", "*", "**", "/", "^", "(", ")", "|"}
 _BEFORE_UNITS = _OPERATOR_SIGNS - {"/", "^"}  # what no unit contains
 _PLAIN = re.compile(r"\d+(?:\.\d+)?(?:[eE]\d+)?|[A-Za-z_]\w*")
@@ -31,6 +29,10 @@ _RATIO = re.compile(r"^(?:the )?ratio of (?P<top>.+) to (?:the )?(?P<bottom>.+)$
 
 GREATEST = "greatest|largest|maximum|maximal|highest"
 LEAST = "least|smallest|minimum|minimal|lowest"
+# what belongs to a quantity stands before what is an operator: greatest |acceleration of x|, rate(x), [1, 0]
+_OPERATORS = re.compile(
+    rf"(?:{GREATEST}|{LEAST}) (?:value )?(?:of )?(?:the )?\|[^|]*\||rate\(\s*\w+\s*\)|\[[^\]]*\]|\*\*|[-+*/^()|]"
+)
 _END = re.compile(rf"(?:the )?(?:{GREATEST}|{LEAST}) ")
 _OF_WHOLE = re.compile(rf"(?:the )?(?:{GREATEST}|{LEAST}) (?:value )?(?:of )?\([^()]*\)")  # least (x2 - x1)
 

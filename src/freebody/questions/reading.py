@@ -325,6 +325,8 @@ def _calculated(
         names.problem(told, *path)
         return None
     condition = next(iter(events), None)
+    if condition is None and any(q.scope == "whole motion" for q in read.values()):
+        return _of_motion(names, phrase, operands, read, at_start)
     starts = [o.at_start for o in operands.phrases.values()]
     if condition is None and any(starts) and not (at_start or all(starts)):
         names.problem(Message("say of each quantity in '{text}' when it is meant", text=phrase), "find")
@@ -339,6 +341,22 @@ def _calculated(
     if quantity is None:
         return None
     return placed_at(names, quantity, condition, at_start, path)
+
+
+def _of_motion(
+    names: Names, phrase: str, operands: Operands, read: dict[int, Quantity], at_start: bool
+) -> Meant | None:
+    """What is calculated with extremes of the motion; every other quantity is meant at the start."""
+    last = max(operands.phrases)
+    for k, operand in operands.phrases.items():
+        starts = operand.at_start or (at_start and k == last)
+        if starts == (read[k].scope == "whole motion"):
+            told = Message("say of each quantity in '{text}' when it is meant", text=phrase)
+            names.problem(told, "find")
+            return None
+        read[k] = AtStart(read[k]) if starts else read[k]
+    quantity = read_calculated(names, phrase, read, ("find",), operands.runs)
+    return None if quantity is None else Meant(quantity)
 
 
 def _with_blow(

@@ -29,6 +29,8 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
     """The derivation. Raises CannotAnswer where the solver has no formula, or where a law of motion gave it."""
     if answer.expression is None:
         raise CannotAnswer(answer.reason or Message("there is no closed form"))
+    if question.quantity.is_of_answers:
+        raise CannotAnswer(Message("it is calculated from several quantities: ask for each alone, and it is derived"))
     return _told(question.quantity, context, question, answer, method)
 
 

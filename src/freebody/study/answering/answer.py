@@ -29,6 +29,15 @@ class Evidence:
     route: str  # what the second route did
 
 
+def of_all(parts: Sequence[Evidence | None]) -> Evidence | None:
+    """What is true of all parts from which an answer is calculated."""
+    known = [part for part in parts if part is not None]
+    if not known or len(known) < len(parts):
+        return None
+    worst = max(part.worst_relative_difference for part in known)
+    return Evidence(min(part.draws for part in known), worst, known[0].route)
+
+
 @dataclass(frozen=True)
 class AnswerCase:
     """One case of an answer that depends on where the parameters are."""

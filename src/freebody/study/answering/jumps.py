@@ -11,7 +11,7 @@ from freebody.measures.angle import Angle
 from freebody.questions.course import Transition
 from freebody.questions.reading import Question
 from freebody.questions.vectors import place as place_of
-from freebody.study.answering.answer import Answer, Evidence, Value, made
+from freebody.study.answering.answer import Answer, Value, made, of_all
 from freebody.study.setup import Setup
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.on_the_way import MOVING
@@ -89,7 +89,7 @@ def jump_of(system: System, question: Question, before: Answer, after: Answer) -
         _change(before.value, after.value, is_kept=is_kept),
         conditions=(verdict, *conditions),
         notes=(Message("this is its change: its value just after the blow less that just before"),),
-        evidence=_both(before.evidence, after.evidence),
+        evidence=of_all((before.evidence, after.evidence)),
     )
 
 
@@ -107,10 +107,3 @@ def _change(before: Value, after: Value, *, is_kept: bool) -> Value:
     assert not isinstance(before, tuple)
     assert not isinstance(after, tuple)
     return 0.0 if is_kept else after - before
-
-
-def _both(a: Evidence | None, b: Evidence | None) -> Evidence | None:
-    """What is true of both sides."""
-    if a is None or b is None:
-        return None
-    return Evidence(min(a.draws, b.draws), max(a.worst_relative_difference, b.worst_relative_difference), b.route)

@@ -85,6 +85,8 @@ def _solved(system: System, questions: Sequence[Question], setup: Setup | None) 
 def _in_whole(system: System, questions: Sequence[Question], setup: Setup | None) -> Solution:
     if any(q.quantity.jump is not None for q in questions):
         return _with_jumps(system, questions, setup)
+    if any(q.quantity.is_of_answers for q in questions):
+        return _with_answers(system, questions, setup)
     if any(_is_before_start(system, q) for q in questions):
         return _with_before(system, questions, setup)
     if questions and all(q.quantity.scope == "rest" for q in questions):
@@ -187,6 +189,21 @@ def _with_jumps(system: System, questions: Sequence[Question], setup: Setup | No
         if q.id in asked:
             before, after = (answers[side.id] for side in asked[q.id])
             answers[q.id] = answered(system, q, partial(jump_of, system, q, before, after))
+    return replace(found, answers=tuple(answers[q.id] for q in questions))
+
+
+def _with_answers(system: System, questions: Sequence[Question], setup: Setup | None) -> Solution:
+    """What is calculated from answers follows from those."""
+    from freebody.study.answering.of_answers import calculated, number, questions_in
+
+    asked = {q.id: questions_in(q) for q in questions if q.quantity.is_of_answers}
+    others = [q for q in questions if q.id not in asked]
+    found = _in_whole(system, [*others, *(part for parts in asked.values() for part in parts)], setup)
+    answers = {a.id: a for a in found.answers}
+    for q in questions:
+        if q.id in asked:
+            instead = partial(number, Setup(system, 1), q, answers)
+            answers[q.id] = answered(system, q, partial(calculated, system, q, answers), instead)
     return replace(found, answers=tuple(answers[q.id] for q in questions))
 
 

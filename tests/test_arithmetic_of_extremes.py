@@ -1,0 +1,63 @@
+"""Extremes of a motion are calculated with: differences from the start, sizes, ratios; each derived by hand here."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+import freebody as fb
+
+HUNG = """
+parameters: {m: 2 kg, k: 80 N/m, g: 9.81 m/s^2, v: SPEED}
+bodies: {ball: {particle: {mass: m}}}
+connections: {guide: {slider: {body: ball, along: up, through: ground.O}}}
+loads: {w: {gravity: g}, s: {law: {measure: y, force: -k*y}}}
+measures: {y: y of ball}
+start: {y: 0, rate(y): v}
+"""
+PENDULUM = """
+parameters: {m: 2 kg, L: 0.5 m, g: 9.81 m/s^2, theta_0: 60 deg}
+bodies: {bob: {particle: {mass: m}}}
+connections: {rod: {link: [ground.O, bob, L]}}
+loads: {weight: {gravity: g}}
+measures: {theta: angle of line from ground.O to bob from down}
+start: {theta: theta_0, rate(theta): 0}
+"""
+DROP, REACH = 2 * 9.81 / 80, math.hypot(2 * 9.81 / 80, math.sqrt(2 / 80) * 1.5)  # m g/k; sqrt((m g/k)^2 + m v^2/k)
+
+
+@pytest.mark.parametrize(
+    ("model", "question", "by_hand"),
+    [
+        # about the equilibrium -m g/k the ball swings by REACH
+        (HUNG.replace("SPEED", "1.5 m/s"), "(greatest y) - (y at start)", REACH - DROP),
+        (HUNG.replace("SPEED", "1.5 m/s"), "(greatest y) - (least y)", 2 * REACH),
+        (HUNG.replace("SPEED", "1.5 m/s"), "greatest change of y", REACH + DROP),  # downwards
+        (HUNG.replace("rate(y): v", "rate(y): 0").replace(", v: SPEED", ""), "greatest change of y", 2 * DROP),
+        (HUNG.replace("SPEED", "1.5 m/s"), "k*(greatest y)/m", 80 * (REACH - DROP) / 2),
+        # theta'' = -(g/L) sin theta; tension m g (3 cos theta - 2 cos theta_0)
+        (PENDULUM, "greatest |acceleration of theta|", 9.81 / 0.5 * math.sin(math.pi / 3)),
+        (PENDULUM, "(greatest |acceleration of theta|)*L/g", math.sin(math.pi / 3)),
+        (PENDULUM, "(greatest tension of rod)/(tension of rod at start)", 4.0),
+        (PENDULUM, "|least theta|", math.pi / 3),
+        (PENDULUM, "größte Änderung von theta", 2 * math.pi / 3),
+    ],
+)
+def test_extremes_are_calculated_with(model: str, question: str, by_hand: float) -> None:
+    (answer,) = fb.System.from_text(model).solve(question).answers
+    assert answer.expression is not None
+    assert answer.evidence is not None
+    assert answer.value == pytest.approx(by_hand)
+
+
+def test_what_is_meant_at_no_instant_is_asked_for_one() -> None:
+    with pytest.raises(fb.FreebodyError, match="when it is meant"):
+        fb.System.from_text(PENDULUM).solve("(greatest theta) - (tension of rod)*m/m")
+
+
+def test_without_a_greatest_value_there_is_no_greatest_change() -> None:
+    text = HUNG.replace("SPEED", "1.5 m/s").replace(", s: {law: {measure: y, force: -k*y}}", "")
+    (answer,) = fb.System.from_text(text).solve("greatest change of y").answers  # it falls on and on
+    assert answer.value is None
+    assert answer.reason
