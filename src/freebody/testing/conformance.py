@@ -264,7 +264,7 @@ def _check_drawn(system: Description) -> None:
     if own and all(isinstance(sign, Face) and sign.normal.body == GROUND for sign in own):
         return  # a plane of the ground is drawn, whatever is on it
     if own and all(isinstance(sign, Touch) for sign in own) and system.space:
-        return  # solids are drawn as they stand, touching
+        return  # where solids touch is seen of their own outlines; no line of the ground is there to be drawn
     bare = replace(system)
     vars(bare)["glyphs"] = tuple(shown for shown in system.glyphs if shown.owner != "it")
     assert picture(system).svg() != picture(bare).svg(), "what it declares to look like is not seen in a picture"
