@@ -14,7 +14,6 @@ from typing import Any
 import numpy as np
 import pytest
 from PIL import Image
-from scipy import interpolate
 
 import freebody as fb
 from freebody.errors import InputError
@@ -379,15 +378,6 @@ def test_resampling_goes_through_the_given_poses_and_never_beyond_them() -> None
     assert np.diff(shown) == pytest.approx(0.01)
     assert frames[[0, 30, 50, 100]] == pytest.approx(poses)
     assert frames.min() >= 0.0
-
-
-@pytest.mark.parametrize("n", [2, 3, 4, 40])
-def test_what_is_between_the_poses_is_the_monotone_cubic_of_scipy(n: int) -> None:
-    rng = np.random.default_rng(n)
-    times = np.sort(rng.random(n))
-    poses = rng.integers(-2, 3, (n, 3, 3)) + np.where(rng.random((n, 3, 3)) < 0.5, rng.random((n, 3, 3)), 0.0)
-    shown, frames = resampled(times, poses, 501)
-    assert frames == pytest.approx(interpolate.PchipInterpolator(times, poses)(shown), rel=1e-12, abs=1e-12)
 
 
 def page_data(text: str) -> dict[str, Any]:

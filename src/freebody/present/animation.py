@@ -14,7 +14,6 @@ from typing import Any
 import numpy as np
 
 from freebody.errors import InputError
-from freebody.numeric.monotone_cubic import monotone_cubic
 from freebody.present.drawing import Drawing
 from freebody.present.figures import Array
 from freebody.present.files import replaced
@@ -148,11 +147,14 @@ def write_film(film: Film, path: str | Path) -> Path:
 
 def resampled(times: Array, poses: Array, n_frames: int) -> tuple[Array, Array]:
     """(n_frames,), (n_frames, n_bodies, 3): the motion at equally spaced times, by a cubic between the given poses
-    that does not overshoot them."""
+    that does not overshoot them. Source: Fritsch & Butland, SIAM J. Sci. Stat. Comput. 5 (1984) 300."""
+    from scipy.interpolate import PchipInterpolator
+
     if len(times) == 1:
         return times, poses
     shown: Array = np.linspace(float(times[0]), float(times[-1]), n_frames)
-    return shown, monotone_cubic(times, poses, shown)
+    cubic: Any = PchipInterpolator(times, poses, axis=0)
+    return shown, np.asarray(cubic(shown), dtype=np.float64)
 
 
 @dataclass(frozen=True)
