@@ -235,7 +235,7 @@ connections: {it: {tether: [ground.A, bob]}}
 @pytest.mark.parametrize(
     ("kind", "text"),
     [
-        ("driver", "angle of rod = w\u2009t"),
+        ("driver", "w\u2009t"),
         ("constraint", "x \u2212 2\u2009y = 0"),
         ("dry_friction", "friction force \u2264 2 N"),
     ],

@@ -159,7 +159,7 @@ def test_usual_units_do_not_import_pint():
         (True, "'true' is not a number"),
         ("__import__('os')", "not a quantity"),
         ("3 m.__class__", "cannot be used"),
-        ("9,81 m/s^2", "decimals are written with a point"),
+        ("9,81 m/s^2", "decimals stand after a point"),
         ("1/4/m", "a unit is needed before '4'"),
         ("1/0 m", "a unit is needed before '0'"),
     ],

@@ -258,8 +258,7 @@ class ConstraintRow:
     def axis(self) -> str:
         """Of a component of a force or moment its axis, by one letter; nothing where it is all of it."""
         what, _, last = self.component.rpartition(" ")
-        is_part = what in ("", self.reaction) or self.reaction.endswith(f" {last}")
-        return last if len(last) <= 1 and is_part else ""
+        return "" if len(last) > 1 or what.endswith((" of", " on", " at")) else last
 
 
 @dataclass(frozen=True)

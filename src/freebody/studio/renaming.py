@@ -14,7 +14,7 @@ from typing import Any, cast
 
 from freebody.errors import FreebodyError, InputError, ModelError
 from freebody.language.document import Document, Place
-from freebody.language.units import parse_quantity
+from freebody.language.units import is_unit, parse_quantity
 from freebody.measures.geometry import GROUND
 from freebody.messages import Message
 from freebody.questions.reserved import reserved_words
@@ -75,7 +75,7 @@ def _edits(
 
     def within(start: int, end: int) -> list[Edit]:
         part = text[start:end]
-        words = [found for found in word.finditer(part) if not _UNITS_BEFORE.search(part[: found.start()])]
+        words = [found for found in word.finditer(part) if not _is_behind_number(part[: found.start()])]
         return [(start + found.end() - len(old), start + found.end(), new) for found in words]
 
     def walk(value: Any, path: Place) -> Iterator[tuple[Place, list[Edit]]]:
@@ -99,6 +99,12 @@ def _edits(
     for path, found in walk(document.data, ()):
         edits.setdefault(path, []).extend(found)
     yield from edits.items()
+
+
+def _is_behind_number(before: str) -> bool:
+    """Whether what follows goes on with the units of a number: 3 kg ..., not 0 when ...."""
+    found = _UNITS_BEFORE.search(before)
+    return found is not None and all(map(is_unit, re.findall(r"[A-Za-zµμ°%]+", found.group())))
 
 
 def _is_quantity(text: str) -> bool:

@@ -24,7 +24,6 @@ _TOKEN = re.compile(
     r"\s*(?:(?P<name>[A-Za-zµμΩ°][A-Za-z_µμ]*)|(?P<operator>\*\*|[-*/^()·⋅−+])|(?P<digits>[0-9]+)"
     r"|(?P<superscript>⁻?[⁰¹²³⁴⁵⁶⁷⁸⁹]))"
 )
-_DECIMALS = re.compile(r",[0-9]")  # of a number of which what stands before the comma was read
 # To pint a Nm is a "number metre".
 _RUN_TOGETHER = re.compile(r"([kMm]?N|kg|lbf)(mm|cm|m|ft|in|s)(s)?|(ft|in)(lbf?)")
 _SUPERSCRIPTS = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
@@ -57,8 +56,6 @@ class _UnitReader:
         place = 0
         while place < len(self._text):
             found = _TOKEN.match(self._text, place)
-            if found is None and _DECIMALS.match(self._text) and place == 0:
-                raise self._fault(Message("decimals are written with a point, as 9.81"))
             if found is None:
                 if self._text[place] == ",":
                     raise self._fault(Message("decimals stand after a point, as in 0.5"))

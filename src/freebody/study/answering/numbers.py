@@ -84,9 +84,10 @@ def _small_number(
 
 @_number.register(Equilibrium)
 def _rest_number(quantity: Equilibrium, setup: Setup, event: AskedEvent | None, draw: Draw) -> float:
-    from freebody.study.small_motion.equilibrium import nearest_equilibrium
+    from freebody.study.small_motion.equilibrium import nearest_equilibrium, refuse_out_of_bounds
 
     q = nearest_equilibrium(setup.system)[0].q
+    refuse_out_of_bounds(setup.system, draw.reference, q)
     return draw.reference.snapshot(q, np.zeros_like(q)).value(quantity.measure)
 
 

@@ -35,7 +35,7 @@ from freebody.study.settled import without_friction
 from freebody.study.small_motion.found import Equilibria, FoundEquilibrium, unit_of
 from freebody.study.worded import in_words
 from freebody.system.system import System
-from freebody.tolerances import ROUND_OFF
+from freebody.tolerances import ROUND_OFF, ROUNDED
 
 Guess = Mapping[str, str | float]
 _TURNED = 1e-9  # of an angle of a line: half a turn is half a turn to the left
@@ -63,6 +63,19 @@ def nearest_equilibrium(system: System, guess: Guess | None = None) -> Equilibri
     balances = statics.rests() if search.dof == 1 else (statics.near_start() or statics.rests())
     found = search.found(balances, False)
     return replace(found, rests=found.rests[:1])
+
+
+def refuse_out_of_bounds(system: System, reference: Reference, q: Array) -> None:
+    """Raises CannotAnswer for a rest in which the model is not true: beyond a stop, or where its strings, loads and
+    contacts say that they end."""
+    there = reference.snapshot(q, np.zeros_like(q), 0.0)
+    for v in system.validities:
+        if v.sign * (float(there.value(v.measure)) - reference.number(v.limit)) < 0.0:
+            raise CannotAnswer(Message("at the equilibrium it is not so that {purpose}", purpose=v.purpose))
+    for stop in (bound for bound in system.bounds if not bound.within):
+        target = 0.0 if stop.row.target is None else reference.number(stop.row.target)
+        if stop.row.sign * (float(there.value(stop.row.measure)) - target) < -ROUNDED:
+            raise CannotAnswer(Message("the equilibrium lies beyond {stop}", stop=stop.name))
 
 
 def about_rest(system: System, reference: Reference, pose: CountedPose) -> SmallMotion:

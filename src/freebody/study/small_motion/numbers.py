@@ -15,7 +15,7 @@ from freebody.study.answering.at_equilibrium import AT_REST, places_at, small_mo
 from freebody.study.answering.draws import Draw
 from freebody.study.setup import Setup
 from freebody.study.small_motion.damping import damped_values
-from freebody.study.small_motion.equilibrium import nearest_equilibrium
+from freebody.study.small_motion.equilibrium import nearest_equilibrium, refuse_out_of_bounds
 from freebody.study.small_motion.forced import forced_number
 from freebody.study.small_motion.shapes import ModeReader, undamped_modes
 from freebody.study.small_motion.stability import exponents
@@ -76,8 +76,5 @@ def _small(setup: Setup, draw: Draw) -> SmallMotion:
         if swing_of(setup.model) is not None:
             raise
     rest = nearest_equilibrium(setup.system)[0].pose
-    there = draw.reference.snapshot(rest.q, 0.0 * rest.q, 0.0)
-    for v in setup.system.validities:
-        if v.sign * (float(there.value(v.measure)) - draw.reference.number(v.limit)) < 0.0:
-            raise CannotAnswer(Message("at the equilibrium it is not so that {purpose}", purpose=v.purpose))
+    refuse_out_of_bounds(setup.system, draw.reference, rest.q)
     return SmallMotion(draw.reference, LinearisationPoint(rest.q, 0.0 * rest.q, 0.0, rest.branches, frozen=True))
