@@ -108,7 +108,7 @@ def _coordinates(context: Context) -> list[str]:
 def _turns_of_balls(context: Context) -> dict[str, Sentence]:
     """What the coordinates are of which the rates are the components of an angular velocity."""
     bodies = context.setup.model.bodies if context.system.space and context.setup.system.unfollowed else None
-    turns = bodies.turns_of_balls if isinstance(bodies, SpatialBodies) else {}
+    turns = bodies.turns_of_balls if isinstance(bodies, SpatialBodies) else dict[str, tuple[str, int]]()
     return {
         name: Sentence("space.turn_of_ball", {"body": body, "axis": f"@{'xyz'[k]}"})
         for name, (body, k) in turns.items()
