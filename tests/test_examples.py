@@ -233,6 +233,7 @@ _BEAM = "(k - J*g*c_x/c)"
 _HELICAL = "((T - m_1*(T - M*z_1/z_2)/(m_1 + m_2))/r)"  # tangential force
 _ROPE = "m_2 - m_1 + rho*y - rho*(L - pi*R - y)"  # what drives, over g
 _DELAY = ("(4*k/(J*tau**2))", "(4*c/(J*tau**2))", "(4/tau**2 + 4*c/(J*tau))", "(4/tau + c/J)")
+_SLIP = "sqrt((v + R*back)**2 + (R*side)**2)"  # of a ball with back spin and side spin
 TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
     # m v' = -m g - k v |v|, separated: upwards a tangent of the time, back by the energy that the resistance leaves
     "ball_against_the_air": {
@@ -592,7 +593,17 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
         "wall": "3*m*g*sin(phi0)*cos(phi0)/4",
     },
     # the belt runs faster than the block: friction pulls it along
-    **{name: {"freedom": "6"} for name in ("ball_with_side_spin", "coin_coming_to_rest", "tippe_top", "tumbling_cube")},
+    **{name: {"freedom": "6"} for name in ("coin_coming_to_rest", "tippe_top", "tumbling_cube")},
+    # slip u = v + omega x r; u' = -7/2 mu g u/|u|, then v = 5/7 v0 - 2/7 omega x r (Coriolis)
+    "ball_with_side_spin": {
+        "rolling": f"2*{_SLIP}/(7*mu*g)",
+        "ahead": "(5*v - 2*R*back)/7",
+        "aside": "2*R*side/7",
+        "spin": ["2*side/7", "0", "(2*R*back - 5*v)/(7*R)"],
+        "place": f"2*(6*v - R*back)*{_SLIP}/(49*mu*g)",
+        "lost": f"m*{_SLIP}**2/7",
+        "reaction": [f"-mu*m*g*(v + R*back)/{_SLIP}", "m*g", f"mu*m*g*R*side/{_SLIP}"],
+    },
     "ball_off_a_dome": {"freedom": "6"},
     "spinning_balls_collide": {"freedom": "12"},
     "dominoes": {"freedom": "4"},

@@ -26,6 +26,7 @@ from freebody.narrative.questions.blow import tell_blow
 from freebody.study.answering.evidence import rank_freedom
 from freebody.study.answering.spread import disagreement
 from freebody.study.mobility.gruebler import Gruebler, gruebler
+from freebody.symbolic.spatial.bodies import SpatialBodies
 
 _ASIDE = 0.1  # of the system's size, or radians: a step away from the start
 
@@ -90,9 +91,10 @@ def _symbols(context: Context, script: Script) -> None:
     for state in system.states.values():
         entries.append((Symbol(state.name), Sentence("symbol.state"), _unit(state.dimension)))
     context.introduced |= {e[0].name for e in entries if isinstance(e[0], Symbol)} | {"t"}
-    hidden = [c for c in _coordinates(context) if c not in context.introduced]
+    hidden, turns = [c for c in _coordinates(context) if c not in context.introduced], _turns_of_balls(context)
     for name in hidden:
-        entries.append((Symbol(name), *_coordinate(context, name)))
+        known = turns.get(name)
+        entries.append((Symbol(name), *(_coordinate(context, name) if known is None else (known, ""))))
         context.introduced.add(name)
     if entries:
         script.add(Legend(tuple(entries)))
@@ -126,6 +128,16 @@ def _coordinates(context: Context) -> list[str]:
     except CannotAnswer:
         return []
     return [c.name for c in (*model.coordinates, *model.dependent) if not state_name(c.name)]
+
+
+def _turns_of_balls(context: Context) -> dict[str, Sentence]:
+    """What the coordinates are of which the rates are the components of an angular velocity."""
+    bodies = context.setup.model.bodies if context.system.space and context.setup.system.unfollowed else None
+    turns = bodies.turns_of_balls if isinstance(bodies, SpatialBodies) else dict[str, tuple[str, int]]()
+    return {
+        name: Sentence("space.turn_of_ball", {"body": body, "axis": f"@{'xyz'[k]}"})
+        for name, (body, k) in turns.items()
+    }
 
 
 def _unit(dimension: Dimension) -> str:

@@ -68,6 +68,10 @@ class Bodies(ABC):
         """Where angles are not determined, in words."""
         return ()
 
+    def unfollowed_turns(self, body: str) -> Parts:
+        """Of a body that turns without being turned in its pose: the unknowns of which its rotation has the rates."""
+        return ()
+
     # -- poses --------------------------------------------------------------------------------
     @abstractmethod
     def geometry(

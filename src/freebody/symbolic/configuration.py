@@ -10,7 +10,7 @@ from freebody.model.elements import NonholonomicForm
 from freebody.symbolic.bodies import Bodies
 from freebody.symbolic.elimination import Elimination
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.geometry import AnyPose, Dual, DualGeometry, FieldGeometry, Slot
+from freebody.symbolic.geometry import ROTATIONS, AnyPose, Dual, DualGeometry, FieldGeometry, Slot
 
 
 class Configuration:
@@ -48,6 +48,22 @@ class Configuration:
         if measure not in self._gradients:
             self._gradients[measure] = self._gradient(measure)
         return self._gradients[measure]
+
+    def rate_of(self, measure: Measure | NonholonomicForm) -> Ratio:
+        """The rate of a measure, with the speeds of dependent coordinates as they are. What a body does that turns
+        without being turned in its pose is in no derivative of the pose."""
+        rate = self.field.rate
+        if isinstance(measure, NonholonomicForm):
+            total = self.field.zero
+            for coefficient, part in measure.terms:
+                total = total + coefficient.value(self.geometry) * self.rate_of(part)
+            return total
+        total = rate(self.value_of(measure))
+        for body in set(measure.bodies()):
+            for slot, turn in zip(ROTATIONS, self._bodies.unfollowed_turns(body), strict=False):
+                if (slope := self.gradient(measure).get((body, slot))) is not None:
+                    total = total + slope * rate(self.express(turn))
+        return total
 
     def _gradient(self, measure: Measure | NonholonomicForm) -> dict[Slot, Ratio]:
         if isinstance(measure, NonholonomicForm):

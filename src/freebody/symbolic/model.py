@@ -136,6 +136,16 @@ class SymbolicModel:
         """A measure in coordinates."""
         return self._configuration.value_of(measure)
 
+    @property
+    def unfollowed(self) -> frozenset[int]:
+        """Of the generators of the coordinates those on whose values nothing depends: the turns of balls."""
+        turns = (self.bodies.unfollowed_turns(name) for name in self.system.unfollowed)
+        return frozenset(self.field.index(turn) for parts in turns for turn in parts)
+
+    def rate_of(self, measure: Measure | NonholonomicForm) -> Ratio:
+        """The rate of a measure, with the speeds of dependent coordinates as they are."""
+        return self._configuration.rate_of(measure)
+
     def gradient(self, measure: Measure | NonholonomicForm) -> dict[Slot, Ratio]:
         """Derivatives of a measure by the coordinates of the bodies (of its rate by their velocities)."""
         return self._configuration.gradient(measure)

@@ -26,4 +26,5 @@ class Sample:
     is_start: bool = True
     velocities: Mapping[str, tuple[float, ...]] = field(default_factory=dict[str, tuple[float, ...]])
     angles: Mapping[str, tuple[float, float]] = field(default_factory=dict[str, tuple[float, float]])
+    turning: Mapping[str, tuple[float, ...]] = field(default_factory=dict[str, tuple[float, ...]])  # of balls
     still: frozenset[str] = frozenset()  # named measures that no motion changes here to first order

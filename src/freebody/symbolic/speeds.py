@@ -84,9 +84,7 @@ class Speeds:
         for row in held:
             if isinstance(row.measure, NonholonomicForm):
                 total = self.field.zero if row.in_symbols is None else -here.geometry.scalar(row.in_symbols)
-                for coefficient, measure in row.measure.terms:
-                    total = total + coefficient.value(here.geometry) * self.field.rate(here.value_of(measure))
-                found.append((row.name, total))
+                found.append((row.name, total + here.rate_of(row.measure)))
         return found
 
     def _row(self, total: Ratio, speeds: Sequence[int]) -> Row:

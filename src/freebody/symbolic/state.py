@@ -60,13 +60,7 @@ class SymbolicState:
 
     def raw_rate(self, measure: Measure | NonholonomicForm) -> Ratio:
         """The rate with the speeds of dependent coordinates as they are."""
-        m = self.model
-        if isinstance(measure, NonholonomicForm):
-            total = m.field.zero
-            for coefficient, part in measure.terms:
-                total = total + coefficient.value(m.geometry) * m.rate(m.value_of(part))
-            return total
-        return m.rate(m.value_of(measure))
+        return self.model.rate_of(measure)
 
     def rate(self, measure: Measure | NonholonomicForm) -> Ratio:
         return self.here(self.model.in_independent_speeds(self.raw_rate(measure)))

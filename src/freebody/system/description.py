@@ -69,6 +69,7 @@ class SystemDescription:
     space: bool = False  # three dimensions
     up: Components = (ZERO, ONE)  # the vertical, for pictures and heights
     attitudes: tuple[Attitude, ...] = ()  # how joints of space let bodies turn
+    unfollowed: frozenset[str] = frozenset()  # balls whose orientation formulas leave open: only how they turn counts
     frames: Mapping[str, tuple[str, Columns]] = field(default_factory=dict[str, tuple[str, Columns]])  # axes on bodies
     names: Names = field(default_factory=Names, repr=False)  # what the words of the model mean
     impulses: tuple[AppliedLoad, ...] = ()  # of the blows at the start: measures pushed by an impulse, their law

@@ -18,9 +18,10 @@ from freebody.language.expression import Expr, Symbol, free_symbols, number, sub
 from freebody.language.sentences import Message
 from freebody.language.units import FORCE
 from freebody.measures.base import Measure
-from freebody.measures.combination import Combination
+from freebody.measures.combination import Combination, Composed
 from freebody.measures.geometry import ONE
-from freebody.model.elements import AppliedLoad, ConstraintRow, DryFriction, NonholonomicForm, Parameter
+from freebody.model.elements import AppliedLoad, Component, ConstraintRow, DryFriction, NonholonomicForm, Parameter
+from freebody.model.spins import constant
 from freebody.system.blows import BlowEvent
 from freebody.system.system import System
 
@@ -113,8 +114,20 @@ def _directed(rub: DryFriction, way: Way) -> Measure | NonholonomicForm:
     assert rub.across is not None
     first, second = rub.row.measure, rub.across.measure
     if isinstance(first, NonholonomicForm) or isinstance(second, NonholonomicForm):
-        raise CannotAnswer(Message("the body of {contact} turns", contact=rub.row.connection))
+        parts = [(share, term) for share, form in zip(way, (first, second), strict=True) for term in _terms(form)]
+        return NonholonomicForm(tuple((_times(share, c), m) for share, (c, m) in parts), first.dimension)
     return Combination(tuple(zip(way, (first, second), strict=True)), first.dimension)
+
+
+def _terms(form: Measure | NonholonomicForm) -> tuple[tuple[Component | Measure, Measure], ...]:
+    return form.terms if isinstance(form, NonholonomicForm) else ((constant(ONE), form),)
+
+
+def _times(share: Expr, coefficient: Component | Measure) -> Measure:
+    if isinstance(coefficient, Component):
+        raise CannotAnswer(Message("its slip is stated by components of a direction"))
+    own = "@coefficient"  # no name of a parameter, which may stand in the share
+    return Composed(share * Symbol(own), ((own, coefficient),), coefficient.dimension)
 
 
 def load_symbol(rub: DryFriction) -> str:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from freebody.language.expression import Call, Expr, Symbol, negate
+from freebody.language.expression import Call, Expr, Symbol, add, negate, number, power
 from freebody.language.sentences import Message, turns
 from freebody.model.elements import DryFriction
 from freebody.narrative.contact.phase_way import PhaseSegment, PhaseSequence, on_the_way
@@ -62,10 +62,10 @@ def _tell_limit(script: Script, way: PhaseSequence, leg: PhaseSegment, rub: DryF
     f, newton = leg.phase.model.field, leg.newton
     names = newton.acting.symbols
     with on_the_way(script, leg.glossary):
-        unknowns = [newton.acting.generator(rub.name), *(newton.acting.generator(n) for n in rub.load)]
+        unknowns = [newton.acting.generator(n) for n in (*(row.name for row in rub.rows), *rub.load)]
         values = newton.write(script, newton.plan(unknowns), unknowns)
-    friction = values[unknowns[0]][0]
-    pressing = values[unknowns[1]][0] if rub.load else f.one
+    frictions = [values[unknown][0] for unknown in unknowns[: len(rub.rows)]]
+    pressing = values[unknowns[-1]][0] if rub.load else f.one
     lines = tuple(line for _v, line in values.values())
     here = leg.phase.start_instant.here
 
@@ -76,17 +76,24 @@ def _tell_limit(script: Script, way: PhaseSequence, leg: PhaseSegment, rub: DryF
         return written, readable(way.home(leg, f.lowest_terms(here(c * pressing))))
 
     with script.stage("stage.holds", "hint.holds", connection=label(rub.of or rub.name)):
-        symbol: Expr = Symbol(names[rub.name].name)
-        force = way.home(leg, f.lowest_terms(here(friction)))
+        symbols = [Symbol(names[row.name].name) for row in rub.rows]
+        parts = [way.home(leg, f.lowest_terms(here(friction))) for friction in frictions]
+        symbol, force = symbols[0], parts[0]
         known = way.tree.numbers(force)[way.piece.sets]
         # against slip that grows the force is negative, F >= -c N, against the other way F <= c' N
         falls, rises = bool((known < 0).all()), not bool((known < 0).any())
-        if falls or rises or rub.static_back is None:
+        if rub.across is not None:  # by its size in the plane
+            square = force.field.lowest_terms(sum((x * x for x in parts), force.field.zero))
+            (written, most), size = carried(1), readable(way.tree.home.state.sqrt(square))
+            first: tuple[Expr, ...] = (Call("sqrt", add(*(power(s, number(2)) for s in symbols))), written)
+            then = (first[0], size, most)
+            signs: tuple[Sign, ...] = ("=", "≤")
+        elif falls or rises or rub.static_back is None:
             shown = readable(-force if falls else force)
             written, most = carried(-1 if rises else 1)
-            first: tuple[Expr, ...] = (Call("abs", symbol), written)
+            first = (Call("abs", symbol), written)
             then = (Call("abs", symbol), shown if falls or rises else Call("abs", shown), most)
-            signs: tuple[Sign, ...] = ("=", "≤")
+            signs = ("=", "≤")
         else:
             (back, least), (ahead, most) = carried(1), carried(-1)
             first = (negate(back), symbol, ahead)
@@ -95,13 +102,13 @@ def _tell_limit(script: Script, way: PhaseSequence, leg: PhaseSegment, rub: DryF
         with on_the_way(script, leg.course):
             args: dict[str, Argument] = {"connection": label(rub.of or rub.name)}
             bounds: tuple[Sign, ...] = ("≤",) * (len(first) - 1)
-            number = script.line(*first, relations=bounds, why="condition.coulomb", args=args, uses=lines, when="start")
+            limit = script.line(*first, relations=bounds, why="condition.coulomb", args=args, uses=lines, when="start")
             return script.line(
                 *then,
                 relations=signs,
                 why="condition.put_in",
-                args={"lines": lines, "line": number},
-                uses=(number, *lines),
+                args={"lines": lines, "line": limit},
+                uses=(limit, *lines),
                 when="start",
             )
 

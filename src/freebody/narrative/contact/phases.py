@@ -207,7 +207,8 @@ def _needed(way: PhaseSequence, leg: PhaseSegment) -> tuple[set[str], set[str]]:
                 for g in f.ingredients(model.dynamics.solved_accelerations[a])
             }
     moving = {c.name for c in model.coordinates if used & {c.index, c.speed} and _moves(leg, c)}
-    places = {c.name for c in model.coordinates if c.index in used and c.name in moving}
+    placed = used - model.unfollowed  # how a ball is turned has no number
+    places = {c.name for c in model.coordinates if c.index in placed and c.name in moving}
     return moving, places
 
 

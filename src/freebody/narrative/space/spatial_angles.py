@@ -13,7 +13,8 @@ from freebody.narrative.lines.script import Argument, Legend, Sentence
 from freebody.narrative.principles.sides import balanced, readable
 from freebody.narrative.space.spatial_frames import Frames
 from freebody.narrative.space.spatial_vectors import VectorSums
-from freebody.questions.motion import OfMeasure, rates_of
+from freebody.questions.motion import AngularVelocity, OfMeasure, rates_of
+from freebody.questions.vectors import AXES
 from freebody.study.eom import primitive_part
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
@@ -45,6 +46,9 @@ class Angles:
         for name in names:
             if name in self.system.measures:
                 continue
+            if name in self.bodies.turns_of_balls:
+                self._introduce_turn(*self.bodies.turns_of_balls[name], name)
+                continue
             measure = self.vectors.loops.measures[name]
             for order in (0, 1, 2):
                 symbol = rates_of(name, order)
@@ -55,6 +59,12 @@ class Angles:
                 self._introduced.add(name)
         if entries:
             self.frames.script.add(Legend(tuple(entries)))
+
+    def _introduce_turn(self, body: str, k: int, name: str) -> None:
+        """Of what a component of the angular velocity is the rate: only that has a meaning in numbers."""
+        said = Sentence("space.turn_of_ball", {"body": body, "axis": f"@{'xyz'[k]}"})
+        for order in (1, 2):
+            self.glossary.introduce(Meaning(rates_of(name, order), said, AngularVelocity(body, order, along=AXES[k])))
 
     def _meaning_of(self, name: str) -> Sentence:
         for a in self.system.attitudes:

@@ -39,8 +39,8 @@ class Axes:
 
 
 def axes_of_body(system: System, body: str) -> Axes:
-    """The axes of a body; those of the ground for one that is fixed."""
-    if system.bodies[body].fixed:
+    """The axes of a body; those of the ground for one that is fixed, and for a ball whose orientation is left open."""
+    if system.bodies[body].fixed or body in system.unfollowed:
         return Axes(_GROUND, GROUND)
     return Axes(body_axes(body), body)
 

@@ -67,7 +67,8 @@ class SpatialKinematics(Frames):
         if key not in self.told:
             angles = [(name, self.along(axis, axes)) for name, axis in self.turning(body)]
             added = self._added(body, angles)
-            self._say_axes(angles, axes)
+            if not self._is_ball(body):
+                self._say_axes(angles, axes)
             terms = [(rates_of(name, 1), axis) for name, axis in angles]
             if axes.body == body:
                 name = f"omega_{body}"
@@ -78,7 +79,7 @@ class SpatialKinematics(Frames):
                 _sum([scaled(axis[k], rate) for rate, axis in terms if not axis[k].is_zero()]) for k in range(3)
             )
             args: dict[str, Argument] = {"body": body, "axes": axes.words, "lines": added}
-            why = "space.added" if added else "space.one_axis"
+            why = "space.added" if added else "space.of_ball" if self._is_ball(body) else "space.one_axis"
             self.told[key] = symbols, self.script.line(symbols, sides, why=why, args=args, uses=added)
         return self.told[key]
 
@@ -97,9 +98,13 @@ class SpatialKinematics(Frames):
         turning, _line = self.omega(axes.body, axes)
         return tuple(add(rate, *_cross_terms(turning, symbols, k)) for k, rate in enumerate(rates))
 
+    def _is_ball(self, body: str) -> bool:
+        """Whether its orientation is left open: it turns about the axes of the ground, with no angle between."""
+        return body in self.system.unfollowed
+
     def _added(self, body: str, angles: Sequence[tuple[str, Vector]]) -> tuple[int, ...]:
         """The line in which angular velocities are added up as vectors, where there are several."""
-        if len(angles) < 2:
+        if len(angles) < 2 or self._is_ball(body):
             return ()
         key = "vectors", body
         if key not in self.told:
@@ -120,7 +125,8 @@ class SpatialKinematics(Frames):
         e = components_of(along, self.state, 3)
         angles = self.turning(body)
         self._added(body, angles)
-        self._say_axes(angles, axes_of(None))
+        if not self._is_ball(body):
+            self._say_axes(angles, axes_of(None))
         parts = [
             (rates_of(name, 1), self.field.lowest_terms(self.field.element(dot(axis, e)))) for name, axis in angles
         ]

@@ -68,6 +68,7 @@ class SpatialRates:
     def _turning(self, script: Script, b: RigidBody) -> list[int]:
         """omega, H and dH/dt along the body's own axes."""
         m, axes = self.model, axes_of_body(self.system, b.name)
+        own = "_of_ball" if b.name in self.system.unfollowed else ""
         _symbols, line = self.kinematics.omega(b.name, axes)
         uses = (line, *self.kinematics.bound(b.name))
         velocity = tuple(m.in_independent_speeds(v) for v in m.kinematics.velocities[b.name])
@@ -75,13 +76,13 @@ class SpatialRates:
         reads = self._reads_spin(b)
         symbols = self.kinematics.introduce(f"H_{b.name}", "spin", b.name, axes, reads, "kg m^2/s")
         args: dict[str, Argument] = {"body": b.name, "line": line}
-        found = [script.line(symbols, self.kinematics.shown(H), why="space.spin_is", args=args, uses=uses)]
+        found = [script.line(symbols, self.kinematics.shown(H), why=f"space.spin_is{own}", args=args, uses=uses)]
         shown = self.kinematics.shown(tuple(map(m.in_independent_speeds, self._changing(b.name)[3:])))
         if sum(map(n_operations, shown)) <= MOST_OPERATIONS:
             rates = rates_of_vector(reads)
             names = self.kinematics.introduce(f"D_{b.name}", "spin_rate", b.name, axes, rates, "N m")
             given: dict[str, Argument] = {"body": b.name, "line": found[0]}
-            found.append(script.line(names, shown, why="space.euler", args=given, uses=(found[0], line)))
+            found.append(script.line(names, shown, why=f"space.euler{own}", args=given, uses=(found[0], line)))
         return found
 
     def _reads_spin(self, b: RigidBody) -> Reads:

@@ -19,6 +19,9 @@ from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, LENGTH
 from freebody.measures.base import Measure
+from freebody.measures.geometry import GROUND, Direction
+from freebody.model.rotations import UNIT
+from freebody.model.spins import spin
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference, Snapshot
 from freebody.numeric.rotation import matrix, rotation_vector
@@ -32,6 +35,8 @@ if TYPE_CHECKING:
 SEED = 7
 _TRIES = 12
 _NEARBY = 2  # disturbed guesses near the pose of the file, for a draw that shall be on its branch
+
+_AXES = tuple(Direction(GROUND, along) for along in UNIT)
 
 
 @dataclass
@@ -118,7 +123,8 @@ class Draw:
         places = {b.name: tuple(map(float, here.q[list(reference.columns(b.name)[:3])])) for b in system.all_moving}
         rates = {b.name: tuple(map(float, here.v[list(reference.columns(b.name)[:3])])) for b in system.all_moving}
         velocities = rates if snapshot is not None else {}
-        return Sample(self.values, places, self._constants(), here.t, is_start, velocities, angles)
+        turning = {name: tuple(here.rate(spin(name, axis)) for axis in _AXES) for name in system.unfollowed}
+        return Sample(self.values, places, self._constants(), here.t, is_start, velocities, angles, turning)
 
     def anywhere(self, seed: int, t: float, size: float) -> Snapshot:
         """A pose and motion near the start, otherwise arbitrary; as far as `size` of the system, or radians."""

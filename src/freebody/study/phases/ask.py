@@ -35,6 +35,7 @@ from freebody.study.phases.words import action, happening, in_phase
 from freebody.symbolic.conditions import Condition, both, relation_text
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.relations import SolvedRelation, readable
+from freebody.symbolic.spatial.balls import looks_at_axes
 from freebody.symbolic.validity import texts, validity
 
 _FARTHER = 1e-6  # of the size: what is more than how exactly a simulation is seen
@@ -49,6 +50,11 @@ def answer(tree: PhaseTree, question: Question) -> Answer:
 
 
 def _by_cases(tree: PhaseTree, question: Question) -> Answer:
+    for body in sorted(tree.system.unfollowed):
+        if looks_at_axes(question, body):
+            raise CannotAnswer(
+                Message("this asks how {body} is turned, which formulas leave open for a ball", body=body)
+            )
     wanted = question.quantity.wanted
     if wanted is not None and wanted.of.is_of_state:
         from freebody.study.phases import turned_round

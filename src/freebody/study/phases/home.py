@@ -31,6 +31,7 @@ from freebody.study.setup import Setup, held_in_blow
 from freebody.symbolic.conditions import Condition, require
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.relations import parted
+from freebody.symbolic.spatial.balls import balls
 from freebody.symbolic.state import SymbolicState
 from freebody.system.modes import ContactMode, depends_on_time, ideal_bounds, in_mode, sticking_rows
 from freebody.system.system import System
@@ -44,6 +45,7 @@ class Home:
     """A system at its start, without friction: conditions, times and values of all phases are elements of its field."""
 
     def __init__(self, system: System) -> None:
+        system = replace(system, unfollowed=balls(system))
         touching = closed_at_start(system)
         self.moving = parted_at_start(system, touching)  # touch, with a gap that grows or shrinks at the start
         self.closed = touching - self.moving
@@ -203,10 +205,9 @@ class Home:
     def placed(self, phase: Phase | Setup, values: dict[int, Ratio]) -> Placed:
         """The state of a phase at given values of its coordinates and speeds, as starts of all bodies. Angles become
         symbols, since sines of long sums are long."""
-        if phase.system.space and any(body.turns for body in phase.system.moving):
-            raise CannotAnswer(
-                Message("in space the start of a phase is put together from particles only, not from bodies that turn")
-            )
+        unfollowed = phase.system.unfollowed
+        if phase.system.space and any(b.turns and b.name not in unfollowed for b in phase.system.moving):
+            raise CannotAnswer(Message("in space the start of a phase is put together from particles and balls only"))
         model, f = phase.model, phase.model.field
         there = SymbolicState(model, values)
         moving = {c.index for c in model.coordinates} | {c.speed for c in model.coordinates}
@@ -226,8 +227,9 @@ class Home:
             assert isinstance(spatial, SpatialPose)
             assert spatial.center.z is not None
             center = (shown(spatial.center.x), shown(spatial.center.y), shown(spatial.center.z))
-            velocity = tuple(map(shown, model.kinematics.velocities[body.name][:3]))
-            starts[body.name] = Start((body.default_point, center), velocity=velocity)
+            motion = tuple(map(shown, model.kinematics.velocities[body.name]))
+            spin = motion[3:] if body.turns else None
+            starts[body.name] = Start((body.default_point, center), velocity=motion[:3], rates=spin)
         for body in () if phase.system.space else phase.system.all_moving:
             pose, (vx, vy, w) = model.poses[body.name], model.kinematics.velocities[body.name]
             assert isinstance(pose, Pose)

@@ -296,7 +296,7 @@ def _forces(tree: PhaseTree, phase: Phase) -> tuple[tuple[str, Expr], ...]:
     found: list[tuple[str, Expr]] = []
     state = SymbolicState(phase.model)
     acting = {row.name for row in phase.system.constraint_rows} | {p.load for p in phase.system.applied_loads}
-    special = {b.name for b in phase.base.bounds} | {r.name for r in phase.base.dry_friction}
+    special = {b.name for b in phase.base.bounds} | {row.name for r in phase.base.dry_friction for row in r.rows}
     for row in phase.base.rows:
         if row.name not in special and not row.unilateral:
             continue

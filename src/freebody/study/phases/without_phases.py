@@ -5,6 +5,7 @@ from __future__ import annotations
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.study.phases.home import closed_at_start
+from freebody.symbolic.spatial.balls import balls
 from freebody.system.system import System
 
 MOST_PLACES = 64  # at which bodies can ever touch: each is looked at by what could end a phase
@@ -13,8 +14,8 @@ MOST_TOUCHING = 12  # at which they touch when the motion begins: each opens, sl
 
 def why_no_phases(system: System) -> str:
     """What a case distinction has no room for; nothing where there is one."""
-    turns = {body.name for body in system.moving if body.turns}
     in_planes = [rub.row for rub in system.dry_friction if rub.across is not None]
+    turns = {body.name for body in system.moving if body.turns} - balls(system) if in_planes else set[str]()
     if turning := [row.connection for row in in_planes if turns & set(row.measure.bodies())]:
         # phases are told apart by the signs of slips along lines
         return Message(

@@ -30,6 +30,7 @@ from freebody.questions.clock import Clock
 from freebody.questions.reading import AskedEvent
 from freebody.study.phases.phase import Phase, without_rows
 from freebody.study.phases.reached import STRIKES
+from freebody.study.phases.turned_along import TurnedAlong
 from freebody.symbolic.phases.friction import named_rows
 from freebody.system.modes import ContactMode, across_the_way, ideal_bounds, in_mode, straightened
 from freebody.system.system import System
@@ -285,9 +286,22 @@ class NumericMode:
         return lambda q, v, t: sign * gap(self.references[0].snapshot(q, v, t, begin))
 
     # -- motion -----------------------------------------------------------------------------------
+    @cached_property
+    def _along(self) -> TurnedAlong:
+        return TurnedAlong(self.references[0], self.base.unfollowed)
+
+    def _turned(self, y: Array, t: float, turns: Array) -> tuple[Array, Array]:
+        """A state with its balls turned, in which it is accelerated as without."""
+        n = len(y) // 2
+        q, v = self._along.turned(y[:n], y[n:], turns)
+        if len(turns):
+            self._along.check(self.accelerations(y[:n], y[n:], t), self.accelerations(q, v, t), turns)
+        return q, v
+
     def run(self, q: Array, v: Array, start: float, until: float, asked: AskedEvent | None = None) -> PhaseSnapshot:
         """To the first event, or until a time. asked: a measure that reaches a value, as a further event."""
-        n = len(q)
+        n, along = len(q), self._along
+        turns = along.at_first()
         begin = self.references[0].snapshot(q, v, start)
         watches = self.watches()
         for blow in self.base.blows:
@@ -297,7 +311,8 @@ class NumericMode:
             watches.append((("is reached", asked.text, 0), self._distance(asked, begin)))
 
         def derivative(t: float, y: Array) -> Array:
-            return np.concatenate([y[n:], self.accelerations(y[:n], y[n:], t)])
+            slope = along.without(self.references[0].frame.slope(y[:n], y[n:]))
+            return np.concatenate([slope, self.accelerations(y[:n], y[n:], t)])
 
         roots: list[tuple[float, int]] = []
         looks: list[tuple[Array, Array, float]] = []
@@ -319,11 +334,12 @@ class NumericMode:
                 first = min(root for root, _k in roots)
                 at_once = [r for r in roots if r[0] <= first + ROUND_OFF * abs(first)]
                 time, k = max(at_once, key=lambda r: r[1])
-                y = state(time)
+                q, v = self._turned(state(time), time, along.on(turns, state, a, time))
                 together = tuple(watches[other][0] for _time, other in at_once)
-                return PhaseSnapshot(watches[k][0], time, self, y[:n], y[n:], begin, together, tuple(looks))
+                return PhaseSnapshot(watches[k][0], time, self, q, v, begin, together, tuple(looks))
             armed |= now > _STILL
-            q, v = y[:n], y[n:]
+            turns = along.on(turns, state, a, b)
+            q, v = self._turned(y, b, turns)
             looks.append((q, v, b))
         return PhaseSnapshot(None, until, self, q, v, begin, (), tuple(looks))
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from freebody.language.sentences import Message, in_turn
 from freebody.measures.combination import Combination
 from freebody.measures.displacement import Displacement
-from freebody.model.elements import DryFriction
+from freebody.model.elements import DryFriction, NonholonomicForm
 from freebody.study.phases.phase import Phase, PhaseWatch
 from freebody.symbolic.first_integrals import is_driven
 
@@ -59,6 +59,8 @@ def verb(phase: Phase, rub: DryFriction, state: int) -> str:
 def rolls(rub: DryFriction) -> bool:
     """Whether no slip means rolling: a body turns along with it."""
     measure = rub.row.measure
+    if isinstance(measure, NonholonomicForm):
+        return True
     return isinstance(measure, Combination) and any(not isinstance(m, Displacement) for _c, m in measure.terms)
 
 

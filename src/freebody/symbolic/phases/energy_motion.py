@@ -148,19 +148,20 @@ def course_of(model: SymbolicModel, start: StartState, one_way: Set[int] = froze
     """The motion of a model in closed form. one_way: the speeds that keep their sense as long as it is followed. Raises
     CannotAnswer where there is none."""
     f = model.field
-    resting = [c for c in model.dependent if model.samples.vanishes(model.dependent_speed(c))]
+    bound = [c for c in model.dependent if c.index not in model.unfollowed]  # nothing depends on the others' places
+    resting = [c for c in bound if model.samples.vanishes(model.dependent_speed(c))]
     unknown = [c.name for c in resting if c.index not in start.values]
     if unknown:
         raise CannotAnswer(
             Message("{name} at the start has no closed form: a loop decides it", name=", ".join(unknown))
         )
     still = {c.index: start.values[c.index] for c in resting}
-    moving = [c.name for c in model.dependent if c.index not in still]
+    moving = [c.name for c in bound if c.index not in still]
     if moving:
         raise CannotAnswer(
             Message("{names} follow from the others only through a closed loop", names=", ".join(moving))
         )
-    still |= {c.speed: f.zero for c in model.dependent}
+    still |= {c.speed: f.zero for c in bound}
     accelerations = [
         f.lowest_terms(f.follow(model.dynamics.solved_accelerations[a], still)) for a in model.accelerations
     ]

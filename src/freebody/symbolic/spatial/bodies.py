@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Collection, Iterable, Mapping
-from functools import reduce
+from functools import cached_property, reduce
 from typing import Any
 
 from freebody.language.expression import Expr
@@ -64,6 +64,11 @@ class SpatialBodies(Bodies):
         for link in self.tree.links:
             steps = map(self._rotation, link.steps)
             self._rotations[link.body] = reduce(_product, steps, self._rotations.get(link.parent, self._identity()))
+        self._turns: dict[str, Triple] = {}  # of balls: what has the components of the angular velocity as rates
+        for k, body in enumerate(system.bodies.values()):
+            if body.name in system.unfollowed:
+                x, y, z = (unknowns.new(f"phi_{axis}_{body.name}", (BODY_ANGLE, -k)) for axis in "xyz")
+                self._turns[body.name] = (x, y, z)
         for k, body in enumerate(system.bodies.values()):
             if not body.fixed:
                 self.poses[body.name] = self._moving(k, body)
@@ -84,8 +89,21 @@ class SpatialBodies(Bodies):
         return None if name is None else self._angles[name]
 
     def angle(self, name: str) -> Ratio:
-        """A named angle of the tree as an unknown of its own, whether or not a closed loop binds it."""
+        """A named angle of the tree as an unknown of its own, whether or not a closed loop binds it; or a turn of a
+        ball."""
+        if name in self.turns_of_balls:
+            body, k = self.turns_of_balls[name]
+            return self._turns[body][k]
         return self._angles[name]
+
+    @cached_property
+    def turns_of_balls(self) -> Mapping[str, tuple[str, int]]:
+        """The balls whose orientation is left open, by the names of their turns, with the axis of the ground."""
+        return {
+            self.unknowns.names[self.field.index(turn)]: (body, k)
+            for body, own in self._turns.items()
+            for k, turn in enumerate(own)
+        }
 
     def really_redundant(self, rows: list[str]) -> list[str]:
         """A chain with fewer than three named angles holds what joints hold that leave the body these angles alone."""
@@ -142,7 +160,9 @@ class SpatialBodies(Bodies):
 
     def turning_axes(self, body: str) -> list[tuple[str, Triple]]:
         """Every named angle by which a body is turned, and the axis about which it turns, by components on the ground,
-        before closed loops are put in: omega = sum of rate * axis."""
+        before closed loops are put in: omega = sum of rate * axis. A ball turns about the axes of the ground."""
+        if body in self._turns:
+            return [(name, self._identity()[k]) for name, (own, k) in self.turns_of_balls.items() if own == body]
         links = {link.body: link for link in self.tree.links}
         if body not in links:
             return []
@@ -168,6 +188,10 @@ class SpatialBodies(Bodies):
             one, two, three = (turned[0][i] * p + turned[1][i] * q + turned[2][i] * r for i in range(3))
             found[k].append((one, two, three))
         return [tuple(axes) for axes in found]
+
+    def unfollowed_turns(self, body: str) -> Parts:
+        """Of a ball whose orientation is left open: the unknowns of which its angular velocity has the rates."""
+        return self._turns.get(body, ())
 
     # -- poses --------------------------------------------------------------------------------
     def _moving(self, k: int, body: RigidBody) -> SpatialPose[Ratio]:
@@ -219,6 +243,9 @@ class SpatialBodies(Bodies):
                 values[f.index(element)] = place[k]
                 if motion:
                     values[speeds[f.index(element)]] = motion[k]
+        for name, turns in self._turns.items():
+            for own, rate in zip(turns, sample.turning.get(name, (0.0, 0.0, 0.0)), strict=True):
+                values[f.index(own)], values[speeds[f.index(own)]] = 0.0, rate
         for name, own in self._angles.items():
             value, rate = sample.angles.get(name, (math.nan, math.nan))
             values[f.index(own)] = value
@@ -236,7 +263,10 @@ class SpatialBodies(Bodies):
             p = poses[b.name]
             assert isinstance(p, SpatialPose)
             assert p.center.z is not None
-            omega = tuple(self.field.lowest_terms(w) for w in turning.get(b.name, (zero, zero, zero)))
+            own = turning.get(b.name, (zero, zero, zero))
+            if b.name in self._turns:  # along axes that do not turn
+                own = tuple(rate(express(turn)) for turn in self._turns[b.name])
+            omega = tuple(self.field.lowest_terms(w) for w in own)
             found[b.name] = (rate(p.center.x), rate(p.center.y), rate(p.center.z), *omega)
         return found
 

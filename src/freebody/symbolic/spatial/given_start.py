@@ -7,6 +7,7 @@ from contextlib import suppress
 from freebody.errors import CannotAnswer
 from freebody.measures.base import Measure
 from freebody.measures.geometry import GROUND, SpatialPose, Vector
+from freebody.model.elements import RigidBody
 from freebody.symbolic.bodies import Bodies
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.geometry import FieldGeometry, straight_tangent
@@ -52,7 +53,7 @@ class SpatialGivenStart(GivenStart):
         assert isinstance(known, SpatialPose)
         if body.fixed:
             return known
-        if body.turns and body.start.turned is None:
+        if not self._is_turned(body):
             return None
         x, y, z = self._known_rotation(body.start.turned or (), scalar)
         axes = Vector(*x), Vector(*y), Vector(*z)
@@ -71,4 +72,8 @@ class SpatialGivenStart(GivenStart):
 
     def is_placed(self, measure: Measure) -> bool:
         starts = (self.system.bodies[name] for name in measure.bodies() if name != GROUND)
-        return all(b.fixed or (b.start.at is not None and (not b.turns or b.start.turned is not None)) for b in starts)
+        return all(b.fixed or (b.start.at is not None and self._is_turned(b)) for b in starts)
+
+    def _is_turned(self, body: RigidBody) -> bool:
+        """Whether the start says how a body is turned, or nothing looks at it."""
+        return not body.turns or body.start.turned is not None or body.name in self.system.unfollowed

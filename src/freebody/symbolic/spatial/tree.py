@@ -64,11 +64,13 @@ class _Grower:
         self.links: list[TreeLink] = []
         self.angles: dict[str, Measure] = {}
         self.rows: set[str] = set()
-        self.placed = {b.name: None for b in system.bodies.values() if b.fixed or not b.turns}  # in this order
+        unfollowed = system.unfollowed
+        placed = (b.name for b in system.bodies.values() if b.fixed or not b.turns or b.name in unfollowed)
+        self.placed = dict.fromkeys(placed)  # in this order
         self._names = {m: name for name, m in (*system.offered, *system.all_measures.items())}
 
     def tree(self) -> JointTree:
-        waiting = [b.name for b in self.system.all_moving if b.turns]
+        waiting = [b.name for b in self.system.all_moving if b.turns and b.name not in self.system.unfollowed]
         while waiting:
             name = self._next(waiting)
             self.placed[name] = None
