@@ -403,7 +403,7 @@ def test_every_example_is_searched(name: str) -> None:
         with pytest.raises(fb.CannotAnswer, match="slides at the start"):
             conserved(system)
         return
-    if name == "spherical_four_bar":  # its loop has no formulas that could be read
+    if name in ("spherical_four_bar", "ball_off_a_dome"):  # a loop, and a nearest place, whose formulas are too long
         with pytest.raises(fb.CannotAnswer, match="would have more than"):
             conserved(system)
         return

@@ -232,6 +232,8 @@ def stuck(system: fb.System) -> fb.System:
 def assert_same_motion(system: fb.System) -> None:
     values = {p.name: 0.7 + 0.1 * k for k, p in enumerate(system.parameters.values()) if p.value is None}
     result = system.simulate(0.1, tolerance=1e-12, every=0.1, values=values)
+    if result.course.events:
+        pytest.skip("something strikes or comes loose within the tenth of a second: the reference follows one mode")
     reference = Reference(stuck(system), values)
     q = reference.assemble()
     slow = reference.integrate((q, reference.velocities(q)), 0.1).snapshots[-1]

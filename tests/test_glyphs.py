@@ -233,16 +233,16 @@ connections: {it: {tether: [ground.A, bob]}}
 
 
 @pytest.mark.parametrize(
-    ("kind", "text"),
+    ("kind", "text", "in_figure"),
     [
-        ("driver", "w\u2009t"),
-        ("constraint", "x \u2212 2\u2009y = 0"),
-        ("dry_friction", "friction force \u2264 2 N"),
+        ("driver", "angle of rod = w\u2009t", "w\u2009t"),  # at the arc of the angle, whose name it takes
+        ("constraint", "x \u2212 2\u2009y = 0", "x \u2212 2\u2009y = 0"),
+        ("dry_friction", "friction force \u2264 2 N", "friction force \u2264 2 N"),
     ],
 )
-def test_what_has_no_sign_is_said_by_an_equation(kind: str, text: str) -> None:
+def test_what_has_no_sign_is_said_by_an_equation(kind: str, text: str, in_figure: str) -> None:
     system = fb.System.from_text(Connection.kinds[kind].example)
-    assert text in {word.label.text for word in picture(system).words}
+    assert in_figure in {word.label.text for word in picture(system).words}
     assert text in {label.text for label in drawn(system).words}
 
 

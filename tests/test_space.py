@@ -181,6 +181,8 @@ def on_a_lab(name: str, shift: Array, turn: Array) -> dict[str, Any]:
         if "gravity" in load:
             given = load["gravity"] if isinstance(load["gravity"], dict) else {"strength": load["gravity"]}
             load["gravity"] = given | {"along": f"lab.{given.get('along', 'down')}"}
+        if "force" in load and isinstance(load["force"]["along"], list):  # components of the ground
+            load["force"]["along"] = [float(c) for c in Q @ np.array(load["force"]["along"], dtype=float)]
         if "torque" in load and "." not in load["torque"]["about"]:
             load["torque"]["about"] = f"lab.{load['torque']['about']}"
     data["frames"] = {key: {"on": "lab", **entry} for key, entry in data.get("frames", {}).items()}
@@ -194,7 +196,10 @@ def on_a_lab(name: str, shift: Array, turn: Array) -> dict[str, Any]:
         given = {key: found[key] for key in ("at", "velocity", "turned", "angular_velocity") if key in entry}
         entry |= {**given, "near": {key: found[key] for key in ("at", "turned")}}
         if "at" in given:
-            del entry["near"]
+            del entry["near"]["at"]
+    for entry in data["bodies"].values():
+        if entry.get("fixed"):  # in the middle of the ground
+            entry |= {"at": [float(c) for c in shift], "turned": as_text(turn).strip("'")}
     lab = {"body": {}, "fixed": True, "at": [float(c) for c in shift], "turned": as_text(turn).strip("'"), **ground}
     data["bodies"] = {"lab": lab | {"points": points}, **data["bodies"]}
     return data

@@ -577,7 +577,7 @@ def test_what_a_change_of_a_parameter_does_is_told_by_asking_twice(said: str) ->
     [
         ("worm_gear", "is the worm gear self-locking?", "range of T that keeps it at rest"),
         ("slider_crank", "quick return ratio", "time ratio of position of piston along cylinder"),
-        ("gear_pair_with_pressure_angle", "efficiency of the gears", "ratio of power of machine to power of motor"),
+        ("gear_pair_with_pressure_angle", "what is the efficiency", "ratio of power of machine to power of motor"),
     ],
 )
 def test_what_lacks_an_operand_is_answered_with_complete_questions(name: str, said: str, suggested: str) -> None:

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from contextlib import AbstractContextManager, nullcontext, suppress
 from dataclasses import replace
 from functools import cached_property
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 
@@ -139,6 +139,8 @@ class Setup:
         yield from self.draws
         for k, widest in enumerate((0.5, 0.2, 0.05)):
             yield from draws(self.system, n_more, seed=SEED + 10 + k, widest=widest, near=self.draws[0])
+
+    is_mode: ClassVar[bool] = False  # one mode of contacts and friction, kept: of what ends it the system knows nothing
 
     @property
     def has_values(self) -> bool:

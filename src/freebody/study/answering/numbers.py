@@ -86,6 +86,8 @@ def _small_number(
 def _rest_number(quantity: Equilibrium, setup: Setup, event: AskedEvent | None, draw: Draw) -> float:
     from freebody.study.small_motion.equilibrium import nearest_equilibrium, refuse_out_of_bounds
 
+    if setup.is_mode:
+        raise CannotAnswer(Message("whether contacts stay as they are at a rest is told by formulas alone"))
     q = nearest_equilibrium(setup.system)[0].q
     refuse_out_of_bounds(setup.system, draw.reference, q)
     return draw.reference.snapshot(q, np.zeros_like(q)).value(quantity.measure)

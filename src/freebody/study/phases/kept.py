@@ -35,6 +35,8 @@ _OF_ALL = ("whole motion", "repeated motion")  # what is asked of all of a motio
 class KeptMode(Given):
     """The mode of a phase, kept for good; its first draw has the model's own values where the motion begins in it."""
 
+    is_mode = True
+
     def __init__(self, tree: PhaseTree, node: PhaseNode) -> None:
         self.phase: Phase = node.phase
         self.is_own = tree.system.has_values and 0 in node.sets
