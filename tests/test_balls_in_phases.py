@@ -142,8 +142,12 @@ def test_balls_turn_as_their_angular_velocity_says() -> None:
     )
     along = TurnedAlong(reference, ["ball"])
     axis, q = np.array([0.6, 0.0, 0.8]), np.zeros(6)
-    for omega, angle in ((lambda _t: 20.0, 20.0), (lambda t: 30.0 * t, 15.0)):
-        turns = along.on(along.at_first(), lambda t, w=omega: np.concatenate([q, q[:3], w(t) * axis]), 0.0, 1.0)
+    for steady, growing, angle in ((20.0, 0.0, 20.0), (0.0, 30.0, 15.0)):
+
+        def state(t: float, a: float = steady, b: float = growing) -> np.ndarray:
+            return np.concatenate([q, q[:3], (a + b * t) * axis])
+
+        turns = along.on(along.at_first(), state, 0.0, 1.0)
         found, _v = along.turned(q, q, turns)
         assert matrix(found[3:]) == pytest.approx(matrix(angle * axis), abs=1e-9)
 

@@ -258,7 +258,9 @@ class ConstraintRow:
     def axis(self) -> str:
         """Of a component of a force or moment its axis, by one letter; nothing where it is all of it."""
         what, _, last = self.component.rpartition(" ")
-        return "" if len(last) > 1 or what.endswith((" of", " on", " at")) else last
+        is_part = what in ("", self.reaction) or self.reaction.endswith(f" {last}")
+        is_along = last in ("", "x", "y", "z") and not what.endswith((" of", " on", " and"))  # and no body of that name
+        return last if len(last) <= 1 and (is_part or is_along) else ""
 
 
 @dataclass(frozen=True)

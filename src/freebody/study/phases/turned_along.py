@@ -10,7 +10,7 @@ where these point. What they turn by follows from omega(t) along K, which is kno
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 
@@ -45,7 +45,7 @@ class TurnedAlong:
         """(n_balls, 4) what they have turned by at b, of what they had at a; (q, v) by the time."""
         if not self._columns or b <= a:
             return turns
-        from scipy.integrate import solve_ivp
+        from scipy import integrate
 
         n = len(state(a)) // 2
 
@@ -54,7 +54,8 @@ class TurnedAlong:
             spins = np.array([[0.0, *v[own]] for own in self._columns])
             return 0.5 * product(spins, s.reshape(-1, 4)).ravel()
 
-        found: Any = solve_ivp(slope, (a, b), turns.ravel(), method="DOP853", rtol=_RTOL, atol=_RTOL)
+        solve_ivp: Callable[..., Any] = cast("Any", integrate).solve_ivp
+        found = solve_ivp(slope, (a, b), turns.ravel(), method="DOP853", rtol=_RTOL, atol=_RTOL)
         s: Array = found.y[:, -1].reshape(-1, 4)
         return s / np.linalg.norm(s, axis=1, keepdims=True)
 

@@ -72,7 +72,9 @@ def refuse_out_of_bounds(system: System, reference: Reference, q: Array) -> None
     for v in system.validities:
         if v.sign * (float(there.value(v.measure)) - reference.number(v.limit)) < 0.0:
             raise CannotAnswer(Message("at the equilibrium it is not so that {purpose}", purpose=v.purpose))
-    for stop in (bound for bound in system.bounds if not bound.within):
+    for stop in system.bounds:
+        if stop.within or isinstance(stop.row.measure, NonholonomicForm):
+            continue
         target = 0.0 if stop.row.target is None else reference.number(stop.row.target)
         if stop.row.sign * (float(there.value(stop.row.measure)) - target) < -ROUNDED:
             raise CannotAnswer(Message("the equilibrium lies beyond {stop}", stop=stop.name))

@@ -94,9 +94,9 @@ def _turned(system: System, name: str, columns: tuple[tuple[Fraction, ...], ...]
     field: Field = SignedField(capacity=len(system.parameters) + 10 * n + 3 * len(system.all_measures) + 24)
     bodies = SpatialBodies(system, ModelUnknowns(field, system))
     one, zero = field.one, field.zero
-    columns = columns or ((1, 0, 0), (0, 1, 0), (0, 0, 1))  # type: ignore[assignment]
-    assert columns is not None
-    x, y, z = (Vector(*(one * c for c in column)) for column in columns)
+    straight = ((one, zero, zero), (zero, one, zero), (zero, zero, one))
+    axes = straight if columns is None else [[field.element(c) for c in column] for column in columns]
+    x, y, z = (Vector(a, b, c) for a, b, c in axes)
     poses = {**bodies.poses, name: SpatialPose(Vector(zero, zero, zero), (x, y, z))}
     plain = bodies.geometry(poses, straight_tangent(field, None), None, lambda _x: False)
     return DualGeometry(plain, {b.name: b.turns for b in system.bodies.values()})
