@@ -120,10 +120,10 @@ class GreatestChange(Joined, kind="greatest change"):
 
     example = """
 bodies: {ball: {particle: {mass: 2 kg}}}
-connections: {spring: {spring: {between: [ground.O, ball], stiffness: 80 N/m}}}
-measures: {x: x of ball}
-start: {ball: {at: [0.1 m, 0]}, rate(x): 0}
-questions: {it: greatest change of x}
+loads: {weight: {gravity: 9.81 m/s^2}}
+measures: {y: y of ball}
+start: {y: 0, rate(y): 3 m/s}
+questions: {it: greatest change of y until rate(y) = 0}
 """
     scope = "whole motion"
 

@@ -51,9 +51,10 @@ def asked_side(
     def part(k: int) -> Callable[[World], float]:
         return lambda world: float(_number(way, question, world)[k])
 
-    for k, one in enumerate(names_of(name, n) if n > 1 else ()):
+    parts = names_of(name, n) if n > 1 else ()
+    for k, one in enumerate(parts):
         leg.glossary.introduce(Meaning(one, what, part(k), ""))
-    script.add(Legend(((name, what, ""),)))
+    script.add(Legend(tuple((one, what, "") for one in parts or (name,))))
     return side_of(name, n)
 
 
