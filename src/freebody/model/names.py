@@ -66,6 +66,10 @@ class Joining(Protocol):
         """Whether what it transmits at several places is one force to people."""
         ...
 
+    def lowest(self, names: Names) -> tuple[Measure, ...]:
+        """The measures of where something is along a curve, which are zero where this is lowest."""
+        ...
+
     def keeps_flat(self, names: Names) -> bool:
         """In space: whether it does no more than to make a body one of the plane of x and y."""
         ...

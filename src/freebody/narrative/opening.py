@@ -93,8 +93,8 @@ def _symbols(context: Context, script: Script) -> None:
     context.introduced |= {e[0].name for e in entries if isinstance(e[0], Symbol)} | {"t"}
     hidden, turns = [c for c in _coordinates(context) if c not in context.introduced], _turns_of_balls(context)
     for name in hidden:
-        known = turns.get(name)
-        entries.append((Symbol(name), *(_coordinate(context, name) if known is None else (known, ""))))
+        what, unit = (turns[name], "") if name in turns else _coordinate(context, name)
+        entries.append((Symbol(name), what, unit))
         context.introduced.add(name)
     if entries:
         script.add(Legend(tuple(entries)))
