@@ -128,7 +128,9 @@ def test_a_train_is_asked_for_by_three_of_its_members() -> None:
         system.solve("ratio of sun to sun with ring held")
     with pytest.raises(fb.ModelError, match="two of the gears that mesh with its planets"):
         system.solve("rolling power from sun to planet with ring held")
-    with pytest.raises(fb.ModelError, match="basic efficiency is a parameter"):
+    with pytest.raises(
+        fb.ModelError, match="basic efficiency is a number over 0 and up to 1, or a parameter for it; T is neither"
+    ):
         system.solve("efficiency from sun to carrier with ring held and basic efficiency T")
 
 
@@ -151,3 +153,19 @@ def test_a_worm_has_the_friction_of_its_slanted_flanks(agrees: Agree) -> None:
     agrees(system.solve("is mesh self-locking"), "q1", "mu/cos(alpha) - tan(gamma)")
     with pytest.raises(fb.ModelError, match="has no thread"):
         system.solve("efficiency of A")
+
+
+@pytest.mark.parametrize(
+    ("way", "expected"),
+    [
+        ("from sun to carrier", (1 + 0.98 * 2.5) / (1 + 2.5)),  # k = z_R/z_S = 60/24
+        ("from carrier to sun", (1 + 2.5) / (1 + 2.5 / 0.98)),
+    ],
+)
+def test_the_basic_efficiency_may_be_a_number(way: str, expected: float) -> None:
+    """M_S + M_C + M_R = 0 with M_R = k eta M_S where the sun puts in what rolls, else k M_S/eta."""
+    system = fb.System.load(EXAMPLES / "planetary_gear_by_teeth.yaml")
+    [answer] = system.solve(f"efficiency {way} with ring held and basic efficiency 0.98").answers
+    assert answer.value == pytest.approx(expected)
+    with pytest.raises(fb.ModelError, match=r"over 0 and up to 1.* 1\.5 is neither"):
+        system.solve(f"efficiency {way} with ring held and basic efficiency 1.5")

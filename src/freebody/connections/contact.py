@@ -134,7 +134,7 @@ connections: {it: {contact: {between: [ball, floor], friction: 0.3, restitution:
             return []
         flat = {body for c in names.connections.values() if c.keeps_flat(names) for body in c.mentions(names)}
         solids = [text for text in texts if names.plane(text) is None and names.line(text) is None]
-        owners = {text.removeprefix(INSIDE).partition(".")[0] for text in solids}
+        owners = {_owner(text) for text in solids}
         if len(solids) < 2 or not owners <= names.bodies.keys():
             return []
         return solids if any(not names.bodies[b].fixed and b not in flat for b in owners) else []
@@ -180,7 +180,7 @@ connections: {it: {contact: {between: [ball, floor], friction: 0.3, restitution:
             return []
         field, texts = "between" if self.among is None else "among", self._texts()
         assert texts is not None
-        solids = [t for t in texts if t not in planes and names.body(t.removeprefix(INSIDE).partition(".")[0], field)]
+        solids = [t for t in texts if t not in planes and names.body(_owner(t), field)]
         if (self.between is not None and len(texts) != 2) or not solids:
             told = Message("between takes two: a body, or a point of one, and a plane or a body; write among for more")
             names.problem(told, field)
@@ -195,8 +195,8 @@ connections: {it: {contact: {between: [ball, floor], friction: 0.3, restitution:
         found: list[PairInSpace] = []
         for one, other in joined:
             plane = names.plane(other)
-            second = other.removeprefix(INSIDE).partition(".")[0] if plane is None else plane.normal.body
-            owners = one.removeprefix(INSIDE).partition(".")[0], second
+            second = _owner(other) if plane is None else plane.normal.body
+            owners = _owner(one), second
             if owners[0] == owners[1] or all(names.known(body).fixed for body in owners):
                 continue
             starts = self._start_closed(names, *owners)
@@ -286,13 +286,11 @@ connections: {it: {contact: {between: [ball, floor], friction: 0.3, restitution:
 
     def mentions(self, names: Names) -> set[str]:
         texts = self.between or (self.among if isinstance(self.among, list) else list(names.bodies))
-        return {t.removeprefix("inside of ").removeprefix("inside ").partition(".")[0] for t in texts} & set(
-            names.bodies
-        )
+        return {_owner(t.replace("inside of ", INSIDE)) for t in texts} & set(names.bodies)
 
     def glyphs(self, names: Names) -> Iterable[Glyph]:
         for pair in self._in_space(names, ""):
-            first, second = (t.removeprefix(INSIDE).partition(".")[0] for t in (pair.first, pair.second))
+            first, second = (_owner(t) for t in (pair.first, pair.second))
             if pair.plane is not None:
                 yield glyphs.Face(pair.plane.through, names.known(first).center, pair.plane.normal, "rolls")
             else:
@@ -330,3 +328,8 @@ def _is_misspelt(names: Names, *outlines: Outline) -> bool:
 
 def _may_touch(names: Names, a: Outline, b: Outline) -> bool:
     return not (names.known(a.body).fixed and names.known(b.body).fixed)
+
+
+def _owner(text: str) -> str:
+    """The body of which `inside bowl`, `rod.end` or `ball` speaks."""
+    return text.removeprefix(INSIDE).partition(".")[0]

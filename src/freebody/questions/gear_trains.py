@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import Symbol
+from freebody.language.parser import parse
 from freebody.language.sentences import Message, Sentence
 from freebody.language.units import DIMENSIONLESS
 from freebody.measures.angle import Angle
@@ -107,12 +107,12 @@ class OfRollingPower(OfHeldTrain):
 class HeldEfficiency(OfRollingPower, kind="efficiency with a member held"):
     """The share of the power that comes out, by the basic efficiency between the two central gears."""
 
-    basic: str
+    basic: str  # a parameter, or a number
 
     example = f"{TRAIN}questions: {{it: efficiency from sun to carrier with ring held and basic efficiency eta}}\n"
 
     def value(self, system: Described, state: State[Any]) -> Any:
-        eta = state.scalar(Symbol(self.basic))
+        eta = state.scalar(parse(self.basic))
         if self.held == self.carrier:
             return eta
         turn = self._rolling(system, state)
@@ -170,23 +170,24 @@ def _ratio(names: Names, found: Found, path: Path) -> Quantity | None:
 
 
 @asked(
-    "efficiency from BODY to BODY with BODY held and basic efficiency PARAMETER",
-    rf"efficiency from {_BETWEEN} {_HELD} (?:and|with|by|at) (?:the )?basic efficiency (?P<basic>{NAME})",
+    "efficiency from BODY to BODY with BODY held and basic efficiency PARAMETER | NUMBER",
+    rf"efficiency from {_BETWEEN} {_HELD} (?:and|with|by|at) (?:the )?basic efficiency (?P<basic>{NAME}|[01](?:\.[0-9]+)?)",
     rank=RANK,
 )
 def _efficiency(names: Names, found: Found, path: Path) -> Quantity | None:
     basic = names.parameters.get(found["basic"])
-    if basic is None or basic.dimension != DIMENSIONLESS or basic.form is not None:
+    is_number = found["basic"][0].isdigit() and 0.0 < float(found["basic"]) <= 1.0
+    if not is_number and (basic is None or basic.dimension != DIMENSIONLESS or basic.form is not None):
         hint = did_you_mean(found["basic"], names.parameters)
         told = Message(
-            "the basic efficiency is a parameter, a number from 0 to 1; {name} is none.{hint}",
+            "the basic efficiency is a number over 0 and up to 1, or a parameter for it; {name} is neither.{hint}",
             name=found["basic"],
             hint=hint,
         )
         names.unknown(found["basic"], told, *path)
         return None
     parts = _parts(names, found, path)
-    return None if parts is None else HeldEfficiency(*parts, basic.name)
+    return None if parts is None else HeldEfficiency(*parts, found["basic"])
 
 
 @asked("rolling power from BODY to BODY with BODY held", rf"rolling power from {_BETWEEN} {_HELD}", rank=RANK)

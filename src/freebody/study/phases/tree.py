@@ -330,7 +330,7 @@ class PhaseTree(Home):
             edge.stops = Message("beyond {place} other formulas hold; simulate the motion", place=watch.name)
             return
         if watch.kind == "is left":
-            edge.stops = Message("behind that the model is not true")
+            edge.stops = Message("beyond that the model does not hold")
             return
         phase = node.phase
         there = SymbolicState(phase.model, {**phase.still, **edge.first.zero.values})
