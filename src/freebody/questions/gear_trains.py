@@ -171,7 +171,8 @@ def _ratio(names: Names, found: Found, path: Path) -> Quantity | None:
 
 @asked(
     "efficiency from BODY to BODY with BODY held and basic efficiency PARAMETER | NUMBER",
-    rf"efficiency from {_BETWEEN} {_HELD} (?:and|with|by|at) (?:the )?basic efficiency (?P<basic>{NAME}|[01](?:\.[0-9]+)?)",
+    rf"efficiency from {_BETWEEN} {_HELD} (?:and|with|by|at) (?:the )?"
+    rf"basic efficiency (?P<basic>{NAME}|[01](?:\.[0-9]+)?)",
     rank=RANK,
 )
 def _efficiency(names: Names, found: Found, path: Path) -> Quantity | None:
