@@ -241,6 +241,27 @@ questions: [equilibrium of th]
     assert derivation.answer.value == pytest.approx(math.acos((1.2 + math.sqrt(1.44 + 32)) / 8))
 
 
+def test_an_equilibrium_beside_what_is_driven_from_rest_is_derived() -> None:
+    """In a car that starts with a0 a pendulum hangs still at tan(th) = -a0/g and swings with w^2 = sqrt(g^2 + a0^2)/L."""
+    text = """
+parameters: {m: 2 kg, L: 1.2 m, a0: 3 m/s^2, g: 9.81 m/s^2}
+bodies: {car: {particle: {mass: 10 kg}}, bob: {particle: {mass: m}}}
+connections:
+  track: {slider: {body: car, along: right}}
+  motor: {driver: {measure: x of car, follows: a0*t^2/2}}
+  rope: {link: [car, bob, L]}
+loads: {w: {gravity: g}}
+measures: {th: angle of line from car to bob from down}
+start: {th: 0}
+questions: [equilibrium of th, natural frequency]
+"""
+    place, swing = fb.System.from_text(text).explain().derivations
+    assert not place.reason
+    assert not swing.reason
+    assert place.answer.value == pytest.approx(-math.atan(3 / 9.81))
+    assert swing.answer.value == pytest.approx(math.sqrt(math.hypot(3, 9.81) / 1.2))
+
+
 def test_velocity_constraints_that_bind_less_at_the_start_are_told() -> None:
     # rate(cos(angle)) is held; with the angle at zero that holds nothing to first order
     system = fb.System.from_text("""

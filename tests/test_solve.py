@@ -658,7 +658,11 @@ connections:
 measures: {{theta: angle of line from trolley to hook from down}}
 start: {{theta: 0}}
 """,
-        {"acceleration of theta": "-(g*sin(theta) + a0*cos(theta))/L", "equilibrium of theta": "-atan(a0/g)"},
+        {
+            "acceleration of theta": "-(g*sin(theta) + a0*cos(theta))/L",
+            "equilibrium of theta": "-atan(a0/g)",
+            "natural frequency about equilibrium": "sqrt(sqrt(a0**2 + g**2)/L)",
+        },
     ),
 }
 
@@ -669,22 +673,8 @@ def solved(name: str) -> fb.Solution:
     return fb.solve(fb.System.from_text(model + "questions:\n" + "".join(f"  - {{find: '{q}'}}\n" for q in known)))
 
 
-# problem, question: what is wrong with the answer
-OPEN: dict[tuple[str, str], str] = {
-    ("pendulum on a driven trolley", "equilibrium of theta"): "an equilibrium that is an arc tangent is not found",
-}
-
-
 def problems() -> list[object]:
-    return [
-        pytest.param(
-            name,
-            question,
-            marks=[pytest.mark.xfail(strict=True, reason=OPEN[name, question])] if (name, question) in OPEN else [],
-        )
-        for name, (_model, known) in PROBLEMS.items()
-        for question in known
-    ]
+    return [pytest.param(name, question) for name, (_model, known) in PROBLEMS.items() for question in known]
 
 
 @pytest.mark.parametrize(("name", "question"), problems())

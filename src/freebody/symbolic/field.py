@@ -61,6 +61,7 @@ class Field(DifferentialField):
             return x
         num, den = self.current(x.num), self.one.num if x.den is None else self.current(x.den)
         unit, factors = self._with_sines(*self.factor(num * den))
+        factors = self._with_roots(factors)
         outside, inside = self.one, self.one
         if unit < 0:
             inside = -inside
@@ -97,6 +98,20 @@ class Field(DifferentialField):
                     found[base] -= n
                 found[s] = found.get(s, 0) + 2 * n
         return unit, [(base, exponent) for base, exponent in found.items() if exponent]
+
+    def _with_roots(self, factors: Sequence[tuple[Ratio, int]]) -> list[tuple[Ratio, int]]:
+        """Factors with g^2 in the place of r, which the normal form makes of it, where the root g of r is one too."""
+        found = dict(factors)
+        for root, _exponent in factors:
+            index = next(iter(root.generators()), -1)
+            if index < 0 or self.generators[index].kind != "root" or root != self.variable(index):
+                continue
+            unit, parts = self.factor(self.square_of(index))
+            n = min((found.get(base, 0) // exponent for base, exponent in parts), default=0) if unit == 1 else 0
+            if n:
+                found |= {base: found[base] - n * exponent for base, exponent in parts}
+                found[root] += 2 * n
+        return [(base, exponent) for base, exponent in found.items() if exponent]
 
     def _root_of_square(self, base: Ratio, is_negative: Callable[[Ratio], bool | None] | None) -> Ratio | None:
         """|base|, or None if its sign is open and nobody decides it."""

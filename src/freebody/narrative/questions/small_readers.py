@@ -17,7 +17,7 @@ from freebody.measures.base import Measure
 from freebody.narrative.lines.glossary import World
 from freebody.numeric.jets import Array
 from freebody.numeric.linearised import generalized_modes
-from freebody.study.answering.at_equilibrium import frequencies_at, instants
+from freebody.study.answering.at_equilibrium import frequencies_at, instants, is_driven
 from freebody.study.answering.crosscheck import element_at
 from freebody.study.answering.draws import Draw
 from freebody.study.setup import Setup
@@ -46,7 +46,7 @@ class SmallMotions:
                 )
             self.measures.append(measure)
         draw = setup.draws[0]
-        self._is_driven = bool(draw.reference.velocities(draw.q, self._rates(-1), with_start=False).any())
+        self._is_driven = is_driven(setup, draw.reference.velocities(draw.q, self._rates(-1), with_start=False))
 
     def _rates(self, j: int) -> list[tuple[Measure, float]]:
         """Rates of the coordinates of which one is 1."""

@@ -8,11 +8,12 @@ from collections.abc import Sequence
 import numpy as np
 
 from freebody.errors import CannotAnswer
+from freebody.language.expression import free_symbols
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, RIGHT, UP, Point
-from freebody.numeric.jets import Array
+from freebody.numeric.jets import TIME, Array
 from freebody.numeric.linearised import frequencies
 from freebody.numeric.small_motion import LinearisationPoint, SmallMotion
 from freebody.questions.small_motion import SmallOscillations
@@ -136,6 +137,12 @@ def resting(draw: Draw, places: Sequence[tuple[Measure, float]], t: float = 0.0)
     return q, draw.reference.velocities(q, [(measure, 0.0) for measure, _value in places], t, with_start=False)
 
 
+def is_driven(setup: Setup, v: Array) -> bool:
+    """Whether something is led along in time, be it only from rest; v: the velocities of what is driven."""
+    targets = (row.target for row in setup.system.constraint_rows)
+    return bool(v.any()) or any(TIME in free_symbols(target) for target in targets if target is not None)
+
+
 def instants(setup: Setup, draw: Draw) -> tuple[float, ...]:
     """At which forces have their mean: half a period apart where loads or drives swing."""
     swing = swing_of(setup.model)
@@ -151,7 +158,7 @@ def unrest(setup: Setup, draw: Draw, places: Sequence[tuple[Measure, float]]) ->
     if len(times) == 1:
         q, v = resting(draw, places)
         still = draw.seen(draw.reference.snapshot(q, v))
-        if not v.any():
+        if not is_driven(setup, v):
             return float(np.abs(still.accelerations).max(initial=0.0))
         return max((abs(still.acceleration(measure)) for measure, _value in places), default=0.0)
     seen = [draw.seen(draw.reference.snapshot(*resting(draw, places, t), t)) for t in times]
@@ -165,7 +172,7 @@ def small_motions_at(setup: Setup, draw: Draw, places: Sequence[tuple[Measure, f
     found: list[SmallMotion] = []
     for t in instants(setup, draw):
         q, v = resting(draw, places, t)
-        at = LinearisationPoint(q, v, t, draw.start().branches, frozen=not v.any())
+        at = LinearisationPoint(q, v, t, draw.start().branches, frozen=not is_driven(setup, v))
         found.append(SmallMotion(draw.reference, at))
     small = found[0]
     if len(found) > 1:
@@ -178,7 +185,7 @@ def small_motions_at(setup: Setup, draw: Draw, places: Sequence[tuple[Measure, f
 def frequencies_at(setup: Setup, draw: Draw, places: Sequence[tuple[Measure, float]]) -> Array:
     """Natural angular frequencies [rad/s] of the undamped system about an equilibrium, or beside what is driven."""
     q, v = resting(draw, places)
-    if not v.any() and len(instants(setup, draw)) == 1:
+    if not is_driven(setup, v) and len(instants(setup, draw)) == 1:
         return draw.reference.frequencies(q)
     small = small_motions_at(setup, draw, places)
     mass, K = small.orthonormal.T @ small.M @ small.orthonormal, small.stiffness
