@@ -242,7 +242,7 @@ questions: [equilibrium of th]
 
 
 def test_an_equilibrium_beside_what_is_driven_from_rest_is_derived() -> None:
-    """In a car that starts with a0 a pendulum hangs still at tan(th) = -a0/g and swings with w^2 = sqrt(g^2 + a0^2)/L."""
+    """In a car that starts with a0 a pendulum hangs at tan(th) = -a0/g and swings with w^2 = sqrt(g^2 + a0^2)/L."""
     text = """
 parameters: {m: 2 kg, L: 1.2 m, a0: 3 m/s^2, g: 9.81 m/s^2}
 bodies: {car: {particle: {mass: 10 kg}}, bob: {particle: {mass: m}}}
