@@ -242,6 +242,20 @@ connections:
 measures: {beta: {angle of line from hoop.center to bead from hoop.x}}
 start: {beta: 0, rate(beta): u0}
 """
+CAR = """
+parameters: {m: 3 kg, M: 10 kg, L: 1 m, a0: 2 m/s^2, g: 9.81 m/s^2, q: 10 deg, at: 60 deg}
+bodies:
+  car: {particle: {mass: M}}
+  rod: {rod: {mass: m, length: L}, near: {angle: -90 deg}}
+connections:
+  track: {slider: {body: car, along: right}}
+  motor: {driver: {measure: x of car, follows: a0*t^2/2}}
+  hinge: {pin: [car, rod.start]}
+loads: {weight: {gravity: g}}
+measures: {th: angle of line from rod.end to rod.start from up}
+start: {th: 0}
+"""
+LIFT = CAR.replace("along: right", "along: up").replace("x of car", "y of car").replace("th: 0", "th: at")
 CENTRED = HOOP.replace("{A: [-R, 0]}", "{A: [0, 0]}")
 
 BESIDE_DRIVERS = {
@@ -259,6 +273,12 @@ BESIDE_DRIVERS = {
     "hoop": (HOOP, "velocity of beta when beta = q", "sqrt(u0^2 - 2*W^2*(1 - cos(q)))"),
     "hoop turns": (HOOP, "period of beta", "4/u0*elliptic_K(2*W/u0)"),
     "hoop, time": (HOOP, "time when beta = q", "2/u0*elliptic_F(q/2, 2*W/u0)"),
+    # in the frame of the car L^2 th'^2/6 = g L (cos(th) - 1)/2 - a0 L sin(th)/2. Meriam & Kraige, ch. 6; BJ, ch. 17
+    "car": (CAR, "velocity of th when th = -q", "-sqrt(3/L*(g*cos(q) + a0*sin(q) - g))"),
+    "car, how far": (CAR, "least th", "-2*atan(a0/g)"),
+    # in a lift that starts the weight is m (g + a0)
+    "lift": (LIFT, "velocity of th when th = 0", "-sqrt(3*(g + a0)*(1 - cos(at))/L)"),
+    "lift, force": (LIFT, "size of reaction of hinge when th = 0", "m*(g + a0)*(5 - 3*cos(at))/2"),
     # towards the centre of the hoop: centripetal and Coriolis (beta' + W)^2 R, and W^2 R cos(beta) of the centre
     "hoop, force": (
         HOOP,
@@ -277,6 +297,16 @@ def test_jacobis_integral_is_told_where_energy_is_not_conserved() -> None:
     told = fb.explain(System.from_text(HOOP + "questions: [velocity of beta when beta = q]\n")).to_text()
     assert "Jacobi's integral" in " ".join(told.split())
     assert "T + V stays what it was" not in told
+
+
+def test_the_inertia_force_beside_a_drive_that_accelerates_is_told() -> None:
+    told = " ".join(fb.explain(System.from_text(CAR + "questions: [velocity of th when th = -q]\n")).to_text().split())
+    assert "whose potential is U = m·L·a₀·sin(th)/2" in told
+
+
+def test_a_drive_that_does_not_accelerate_evenly_leaves_no_first_integral() -> None:
+    found = posed(CAR.replace("a0*t^2/2", "a0*t^3/(2 s)"), "velocity of th when th = -q")
+    assert found.expression is None
 
 
 def test_a_driver_in_a_gravity_field_leaves_no_first_integral() -> None:

@@ -11,8 +11,12 @@ put into the energy this leaves one equation in the speed u of the one coordinat
 
 whose linear term vanishes. Where a_c does not change, the integral of u_c over the way gives the other places as well.
 
-Beside drivers T = T2 + T1 + T0 by the degree in the speed. Where the time is in none of these, nor in V (but for what
-depends on it alone), Jacobi's integral T2 - T0 + V stays what it is at the start.
+Beside drivers T = T2 + T1 + T0 by the degree in the speed u of the one coordinate q, and Lagrange's equation is
+
+    d/dt (dT2/du) - dT2/dq = dT0/dq - dV/dq - dT1/dt    (the last at q held).
+
+Where the time is in none of these, but for what depends on it alone, T2 - T0 + V + int dT1/dt dq stays what it is at
+the start: Jacobi's integral, and beside a drive that accelerates evenly the potential of the inertia force as well.
 
 A load without a potential of its own (one that turns with a body, or whose law names other measures) has one along the
 motion where its generalized force depends on one coordinate only: V = -int Q dq.
@@ -102,24 +106,24 @@ class FirstIntegrals:
         parts = self.by_degree(c)
         f, start = self.field, {c.index: self.start.of(c.index)}
         u0 = self.start.of(c.speed)
-        total = [f.follow(x, start) for x in (parts.second * u0 * u0, -parts.free, parts.potential)]
         here = {c.index: at}
-        rest = f.follow(parts.free - parts.potential, here)
-        square = (sum(total[1:], total[0]) + rest) / f.follow(parts.second, here)
+        total = f.follow(parts.second * u0 * u0 + parts.rest, start) - f.follow(parts.rest, here)
+        square = total / f.follow(parts.second, here)
         return self._without_time(f.lowest_terms(square))
 
     def terms(self, c: Coordinate) -> tuple[Ratio, Ratio]:
         """The conserved sum as a factor of u^2, and what is free of u."""
         if is_driven(self.model):
             parts = self.by_degree(c)
-            return parts.second, self.field.lowest_terms(parts.potential - parts.free)
+            return parts.second, self._in_place(parts.rest, c)
         if len(self.model.coordinates) > 1:
             mass, rest = self._reduced(c)
             return mass / 2, self.field.lowest_terms(rest / 2 + self.potential(dict(self.resting)))
         return self.model.dynamics.mass_matrix[0][0] / 2, self.potential({})
 
     def by_degree(self, c: Coordinate) -> JacobiParts:
-        """T2, T0 and V of one freedom beside drivers. Raises CannotAnswer where the time is in them."""
+        """T2, T0, V and what the time in T1 adds, of one freedom beside drivers. Raises CannotAnswer where the time is
+        in what is conserved."""
         if len(self.model.coordinates) != 1 or self.model.dependent:
             raise CannotAnswer(
                 Message("a driver is at work beside several degrees of freedom, so energy is no first integral")
@@ -129,10 +133,20 @@ class FirstIntegrals:
         kinetic = f.element(Energy("kinetic").value(self.model.system, state))
         degrees = [*f.lowest_terms(kinetic).coefficients(c.speed), f.zero, f.zero][:3]
         potential = self._potential(state)
-        slopes = [f.derivative(degrees[0], q), f.derivative(potential, q), degrees[1], degrees[2]]
+        inertia = f.lowest_terms(f.derivative(degrees[1], f.index(f.time)))
+        slopes = [f.derivative(degrees[0], q), f.derivative(potential, q), inertia, degrees[2]]
         if any(self._in_time & f.ingredients(f.lowest_terms(x)) for x in slopes):
             raise CannotAnswer(_DRIVEN)
-        return JacobiParts(degrees[2], degrees[0], potential)
+        led = antiderivative(inertia, q)
+        if led is None:
+            raise CannotAnswer(_DRIVEN)
+        return JacobiParts(degrees[2], degrees[0], potential, led)
+
+    def _in_place(self, x: Ratio, c: Coordinate) -> Ratio:
+        """Without what is the same in all places, such as the height to which a drive has led everything by now."""
+        f = self.field
+        alone = f.follow(x, {c.index: self.start.of(c.index)})
+        return f.lowest_terms(x - alone if self._in_time & f.ingredients(alone) else x)
 
     @property
     def _in_time(self) -> set[int]:
@@ -328,11 +342,18 @@ class FirstIntegrals:
 
 @dataclass(frozen=True)
 class JacobiParts:
-    """The factor of u^2 in the kinetic energy, what of it is free of u, and the potential energy."""
+    """The factor of u^2 in the kinetic energy, what of it is free of u, the potential energy, and the potential of the
+    inertia force that a drive which accelerates brings."""
 
     second: Ratio
     free: Ratio
     potential: Ratio
+    led: Ratio
+
+    @property
+    def rest(self) -> Ratio:
+        """What of the conserved sum is free of u."""
+        return self.potential - self.free + self.led
 
 
 def is_driven(model: SymbolicModel) -> bool:

@@ -44,7 +44,7 @@ def cos_sin(field: Field, angle: Ratio) -> Complex:
     for base, multiple in _angle_terms(field, angle):
         if base.generators() == frozenset({field.index(field.pi)}):
             # a part of a turn: one atom, since multiples expand to long sums that cancel badly in numbers
-            base, multiple = base * multiple, 1
+            base, multiple = base * abs(multiple), 1 if multiple > 0 else -1
         else:
             base, multiple = _in_known_angles(field, base, multiple)
         if multiple % 2 == 0 and (double := field.doubled_pairs.get(base.key())) is not None:

@@ -77,7 +77,12 @@ def say_first_integral(context: Context, script: Script, c: Coordinate) -> None:
         if not total.is_zero():
             script.say("course.as_potential", load=load, potential=tidy(total), name=Symbol(c.name))
     if is_driven(setup.model):
-        script.say("course.jacobi", rate=rates_of(c.name, 1))
+        led = setup.motion.integrals.by_degree(c).led
+        if led.is_zero():
+            script.say("course.jacobi", rate=rates_of(c.name, 1))
+        else:
+            potential = tidy(f.lowest_terms(led))
+            script.say("course.inertia", rate=rates_of(c.name, 1), name=Symbol(c.name), potential=potential)
 
 
 def square_line(context: Context, script: Script, c: Coordinate, lines: list[int], when: TrueWhen) -> int:
