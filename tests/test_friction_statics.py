@@ -762,3 +762,63 @@ def test_a_particle_that_leaves_a_wall_does_not_tip() -> None:
     told = " ".join(found.notes)
     assert "block leaves wall" in told
     assert "tips" not in told
+
+
+# -- beside a drive that accelerates -----------------------------------------------------------
+TRUCK = """
+parameters: {m: 50 kg, M: 1000 kg, b: 0.6 m, h: 1 m, mu: 0.4, a0: 2 m/s^2, g: 9.81 m/s^2}
+bodies:
+  truck: {rectangle: {mass: M, width: 5 m, height: 0.5 m}, lines: {bed: {through: [0, 0.25], along: right}}}
+  crate: {rectangle: {mass: m, width: b, height: h}, near: {at: [0, 0.75]}}
+connections:
+  track: {slider: {body: truck, along: right}}
+  motor: {driver: {measure: x of truck, follows: a0*t^2/2}}
+  bed: {contact: {between: [crate, truck.bed], friction: mu}}
+loads: {weight: {gravity: g}}
+"""
+WEDGE = """
+parameters: {m: 2 kg, al: 30 deg, mu: 0.2, a0: 4 m/s^2, g: 9.81 m/s^2}
+bodies: {wedge: {body: {mass: 10 kg}, lines: {slope: {angle: al}}}, block: {particle: {mass: m}, near: {at: [1, 1]}}}
+connections:
+  track: {slider: {body: wedge, along: right}}
+  motor: {driver: {measure: x of wedge, follows: -a0*t^2/2}}
+  face: {contact: {between: [block, wedge.slope], friction: mu}}
+loads: {weight: {gravity: g}}
+"""
+# Meriam & Kraige, Dynamics, ch. 3 and 6; Beer & Johnston, Dynamics, ch. 12 and 16: crates on trucks, blocks on wedges
+ALONG = {
+    "slips": (TRUCK, "largest a0 so that it does not slip", "mu*g"),
+    "tips": (TRUCK.replace("mu: 0.4", "mu: 0.9"), "does it tip or slide as a0 grows", "b*g/h"),
+    "rough enough": (TRUCK, "least mu so that it does not slip", "a0/g"),
+    "wedge": (
+        WEDGE,
+        "range of a0 that keeps it at rest",
+        [
+            "g*(sin(al) - mu*cos(al))/(cos(al) + mu*sin(al))",
+            "g*(sin(al) + mu*cos(al))/(cos(al) - mu*sin(al))",
+        ],
+    ),
+    "wedge, rough enough": (
+        WEDGE,
+        "least mu so that it does not slip",
+        "(g*sin(al) - a0*cos(al))/(g*cos(al) + a0*sin(al))",
+    ),
+}
+
+
+@pytest.mark.parametrize("name", ALONG)
+def test_rest_beside_a_drive_that_accelerates(name: str, agrees: Agree) -> None:
+    model, question, formula = ALONG[name]
+    system = fb.System.from_text(model + f"questions: [{question}]\n")
+    agrees(fb.solve(system), "q1", formula)
+    (derivation,) = fb.explain(system).derivations
+    assert not derivation.reason
+
+
+def test_what_hangs_freely_beside_a_drive_that_accelerates_is_not_at_rest() -> None:
+    hung = TRUCK.replace("bodies:", "bodies:\n  bob: {particle: {mass: 1 kg}}").replace(
+        "connections:", "connections:\n  rope: {link: [truck, bob, 0.2 m]}"
+    )
+    found = fb.solve(fb.System.from_text(hung + "questions: [largest a0 so that it stays at rest]\n")).answers[0]
+    assert found.expression is None
+    assert "free to move" in found.reason

@@ -10,6 +10,9 @@ this is from failing is one more unknown, the margin t:
 
     maximize t    so that    N >= t,    T + forward L >= t,    backward L - T >= t.
 
+Beside a drive that accelerates from rest, rest is that nothing moves against what is driven: J a = target'' of all rows
+gives the accelerations, and Q - M a stands for Q (d'Alembert).
+
 By Farkas' lemma the multipliers v of the equilibrium equations are a motion. It does no work on held rows, opens
 contacts, or slips where the friction constraint is active, and at t < 0 the loads do positive work along it: that
 motion is how the system fails. The same v belongs to the largest parameter that can be borne (limit analysis).
@@ -101,7 +104,8 @@ def rest_problem(reference: Reference, q: Array, dry_friction: Sequence[DryFrict
     rows = [*held, *(rub.row for rub in dry_friction), *(rub.across for rub in dry_friction if rub.across is not None)]
     n = len(q)
     g = reference.geometry(q, np.zeros(n), 0.0)
-    J = stack([reference.jet(g, row.measure, row.name).row(n) for row in rows], n)
+    gaps = [reference.gap(row, g) for row in rows]
+    J = stack([gap.row(n) for gap in gaps], n)
     names = tuple(row.name for row in rows)
     cones = tuple(
         replace(
@@ -111,7 +115,23 @@ def rest_problem(reference: Reference, q: Array, dry_friction: Sequence[DryFrict
         for k, rub in enumerate(dry_friction)
     )
     normals = tuple((k, row.sign) for k, row in enumerate(held) if row.unilateral)
-    return RestProblem(names, J, forces(reference, g), normals, cones, reference.sizes.unit_moves)
+    Q = forces(reference, g) - _inertia(reference, J, -np.array([gap.bias for gap in gaps]))
+    return RestProblem(names, J, Q, normals, cones, reference.sizes.unit_moves)
+
+
+def _inertia(reference: Reference, J: Array, driven: Array) -> Array:
+    """M a of what a drive accelerates together with all that holds and rubs; driven: target'' by row."""
+    if not driven.any():
+        return np.zeros(J.shape[1])
+    moves = reference.sizes.unit_moves
+    scaled, _rest, rank, _sizes = np.linalg.lstsq(J * moves, driven, rcond=_RCOND)
+    if float(np.abs(J * moves @ scaled - driven).max()) > ROUND_OFF * float(np.abs(driven).max()):
+        raise CannotAnswer(Message("the drive moves what is held, so nothing stays at rest beside it"))
+    if rank < J.shape[1]:
+        raise CannotAnswer(
+            Message("beside the drive, which accelerates, something is free to move; rest is asked of what is held")
+        )
+    return reference.masses * (moves * scaled)
 
 
 def _cone(
@@ -134,7 +154,7 @@ def _cone(
         raise CannotAnswer(
             Message(
                 "the friction of {connection} depends on {names}, which is not held",
-                rub=rub.name,
+                connection=rub.row.connection,
                 names=", ".join(missing),
             )
         )

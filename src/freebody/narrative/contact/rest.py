@@ -113,7 +113,7 @@ class _RestTelling:
                 size = Call("abs", symbol) if rub.across is None else Call("sqrt", add(*squares))
                 found.append(Sentence("rest.friction", {"place": place, "force": size, "limit": limit}))
         with self.script.stage("stage.touching", "hint.touching"):
-            self.script.say("rest.laws")
+            self.script.say("rest.laws_along" if ends.equations.inertia else "rest.laws")
             self.script.add(Listing(tuple(found)))
             free = ends.equations.reactions(Failure()).free
             if free:
@@ -166,7 +166,8 @@ class _RestTelling:
         glossary = RestGlossary(ends, limit, case, name)
         script.glossary = glossary
         equations = _plain_equations(ends, self.touching)
-        newton = RestNewton(acting_at_rest(self.touching, equations, case.failure), glossary)
+        acting = acting_at_rest(self.touching, equations, case.failure)
+        newton = RestNewton(acting, glossary, equations.inertia)
         with script.stage("stage.failure", "hint.failure"):
             end = "upper" if limit.sign > 0 else "lower"
             script.say(f"rest.{'extreme' if row else 'fails'}_{end}", words=ready(case.words), name=symbol)
@@ -240,7 +241,7 @@ class _RestTelling:
         reduced = eq.reactions(case.failure)
         if any(set(reduced.pivots.get(eq.columns[n], {eq.columns[n]: None})) - {RHS} for n in asked):
             raise CannotAnswer(Message("it is not unique"))
-        again = RestNewton(newton.acting, newton.limit_glossary)
+        again = RestNewton(newton.acting, newton.limit_glossary, eq.inertia)
         trial = Script(newton.limit_glossary, self.script.next_number)
         rows, said = again.tell(trial, asked)
         solver = again.eliminator(trial)

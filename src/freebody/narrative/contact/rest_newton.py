@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, Sum, add, negate
@@ -12,7 +12,7 @@ from freebody.narrative.contact.rest_worlds import RestGlossary
 from freebody.narrative.lines.script import Argument, Script, Sentence
 from freebody.narrative.principles.acting import Acting
 from freebody.narrative.principles.elimination import EliminationRow, Solver, Unknowns
-from freebody.narrative.principles.newton import AT_REST_WORDS, Newton
+from freebody.narrative.principles.newton import ALONG_WORDS, AT_REST_WORDS, Newton
 from freebody.narrative.principles.planner import AT_REST
 from freebody.narrative.principles.rates import Stillness
 from freebody.narrative.principles.reactions import words_of
@@ -28,17 +28,18 @@ class RestNewton(Newton):
 
     Principles are chosen at a start, not at the limit, where more equations than these depend on each other."""
 
-    def __init__(self, acting: Acting, glossary: RestGlossary) -> None:
+    def __init__(self, acting: Acting, glossary: RestGlossary, inertia: Mapping[str, Sequence[Ratio]]) -> None:
+        """inertia: M a by body of what goes along with a drive that accelerates."""
         draw = glossary.setup.draws[-1]
         numbers = acting.model.samples.numbers(draw.sample(draw.start()), draw.sample())
         symmetry = Symmetry(acting, glossary, is_sought=False)
         super().__init__(
             acting,
             glossary,
-            Stillness(acting.model.field),
+            Stillness(acting.model.field, inertia, acting.model.bodies.slots),
             symmetry,
             preferences=AT_REST,
-            words=AT_REST_WORDS,
+            words=ALONG_WORDS if inertia else AT_REST_WORDS,
             numbers=numbers,
         )
         self.limit_glossary = glossary

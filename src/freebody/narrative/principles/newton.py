@@ -50,6 +50,7 @@ class Words:
 IN_PLANE_WORDS = Words("principle")
 IN_SPACE_WORDS = Words("space", has_labels=False)
 AT_REST_WORDS = Words("balance", "equilibrium", "verge", intro="rest.no_acceleration")
+ALONG_WORDS = replace(AT_REST_WORDS, intro="rest.along")
 
 
 @dataclass
@@ -331,7 +332,7 @@ class Newton:
         f, motion = self.field, w.left.motion
         reactions = {self.acting.generator(row): f.lowest_terms(arm) for row, arm in w.reactions.items()}
         if self.acting.is_at_rest:  # the forces are the unknowns
-            return EliminationRow(reactions, f.lowest_terms(-w.rest), w.number)
+            return EliminationRow(reactions, f.lowest_terms(motion - w.rest), w.number)
         entries: dict[int, Ratio] = {}
         rest = w.rest - motion
         for a in self.model.accelerations:

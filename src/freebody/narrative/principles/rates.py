@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Protocol
 
-from freebody.language.expression import Expr, number
+from freebody.language.expression import Expr
 from freebody.narrative.lines.script import Script
 from freebody.narrative.principles.kinematics import Term
 from freebody.narrative.principles.planner import Plan
 from freebody.narrative.principles.table import WritablePrinciple
 from freebody.symbolic.field import Field, Ratio
+from freebody.symbolic.tidy import tidy
 
 
 @dataclass(frozen=True)
@@ -58,10 +59,11 @@ class MomentumRates(Protocol):
 
 
 class Stillness:
-    """Rest: nothing is accelerated, and any point will do."""
+    """Rest: nothing is accelerated, but for what goes along with a drive, and any point will do. inertia: M a by body
+    of what does, by the `slots` of a body."""
 
-    def __init__(self, field: Field) -> None:
-        self.field = field
+    def __init__(self, field: Field, inertia: Mapping[str, Sequence[Ratio]], slots: Sequence[str]) -> None:
+        self.field, self.inertia, self.slots = field, inertia, slots
 
     def begin(self) -> None:
         pass
@@ -70,7 +72,12 @@ class Stillness:
         pass
 
     def rate(self, p: WritablePrinciple) -> MomentumRate:
-        return MomentumRate(number(0), self.field.zero)
+        total = self.field.zero
+        for (body, slot), weight in p.weights.items():
+            if body in self.inertia:
+                total = total + weight * self.inertia[body][self.slots.index(slot)]
+        total = self.field.lowest_terms(total)
+        return MomentumRate(tidy(total), total)
 
     def announce(self, script: Script, terms: Sequence[Term]) -> None:
         pass

@@ -321,6 +321,8 @@ class _Answerer:
                     "needs"
                 )
             )
+        if ends.equations.inertia:
+            notes.append(Message("at rest means beside the drive, which accelerates"))
         evidence = _evidence(self.question.text, limits)
         element = elements[0] if len(elements) == 1 else elements
         value = None if not exact else exact[0] if len(exact) == 1 else tuple(exact)

@@ -182,6 +182,8 @@ def _answer(
     always = without_implied([b.condition for b in barriers if b.condition is not None and not b.where])
     kept = [b for b in barriers if b.condition is not None and (b.where or b.condition in always)]
     notes, verdict = list[str](), ""
+    if study.equations.inertia:
+        notes.append(Message("at rest means beside the drive, which accelerates"))
     if study.setup.has_values:
         told = Message("it holds") if first.is_held else Message("it does not hold: {words}", words=first.seen.words)
         verdict = Message("with the given numbers {verdict}", verdict=told)
