@@ -776,7 +776,7 @@ connections:
   bed: {contact: {between: [crate, truck.bed], friction: mu}}
 loads: {weight: {gravity: g}}
 """
-WEDGE = """
+DRIVEN_WEDGE = """
 parameters: {m: 2 kg, al: 30 deg, mu: 0.2, a0: 4 m/s^2, g: 9.81 m/s^2}
 bodies: {wedge: {body: {mass: 10 kg}, lines: {slope: {angle: al}}}, block: {particle: {mass: m}, near: {at: [1, 1]}}}
 connections:
@@ -791,7 +791,7 @@ ALONG = {
     "tips": (TRUCK.replace("mu: 0.4", "mu: 0.9"), "does it tip or slide as a0 grows", "b*g/h"),
     "rough enough": (TRUCK, "least mu so that it does not slip", "a0/g"),
     "wedge": (
-        WEDGE,
+        DRIVEN_WEDGE,
         "range of a0 that keeps it at rest",
         [
             "g*(sin(al) - mu*cos(al))/(cos(al) + mu*sin(al))",
@@ -799,7 +799,7 @@ ALONG = {
         ],
     ),
     "wedge, rough enough": (
-        WEDGE,
+        DRIVEN_WEDGE,
         "least mu so that it does not slip",
         "(g*sin(al) - a0*cos(al))/(g*cos(al) + a0*sin(al))",
     ),
