@@ -263,3 +263,20 @@ connections: {c1: {planar: {body: p, normal: x}}, c0: {pin: [ground.origin, p]}}
 """
     with pytest.raises(fb.ModelError, match="pin is a connection of the plane"):
         fb.System.from_text(text)
+
+
+def test_the_angle_of_a_body_on_one_hinge_is_that_of_the_hinge() -> None:
+    """The angle of an x axis in the plane of x and y says nothing of a table that turns about y."""
+    table = """
+space: true
+parameters: {W: 2 rad/s, J: 3 kg m^2}
+bodies: {table: {body: {mass: 1 kg, inertia: [2 kg m^2, J, 2 kg m^2]}}}
+connections:
+  axle: {revolute: {first: ground.O, second: table.center, about: AXIS}}
+  motor: {driver: {measure: angle of table, follows: W*t^2/(2 s)}}
+questions: [driving torque of motor]
+"""
+    for axis in ("up", "z", "[1, 1, 0]"):
+        found = fb.solve(fb.System.from_text(table.replace("AXIS", axis))).answers[0]
+        inertia = {"up": 3.0, "z": 2.0, "[1, 1, 0]": 2.5}[axis]
+        assert found.value == pytest.approx(2.0 * inertia), axis

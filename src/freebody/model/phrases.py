@@ -6,7 +6,7 @@ Each phrase is one pattern and one reader; the table is also what error messages
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import Any, cast
 
@@ -22,6 +22,7 @@ from freebody.measures.displacement import Displacement
 from freebody.measures.distance import Bearing, Distance
 from freebody.measures.geometry import GROUND, ONE, RIGHT, UP, ZERO, Direction, Point
 from freebody.measures.turn import Alignment, Turn
+from freebody.model.elements import Attitude
 from freebody.model.names import Names
 from freebody.model.rotations import perpendiculars
 
@@ -232,15 +233,26 @@ def _turn(names: Names, found: Found, path: Path) -> Measure:
 def _of_joint(names: Names, body: str, base: str, axis: Direction) -> Measure | None:
     """The angle of the joint between two bodies, if it turns about that axis; it counts from where the joint is at
     zero."""
-    found: Measure | None = None
+    joints = (joint for joint in _hinges(names, body, base) if joint.before[2] == axis.components)
+    return next((joint.turns[0][2] for joint in joints), None) if axis.body == base else None
+
+
+def _out_of_plane(names: Names, body: str, base: str) -> Measure | None:
+    """The angle of the one joint between two bodies in space, if it does not turn about z."""
+    joints = list(_hinges(names, body, base)) if names.space else []
+    plain = all(joint.before[2][:2] == (ZERO, ZERO) for joint in joints)
+    return None if plain or len(joints) != 1 else joints[0].turns[0][2]
+
+
+def _hinges(names: Names, body: str, base: str) -> Iterator[Attitude]:
+    """What joins two bodies so that one turns against the other about one axis."""
     for connection in names.connections.values():
         with names.quietly():  # of a connection they are told where it stands
             joint = connection.attitude(names) if {body, base} <= connection.mentions(names) | {GROUND} else None
         if joint is None or (joint.first, joint.second) != (base, body) or len(joint.turns) != 1:
             continue
-        if axis.body == base and joint.before[2] == axis.components and joint.turns[0][0] == (ZERO, ZERO, ONE):
-            found = joint.turns[0][2]
-    return found
+        if joint.turns[0][0] == (ZERO, ZERO, ONE):
+            yield joint
 
 
 def _about(body: str, base: str, axis: Direction) -> Measure:
@@ -289,11 +301,15 @@ measures: {theta: angle of rod from down}
 )
 def _angle(names: Names, found: Found, path: Path) -> Measure:
     """The angle of the x axis of a body, counter-clockwise from a direction (else from `right`), or from the x axis of
-    another body."""
+    another body. In space it is the angle of the joint that alone lets the one turn against the other, if it does so
+    about another axis than z."""
     body = names.body(cast("str", found["of"]), *path)
     if not body.turns:
         names.problem(Message("{body} is a particle and has no angle", body=body.name), *path)
     clockwise = found["cw"] or found["cw1"]
+    base = GROUND if found["rel"] is None else names.body(found["rel"], *path).name
+    if found["ref"] is None and (turned := _out_of_plane(names, body.name, base)) is not None:
+        return _clockwise(turned, clockwise)
     if found["rel"] is not None:
         return _clockwise(Angle(body.name, names.body(found["rel"], *path).name), clockwise)
     ref = RIGHT if found["ref"] is None else names.direction(found["ref"], *path)
