@@ -99,3 +99,62 @@ def test_the_limit_is_derived_from_both_components(language: str) -> None:
     text = str(told)
     assert "no derivation" not in text
     assert ("Resultierende beider Komponenten" if language == "de" else "resultant of both components") in text
+
+
+# -- beside a drive ----------------------------------------------------------------------------
+# Meriam & Kraige, Dynamics, ch. 3; Beer & Johnston, Dynamics, ch. 12: turntables, rotors and conical bowls that turn
+# at a constant rate, and what rides in them
+TURNED = """
+space: true
+parameters: {m: 0.2 kg, r: 0.3 m, be: 30 deg, mu: 0.4, W: 2 rad/s, g: 9.81 m/s^2}
+bodies:
+  table: {body: {mass: 10 kg, inertia: [1, 1, 1]}, planes: {top: {normal: NORMAL, through: [r, 0, 0]}}}
+  coin: {particle: {mass: m}, at: [r, 0, 0]}
+connections:
+  axle: {revolute: {first: ground.O, second: table.center, about: up}}
+  motor: {driver: {measure: angle of table, follows: LAW}}
+  top: {contact: {between: [coin, table.top], friction: mu}}
+loads: {weight: {gravity: g}}
+questions: [QUESTION]
+"""
+STEADY = TURNED.replace("LAW", "W*t")
+TABLE = STEADY.replace("NORMAL", "up")
+ROTOR = STEADY.replace("NORMAL", "left")
+BOWL = STEADY.replace("NORMAL", "[-sin(be), cos(be), 0]").replace("mu: 0.4", "mu: 0.2")
+TAN = math.tan(math.radians(30))
+RIDDEN = {
+    "turntable": (TABLE, "largest W so that it does not slip", math.sqrt(0.4 * 9.81 / 0.3)),
+    "turntable, rough enough": (TABLE, "least mu so that it does not slip", 0.3 * 4 / 9.81),
+    "rotor": (ROTOR.replace("W: 2", "W: 12"), "least mu so that it does not slip", 9.81 / (0.3 * 144)),
+    "rotor, how fast": (ROTOR, "least W so that it does not slip", math.sqrt(9.81 / (0.4 * 0.3))),
+    "bowl": (
+        BOWL,
+        "range of W that keeps it at rest",
+        (
+            math.sqrt(9.81 / 0.3 * (TAN - 0.2) / (1 + 0.2 * TAN)),
+            math.sqrt(9.81 / 0.3 * (TAN + 0.2) / (1 - 0.2 * TAN)),
+        ),
+    ),
+    # a tangential force m r al beside the one towards the axis, none at the start from rest
+    "spun up": (
+        TURNED.replace("NORMAL", "up").replace("LAW", "W*t^2/(2 s)"),
+        "least mu so that it does not slip",
+        0.3 * 2 / 9.81,
+    ),
+    "spun up in motion": (
+        TURNED.replace("NORMAL", "up").replace("LAW", "W*t + W*t^2/(2 s)"),
+        "least mu so that it does not slip",
+        0.3 * math.hypot(2.0, 4.0) / 9.81,
+    ),
+}
+
+
+@pytest.mark.parametrize("name", RIDDEN)
+def test_what_rides_along_does_not_slip_within_limits(name: str) -> None:
+    model, question, wanted = RIDDEN[name]
+    system = fb.System.from_text(model.replace("QUESTION", question))
+    (answer,) = fb.solve(system).answers
+    assert answer.expression is not None
+    assert answer.value == pytest.approx(wanted, rel=1e-9)
+    (derivation,) = fb.explain(system).derivations
+    assert not derivation.reason

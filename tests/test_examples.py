@@ -980,6 +980,14 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
         "slope": "acos(sqrt(((m*g)**2 + P**2)/(1 + mu**2))/(m*g))",
         "holds": "mu*m*g*cos(alpha) - sqrt((m*g*sin(alpha))**2 + P**2)",
     },
+    # m a0 = T <= mu m g; about the rear edge m a0 h/2 = m g b/2
+    "crate_on_a_truck": {"slips": "mu*g", "first": "mu*g", "friction": "a0/g"},
+    # m r W^2 = T <= mu m g
+    "coin_on_a_turntable": {
+        "rate": "sqrt(mu*g/r)",
+        "friction": "r*W**2/g",
+        "holds": "m*(mu*g - r*W**2)",
+    },
     # moments about horizontal axes through the foot: the walls push with m g/2 times the runs by the height, which are
     # the legs of a right angle; friction balances both
     "ladder_in_a_corner": {

@@ -20,8 +20,9 @@ from freebody.numeric import friction_limits
 from freebody.numeric.contact import problem as contact
 from freebody.numeric.contact.forces import contact_forces
 from freebody.numeric.friction_branches import Sector, extreme, margin, spread
-from freebody.numeric.friction_limits import RestProblem, at, ray, rest_problem
+from freebody.numeric.friction_limits import at, ray
 from freebody.numeric.reference import Reference
+from freebody.numeric.rest_problem import RestProblem, rest_problem
 from freebody.study.friction.answers import prepared
 from freebody.study.friction.touching import touching
 

@@ -237,19 +237,21 @@ def _of_joint(names: Names, body: str, base: str, axis: Direction) -> Measure | 
     return next((joint.turns[0][2] for joint in joints), None) if axis.body == base else None
 
 
-def _out_of_plane(names: Names, body: str, base: str) -> Measure | None:
-    """The angle of the one joint between two bodies in space, if it does not turn about z."""
+def _out_of_plane(names: Names, body: str, base: str | None) -> Measure | None:
+    """The angle of the one joint in space about which a body turns against another (any, if none is named), if that is
+    not about z."""
     joints = list(_hinges(names, body, base)) if names.space else []
     plain = all(joint.before[2][:2] == (ZERO, ZERO) for joint in joints)
     return None if plain or len(joints) != 1 else joints[0].turns[0][2]
 
 
-def _hinges(names: Names, body: str, base: str) -> Iterator[Attitude]:
-    """What joins two bodies so that one turns against the other about one axis."""
+def _hinges(names: Names, body: str, base: str | None) -> Iterator[Attitude]:
+    """What joins a body to another one (any, if none is named) so that it turns against that about one axis."""
+    both = {body} if base is None else {body, base}
     for connection in names.connections.values():
         with names.quietly():  # of a connection they are told where it stands
-            joint = connection.attitude(names) if {body, base} <= connection.mentions(names) | {GROUND} else None
-        if joint is None or (joint.first, joint.second) != (base, body) or len(joint.turns) != 1:
+            joint = connection.attitude(names) if both <= connection.mentions(names) | {GROUND} else None
+        if joint is None or joint.second != body or base not in (None, joint.first) or len(joint.turns) != 1:
             continue
         if joint.turns[0][0] == (ZERO, ZERO, ONE):
             yield joint
@@ -301,13 +303,12 @@ measures: {theta: angle of rod from down}
 )
 def _angle(names: Names, found: Found, path: Path) -> Measure:
     """The angle of the x axis of a body, counter-clockwise from a direction (else from `right`), or from the x axis of
-    another body. In space it is the angle of the joint that alone lets the one turn against the other, if it does so
-    about another axis than z."""
+    another body. In space it is the angle of the one joint about whose axis the body turns, if that is not z."""
     body = names.body(cast("str", found["of"]), *path)
     if not body.turns:
         names.problem(Message("{body} is a particle and has no angle", body=body.name), *path)
     clockwise = found["cw"] or found["cw1"]
-    base = GROUND if found["rel"] is None else names.body(found["rel"], *path).name
+    base = None if found["rel"] is None else names.body(found["rel"], *path).name
     if found["ref"] is None and (turned := _out_of_plane(names, body.name, base)) is not None:
         return _clockwise(turned, clockwise)
     if found["rel"] is not None:

@@ -20,7 +20,8 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 from freebody.numeric import friction_limits as limits
-from freebody.numeric.friction_limits import FrictionCone, Optimum, Ray, RestProblem
+from freebody.numeric.friction_limits import Optimum, Ray
+from freebody.numeric.rest_problem import FrictionCone, RestProblem
 
 N_SECTORS = 8
 _NARROW = 2e-7  # half a sector's width at which its bound is the value

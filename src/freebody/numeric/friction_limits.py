@@ -10,9 +10,6 @@ this is from failing is one more unknown, the margin t:
 
     maximize t    so that    N >= t,    T + forward L >= t,    backward L - T >= t.
 
-Beside a drive that accelerates from rest, rest is that nothing moves against what is driven: J a = target'' of all rows
-gives the accelerations, and Q - M a stands for Q (d'Alembert).
-
 By Farkas' lemma the multipliers v of the equilibrium equations are a motion. It does no work on held rows, opens
 contacts, or slips where the friction constraint is active, and at t < 0 the loads do positive work along it: that
 motion is how the system fails. The same v belongs to the largest parameter that can be borne (limit analysis).
@@ -29,16 +26,9 @@ from typing import Any
 
 import numpy as np
 
-from freebody.errors import CannotAnswer
-from freebody.language.expression import FLOAT_FUNCTIONS, Expr, evaluate
-from freebody.language.sentences import Message
-from freebody.model.elements import ConstraintRow, DryFriction
-from freebody.numeric.instant import forces
-from freebody.numeric.jet_geometry import JetGeometry
-from freebody.numeric.jets import TIME, Array
-from freebody.numeric.reference import Reference
+from freebody.numeric.jets import Array
+from freebody.numeric.rest_problem import FrictionCone, RestProblem
 from freebody.numeric.solvers import optimize
-from freebody.numeric.split import stack
 from freebody.tolerances import ROUND_OFF, ROUNDED
 
 _FREE = ROUND_OFF  # a load along a direction in which nothing resists, of the largest load
@@ -48,120 +38,12 @@ _ACTIVE = 1e-7  # a dual variable above this part of the largest marks a constra
 
 
 @dataclass(frozen=True)
-class FrictionCone:
-    """Dry friction at one row: -(forward L + limit) <= T <= backward L + limit, each with its own `limits`.
-
-    L = sum of sign * multiplier over `load`, or the size of the multipliers in `size`, whose signs are open. In a plane
-    T has a second component, in the row `across`, and the size of both is forward L at most."""
-
-    name: str
-    row: int
-    forward: float
-    backward: float
-    load: tuple[tuple[int, float], ...] = ()
-    size: tuple[int, ...] = ()
-    limits: tuple[float, float] = (0.0, 0.0)
-    across: int = -1
-
-    def size_of(self, rates: Array) -> float:
-        """The size of its components, of what is given by row."""
-        return abs(float(rates[self.row])) if self.across < 0 else math.hypot(rates[self.row], rates[self.across])
-
-
-@dataclass(frozen=True)
-class RestProblem:
-    """A system at rest in numbers: J (n_rows, n), Q (n,); `normals` are (row, sign) of what cannot pull."""
-
-    names: tuple[str, ...]
-    J: Array
-    Q: Array
-    normals: tuple[tuple[int, int], ...]
-    cones: tuple[FrictionCone, ...]
-    moves: Array  # (n,) a move by the size of the system, a turn by a radian
-    walls: tuple[tuple[tuple[int, float], ...], ...] = ()  # sums of coefficient * multiplier that are not negative
-
-    @property
-    def force(self) -> float:
-        """The largest load; 1 if there is none."""
-        return float(np.abs(self.Q * self.moves).max(initial=0.0)) or 1.0
-
-    def place(self, name: str) -> int:
-        return self.names.index(name)
-
-
-@dataclass(frozen=True)
 class Optimum:
     """An extreme value, the multipliers there (n_rows,), and the motion (n,) that keeps it from going further."""
 
     value: float
     forces: Array
     motion: Array
-
-
-def rest_problem(reference: Reference, q: Array, dry_friction: Sequence[DryFriction]) -> RestProblem:
-    """The reference's system at rest at q: its held rows (those that are unilateral cannot pull) and dry friction."""
-    held: Sequence[ConstraintRow] = reference.system.constraint_rows
-    rows = [*held, *(rub.row for rub in dry_friction), *(rub.across for rub in dry_friction if rub.across is not None)]
-    n = len(q)
-    g = reference.geometry(q, np.zeros(n), 0.0)
-    gaps = [reference.gap(row, g) for row in rows]
-    J = stack([gap.row(n) for gap in gaps], n)
-    names = tuple(row.name for row in rows)
-    cones = tuple(
-        replace(
-            _cone(reference, g, rub, len(held) + k, held),
-            across=-1 if rub.across is None else names.index(rub.across.name),
-        )
-        for k, rub in enumerate(dry_friction)
-    )
-    normals = tuple((k, row.sign) for k, row in enumerate(held) if row.unilateral)
-    Q = forces(reference, g) - _inertia(reference, J, -np.array([gap.bias for gap in gaps]))
-    return RestProblem(names, J, Q, normals, cones, reference.sizes.unit_moves)
-
-
-def _inertia(reference: Reference, J: Array, driven: Array) -> Array:
-    """M a of what a drive accelerates together with all that holds and rubs; driven: target'' by row."""
-    if not driven.any():
-        return np.zeros(J.shape[1])
-    moves = reference.sizes.unit_moves
-    scaled, _rest, rank, _sizes = np.linalg.lstsq(J * moves, driven, rcond=_RCOND)
-    if float(np.abs(J * moves @ scaled - driven).max()) > ROUND_OFF * float(np.abs(driven).max()):
-        raise CannotAnswer(Message("the drive moves what is held, so nothing stays at rest beside it"))
-    if rank < J.shape[1]:
-        raise CannotAnswer(
-            Message("beside the drive, which accelerates, something is free to move; rest is asked of what is held")
-        )
-    return reference.masses * (moves * scaled)
-
-
-def _cone(
-    reference: Reference, g: JetGeometry, rub: DryFriction, row: int, held: Sequence[ConstraintRow]
-) -> FrictionCone:
-    values = {**reference.frame.values, TIME: 0.0}
-    for name, measure in rub.measures:
-        values[name] = reference.jet(g, measure, name).value
-        values[f"rate({name})"] = 0.0
-
-    def number(expr: Expr) -> float:
-        return float(evaluate(expr, values, FLOAT_FUNCTIONS))
-
-    forward, backward = (number(rub.coefficient(d, at_rest=True)) for d in (1, -1))
-    if not rub.load:
-        return FrictionCone(rub.name, row, 0.0, 0.0, limits=(forward, backward))
-    place = {other.name: k for k, other in enumerate(held)}
-    missing = [name for name in rub.load if name not in place]
-    if missing:
-        raise CannotAnswer(
-            Message(
-                "the friction of {connection} depends on {names}, which is not held",
-                connection=rub.row.connection,
-                names=", ".join(missing),
-            )
-        )
-    pressing = [place[name] for name in rub.load]
-    if len(pressing) == 1 and held[pressing[0]].unilateral:
-        return FrictionCone(rub.name, row, forward, backward, ((pressing[0], float(held[pressing[0]].sign)),))
-    return FrictionCone(rub.name, row, forward, backward, size=tuple(pressing))
 
 
 @dataclass

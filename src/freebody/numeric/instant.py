@@ -53,7 +53,7 @@ def dynamics(reference: NumericSystem, g: JetGeometry, cut: float | None = None)
     gaps = [reference.gap(row, g) for row in reference.system.constraint_rows]
     J = stack([gap.row(n) for gap in gaps], n)
     b = np.array([-gap.bias for gap in gaps])
-    Q = forces(reference, g) + _gyroscopic(reference, g)
+    Q = forces(reference, g) + gyroscopic(reference, g)
     split = Split(J, reference.sizes.small_moves, cut or RANK_CUT)
     a = split.least(b)
     if cut is None:
@@ -67,7 +67,7 @@ def dynamics(reference: NumericSystem, g: JetGeometry, cut: float | None = None)
     return Dynamics(a, multipliers, split)
 
 
-def _gyroscopic(reference: NumericSystem, g: JetGeometry) -> Array:
+def gyroscopic(reference: NumericSystem, g: JetGeometry) -> Array:
     """-omega x I omega of every body in space."""
     if not reference.system.space:
         return np.zeros(len(reference.masses))

@@ -26,7 +26,7 @@ from functools import cached_property
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
-from freebody.model.elements import ConstraintRow, DryFriction, NonholonomicForm
+from freebody.model.elements import DryFriction
 from freebody.symbolic.field import Field, Ratio
 from freebody.symbolic.linear import RHS, Row
 from freebody.symbolic.parameter_roots import Values, slope, without_roots_below
@@ -50,10 +50,16 @@ class RestEquations:
     """The equations of a system at rest in its start pose, over the field of a symbolic model."""
 
     def __init__(
-        self, state: SymbolicState, dry_friction: Sequence[DryFriction], asked: tuple[str, Ratio] | None = None
+        self,
+        state: SymbolicState,
+        dry_friction: Sequence[DryFriction],
+        inertia: Mapping[str, Sequence[Ratio]],
+        asked: tuple[str, Ratio] | None = None,
     ) -> None:
-        """asked: a row whose reaction (positive as people count it) is taken as given by an element."""
+        """inertia: M a by body, along its slots, of what goes along with a drive; asked: a row whose reaction (positive
+        as people count it) is taken as given by an element."""
         self.state = state
+        self.inertia = inertia
         self.asked = asked
         self.field: Field = state.model.field
         self.system = state.model.system
@@ -101,7 +107,7 @@ class RestEquations:
 
     @cached_property
     def loads(self) -> dict[Slot, Ratio]:
-        """Forces and moments of the loads, at rest; beside a drive that accelerates less M a (d'Alembert)."""
+        """Forces and moments of the loads, at rest; beside a drive less M a (d'Alembert)."""
         order = self.state.model.bodies.slots
         wrenches, inertia = self.state.model.loads.wrenches, self.inertia
         found: dict[Slot, Ratio] = {}
@@ -109,35 +115,6 @@ class RestEquations:
             load = self.here(wrenches[body][order.index(of)])
             found[body, of] = load if body not in inertia else load - inertia[body][order.index(of)]
         return found
-
-    @cached_property
-    def inertia(self) -> dict[str, tuple[Ratio, ...]]:
-        """M a by body, of what a drive accelerates together with all that holds and rubs: J a = target''."""
-        columns, rows = {slot: k for k, slot in enumerate(self.slots)}, list[Row]()
-        for name, row in self.rows.items():
-            driven = self._driven(row)
-            line = {columns[slot]: x for slot, x in self.gradients[name].items()}
-            rows.append(line if driven.is_zero() else {**line, RHS: driven})
-        if not any(RHS in row for row in rows):
-            return {}
-        solved = eliminate(self.field, rows, list(columns.values()))
-        if solved.free:
-            raise CannotAnswer(
-                Message("beside the drive, which accelerates, something is free to move; rest is asked of what is held")
-            )
-        of = {slot: solved.pivots[k].get(RHS, self.field.zero) for slot, k in columns.items()}
-        dynamics, order = self.state.model.dynamics, self.state.model.bodies.slots
-        return {
-            body: tuple(dynamics.inertia_force(body, [of.get((body, s), self.field.zero) for s in order]))
-            for body in dict.fromkeys(body for body, _s in self.slots)
-        }
-
-    def _driven(self, row: ConstraintRow) -> Ratio:
-        """target'' at the start."""
-        if row.target is None or isinstance(row.measure, NonholonomicForm):
-            return self.field.zero
-        f = self.field
-        return self.here(f.rate(f.rate(self.state.model.geometry.scalar(row.target))))
 
     def here(self, x: Ratio) -> Ratio:
         """In the start pose and at rest."""

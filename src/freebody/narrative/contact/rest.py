@@ -316,4 +316,5 @@ def _has_roots(rest: Ratio, index: int) -> bool:
 
 def _plain_equations(ends: Ends, touching: TouchingAtRest) -> RestEquations:
     """Equilibrium without a reaction that is taken as given."""
-    return ends.equations if ends.asked is None else RestEquations(ends.equations.state, touching.dry_friction)
+    eq = ends.equations
+    return eq if ends.asked is None else RestEquations(eq.state, touching.dry_friction, eq.inertia)

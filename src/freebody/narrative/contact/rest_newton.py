@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, Sum, add, negate
@@ -33,13 +34,14 @@ class RestNewton(Newton):
         draw = glossary.setup.draws[-1]
         numbers = acting.model.samples.numbers(draw.sample(draw.start()), draw.sample())
         symmetry = Symmetry(acting, glossary, is_sought=False)
+        words = ALONG_WORDS if inertia else AT_REST_WORDS
         super().__init__(
             acting,
             glossary,
             Stillness(acting.model.field, inertia, acting.model.bodies.slots),
             symmetry,
             preferences=AT_REST,
-            words=ALONG_WORDS if inertia else AT_REST_WORDS,
+            words=replace(words, group="balance_in_space", has_labels=False) if acting.system.space else words,
             numbers=numbers,
         )
         self.limit_glossary = glossary

@@ -17,8 +17,8 @@ from freebody.language.sentences import Message
 from freebody.narrative.lines.glossary import Glossary, Meaning, TrueWhen, World
 from freebody.narrative.lines.script import Sentence
 from freebody.numeric.friction_branches import margin
-from freebody.numeric.friction_limits import rest_problem
 from freebody.numeric.reference import Reference
+from freebody.numeric.rest_problem import rest_problem
 from freebody.numeric.snapshot import Snapshot
 from freebody.study.answering.draws import Draw
 from freebody.study.friction.cases import Compared, Ends, FailureCase, HoldingLimit

@@ -322,7 +322,7 @@ class _Answerer:
                 )
             )
         if ends.equations.inertia:
-            notes.append(Message("at rest means beside the drive, which accelerates"))
+            notes.append(Message("at rest means beside what is driven"))
         evidence = _evidence(self.question.text, limits)
         element = elements[0] if len(elements) == 1 else elements
         value = None if not exact else exact[0] if len(exact) == 1 else tuple(exact)

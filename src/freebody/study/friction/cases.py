@@ -11,7 +11,7 @@ from functools import cached_property
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.model.elements import ConstraintRow
-from freebody.numeric.friction_limits import rest_problem
+from freebody.numeric.rest_problem import rest_problem
 from freebody.study.answering.draws import SEED, Draw, draws
 from freebody.study.answering.turned_round import above
 from freebody.study.friction.failures import SeenFailure, how_it_fails, seen

@@ -8,8 +8,10 @@ from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.language.units import FORCE, TORQUE
 from freebody.numeric.friction_branches import spread
-from freebody.numeric.friction_limits import Optimum, rest_problem
+from freebody.numeric.friction_limits import Optimum
+from freebody.numeric.rest_problem import rest_problem
 from freebody.study.answering.draws import Draw
+from freebody.study.friction.carried import carried
 from freebody.study.friction.cases import Ends
 from freebody.study.friction.failures import how_it_fails
 from freebody.study.friction.limits import HoldingEnd, Parametric
@@ -28,7 +30,7 @@ class ParameterEnds(Ends):
         super().__init__(touching, setup)
         self.name = name
         self.index = self.field.index(self.model.parameters[name])
-        self.equations = RestEquations(setup.start_instant, touching.dry_friction)
+        self.equations = RestEquations(setup.start_instant, touching.dry_friction, carried(touching, setup))
         self.parametric = self._enters()
         self.is_linear, self.low = self.parametric.is_linear, self.parametric.low
         self.is_coefficient = self.parametric.is_friction
@@ -76,7 +78,9 @@ class ReactionEnds(Ends):
         symbol = self.field.parameter(f"@{row}")
         self.index = self.field.index(symbol)
         self.is_linear = True
-        self.equations = RestEquations(setup.start_instant, touching.dry_friction, (row, symbol))
+        self.equations = RestEquations(
+            setup.start_instant, touching.dry_friction, carried(touching, setup), (row, symbol)
+        )
 
     def edge(self, draw: Draw, sign: int, near: float | None) -> HoldingEnd | None:
         problem = rest_problem(draw.reference, draw.q, self.touching.dry_friction)

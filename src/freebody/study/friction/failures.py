@@ -11,8 +11,9 @@ import numpy as np
 from freebody.language.sentences import Message, in_turn
 from freebody.model.elements import ConstraintRow, UnilateralConstraint
 from freebody.numeric.friction_branches import margin
-from freebody.numeric.friction_limits import Optimum, RestProblem, unresisted
+from freebody.numeric.friction_limits import Optimum, unresisted
 from freebody.numeric.jets import Array
+from freebody.numeric.rest_problem import RestProblem
 from freebody.study.answering.draws import Draw
 from freebody.study.friction.touching import TouchingAtRest
 from freebody.symbolic.active_set import Failure

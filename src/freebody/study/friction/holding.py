@@ -17,12 +17,13 @@ from freebody.language.sentences import Message, further
 from freebody.language.units import TIME, dimension_of
 from freebody.model.elements import DryFriction
 from freebody.numeric.friction_branches import margin
-from freebody.numeric.friction_limits import RestProblem, rest_problem
+from freebody.numeric.rest_problem import RestProblem, rest_problem
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer, made
 from freebody.study.answering.crosscheck import MIN_DRAWS, CrossCheck
 from freebody.study.answering.draws import Draw
 from freebody.study.answering.finding import judged
+from freebody.study.friction.carried import carried
 from freebody.study.friction.cases import Ends
 from freebody.study.friction.failures import SeenFailure, how_it_fails, seen
 from freebody.study.friction.limits import HoldingEnd
@@ -78,7 +79,7 @@ class RestHolding(Ends):
 
     def __init__(self, touching: TouchingAtRest, setup: Setup) -> None:
         super().__init__(touching, setup)
-        self.equations = RestEquations(setup.start_instant, touching.dry_friction)
+        self.equations = RestEquations(setup.start_instant, touching.dry_friction, carried(touching, setup))
         self.index = self.field.index(self.field.parameter("@nothing"))
         self.is_linear = True
 
@@ -183,7 +184,7 @@ def _answer(
     kept = [b for b in barriers if b.condition is not None and (b.where or b.condition in always)]
     notes, verdict = list[str](), ""
     if study.equations.inertia:
-        notes.append(Message("at rest means beside the drive, which accelerates"))
+        notes.append(Message("at rest means beside what is driven"))
     if study.setup.has_values:
         told = Message("it holds") if first.is_held else Message("it does not hold: {words}", words=first.seen.words)
         verdict = Message("with the given numbers {verdict}", verdict=told)

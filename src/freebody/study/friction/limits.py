@@ -9,8 +9,9 @@ from dataclasses import dataclass
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.numeric.friction_branches import extreme, margin
-from freebody.numeric.friction_limits import Optimum, RestProblem, at, ray, rest_problem
+from freebody.numeric.friction_limits import Optimum, at, ray
 from freebody.numeric.reference import Reference
+from freebody.numeric.rest_problem import RestProblem, rest_problem
 from freebody.study.answering.draws import Draw
 from freebody.study.friction.touching import TouchingAtRest
 from freebody.tolerances import ROUND_OFF

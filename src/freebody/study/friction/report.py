@@ -12,7 +12,8 @@ from freebody.language.sentences import Message
 from freebody.language.units import ENERGY
 from freebody.model.elements import ConstraintRow
 from freebody.numeric.friction_branches import margin, spread
-from freebody.numeric.friction_limits import FrictionCone, RestProblem, rest_problem, unresisted
+from freebody.numeric.friction_limits import unresisted
+from freebody.numeric.rest_problem import FrictionCone, RestProblem, rest_problem
 from freebody.present.lines import number_text, system_line
 from freebody.present.report.blocks import Block, Report, Section
 from freebody.present.report.results import Result, entries, line, notes, summary, table

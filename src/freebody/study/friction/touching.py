@@ -9,22 +9,24 @@ from __future__ import annotations
 import math
 import random
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from freebody.errors import CannotAnswer
+from freebody.language.expression import free_symbols
 from freebody.language.sentences import Message, listed
 from freebody.measures.displacement import Displacement
 from freebody.model.elements import ConstraintRow, DryFriction, UnilateralConstraint
 from freebody.numeric.contact.start import far_sides, is_within
 from freebody.numeric.jet_geometry import JetGeometry
-from freebody.numeric.jets import Array
+from freebody.numeric.jets import TIME, Array
 from freebody.numeric.reference import Reference
+from freebody.numeric.rest_problem import velocities_along
 from freebody.study.answering.draws import SEED, draw_parameters
 from freebody.system.modes import ContactMode, ideal_bounds, in_mode
 from freebody.system.system import System
-from freebody.tolerances import TOUCHES
+from freebody.tolerances import ROUND_OFF, TOUCHES
 
 _TOGETHER = 1e-6  # gaps that close together
 
@@ -43,6 +45,25 @@ class TouchingAtRest:
         """Everything that transmits a force."""
         across = (rub.across for rub in self.dry_friction if rub.across is not None)
         return (*self.held.constraint_rows, *(rub.row for rub in self.dry_friction), *across)
+
+    @property
+    def is_driven(self) -> bool:
+        """Whether something is led along in time."""
+        targets = (row.target for row in self.held.constraint_rows)
+        return any(TIME in free_symbols(target) for target in targets if target is not None)
+
+    @property
+    def stuck(self) -> System:
+        """The system in which nothing slips; what moves is what the drive leads."""
+        sticking = {rub.name: 0 for rub in self.dry_friction}
+        stuck, _loads = in_mode(self.system, ContactMode.of({b.name for b in self.bounds} | self._ideal, sticking))
+        unsaid = {"velocity": None, "angular_velocity": None, "rates": None}
+        bodies = {n: replace(b, start=replace(b.start, **unsaid)) for n, b in stuck.bodies.items()}
+        return replace(stuck, bodies=bodies, start_rates={})
+
+    @property
+    def _ideal(self) -> set[str]:
+        return {row.name for row in self.held.constraint_rows if row.unilateral}
 
     def is_admissible(self, reference: Reference, q: Array) -> bool:
         """Whether nothing else penetrates in a pose, and what touches does so where it is meant to."""
@@ -87,17 +108,26 @@ def touching(system: System) -> TouchingAtRest:
     held = in_mode(system, ContactMode.of(closed, {}))[0]
     reference = Reference(held, values)
     q = reference.assemble(guess=q)
+    bounds = tuple(bound for bound in system.bounds if bound.name in closed)
+    dry_friction = tuple(rub for rub in system.dry_friction if not rub.of or rub.of in closed)
+    _insist_on_rest(reference, q, dry_friction)
+    return TouchingAtRest(system, held, bounds, dry_friction)
+
+
+def _insist_on_rest(reference: Reference, q: Array, dry_friction: Sequence[DryFriction]) -> None:
+    """Raises CannotAnswer where something moves at the start, other than what is driven or goes along with that."""
     v = reference.velocities(q)
-    if float(np.abs(v).max(initial=0.0)) > 0.0:
+    own = v - reference.velocities(q, with_start=False)
+    if not own.any():
+        return
+    beside = v - velocities_along(reference, q, dry_friction)
+    if float(np.abs(beside).max()) > ROUND_OFF * float(np.abs(v).max()):
         raise CannotAnswer(
             Message(
                 "{body} moves at the start, so the system is not at rest; leave out its velocity",
-                body=reference.most_moved(v),
+                body=reference.most_moved(own),
             )
         )
-    bounds = tuple(bound for bound in system.bounds if bound.name in closed)
-    dry_friction = tuple(rub for rub in system.dry_friction if not rub.of or rub.of in closed)
-    return TouchingAtRest(system, held, bounds, dry_friction)
 
 
 def _starting(system: System) -> list[list[UnilateralConstraint]]:

@@ -90,6 +90,8 @@ class Action:
             if contact is not None:
                 yield contact
         points = points_of(of.measure)
+        if isinstance(of, ConstraintRow):  # a corner on an edge: not where the edge is said to begin
+            yield from (self.place(p) for p in points if p.name in of.ends[:2])
         yield from (self.place(p) for p in points if p.body == body)
         for row in siblings:
             contact = touching_point(row, siblings, self.system, self.reference.number, self.place)
