@@ -158,3 +158,8 @@ def test_what_rides_along_does_not_slip_within_limits(name: str) -> None:
     assert answer.value == pytest.approx(wanted, rel=1e-9)
     (derivation,) = fb.explain(system).derivations
     assert not derivation.reason
+
+
+def test_what_is_named_and_alone_rubs_is_at_rest_where_nothing_slips() -> None:
+    (answer,) = fb.solve(fb.System.from_text(TABLE.replace("QUESTION", "largest W so that coin does not slip"))).answers
+    assert answer.value == pytest.approx(math.sqrt(0.4 * 9.81 / 0.3), rel=1e-9)

@@ -105,12 +105,12 @@ def _resisting(reference: Reference, dry_friction: Sequence[DryFriction]) -> lis
 
 def _led(reference: Reference, J: Array, driven: Array) -> Array:
     """Velocities or accelerations (n,) with which everything goes along; driven: what the rows have of them."""
-    if not driven.any():
-        return np.zeros(J.shape[1])
     moves = reference.sizes.unit_moves
+    if not driven.any():
+        return np.zeros(len(moves))
     scaled, _rest, rank, _sizes = np.linalg.lstsq(J * moves, driven, rcond=_RCOND)
     found: Array = moves * scaled
-    if float(np.abs(J * moves @ scaled - driven).max()) > ROUND_OFF * float(np.abs(driven).max()):
+    if float(np.abs(J @ found - driven).max()) > ROUND_OFF * float(np.abs(driven).max()):
         raise CannotAnswer(Message("the drive moves what is held, so nothing stays at rest beside it"))
     if rank < J.shape[1]:
         raise CannotAnswer(FREE_BESIDE)

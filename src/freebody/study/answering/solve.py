@@ -11,8 +11,9 @@ from freebody.errors import CannotAnswer, ModelError, Problem
 from freebody.language.expression import number
 from freebody.language.sentences import Message, further
 from freebody.questions.course import Transition
-from freebody.questions.happening import Happening
+from freebody.questions.happening import Happening, Lasting
 from freebody.questions.reading import Question, is_of_start
+from freebody.questions.rest import RestLimit
 from freebody.study.answering import evidence as proof
 from freebody.study.answering.answer import Answer, Value, made, refused
 from freebody.study.answering.assumed import assumed_at_start
@@ -349,9 +350,25 @@ def _without_phases(system: System, questions: Sequence[Question], reason: str) 
             answers.append(made(q, number(dof), float(dof), evidence=proof.freedom(setup, q.text, dof)))
         elif q.quantity.scope == "rest":
             answers.append(at_rest(system, q))
+        elif (resting := _of_rest(system, q)) is not None:
+            answers.append(at_rest(system, resting))
         else:
             answers.append(answered(system, q, partial(_refused_for, reason), partial(number_with_changes, system, q)))
     return Solution(system, dof, tuple(c.name for c in model.coordinates), (), tuple(model.redundant), tuple(answers))
+
+
+def _of_rest(system: System, question: Question) -> Question | None:
+    """A question for which values of a parameter nothing slips, as one about rest; None where it is another."""
+    wanted = question.quantity.wanted
+    of = None if wanted is None else wanted.of
+    if not isinstance(of, Happening) or not isinstance(of.what, Lasting) or (of.what.kind, of.is_so) != ("rolls", True):
+        return None
+    rubbing = {rub.row.connection for rub in system.dry_friction}
+    if of.before is not None or (of.what.of and not rubbing <= set(of.what.of)):
+        return None
+    assert wanted is not None
+    p, which = system.parameters[wanted.parameter], wanted.end if wanted.end in ("least", "largest") else "range"
+    return replace(question, quantity=RestLimit(p.name, which, p.dimension, p.is_angle, is_of_slip=True))
 
 
 def _refused_for(reason: str) -> Answer:
