@@ -66,7 +66,10 @@ class _SeriesFunctions:
         return _flint.arb.pi()
 
     def __getattr__(self, name: str) -> Any:
-        return lambda x: getattr(_flint.arb_series(x), name)()
+        def function(x: Any) -> Any:
+            return getattr(_flint.arb_series(x), name)()
+
+        return function
 
     def sinh(self, x: Any) -> Any:
         up = self.exp(x)
