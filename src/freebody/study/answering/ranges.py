@@ -100,7 +100,7 @@ class RangeSearch(TruthInNumbers):
                     name=self.parameter.name,
                 )
                 raise CannotAnswer(reworded(why, zero))
-            if not made and degree > 2:
+            if not made and degree > max(2, len(places)):
                 raise CannotAnswer(Message("the ends are roots of a polynomial of degree {n}", n=degree))
             for place in places:
                 place = f.lowest_terms(place)
