@@ -1,8 +1,8 @@
 """A body that slides on a floor is caught at a corner that touches it, and turns about what caught it.
 
-Derived by hand: the moment of momentum about the caught corner C is kept in the blow, m v y_G = I_C w, and the body goes
-over where the kinetic energy that is left lifts its mass centre to above C, I_C w^2/2 = m g (r_CG - y_G). Problem family:
-Meriam & Kraige, Engineering Mechanics: Dynamics, ch. 6 (impact on a step); Hibbeler, Dynamics, sec. 19.4.
+Derived by hand: the moment of momentum about the caught corner C is kept in the blow, m v y_G = I_C w, and the body
+goes over where the kinetic energy that is left lifts its mass centre to above C, I_C w^2/2 = m g (r_CG - y_G). Problem
+family: Meriam & Kraige, Engineering Mechanics: Dynamics, ch. 6 (impact on a step); Hibbeler, Dynamics, sec. 19.4.
 """
 
 from __future__ import annotations
@@ -90,11 +90,11 @@ def test_the_simulation_turns_by_the_same_energy() -> None:
     """I_C w^2/2 + m g r sin(angle of CG) stays after the blow, with w = m v h/2/I_C at first."""
     motion = fb.simulate(fb.System.from_text(CRATE), until=0.4)
     phi, rate = (float(series[-1]) for series in motion.series["phi"][:2])
-    I, r, first = 5.0 * (0.3**2 + 0.5**2) / 3.0, math.hypot(0.15, 0.25), math.atan2(0.25, 0.15)
-    w = 5.0 * 3.0 * 0.25 / I
+    inertia, r, first = 5.0 * (0.3**2 + 0.5**2) / 3.0, math.hypot(0.15, 0.25), math.atan2(0.25, 0.15)
+    w = 5.0 * 3.0 * 0.25 / inertia
     risen = r * (math.sin(first + phi) - math.sin(first))
     assert phi > 0.1
-    assert rate == pytest.approx(math.sqrt(w * w - 2.0 * 5.0 * 9.81 * risen / I), rel=1e-6)
+    assert rate == pytest.approx(math.sqrt(w * w - 2.0 * 5.0 * 9.81 * risen / inertia), rel=1e-6)
 
 
 def test_tipping_over_behind_a_blow_is_asked_for_by_the_angle() -> None:

@@ -52,8 +52,8 @@ def after_blow(
 
 
 def _held_anyway(home: Home, struck: SuddenBlow, names: Iterable[str]) -> set[str]:
-    """Contacts whose gaps no motion changes that the connections allow after the blow, as where a pin catches the corner
-    that slides on the floor: the pin takes the force, and how they would share it is not determined."""
+    """Contacts whose gaps no motion changes that the connections allow after the blow, as where a pin catches the
+    corner that slides on the floor: the pin takes the force, and how they would share it is not determined."""
     anywhere = SymbolicState(struck.setup.model)
     return {name for name in names if anywhere.rate(home.bound_row(name).measure).is_zero()}
 
