@@ -19,6 +19,7 @@ from freebody.questions.clock import Clock
 from freebody.questions.extent import Extent, ExtremeOfMotion
 from freebody.questions.freedom import DegreesOfFreedom
 from freebody.questions.happening import StableEquilibrium, StableSteadyMotion
+from freebody.questions.motion import Staying
 from freebody.questions.period import Period
 from freebody.questions.reading import AskedEvent, Question, QuestionEvent
 from freebody.questions.small_motion import Equilibrium, OfSmallMotion, SmallOscillations
@@ -33,8 +34,9 @@ from freebody.study.answering.energy_in_names import answer_by_energy
 from freebody.study.answering.finding import Elements, Finding, Otherwise, answered
 from freebody.study.answering.in_names import answer_in_names
 from freebody.study.answering.integrals import has_integrals
-from freebody.study.answering.numbers import number_of
+from freebody.study.answering.numbers import number_instead
 from freebody.study.answering.passage import smooth_passage
+from freebody.study.answering.staying import check_stays
 from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition, insisted, require
 from freebody.symbolic.field import Ratio
@@ -168,6 +170,7 @@ class QuestionSolver:
 
         def attempt(system: System) -> Finding:
             setup = self.setup if system is self.system else Setup(system)
+            stays = [check_stays(setup, q.of)] if isinstance(q.of, Staying) else []
             formula = QuestionSolver(setup, asked)
             found = formula._find()
             is_of_turn = formula.question.quantity.is_of_turn
@@ -188,6 +191,7 @@ class QuestionSolver:
             if formula._holds_once:
                 self.question = replace(self.question, event=None, at_start=True)
             answer = solved_for(setup, self.question, formulas)
+            answer.notes += stays
             self.setup, self.model, self.system = setup, setup.model, system
             return answer
 
@@ -374,27 +378,6 @@ class QuestionSolver:
 
     def _completion(self) -> AnswerCompletion:
         return AnswerCompletion(self.setup, self.question, self._state, self._reached)
-
-
-def number_instead(setup: Setup, question: Question) -> Value:
-    """The value of the numeric route where there is no closed form, at the start or at the event. Raises CannotAnswer
-    where it has none."""
-    q = question.quantity
-    if not setup.has_values:
-        return None
-    if q.scope == "steady motion":
-        from freebody.study.steady.ask import number as number_of_steady
-
-        return number_of_steady(q, setup, question)
-    if q.scope == "linkage":
-        from freebody.study.mobility.loop_answers import value_of as number_of_loop
-
-        return number_of_loop(q, setup)
-    if q.wanted is not None:
-        return None
-    if question.event is not None and not q.is_of_state:
-        return None  # it says of which equilibrium it is asked
-    return number_of(setup, q, question.event)
 
 
 def _roots(q: Quantity, x: Elements | Fraction) -> tuple[Elements | Fraction, ...]:
