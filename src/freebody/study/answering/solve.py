@@ -333,17 +333,20 @@ def _in_phases(system: System, questions: Sequence[Question]) -> Solution:
 
 def _without_motion(system: System, questions: Sequence[Question], why: str) -> Solution:
     """What rest tells where no motion can be followed. Raises CannotAnswer where it tells nothing."""
-    from freebody.study.friction.light import answer, held_by_contacts
+    from freebody.study.friction.light import DoesNotRest, answer, held_by_contacts
 
     rests = [q for q in questions if q.quantity.scope == "rest"]
     others = [q for q in questions if q.quantity.scope != "rest"]
-    found = None if not rests else _at_rest(system, rests)
+    try:
+        found = None if not rests else _at_rest(system, rests)
+    except CannotAnswer:
+        raise CannotAnswer(why) from None
     told = [] if found is None else list(found.answers)
     try:
         setup = held_by_contacts(system)
     except NO_FORM as error:
         if found is None:
-            raise CannotAnswer(further(why, str(error))) from None
+            raise CannotAnswer(further(why, str(error)) if isinstance(error, DoesNotRest) else why) from None
         told += [refused(q, why) for q in others]
     else:
         told += [answer(setup, q, why) for q in others]

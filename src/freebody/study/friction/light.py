@@ -21,6 +21,10 @@ from freebody.system.modes import ContactMode, ideal_bounds, in_mode
 from freebody.system.system import System
 
 
+class DoesNotRest(CannotAnswer):
+    """What touches would hold it, but not by forces that it can have."""
+
+
 class HeldByContacts(Setup):
     """What touches at the start held in touch, and where it is rubbed held in place."""
 
@@ -55,10 +59,10 @@ def held_by_contacts(system: System) -> HeldByContacts:
         raise CannotAnswer(Message("rest is not looked for where several loads press one friction"))
     setup = HeldByContacts(rest)
     if setup.model.degrees_of_freedom:
-        raise CannotAnswer(Message("contacts do not hold all of it either"))
+        raise CannotAnswer(Message("contacts do not hold all of it"))
     missed = broken(setup, setup.holding(setup.start_instant))
     if missed:
-        raise CannotAnswer(Message("it does not rest either, which needs {condition}", condition=missed[0]))
+        raise DoesNotRest(Message("it does not rest either, which needs {condition}", condition=missed[0]))
     return setup
 
 
