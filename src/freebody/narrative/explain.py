@@ -149,6 +149,8 @@ def _derived(
     """The derivation of one question, without what has been told before."""
     assert answer is not None
     busy_with(f"deriving {question.id}: {question.text}")
+    if answer.holds_once:
+        question = replace(question, event=None, at_start=True)
     derive = derivation_of(context.system, question)
     here = context.of_question(question) if answer.is_answered else context
     stages, reason = _attempt(here, question, answer, method, derive)

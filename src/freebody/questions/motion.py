@@ -105,6 +105,14 @@ questions: {it: acceleration of x}
 
 
 @dataclass(frozen=True)
+class Staying(OfMeasure):
+    """The acceleration at the start of a measure that is to stay as it is then."""
+
+    order: Order = 2
+    name: str = ""
+
+
+@dataclass(frozen=True)
 class OfPoint(Quantity, kind="point"):
     """Position, velocity or acceleration of a point: a vector, a component, or its size."""
 

@@ -16,6 +16,7 @@ from freebody.model.elements import Parameter
 from freebody.model.names import Names, did_you_mean
 from freebody.questions.happening import Happening, read_happening
 from freebody.questions.linkages import ASSEMBLES, TURNS_FULLY, Assembly, OfLinkage, full_turn
+from freebody.questions.motion import OfMeasure, Staying
 from freebody.questions.operands import event_at_end, has_quantities, without_start
 from freebody.questions.reading_when import Meant, as_timed
 from freebody.questions.turned_round import (
@@ -38,6 +39,7 @@ from freebody.questions.turned_round import (
     over_the_motion,
     reached_in,
     relation_of,
+    staying,
     steadily,
     without_just,
 )
@@ -64,6 +66,8 @@ def read_turned_round(
     extremal = IS_EXTREMAL.match(relation)
     if extremal is not None and not end:
         return read_extremal(read, names, parameter, extremal, when, asks_place=True)
+    if (stays := staying(relation)) is not None and not end and when is None:
+        return _staying(read, names, parameter, stays)
     inequality = inequality_of(relation)
     if inequality is not None:
         return _range(read, names, parameter, inequality, when, end)
@@ -116,6 +120,21 @@ def _value(read: Read, names: Names, parameter: Parameter, relation: str, when: 
     kind = ValueForOnTheWay if asked.quantity.scope == "course" else ValueFor
     unit = "rad" if parameter.is_angle else str(parameter.dimension)
     return replace(asked, quantity=kind(name, asked.quantity, target, parameter.dimension, unit, left + timed))
+
+
+def _staying(read: Read, names: Names, parameter: Parameter, measure: str) -> Meant | None:
+    """The value of a parameter for which a measure stays as it is at the start."""
+    text = f"acceleration of {measure} at start"
+    asked = read(names, text, None)
+    if asked is None:
+        return None
+    of = asked.quantity
+    if not isinstance(of, OfMeasure):
+        names.problem(Message("{name} is no measure", name=measure), "find")
+        return None
+    unit = "rad" if parameter.is_angle else str(parameter.dimension)
+    stays = Staying(of.measure, name=of.name)
+    return replace(asked, quantity=ValueFor(parameter.name, stays, ZERO, parameter.dimension, unit, text))
 
 
 def _range(

@@ -20,6 +20,7 @@ FORM = """value of PARAMETER for which QUANTITY = EXPRESSION [at start | when EV
     least | largest PARAMETER so that QUANTITY > | < | >= | <= EXPRESSION [at start | when EVENT]
     range of PARAMETER for which MEASURE reaches VALUE | for which BODY turns fully
     range of PARAMETER for which NAME stays taut | stays on NAME | rolls without slipping | tips
+    value of PARAMETER for which MEASURE stays constant
     range of PARAMETER for which QUANTITY stays below | stays above EXPRESSION, or MEASURE turns back
     range of PARAMETER for which EVENT [before EVENT | at once], or the equilibrium is stable
     QUANTITY as PARAMETER -> EXPRESSION | grows
@@ -195,6 +196,9 @@ _STAYS: tuple[tuple[str, str, str], ...] = (
     (rf"{_ALWAYS} at least|never (?:is below|gets below|goes below|falls below|is less than)", "least", ">="),
 )
 _STAYING = [(re.compile(rf"^(?P<of>.+?) (?:{words}) (?P<value>.+)$"), end, sign) for words, end, sign in _STAYS]
+_STAYS_CONSTANT = re.compile(
+    rf"^(?:the )?(?P<of>{NAME}) (?:does not change|is constant|(?:{_ALWAYS}) (?:constant|unchanged|the same|as it is))$"
+)
 _BACK = re.compile(rf"^(?:the )?(?P<of>{NAME}) (?:turns (?:back|round|around)|reverses)(?: again)?$")
 
 
@@ -205,6 +209,12 @@ def over_the_motion(relation: str) -> str:
         if found is not None:
             return f"{end} {found['of']} {sign} {found['value']}"
     return relation
+
+
+def staying(relation: str) -> str | None:
+    """The measure that is to stay constant; None where nothing of the kind is said."""
+    found = _STAYS_CONSTANT.match(relation)
+    return None if found is None else found["of"]
 
 
 def without_just(relation: str) -> tuple[str, bool]:

@@ -298,11 +298,19 @@ class _Finder:
         return None
 
     def _near(self, angle: Ratio) -> Ratio | None:
-        """An angle without whole turns, so that it is within half a turn of zero at the start."""
+        """An angle without whole turns, so that it is within half a turn of zero at the start; where it is so at some
+        samples only, as at the first one, and that is needed."""
         f = self.field
-        values = self.model.samples.at_starts(f.follow(angle, {self.c.index: self.q0}))
-        turns = {round(v / (2 * math.pi)) for v in values if not math.isnan(v)}
-        return angle - 2 * f.pi * turns.pop() if len(turns) == 1 else None
+        begin = f.lowest_terms(f.follow(angle, {self.c.index: self.q0}))
+        turns = [round(v / (2 * math.pi)) for v in self.model.samples.at_starts(begin) if not math.isnan(v)]
+        if not turns:
+            return None
+        whole = 2 * f.pi * turns[0]
+        if max(turns) > turns[0]:
+            self.needs.append((f.lowest_terms(whole + f.pi - begin), ">"))
+        if min(turns) < turns[0]:
+            self.needs.append((f.lowest_terms(begin - whole + f.pi), ">"))
+        return angle - whole
 
     def _placed(self, angle: Ratio) -> Callable[[Ratio], Ratio]:
         f = self.field

@@ -22,7 +22,7 @@ from freebody.symbolic.event_places import EventPlaces, Need, Variable
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.laws.uniform import UniformLaw
 from freebody.symbolic.motion_cycles import MotionCycles
-from freebody.symbolic.reached import HOLDS_ALWAYS, HOLDS_ONCE, Reached
+from freebody.symbolic.reached import HOLDS_ALWAYS, HoldsOnce, Reached
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.uniform_passage import passage_at
 from freebody.symbolic.unknowns import Coordinate
@@ -215,7 +215,7 @@ class SmoothMotion(MotionCycles):
             return None
         time = f.lowest_terms(time)
         if time.is_zero():
-            raise NeverHappens(HOLDS_ONCE)
+            raise HoldsOnce
         return Reached(time, None, target, f.derivative(value, index), conditions=[(time, ">")])
 
     def _together(
@@ -260,7 +260,7 @@ class SmoothMotion(MotionCycles):
                 raise NeverHappens(HOLDS_ALWAYS if same else Message("the rate of {x} is constant", x=c.name))
             time = self.field.lowest_terms((wanted - law.u0) / law.a)
             if time.is_zero():
-                raise NeverHappens(HOLDS_ONCE)
+                raise HoldsOnce
             at = law.q0 + (wanted * wanted - law.u0 * law.u0) / (2 * law.a)
             return Reached(time, c, at, wanted, conditions=[(time, ">")])
         instants = None if law is None else law.rates(wanted)

@@ -12,7 +12,7 @@ from freebody.symbolic.field import Ratio
 from freebody.symbolic.law_ranges import extent_by_law, period_by_law
 from freebody.symbolic.laws import LawInstant, first
 from freebody.symbolic.motion_laws import MotionLaws
-from freebody.symbolic.reached import HOLDS_ONCE, Reached
+from freebody.symbolic.reached import HoldsOnce, Reached
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.unknowns import Coordinate
 
@@ -81,7 +81,7 @@ class MotionCycles(MotionLaws):
             if instants and all(i.period is None and _is_past(i) for i in instants):
                 raise NeverHappens(Message("{x} does not get there after the start", x=name))
             if all(i.time.is_zero() and i.period is None for i in instants):
-                raise NeverHappens(HOLDS_ONCE if instants else Message("{x} only tends to that", x=name))
+                raise HoldsOnce if instants else NeverHappens(Message("{x} only tends to that", x=name))
             raise NotReached(Message("{x} does not get there at any of the parameter values that were tried", x=name))
         i = found.instant
         lowest = self.field.lowest_terms

@@ -4,14 +4,21 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+from freebody.errors import NeverHappens
 from freebody.language.sentences import Message
 from freebody.symbolic.algebraic_time import AlgebraicTime
 from freebody.symbolic.elliptic import EllipticTime
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.unknowns import Coordinate
 
-HOLDS_ONCE = Message("it holds at the start (t = 0), and never again")
 HOLDS_ALWAYS = Message("it holds at the start (t = 0) and all the time after it")
+
+
+class HoldsOnce(NeverHappens):
+    """The event is there at the start, and it is proved that it does not come again."""
+
+    def __init__(self) -> None:
+        super().__init__(Message("it holds at the start (t = 0), and never again"))
 
 
 @dataclass

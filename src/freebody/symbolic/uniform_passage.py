@@ -15,7 +15,7 @@ from freebody.language.sentences import Message
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import functions
 from freebody.symbolic.laws.uniform import UniformLaw
-from freebody.symbolic.reached import HOLDS_ALWAYS, HOLDS_ONCE, Reached
+from freebody.symbolic.reached import HOLDS_ALWAYS, HoldsOnce, Reached
 from freebody.symbolic.signs import sign_of
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.unknowns import Coordinate
@@ -44,11 +44,11 @@ def passage_at(name: str, law: UniformLaw, at: Ratio) -> UniformInstant:
                 HOLDS_ALWAYS if distance.is_zero() else Message("it does not change: {event}", event=name)
             )
         if distance.is_zero():
-            raise NeverHappens(HOLDS_ONCE)
+            raise HoldsOnce
         return UniformInstant(distance / u0, u0, [], [(distance / u0, ">")])
     if distance.is_zero():
         if u0.is_zero():
-            raise NeverHappens(HOLDS_ONCE)
+            raise HoldsOnce
         return UniformInstant(-2 * u0 / a, -u0, [], [(-u0 / a, ">")])
     # at rest at the start, t = sqrt(2 d/a) reads better than sqrt(2 a d)/a
     if u0.is_zero():

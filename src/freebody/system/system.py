@@ -66,8 +66,9 @@ class System(SystemDescription):
                 document = document.with_value(("parameters", name, "function"), str(value))
                 continue
             if not isinstance(value, str):  # a bare number is in SI units
-                dimension = self.parameters[name].dimension
-                value = value if dimension == DIMENSIONLESS else f"{value!r} {dimension}"
+                dimension, is_angle = self.parameters[name].dimension, self.parameters[name].is_angle
+                unit = "rad" if is_angle else "" if dimension == DIMENSIONLESS else str(dimension)
+                value = f"{value!r} {unit}" if unit else value
             if name in self.unspecified:
                 document = with_dimension(document, self.unspecified[name], value)
                 continue

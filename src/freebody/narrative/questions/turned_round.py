@@ -14,7 +14,7 @@ from freebody.narrative.contact.settings import has_phases
 from freebody.narrative.context import Context, Method
 from freebody.narrative.kinds import derivation_of
 from freebody.narrative.lines.glossary import Meaning, World
-from freebody.narrative.lines.script import DerivationStage, Legend, NumberedFormula, Script, Sentence
+from freebody.narrative.lines.script import DerivationStage, Legend, NumberedFormula, Script, Sentence, ready
 from freebody.narrative.principles.sides import parted
 from freebody.narrative.questions.wanted import has_values, introduced
 from freebody.questions.base import Quantity, Wanted
@@ -41,7 +41,7 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
     that the file gives for the parameter."""
     quantity = question.quantity.wanted
     assert quantity is not None
-    if answer.expression is None:
+    if answer.expression is None and answer.value is None:
         raise CannotAnswer(answer.reason or Message("there is no closed form"))
     if isinstance(quantity.of, Happening):
         from freebody.narrative.questions.happening import derive as derive_happening
@@ -52,10 +52,15 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
     if quantity.of.scope == "linkage":
         (given,) = solve(replace(context.system, questions=(asked,)), setup=context.setup).answers
         return derivation_of(context.system, asked)(context, asked, given, method)
-    values = answer.expression if isinstance(answer.expression, tuple) else (answer.expression,)
+    values = _values_of(answer)
     there, given, formula = _reached(context, asked, quantity, values)
     stages = derivation_of(there.system, asked)(there, asked, given, method)
     numbers = [item.number for stage in stages for item in stage.items if isinstance(item, NumberedFormula)]
+    if answer.expression is None:
+        script = Script(there.glossary, max([context.next_number - 1, *numbers]) + 1)
+        with script.stage("stage.turned", "hint.turned", name=quantity.parameter):
+            script.say("unclosed.why", reason=ready(answer.reason))
+        return [*stages, *script.stages]
     if quantity.relation == TENDS:
         script = Script(there.glossary, max([context.next_number - 1, *numbers]) + 1)
         with script.stage("stage.limit", "hint.limit", name=quantity.parameter):
@@ -73,6 +78,14 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
     with script.stage("stage.turned", "hint.turned", name=quantity.parameter):
         _solved(there, script, question, formula, values)
     return [*stages, *script.stages]
+
+
+def _values_of(answer: Answer) -> tuple[Expr, ...]:
+    """In closed form, else in numbers."""
+    if answer.expression is not None:
+        return answer.expression if isinstance(answer.expression, tuple) else (answer.expression,)
+    found = answer.value if isinstance(answer.value, tuple) else (answer.value,)
+    return tuple(number(Fraction(x)) for x in found if x is not None)
 
 
 def _stationary(

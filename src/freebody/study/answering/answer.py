@@ -81,6 +81,7 @@ class Answer(Result):
     understood: str = ""  # the question in the words of the grammar
     verdict: str = ""  # yes or no with the given numbers, of a question that asks whether
     chain: Chain | None = None  # a long answer in named sub-formulas, in the order of their computation
+    holds_once: bool = False  # the event is there at the start alone, and the answer is what it is there
     is_missed: bool = False  # the event does not come in the motion, as far as that is known
     solved: SolvedAnswer | None = field(default=None, repr=False, compare=False)  # what others are judged against
 

@@ -19,6 +19,7 @@ from freebody.questions.clock import Clock
 from freebody.questions.extent import Extent, ExtremeOfMotion
 from freebody.questions.freedom import DegreesOfFreedom
 from freebody.questions.happening import StableEquilibrium, StableSteadyMotion
+from freebody.questions.motion import Staying
 from freebody.questions.period import Period
 from freebody.questions.reading import AskedEvent, Question, QuestionEvent
 from freebody.questions.small_motion import Equilibrium, OfSmallMotion, SmallOscillations
@@ -33,13 +34,14 @@ from freebody.study.answering.energy_in_names import answer_by_energy
 from freebody.study.answering.finding import Elements, Finding, Otherwise, answered
 from freebody.study.answering.in_names import answer_in_names
 from freebody.study.answering.integrals import has_integrals
-from freebody.study.answering.numbers import number_of
+from freebody.study.answering.numbers import number_instead
 from freebody.study.answering.passage import smooth_passage
+from freebody.study.answering.staying import check_stays
 from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition, insisted, require
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.on_the_way import kept_until
-from freebody.symbolic.reached import Reached
+from freebody.symbolic.reached import HoldsOnce, Reached
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.unknowns import Coordinate
@@ -58,6 +60,7 @@ class QuestionSolver:
         self.otherwise = otherwise
         self._state: SymbolicState | None = None  # in which it was found, where that is one instant
         self._reached: Reached | None = None  # the event that the motion is followed to
+        self._holds_once = False  # whether that is there at the start alone
 
     def answer(self) -> Answer:
         with self.model.samples.apart():  # what one question takes to be positive is no condition of the next
@@ -167,6 +170,7 @@ class QuestionSolver:
 
         def attempt(system: System) -> Finding:
             setup = self.setup if system is self.system else Setup(system)
+            stays = [check_stays(setup, q.of)] if isinstance(q.of, Staying) else []
             formula = QuestionSolver(setup, asked)
             found = formula._find()
             is_of_turn = formula.question.quantity.is_of_turn
@@ -184,7 +188,10 @@ class QuestionSolver:
             formulas = [
                 Formula(x, n, lambda: found.evidence, is_put_back=in_place) for x, n in zip(roots, needed, strict=True)
             ]
+            if formula._holds_once:
+                self.question = replace(self.question, event=None, at_start=True)
             answer = solved_for(setup, self.question, formulas)
+            answer.notes += stays
             self.setup, self.model, self.system = setup, setup.model, system
             return answer
 
@@ -232,7 +239,12 @@ class QuestionSolver:
     def _at_event(self, q: Quantity) -> Finding:
         event = self.question.event
         assert event is not None
-        self._reached = reached = self._reach(event)
+        try:
+            self._reached = reached = self._reach(event)
+        except HoldsOnce:
+            if not q.is_of_state or q.is_of_event or not isinstance(event, QuestionEvent):
+                raise
+            return self._at_the_start_alone(q, event)
         purpose, never = event.comes, NeverHappens(event.never)
         conditions = insisted((Condition(x, relation, purpose) for x, relation in reached.conditions), never)
         x: Elements = q.counted(smooth_passage(self.setup, reached, self._elements))
@@ -263,6 +275,14 @@ class QuestionSolver:
         )
         named = chain_of(self.setup, q, x, there) if q.is_of_state else None
         return Finding(x, evidence, conditions + ends, reached.notes, says=reached.says, in_names=named)
+
+    def _at_the_start_alone(self, q: Quantity, event: QuestionEvent) -> Finding:
+        """Of an event that is there at the start and does not come again."""
+        self.question, self._holds_once = replace(self.question, event=None, at_start=True), True
+        found = self._found(q)
+        told = Message("{event} holds at the start, and never again: this is what it is at the start", event=event.text)
+        found.notes.append(told)
+        return found
 
     def _reach(self, event: AskedEvent) -> Reached:
         if isinstance(event, QuestionEvent):
@@ -353,31 +373,11 @@ class QuestionSolver:
     # -- the answer ---------------------------------------------------------------------------
     def finish(self, found: Finding) -> Answer:
         """The answer that a finding is, with its conditions and what the model's own numbers make of it."""
-        return self._completion().answer(found)
+        answer = self._completion().answer(found)
+        return replace(answer, holds_once=True) if self._holds_once else answer
 
     def _completion(self) -> AnswerCompletion:
         return AnswerCompletion(self.setup, self.question, self._state, self._reached)
-
-
-def number_instead(setup: Setup, question: Question) -> Value:
-    """The value of the numeric route where there is no closed form, at the start or at the event. Raises CannotAnswer
-    where it has none."""
-    q = question.quantity
-    if not setup.has_values:
-        return None
-    if q.scope == "steady motion":
-        from freebody.study.steady.ask import number as number_of_steady
-
-        return number_of_steady(q, setup, question)
-    if q.scope == "linkage":
-        from freebody.study.mobility.loop_answers import value_of as number_of_loop
-
-        return number_of_loop(q, setup)
-    if q.wanted is not None:
-        return None
-    if question.event is not None and not q.is_of_state:
-        return None  # it says of which equilibrium it is asked
-    return number_of(setup, q, question.event)
 
 
 def _roots(q: Quantity, x: Elements | Fraction) -> tuple[Elements | Fraction, ...]:

@@ -38,6 +38,14 @@ class NotHere(CannotAnswer):
     """There is a formula, but what it tells of does not come at the model's own values."""
 
 
+class OnlyInNumbers(CannotAnswer):
+    """There is no closed form, and `value` is what is asked for at the model's own values."""
+
+    def __init__(self, reason: str, value: Value) -> None:
+        super().__init__(reason)
+        self.value = value
+
+
 @dataclass
 class Finding:
     """A closed form with its evidence; `says` are conditions in words, such as `stable if ...`."""
@@ -79,6 +87,7 @@ def answered(
         if otherwise is not None and not isinstance(error, NotHere) and (found := otherwise()) is not None:
             return found
         value, unfinished = (None, ()) if instead is None else _number(instead)
+        value = error.value if isinstance(error, OnlyInNumbers) else value
         reason, is_missed = further(why(system, error), *unfinished), isinstance(error, NotHere) and value is None
         return refused(question, reason, value, is_missed=is_missed)
 

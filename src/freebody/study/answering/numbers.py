@@ -14,8 +14,9 @@ from freebody.questions.clock import Clock
 from freebody.questions.extent import Extent, ExtremeOfMotion
 from freebody.questions.loads import Power
 from freebody.questions.period import Period
-from freebody.questions.reading import AskedEvent
+from freebody.questions.reading import AskedEvent, Question
 from freebody.questions.small_motion import Equilibrium, OfSmallMotion, SmallOscillations
+from freebody.study.answering.answer import Value
 from freebody.study.answering.crosscheck import as_parts
 from freebody.study.answering.draws import Draw
 from freebody.study.answering.passage import smooth_numbers
@@ -46,6 +47,27 @@ def work_until(setup: Setup, load: str, draw: Draw, event: AskedEvent, end: floa
     wanted = set(times.tolist())  # where the motion turns there are states as well
     power = [float(Power(load).value(setup.system, s)) for s in found.links if s.t in wanted]
     return half * float(np.tile(weights, N_PANELS) @ np.array(power))
+
+
+def number_instead(setup: Setup, question: Question) -> Value:
+    """The value of the numeric route where there is no closed form, at the start or at the event. Raises CannotAnswer
+    where it has none."""
+    q = question.quantity
+    if not setup.has_values:
+        return None
+    if q.scope == "steady motion":
+        from freebody.study.steady.ask import number as number_of_steady
+
+        return number_of_steady(q, setup, question)
+    if q.scope == "linkage":
+        from freebody.study.mobility.loop_answers import value_of as number_of_loop
+
+        return number_of_loop(q, setup)
+    if q.wanted is not None:
+        return None
+    if question.event is not None and not q.is_of_state:
+        return None  # it says of which equilibrium it is asked
+    return number_of(setup, q, question.event)
 
 
 def number_of(setup: Setup, quantity: Quantity, event: AskedEvent | None) -> float | tuple[float, ...]:

@@ -27,16 +27,10 @@ from freebody.study.answering.answer import Evidence
 from freebody.study.answering.conditions import real
 from freebody.study.answering.draws import Draw
 from freebody.study.answering.finding import Finding
+from freebody.study.answering.parameter_domain import above, domain_of, for_every
 from freebody.study.answering.range_evidence import RangeEvidence
 from freebody.study.answering.range_truth import End, Interval, TruthInNumbers
-from freebody.study.answering.turned_round import (
-    Formula,
-    NoneFound,
-    above,
-    domain_of,
-    for_every,
-    without_roots,
-)
+from freebody.study.answering.turned_round import Formula, NoneFound, without_roots
 from freebody.study.setup import N_MORE, Setup
 from freebody.symbolic.conditions import Condition, insisted
 from freebody.symbolic.field import Ratio
@@ -106,7 +100,7 @@ class RangeSearch(TruthInNumbers):
                     name=self.parameter.name,
                 )
                 raise CannotAnswer(reworded(why, zero))
-            if not made and degree > 2:
+            if not made and degree > max(2, len(places)):
                 raise CannotAnswer(Message("the ends are roots of a polynomial of degree {n}", n=degree))
             for place in places:
                 place = f.lowest_terms(place)

@@ -39,11 +39,12 @@ from freebody.study.answering.draws import SEED, Draw, draws
 from freebody.study.answering.finding import Elements, Finding, NotHere
 from freebody.study.answering.magnitude import magnitude
 from freebody.study.answering.numbers import LONGEST, at_event, number_at
+from freebody.study.answering.parameter_domain import domain_of, for_every, is_within
+from freebody.study.answering.solved_in_numbers import Side, solved_in_numbers
 from freebody.study.answering.witness import patience
 from freebody.study.setup import N_DRAWS, Setup
 from freebody.symbolic.conditions import Condition, merged, require
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.functions import functions
 from freebody.symbolic.parameter_roots import solutions
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.validity import TAKEN
@@ -54,11 +55,6 @@ _NEAR = 1e-6  # of the size of its parts: a quantity that is smaller is zero at 
 TIME = 0.37  # [s] at which drivers are looked at
 _ENOUGH = 2 * MIN_DRAWS  # numbers at which a value is one: some of them may say nothing more
 _WIDE, _BATCHES = 2.5, 6  # draws beyond the usual ones: their spread, and how many lots of them
-_ARCS = {  # the ranges of their values, in half turns
-    "asin": (Fraction(-1, 2), Fraction(1, 2)),
-    "acos": (Fraction(0), Fraction(1)),
-    "atan": (Fraction(-1, 2), Fraction(1, 2)),
-}
 _OTHERS = (
     1.25,
     0.8,
@@ -161,11 +157,23 @@ def find(setup: Setup, question: Question, formulas: Sequence[Formula]) -> Findi
     if not candidates:
         equation = compared(tidy(turned[0].element.numerator()), "=", ZERO)
         why = Message("the equation {equation} is not solved for {name} in closed form", equation=equation, name=name)
-        raise CannotAnswer(reworded(why, equation))
+        raise _in_numbers(setup, question, turned, reworded(why, equation))
     possible = [c for c in candidates if c.at]
     if not possible:
         raise NoneFound(Message("no value of {name} within its range was found for which that is so", name=name))
     return _chosen(possible)
+
+
+def _in_numbers(setup: Setup, question: Question, turned: Sequence[_Turned], why: str) -> CannotAnswer:
+    """That there is no closed form, with all solutions at the model's own numbers where it is known which are all."""
+    first = turned[0]
+    found = None
+    if setup.has_values:
+        sides = [Side(one.element, one.formula.needed) for one in turned]
+        found = solved_in_numbers(setup, first.parameter, first.index, sides)
+    if found is None or not first.is_confirmed(found.values):
+        return CannotAnswer(why)
+    return found.told(why, question.quantity.unit)
 
 
 def _turned(setup: Setup, question: Question, quantity: Wanted, formula: Formula) -> _Turned:
@@ -263,6 +271,19 @@ class _Turned:
         except (CannotAnswer, ArithmeticError, ValueError):
             return False
 
+    def is_confirmed(self, values: Sequence[float]) -> bool:
+        """Whether the numeric route finds the quantity to be what it is to be, at the model's own numbers."""
+        self.formula.evidence()
+        own = self.setup.draws[0]
+        for value in values if self.formula.is_put_back else ():
+            draw = own.with_values(own.values | {self.parameter.name: value}, self.setup.system)
+            made = PutBack(0, draw, max(self._size(own), self._size(draw)) or 1.0)
+            with suppress(CannotAnswer, ArithmeticError, ValueError):
+                numeric = quantity_with(self.setup, self.question, self.quantity.of, self.formula, made)
+                if abs(numeric - draw.reference.number(self.quantity.target)) > _NEAR * made.size:
+                    return False
+        return True
+
     def evidence(self, candidate: _Candidate) -> Evidence:
         """The quantity by the numeric route, with the value put in for the parameter; else that of the formula."""
         of, event = self.quantity.of, self.question.event
@@ -344,56 +365,3 @@ def without_roots(x: Ratio, index: int) -> tuple[Ratio, list[Ratio]]:
         a, b = (*x.coefficients(root), field.zero)[:2]
         needed.append(-a * b)
         x = field.lowest_terms(a * a - b * b * field.radicand(root)).numerator()
-
-
-def domain_of(parameter: Parameter, value: Ratio) -> list[Condition]:
-    """What the parameter is said to be."""
-    found, name = list[Condition](), parameter.name
-    if parameter.sign == "positive":
-        found.append(Condition(above(value), ">", Message("{name} is positive", name=name)))
-    elif parameter.sign == "nonnegative":
-        found.append(Condition(value, ">=", Message("{name} is not negative", name=name)))
-    if parameter.acute:
-        below = above(value.field.pi / 2 - value)
-        found.append(Condition(below, ">", Message("{name} is less than a right angle", name=name)))
-    return found
-
-
-def above(x: Ratio) -> Ratio:
-    """What has the sign of x: of a root's multiple without the root, of an arc function and a share of pi something of
-    its argument alone."""
-    field = x.field
-    for g in x.generators():
-        if field.generators[g].kind == "root" and x.numerator().coefficients(g)[0].is_zero():
-            return field.lowest_terms(x * field.variable(g))  # the root is not negative
-    arcs = [g for g in x.generators() if field.arguments.get(g, ("", x))[0] in _ARCS]
-    if len(arcs) != 1 or x.denominator().generators():
-        return x
-    (rest, slope, *more), (name, argument) = x.coefficients(arcs[0]), field.arguments[arcs[0]]
-    turns, factor = (rest / field.pi).fraction(), slope.fraction()
-    if more or turns is None or factor is None:
-        return x
-    # factor arc + turns pi > 0: the arc lies above its value at 0, or below it
-    edge, (low, high) = -turns / factor, _ARCS[name]
-    if not (low <= edge <= high if name != "atan" else low < edge < high):
-        return field.element(1 if (factor > 0) == (edge <= low) else -1)
-    fn = functions(field)
-    wave = {"asin": "sin", "acos": "cos", "atan": "tan"}[name]
-    beyond = argument - fn[wave](edge.numerator * field.pi / edge.denominator)
-    return beyond if (factor > 0) == (name != "acos") else -beyond
-
-
-def for_every(parameter: Parameter) -> str:
-    """That something is so wherever a parameter may be."""
-    name = parameter.name
-    if parameter.acute:
-        return Message("that is so for every acute angle {name}", name=name)
-    if parameter.sign == "positive":
-        return Message("that is so for every positive value of {name}", name=name)
-    return Message("that is so for every value of {name}", name=name)
-
-
-def is_within(parameter: Parameter, number: float) -> bool:
-    if parameter.acute and not 0.0 < number < math.pi / 2:
-        return False
-    return number > 0.0 or (number == 0.0 and parameter.sign == "nonnegative") or parameter.sign == "any"

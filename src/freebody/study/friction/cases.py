@@ -13,7 +13,7 @@ from freebody.language.sentences import Message
 from freebody.model.elements import ConstraintRow
 from freebody.numeric.rest_problem import rest_problem
 from freebody.study.answering.draws import SEED, Draw, draws
-from freebody.study.answering.turned_round import above
+from freebody.study.answering.parameter_domain import above
 from freebody.study.friction.failures import SeenFailure, how_it_fails, seen
 from freebody.study.friction.limits import HoldingEnd
 from freebody.study.friction.touching import TouchingAtRest

@@ -31,7 +31,8 @@ from freebody.study.friction.touching import TouchingAtRest
 from freebody.study.setup import Setup
 from freebody.symbolic.active_set import Failure, RestEquations, Slot
 from freebody.symbolic.angle_factors import open_parts
-from freebody.symbolic.conditions import Condition, relation_text, require
+from freebody.symbolic.conditions import Condition, merged, relation_text, require
+from freebody.symbolic.decide import implied
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.inequalities import without_implied
 from freebody.symbolic.linear import RHS
@@ -161,7 +162,9 @@ def holds(touching: TouchingAtRest, setup: Setup, question: Question) -> Answer:
     study = RestHolding(touching, setup)
     barriers: dict[Failure, FailureMode] = {}
     looked: list[Looked] = []
-    for draw in study.draws:
+    for k, draw in enumerate(study.draws):
+        if k and not setup.is_on_branch(draw, draw.start()):
+            continue  # what the formulas take to be positive is not
         edge = study.edge(draw, 1, None)
         if edge is None:
             problem = rest_problem(draw.reference, draw.q, touching.dry_friction)
@@ -182,6 +185,8 @@ def _answer(
     first = looked[0]
     always = without_implied([b.condition for b in barriers if b.condition is not None and not b.where])
     kept = [b for b in barriers if b.condition is not None and (b.where or b.condition in always)]
+    assumed = study.setup.holding(study.setup.start_instant, with_contacts=False)
+    kept = [b for b in kept if b.where or b.condition is None or not implied(b.condition, assumed)]
     notes, verdict = list[str](), ""
     if study.equations.inertia:
         notes.append(Message("at rest means beside what is driven"))
@@ -215,7 +220,7 @@ def _answer(
         tidy(element),
         value,
         unit=_unit_of(tidy(element), study.setup.system),
-        conditions=tuple(b.text() for b in kept) or (Message("it always holds"),),
+        conditions=(*merged(assumed), *(b.text() for b in kept)) or (Message("it always holds"),),
         notes=notes,
         verdict=verdict,
         judgement=judged(question, element, study.setup.model, study.setup.system),

@@ -6,7 +6,7 @@ gap it makes grow parts, and one that it leaves alone keeps touching, as at a st
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
 import numpy as np
@@ -39,15 +39,23 @@ def after_blow(
     placed = replace(home.placed(setup, struck.start.values), since=instant.placed.since)
     after = replace(instant, placed=placed, impact=impact, past=phase.mode.past | {blow.name})
     after = replace(after, n_impacts=node.n_impacts)
-    rows = {name: home.bound_row(name) for name in sorted(phase.mode.closed)}
+    touching = phase.mode.closed - _held_anyway(home, struck, phase.mode.closed)
+    rows = {name: home.bound_row(name) for name in sorted(touching)}
     rates = {name: row.sign * home.to_home(setup, state.rate(row.measure)) for name, row in rows.items()}
-    slips = {r.name: home.to_home(setup, state.rate(r.row.measure)) for r in home.rubbing(phase.mode.closed)}
+    slips = {r.name: home.to_home(setup, state.rate(r.row.measure)) for r in home.rubbing(touching)}
     for signs, sets in home.by_sign({n: x for n, x in rates.items() if not x.is_zero()}, edge.sets):
         hits = tuple(sorted(name for name, sign in signs.items() if sign < 0))
-        closed = phase.mode.closed - {name for name, sign in signs.items() if sign}
+        closed = touching - {name for name, sign in signs.items() if sign}
         given = home.conditions([(sign * rates[n], ">", "") for n, sign in signs.items() if sign], sets)
         own = {} if hits else {r.name: slips[r.name] for r in home.rubbing(closed)}
         yield replace(after, closed=closed, slips=own, given=tuple(given)), hits, sets
+
+
+def _held_anyway(home: Home, struck: SuddenBlow, names: Iterable[str]) -> set[str]:
+    """Contacts whose gaps no motion changes that the connections allow after the blow, as where a pin catches the
+    corner that slides on the floor: the pin takes the force, and how they would share it is not determined."""
+    anywhere = SymbolicState(struck.setup.model)
+    return {name for name in names if anywhere.rate(home.bound_row(name).measure).is_zero()}
 
 
 def _refuse_gaps(home: Home, struck: SuddenBlow, sets: Chosen) -> None:

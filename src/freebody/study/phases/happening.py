@@ -12,6 +12,8 @@ from itertools import product
 
 import numpy as np
 
+from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
 from freebody.questions.clock import Clock
 from freebody.questions.course import Transition
 from freebody.questions.event import QuestionEvent
@@ -40,6 +42,12 @@ class HappeningCase:
 
 def happening_cases(tree: PhaseTree, happening: Happening) -> list[HappeningCase]:
     """All parts, as far as the phases are known."""
+    if tree.system.blows and isinstance(happening.what, Lasting) and happening.what.kind == "stands":
+        told = Message(
+            "what is caught in its motion turns about the place that is caught, and tips over once it is past its "
+            "balance: ask for the angle, as in least v so that phi reaches 45 deg"
+        )
+        raise CannotAnswer(told)
     roots = [WayToPhase((node,), (), (*tree.assumed, *node.conditions)) for node in tree.roots]
     found = [case for way in roots for case in _Walk(tree, happening).cases(way)]
     if happening.is_so:

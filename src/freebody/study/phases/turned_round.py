@@ -9,6 +9,7 @@ from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.questions.base import Wanted
 from freebody.questions.happening import Happening
+from freebody.questions.motion import Staying
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer, Evidence, Value
 from freebody.study.answering.closed_form import QuestionSolver
@@ -29,6 +30,9 @@ def answer(tree: PhaseTree, question: Question, quantity: Wanted) -> Answer:
     """The formulas of all cases, each with its conditions, are solved for the parameter."""
     if isinstance(quantity.of, Happening):
         return _of_happening(tree, question, quantity.of)
+    if isinstance(quantity.of, Staying):
+        told = Message("whether it stays constant where contacts or strings may open or slip is not told in formulas")
+        raise CannotAnswer(told)
     asked = replace(question, quantity=quantity.of, options={}, key=None)
 
     def attempt(system: System) -> Answer:

@@ -26,7 +26,7 @@ from freebody.numeric.jets import Array
 from freebody.numeric.vectorised import VectorFunction, VectorStatement
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer, Value, refused
-from freebody.study.answering.closed_form import number_instead
+from freebody.study.answering.numbers import number_instead
 from freebody.study.answering.scope import is_scope
 from freebody.study.answering.simulated_numbers import number_with_changes
 from freebody.study.answering.solve import solve

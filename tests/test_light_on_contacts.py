@@ -1,0 +1,106 @@
+"""Parts without mass that contacts, strings and friction hold: their reactions are those of equilibrium.
+
+Moments and forces by hand. Problem families: Meriam & Kraige, Statics, ch. 3, 4 and 6 (frames, ladders whose mass is
+left out); Hibbeler, Statics, ch. 5, 6 and 8.
+"""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+import freebody as fb
+from freebody.errors import ModelError
+from freebody.language.expression import FLOAT_FUNCTIONS, Expr, evaluate
+from freebody.language.parser import parse
+from freebody.study.answering.answer import Answer
+
+STEPLADDER = """
+parameters: {W: 700 N, L: 3 m, b: 1 m, s: 1.8 m, al: 65 deg}
+ground: {points: {A: [0, 0]}, lines: {floor: {along: right}}}
+bodies:
+  left: {rod: {length: L}, at: {start: [0, 0]}, angle: al, points: {T: [b - L/2, 0], man: [s - L/2, 0]}}
+  right: {rod: {length: L}, at: {end: [2*L*cos(al), 0]}, angle: -al, points: {T: [L/2 - b, 0]}}
+connections:
+  A: {pin: [ground.A, left.start]}
+  top: {pin: [left.end, right.start]}
+  floor: {contact: {between: [right.end, floor]}}
+  cord: {string: {from: left.T, to: right.T}}
+loads: {man: {force: {at: left.man, along: down, magnitude: W}}}
+"""
+LADDER = """
+parameters: {W: 700 N, L: 4 m, s: 3 m, al: 65 deg, mu: 0.5}
+ground: {lines: {floor: {along: right}, wall: {solid: right, through: [L*cos(al), 0]}}}
+bodies: {ladder: {rod: {length: L}, at: {start: [0, 0]}, angle: al, points: {man: [s - L/2, 0]}}}
+connections:
+  foot: {contact: {between: [ladder.start, floor], friction: mu}}
+  head: {contact: {between: [ladder.end, wall]}}
+loads: {man: {force: {at: ladder.man, along: down, magnitude: W}}}
+"""
+STRUT = """
+parameters: {W: 300 N, L: 2 m, al: 50 deg}
+ground: {points: {A: [0, 0]}, lines: {wall: {solid: right, through: [L*cos(al), 0]}}}
+bodies: {strut: {rod: {length: L}, at: {start: [0, 0]}, angle: al}}
+connections: {A: {pin: [ground.A, strut.start]}, head: {contact: {between: [strut.end, wall]}}}
+loads: {hang: {force: {at: strut.center, along: down, magnitude: W}}}
+"""
+PLANK = """
+parameters: {W: 300 N, L: 2 m, a: 0.6 m}
+ground: {points: {A: [0, 0]}, lines: {floor: {along: right}}}
+bodies: {plank: {rod: {length: L}, at: {start: [0, 0]}, angle: 0, points: {load: [a - L/2, 0]}}}
+connections: {A: {pin: [ground.A, plank.start]}, rests: {contact: {between: [plank.end, floor]}}}
+loads: {crate: {force: {at: plank.load, along: down, magnitude: W}}}
+"""
+PROBLEMS = {
+    "cord of a stepladder": (STEPLADDER, "tension of cord", "W*s*cos(al)/(2*(L - b)*sin(al))"),
+    "its foot": (STEPLADDER, "normal force of floor", "W*s/(2*L)"),
+    "its pin": (STEPLADDER, "reaction of A on left along up", "W*(2*L - s)/(2*L)"),
+    "head of a ladder": (LADDER, "normal force of head", "W*s/(L*tan(al))"),
+    "foot of a ladder": (LADDER, "normal force of foot", "W"),
+    "friction at the foot": (LADDER, "friction force of foot", "W*s/(L*tan(al))"),
+    "strut": (STRUT, "normal force of head", "W/(2*tan(al))"),
+    "pin of a strut": (STRUT, "reaction of A along right", "W/(2*tan(al))"),
+    "plank": (PLANK, "normal force of rests", "W*a/L"),
+}
+
+
+def asked(text: str, question: str) -> Answer:
+    return fb.System.from_text(text).solve(question).answers[0]
+
+
+@pytest.mark.parametrize("name", PROBLEMS)
+def test_reactions_are_those_of_equilibrium(name: str) -> None:
+    text, question, formula = PROBLEMS[name]
+    answer = asked(text, question)
+    assert isinstance(answer.expression, Expr), answer.reason
+    own = {p.name: p.value or 0.0 for p in fb.System.from_text(text).parameters.values()}
+    for share in (1.0, 1.02):
+        values = {key: x * share**k for k, (key, x) in enumerate(sorted(own.items()))}
+        numbers = [abs(float(evaluate(e, values, FLOAT_FUNCTIONS))) for e in (answer.expression, parse(formula))]
+        assert math.isclose(*numbers, rel_tol=1e-9), (answer.expression, values)
+
+
+def test_the_ladder_rests_while_its_foot_does_not_slip() -> None:
+    answer = asked(LADDER, "normal force of head")
+    assert any("foot does not slip" in condition for condition in answer.conditions)
+    assert asked(LADDER, "least mu so that it stays at rest").value == pytest.approx(
+        3 / (4 * math.tan(math.radians(65)))
+    )
+
+
+def test_what_slips_has_no_reactions_of_rest() -> None:
+    with pytest.raises(ModelError, match="does not rest either"):
+        asked(LADDER.replace("mu: 0.5", "mu: 0.3"), "normal force of foot")
+
+
+def test_the_derivation_takes_moments() -> None:
+    told = fb.explain(fb.System.from_text(LADDER), "normal force of head").to_text()
+    assert "does not slip" in told
+    assert "244.81" in told
+
+
+def test_a_frame_stands_where_its_cord_is_below_the_top() -> None:
+    answer = asked(STEPLADDER, "does it stay at rest")
+    assert "it holds" in answer.verdict
+    assert [c for c in answer.conditions if "slack" in c] == []
