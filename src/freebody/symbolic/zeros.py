@@ -90,6 +90,21 @@ def zeros_of(model: SymbolicModel, F: Ratio, c: Indexed, *, quadratic: bool = Fa
     return found
 
 
+def rooted_zeros(model: SymbolicModel, F: Ratio, c: Indexed) -> list[tuple[Ratio, Ratio]]:
+    """Zeros of the factors p + q r of F with a root r of one coordinate: those of p^2 - q^2 r^2, each with -p q, which
+    must not be negative there."""
+    f = model.field
+    found: list[tuple[Ratio, Ratio]] = []
+    for base, _exponent in f.factor(F.num)[1]:
+        roots = [g for g in base.generators() if f.generators[g].kind == "root" and c.index in f.generators[g].made_of]
+        if len(roots) != 1 or without_root(base, c.index) is not base:
+            continue
+        p, q = (*base.coefficients(roots[0]), f.zero)[:2]
+        square = f.lowest_terms(p * p - q * q * f.radicand(roots[0])).numerator()
+        found += [(zero, -p * q) for zero in zeros_of(model, square, c)]
+    return found
+
+
 def changes_sign(function: Callable[[float], float], start: float) -> bool:
     """Whether a function of a number changes its sign above a start, as far as steps tell that grow from far below the
     size of the start to far above it."""
