@@ -82,7 +82,9 @@ def _read_node(
         hangs=is_free and not is_given,
         is_put=is_free and is_given and body.start.velocity is None,
         guide=None if is_given else guide,
-        track=(guide or ground_line_under(names, body.name)) if is_given or (guide is None and found["wound"]) else None,
+        track=(guide or ground_line_under(names, body.name))
+        if is_given or (guide is None and found["wound"])
+        else None,
         place=_place(names, point),
     )
 
