@@ -242,7 +242,7 @@ def _turn(names: Names, way: Sequence[StringNode], leads: Sequence[Direction | N
 
 
 def _aside_of_drum(drum: StringNode, heading: tuple[float, float] | None) -> float:
-    """How far the side at which a string leaves a drum is to the left of its lead; one of which nothing is known hangs."""
+    """How far the side at which a string leaves a drum is to the left of its lead; an unknown one hangs."""
     (sx, sy), (ex, ey) = _SIDES[drum.side or "right"], heading or (0.0, -1.0)
     return ex * sy - ey * sx
 

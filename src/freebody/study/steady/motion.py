@@ -17,6 +17,7 @@ from freebody.errors import CannotAnswer
 from freebody.language.expression import ZERO
 from freebody.language.notation import compared, to_text
 from freebody.language.sentences import Message, further
+from freebody.measures.base import Measure
 from freebody.questions.event import AskedEvent, QuestionEvent
 from freebody.questions.steady import SteadyValue
 from freebody.study.eom import primitive_part
@@ -80,8 +81,8 @@ class SteadyMotion:
         return {c.index: min(places, key=away)}
 
     def places_of(self, measure: Measure, target: Ratio) -> tuple[Coordinate | None, list[Ratio]]:
-        """The one coordinate on which a measure depends, and its values at which that has a value; None where it depends
-        on others."""
+        """The one coordinate on which a measure depends, and its values at which that has one; None where it depends on
+        others."""
         m = self.model
         value = m.value_of(measure)
         inside = [c for c in (*m.coordinates, *m.dependent) if c.index in m.field.ingredients(value)]
