@@ -284,10 +284,11 @@ def _heading(
 
 
 def _where(names: Names, node: StringNode) -> tuple[float, float] | None:
-    """Where a place of a string is in numbers: as it is put, else as it is held, else as it is guessed to be."""
+    """Where a place of a string is in numbers: as it is put, else as it is held, else as it is guessed to be; a drum is
+    at the origin as long as nobody has put it elsewhere."""
     found, near = node.place or place_of(names, node.point), names.known(node.body).start.near
     if found is not None or near is None or near.at is None:
-        return found
+        return found if found is not None or node.way != "drum" else (0.0, 0.0)
     (x, y), known = near.at[1][:2], names.known(node.body).points[near.at[0]] == node.point.offset
     return (number_of(names, x), number_of(names, y)) if known else None
 
