@@ -8,14 +8,15 @@ from typing import TYPE_CHECKING, ClassVar
 from freebody.connections.base import Connection
 from freebody.connections.circles import touching
 from freebody.connections.rolling_in_space import rolling_rows
-from freebody.language.expression import Expr, negate
+from freebody.connections.standing import is_parallel, same_way, stands_at
+from freebody.language.expression import Expr, add, negate
 from freebody.language.sentences import Message
 from freebody.language.units import LENGTH
 from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
 from freebody.measures.combination import Combination
 from freebody.measures.displacement import Displacement
-from freebody.measures.geometry import ONE
+from freebody.measures.geometry import GROUND, ONE, Direction, Point
 from freebody.model import glyphs
 from freebody.model.elements import ConstraintRow, Line, RigidBody
 from freebody.model.glyphs import Glyph
@@ -115,6 +116,28 @@ connections: {it: {rolling: {body: wheel, on: floor}}}
             ConstraintRow("contact", "normal force", gap, arm, sign=-1 if self.below else 1, unilateral=True),
             ConstraintRow("no slip", "friction force", slip, needs="contact"),
         ]
+
+    def lies_along(self, names: Names, body: str) -> Direction | None:
+        line = None if names.space or self.on is None or body != self.body else self._line(names)
+        return line.direction if line is not None and line.direction.body == GROUND else None
+
+    def keeps_at(self, names: Names, point: Point, along: Direction, seen: frozenset[str]) -> Expr | None:
+        """Its centre is a radius away from the line."""
+        direction = self.lies_along(names, point.body)
+        if direction is None or not is_parallel(names, direction.normal(), along):
+            return None
+        with names.quietly():
+            line, body, own = self._line(names), names.body(self.body), names.optional(self, "radius", LENGTH)
+            radius = body.radius if own is None else own
+        if line is None or radius is None or point.offset != body.center.offset:
+            return None
+        base = stands_at(names, line.through, along, seen)
+        is_up = same_way(names, direction.normal(), along) != self.below
+        return None if base is None else add(base, radius if is_up else negate(radius))
+
+    def _line(self, names: Names) -> Line | None:
+        with names.quietly():
+            return names.line(str(self.on), "on")
 
     def offers(self, names: Names) -> Iterable[tuple[str, Measure]]:
         line = None if self.on is None else names.line(self.on, "on")

@@ -10,6 +10,7 @@ from freebody.language.units import ANGULAR_MOMENTUM, ENERGY, IMPULSE, Dimension
 from freebody.model.elements import ConstraintRow
 from freebody.model.state import State
 from freebody.questions.base import NAME, POINT, Described, Found, Path, Quantity, asked
+from freebody.questions.course import connections_of
 from freebody.questions.energy import Energy
 from freebody.questions.reactions import Wrench, read_moment, read_wrench
 from freebody.questions.vectors import IN_BASIS
@@ -60,7 +61,11 @@ questions: {it: impulse of pivot along right}
 
 @dataclass(frozen=True)
 class EnergyLostInBlow(Quantity, kind="energy lost in the blow"):
-    """The kinetic energy just before the blow (that at the start, else the first one) less that just after."""
+    """The kinetic energy just before the blow (that at the start, else the first one; that in which something named
+    closes, strikes or collides) less that just after."""
+
+    of: tuple[str, ...] = ()
+    called: str = ""
 
     example = """
 bodies:
@@ -71,6 +76,10 @@ questions: {it: energy lost in the blow}
 """
     measured_in = ENERGY
     is_of_start = True
+
+    @property
+    def struck(self) -> frozenset[str]:
+        return frozenset(self.of)
 
     @property
     def unit(self) -> str:
@@ -84,7 +93,7 @@ questions: {it: energy lost in the blow}
         return state.energy_before - Energy("kinetic").value(system, state)
 
     def sentence(self, system: Described) -> Sentence:
-        return Sentence("what.lost_in_blow")
+        return Sentence("what.lost_in_blow_of", {"of": self.called}) if self.of else Sentence("what.lost_in_blow")
 
 
 @dataclass(frozen=True)
@@ -167,9 +176,14 @@ def _angular_impulse(names: Names, found: Found, path: Path) -> Quantity | None:
 
 
 @asked(
-    "energy lost in the blow",
-    r"(?:kinetic )?(?:energy lost|loss of (?:kinetic )?energy) in (?:the )?(?:blow|impact|collision|jerk)",
+    "energy lost in the blow | impact [of NAME]",
+    r"(?:kinetic )?(?:energy lost|loss of (?:kinetic )?energy) in (?:the )?(?:first )?"
+    rf"(?:blow|impact|collision|jerk)(?: (?:of|by|with|at) (?:the )?(?P<blow>{NAME}))?",
     rank=_RANK,
 )
 def _lost(names: Names, found: Found, path: Path) -> Quantity | None:
-    return EnergyLostInBlow()
+    blow = found["blow"]
+    if blow is None:
+        return EnergyLostInBlow()
+    of = (str(blow),) if blow in names.impulses else connections_of(names, str(blow), path)
+    return EnergyLostInBlow(of, str(blow))

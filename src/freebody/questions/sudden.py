@@ -7,9 +7,8 @@ import re
 # what they are called: a blow by an impulse or by what closes, an impact of what collides
 BLOW = r"(?:blow|impact|collision|strike|kick|jerk|catch|capture|hit)"
 _NAME = r"(?: (?:of|by|with|at) (?:the )?(?P<of>[A-Za-z_]\w*))?"
-_WORDS = re.compile(
-    rf"(?<!when)(?<!just) (?:just |immediately |right )?(?P<side>before|after) the (?:first )?{BLOW}{_NAME}(?= |$|\))"
-)
+_SOON = r"(?:just |immediately |(?<!along )(?<!to the )right )?"  # "along right after" is a direction first
+_WORDS = re.compile(rf"(?<!when)(?<!just) {_SOON}(?P<side>before|after) the (?:first )?{BLOW}{_NAME}(?= |$|\))")
 _CONDITION = re.compile(rf"^just (?P<side>before|after) the blow{_NAME}$")
 
 

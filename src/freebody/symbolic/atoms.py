@@ -90,9 +90,10 @@ def function_atom(
     argument: Ratio,
     rate_factor: Callable[[Ratio, Ratio], Ratio],
     again: Callable[[Ratio], Ratio] | None = None,
+    rate: Callable[[], Ratio] | None = None,
 ) -> Ratio:
     """A function atom f(argument) with f' = rate_factor(f, argument) * argument'. again: the function of another
-    argument, where that may be no atom."""
+    argument, where that may be no atom. rate: f' where it is shorter to write in another way."""
     key = (name, argument.key())
     known = field.known(key)
     if known is not None:
@@ -115,9 +116,9 @@ def function_atom(
         key=key,
     )
     field.arguments[field.index(atom)] = (name, argument)
-    inner = field.rate(argument)
-    if not inner.is_zero():
-        field.set_rate(atom, rate_factor(atom, argument) * inner)
+    changes = rate_factor(atom, argument) * field.rate(argument) if rate is None else rate()
+    if not changes.is_zero():
+        field.set_rate(atom, changes)
     return atom
 
 

@@ -33,7 +33,7 @@ from freebody.symbolic.signs import Sign
 from freebody.symbolic.start import StartState
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.unknowns import Coordinate
-from freebody.symbolic.zeros import zeros_of
+from freebody.symbolic.zeros import rooted_zeros, zeros_of
 from freebody.tolerances import ROUND_OFF
 
 _MOST_DERIVATIVES = 6  # of a force that vanishes to a high order
@@ -83,7 +83,8 @@ def equilibria(
         is_meant = first is not None and (first.is_stable is not False or not stable_first)
         if first is not None and is_meant and is_one_enough:
             return [first]
-    others = [r for values in _zeros(model, forces, list(model.coordinates)) if (r := _judged(model, values))]
+    zeros = _zeros(model, forces, list(model.coordinates))
+    others = [r for values in zeros if (r := _judged(model, values, _on_their_side(model, forces, values)))]
     solutions = ([] if first is None else [first]) + others
     if not solutions:
         raise CannotAnswer(Message("no equilibrium could be found in closed form; start the model at one"))
@@ -134,11 +135,29 @@ def _straight_families(linear: Linearised) -> list[dict[int, Ratio]]:
     return found
 
 
-def _judged(model: SymbolicModel, at: dict[int, Ratio]) -> ClosedFormRest | None:
-    """The equilibrium with its conditions; None where there is none, for any parameters or at the first sample."""
+def _on_their_side(model: SymbolicModel, forces: Sequence[Ratio], at: dict[int, Ratio]) -> list[Ratio]:
+    """What must not be negative for a force to vanish that holds a root: where p^2 - q^2 r^2 = 0, p + q r does if p and
+    q r have opposite signs."""
+    f, found = model.field, list[Ratio]()
+    for F in forces:
+        for c in model.coordinates:
+            for zero, side in rooted_zeros(model, F, c):
+                if c.index in at and f.lowest_terms(f.follow(zero, at) - at[c.index]).is_zero():
+                    found.append(f.lowest_terms(f.follow(side, at)))
+    return found
+
+
+def _judged(model: SymbolicModel, at: dict[int, Ratio], sides: Sequence[Ratio] = ()) -> ClosedFormRest | None:
+    """The equilibrium with its conditions; None where there is none, for any parameters or at the first sample. sides:
+    what must not be negative for the forces to vanish there."""
     if not _has_full_inertia(model, at) or not _has_forces(model, at):
         return None
     conditions = exists(at.values())
+    for side in sides:
+        condition, possible = require(side, ">=", Message("the forces balance there"))
+        if not possible:
+            return None
+        conditions += [] if condition is None else [condition]
     state = SymbolicState(model, at | {c.speed: model.field.zero for c in model.coordinates})
     for row in model.system.constraint_rows:
         if row.unilateral:
@@ -280,7 +299,7 @@ def _zeros(model: SymbolicModel, forces: list[Ratio], left: list[Coordinate]) ->
         if F.is_zero() or not candidates:
             continue
         for c in candidates:
-            for value in zeros_of(model, F, c):
+            for value in (*zeros_of(model, F, c), *(zero for zero, _side in rooted_zeros(model, F, c))):
                 if bound & model.field.ingredients(value):
                     continue  # it hangs on what follows from the coordinate through a loop: still an equation
                 # the one that is solved vanishes there, which need not be found once more

@@ -180,8 +180,13 @@ def atan2(field: Field, y: Ratio, x: Ratio, length: Ratio) -> Ratio:
     known = known_angle(field, y, x, length)
     if known is not None:
         return known
+
+    def rate() -> Ratio:
+        """(x y' - y x')/(2 l^2), without the quotient."""
+        return (x * field.rate(y) - y * field.rate(x)) / (2 * (x * x + y * y))
+
     # tan(a/2) = y/(l + x) keeps the quadrant
-    half = _arc(field, "atan", y / (length + x), lambda u: 1 / (1 + u * u))
+    half = _arc(field, "atan", y / (length + x), lambda u: 1 / (1 + u * u), rate)
     if half.generators() <= field.arguments.keys():
         field.doubled_pairs[half.key()] = field.lowest_terms(x / length), field.lowest_terms(y / length)
     return 2 * half
@@ -228,8 +233,13 @@ def sum_of_angles(field: Field, y: Ratio, x: Ratio, length: Ratio) -> Ratio | No
     return None
 
 
-def _arc(field: Field, name: str, argument: Ratio, slope: Callable[[Ratio], Ratio]) -> Ratio:
-    return function_atom(field, name, argument, lambda _f, u: slope(u), lambda u: _arc_or_known(field, name, u, slope))
+def _arc(
+    field: Field, name: str, argument: Ratio, slope: Callable[[Ratio], Ratio], rate: Callable[[], Ratio] | None = None
+) -> Ratio:
+    def again(u: Ratio) -> Ratio:
+        return _arc_or_known(field, name, u, slope)
+
+    return function_atom(field, name, argument, lambda _f, u: slope(u), again, rate)
 
 
 # values in parts of pi

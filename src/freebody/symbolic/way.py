@@ -19,7 +19,7 @@ from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.unknowns import Coordinate
-from freebody.symbolic.zeros import reals, zeros_of
+from freebody.symbolic.zeros import changes_sign, reals, zeros_of
 
 Need = tuple[Ratio, str]
 Places = list[tuple[Ratio, list[float]]]  # a place as a formula, and at every sample
@@ -103,13 +103,13 @@ class EnergyPath:
         side = self._side(wanted)
         if not sign_of(wanted).is_strict:
             needs = [*needs, (side * wanted, ">")]
-        places = self.places(self.square - wanted * wanted)
+        beyond = self.square - wanted * wanted
         if side == way:
-            at = self._nearest(places, self.numbers(self.q0), way)
+            at = self._nearest(beyond, self.numbers(self.q0), way)
             needs, says = self._over(self.q0, at, [*needs, *((x, ">") for x in reals(at))])
             return at, needs, says
         turn, more, says = self._turning
-        at = self._nearest(places, self.numbers(turn), -way)
+        at = self._nearest(beyond, self.numbers(turn), -way)
         needs, words = self._over(self.q0, at, [*needs, *more, *((x, ">") for x in reals(at))])
         return at, needs, [*says, *words]
 
@@ -258,7 +258,7 @@ class EnergyPath:
         way, _needs = self._way
         if self._never_stops:
             raise NotReached(Message("{x} never turns", x=self.c.name))
-        turn = self._nearest(self.places(self.square), self.numbers(self.q0), way)
+        turn = self._nearest(self.square, self.numbers(self.q0), way)
         needs, says = self._over(self.q0, turn, [(x, ">") for x in (*reals(turn), *self._ahead(turn))])
         return turn, needs, says
 
@@ -288,9 +288,10 @@ class EnergyPath:
                 found.append((place, self.numbers(place)))
         return found
 
-    def _nearest(self, places: Places, start: Sequence[float], way: int) -> Ratio:
-        """The place that is next from the start, at every sample at which there is one."""
-        picks: set[int] = set()
+    def _nearest(self, x: Ratio, start: Sequence[float], way: int) -> Ratio:
+        """The zero of a function that is next from the start, at every sample at which there is one. Raises NotReached
+        where there is none, which factors without a closed form might hide."""
+        places, picks = self.places(x), set[int]()
         for s, begin in enumerate(start):
             if s in self._others:
                 continue
@@ -298,7 +299,7 @@ class EnergyPath:
             if ahead:
                 picks.add(min(ahead)[1])
         if not picks:
-            if not places:
+            if not places or self._changes_sign(x, start, way):
                 why = Message("no closed form was found for the place of {x} at which that is so", x=self.c.name)
                 raise CannotAnswer(why)
             raise NotReached(
@@ -311,6 +312,15 @@ class EnergyPath:
                 Message("at which place of {x} that is so first depends on the parameter values", x=self.c.name)
             )
         return places[picks.pop()][0]
+
+    def _changes_sign(self, x: Ratio, start: Sequence[float], way: int) -> bool:
+        """Whether a function changes its sign ahead of the start, at one sample at least."""
+        index, samples = self.c.index, self.model.samples
+        return any(
+            changes_sign(lambda q, s=s: samples.at_start_with(x, s, {index: way * q}), way * begin)
+            for s, begin in enumerate(start)
+            if s not in self._others
+        )
 
     def _arrives(self, at: Ratio) -> Need:
         """u^2 at the end of a way, where it can vanish at all: zero is enough for a place where the coordinate turns,

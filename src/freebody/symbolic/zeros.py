@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Callable
 from typing import Protocol
 
 from freebody.symbolic.field import Field, Ratio
@@ -10,6 +12,9 @@ from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.quadratic import roots
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.waves import sine_form
+
+_PER_DECADE = 16
+_DECADES = (-4 * _PER_DECADE, 3 * _PER_DECADE)  # of steps in which a change of sign is looked for
 
 
 def solve_linear(x: Ratio, index: int) -> Ratio | None:
@@ -83,6 +88,29 @@ def zeros_of(model: SymbolicModel, F: Ratio, c: Indexed, *, quadratic: bool = Fa
             continue
         found += _trigonometric_zeros(model, base, c)
     return found
+
+
+def rooted_zeros(model: SymbolicModel, F: Ratio, c: Indexed) -> list[tuple[Ratio, Ratio]]:
+    """Zeros of the factors p + q r of F with a root r of one coordinate: those of p^2 - q^2 r^2, each with -p q, which
+    must not be negative there."""
+    f = model.field
+    found: list[tuple[Ratio, Ratio]] = []
+    for base, _exponent in f.factor(F.num)[1]:
+        roots = [g for g in base.generators() if f.generators[g].kind == "root" and c.index in f.generators[g].made_of]
+        if len(roots) != 1 or without_root(base, c.index) is not base:
+            continue
+        p, q = (*base.coefficients(roots[0]), f.zero)[:2]
+        square = f.lowest_terms(p * p - q * q * f.radicand(roots[0])).numerator()
+        found += [(zero, -p * q) for zero in zeros_of(model, square, c)]
+    return found
+
+
+def changes_sign(function: Callable[[float], float], start: float) -> bool:
+    """Whether a function of a number changes its sign above a start, as far as steps tell that grow from far below the
+    size of the start to far above it."""
+    steps = (max(abs(start), 1.0) * 10.0 ** (k / _PER_DECADE) for k in range(*_DECADES))
+    values = [function(start + step) for step in steps]
+    return len({value > 0.0 for value in values if value and not math.isnan(value)}) > 1
 
 
 def _quadratic_zeros(model: SymbolicModel, base: Ratio, c: Indexed) -> list[Ratio]:

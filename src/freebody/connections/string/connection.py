@@ -13,7 +13,7 @@ from freebody.connections.base import Connection
 from freebody.connections.standing import ground_guide_of, ground_line_under, is_parallel
 from freebody.connections.string.capstan import drum_name, frictions, rough_drums, rub
 from freebody.connections.string.hanging import Hook, askew
-from freebody.connections.string.laying import StringRun, check_ends, leads_of, run_over, unwrapped
+from freebody.connections.string.laying import StringRun, check_ends, leads_of, loose_drum, run_over, unwrapped
 from freebody.connections.string.node import StringNode
 from freebody.connections.string.sections import StringSection, sections_of
 from freebody.connections.string.way import is_held, named_on, read_way
@@ -165,7 +165,17 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
             return StringRun(way, [None] * (len(way) - 1), [0] * len(way), [ZERO] * len(way))
         names.laying.append(self)
         run = run_over(names, way, self.leads)
+        loose = loose_drum(names, run)
         names.laying.pop()
+        if loose is not None:
+            told = Message(
+                "at the {side} of {drum} the string comes off to either hand: write 'wound on {drum} clockwise' or "
+                "'counterclockwise', the sense in which it goes round it",
+                side=loose.side or "right",
+                drum=loose.body,
+            )
+            names.problem(told, "path")
+            return None
         if (missed := unwrapped(names, run)) is not None:
             names.problem(_not_round(missed), "path" if self.path else "over" if self.over else "under")
             return None

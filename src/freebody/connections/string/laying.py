@@ -104,7 +104,7 @@ def _runs_along(names: Names, run: StringRun, k: int) -> bool:
         if lead is None or lead.body != GROUND:
             return False
         across = [_across(names, point, lead.normal()) for point in (first, second)]
-        ends = [place_of(names, point) for point in (first, second)]
+        ends = [_where(names, node) for node in way[j : j + 2]]
         if across[0] is None or across[1] is None or ends[0] is None or ends[1] is None:
             return False
         if not vanishes(names, add(across[1], negate(across[0]), arms[j], negate(arms[j + 1]))):
@@ -227,10 +227,8 @@ def _turn(names: Names, way: Sequence[StringNode], leads: Sequence[Direction | N
     before = _heading(names, way, leads, k - 1) if k > 0 else None
     after = _heading(names, way, leads, k) if k < len(way) - 1 else None
     if node.way == "drum":
-        heading = before or after or (0.0, -1.0)
-        sx, sy = _SIDES[node.side or "right"]
         # the contact point lies at -s R n from the centre, n the heading turned by a quarter turn
-        return -1 if sx * -heading[1] + sy * heading[0] > 0 else 1
+        return -1 if _aside_of_drum(node, before or after) > 0 else 1
     # the way it bends between leads that are known, or round the shorter side
     bend = before[0] * after[1] - before[1] * after[0] if before and after else 0.0
     is_end = before is None or after is None
@@ -241,6 +239,23 @@ def _turn(names: Names, way: Sequence[StringNode], leads: Sequence[Direction | N
     is_leftward = k not in (0, len(way) - 1) and _goes_left(names, way[k - 1], node, way[k + 1])
     over = 1 if is_leftward else -1
     return -over if node.way == "under" else over
+
+
+def _aside_of_drum(drum: StringNode, heading: tuple[float, float] | None) -> float:
+    """How far the side at which a string leaves a drum is to the left of its lead; an unknown one hangs."""
+    (sx, sy), (ex, ey) = _SIDES[drum.side or "right"], heading or (0.0, -1.0)
+    return ex * sy - ey * sx
+
+
+def loose_drum(names: Names, run: StringRun) -> StringNode | None:
+    """A drum whose side does not say in which sense the string is wound on it: it is ahead of it, or behind."""
+    for k, lead in ((0, 0), (len(run.way) - 1, len(run.leads) - 1)):
+        node = run.way[k]
+        if node.way == "drum" and node.turn is None and node.radius != ZERO:
+            heading = _heading(names, run.way, run.leads, lead)
+            if abs(_aside_of_drum(node, heading)) <= ROUND_OFF * math.hypot(*(heading or (1.0, 0.0))):
+                return node
+    return None
 
 
 def _goes_left(names: Names, before: StringNode, wheel: StringNode, after: StringNode) -> bool:
@@ -260,12 +275,22 @@ def _goes_left(names: Names, before: StringNode, wheel: StringNode, after: Strin
 def _heading(
     names: Names, way: Sequence[StringNode], leads: Sequence[Direction | None], k: int
 ) -> tuple[float, float] | None:
-    """Direction of lead k in numbers, from its stated direction or the places of its ends."""
+    """Direction of lead k in numbers, from its stated direction or from where its ends are."""
     lead = leads[k]
     if lead is not None:
         return _in_numbers(names, lead)
-    a, b = way[k].place, way[k + 1].place
+    a, b = (_where(names, node) for node in way[k : k + 2])
     return None if a is None or b is None else (b[0] - a[0], b[1] - a[1])
+
+
+def _where(names: Names, node: StringNode) -> tuple[float, float] | None:
+    """Where a place of a string is in numbers: as it is put, else as it is held, else as it is guessed to be; a drum is
+    at the origin as long as nobody has put it elsewhere."""
+    found, near = node.place or place_of(names, node.point), names.known(node.body).start.near
+    if found is not None or near is None or near.at is None:
+        return found if found is not None or node.way != "drum" else (0.0, 0.0)
+    (x, y), known = near.at[1][:2], names.known(node.body).points[near.at[0]] == node.point.offset
+    return (number_of(names, x), number_of(names, y)) if known else None
 
 
 def _in_numbers(names: Names, direction: Direction) -> tuple[float, float]:

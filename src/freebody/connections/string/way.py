@@ -73,6 +73,7 @@ def _read_node(
     is_given = body.start.at is not None
     is_free = not (is_held(names, body.name) or body.fixed or swings or body.name == GROUND)
     guide = ground_guide_of(names, body.name, turning=False)
+    may_lie = is_given or (guide is None and found["wound"] is not None)
     return StringNode(
         point,
         radius,
@@ -82,7 +83,7 @@ def _read_node(
         hangs=is_free and not is_given,
         is_put=is_free and is_given and body.start.velocity is None,
         guide=None if is_given else guide,
-        track=(guide or ground_line_under(names, body.name)) if is_given else None,
+        track=(guide or ground_line_under(names, body.name)) if may_lie else None,
         place=_place(names, point),
     )
 

@@ -31,6 +31,7 @@ from freebody.study.answering.chain import chain_of
 from freebody.study.answering.completing import AnswerCompletion
 from freebody.study.answering.conditions import as_written, real
 from freebody.study.answering.energy_in_names import answer_by_energy
+from freebody.study.answering.extent import as_reached
 from freebody.study.answering.finding import Elements, Finding, Otherwise, answered
 from freebody.study.answering.in_names import answer_in_names
 from freebody.study.answering.integrals import has_integrals
@@ -195,7 +196,15 @@ class QuestionSolver:
             self.setup, self.model, self.system = setup, setup.model, system
             return answer
 
-        return first_found(self.system, q.parameter, attempt)
+        try:
+            return first_found(self.system, q.parameter, attempt)
+        except CannotAnswer:
+            if (reached := as_reached(self.question, q)) is None:
+                raise
+            solver = QuestionSolver(Setup(self.system), reached)
+            found = solver._find()
+            self.setup, self.model = solver.setup, solver.model
+            return replace(found, notes=[])
 
     # -- one instant --------------------------------------------------------------------------
     @singledispatchmethod

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from freebody.errors import CannotAnswer, NeverHappens
@@ -10,6 +12,10 @@ from freebody.measures.base import Measure
 from freebody.numeric.engine.course import Status, Trajectory
 from freebody.numeric.engine.engine import Engine
 from freebody.numeric.engine.evaluator import EngineWatch
+from freebody.questions.base import Wanted
+from freebody.questions.extent import Extent
+from freebody.questions.reading import Question, QuestionEvent
+from freebody.questions.turned_round import REACHED, RangeFor
 from freebody.study.answering.crosscheck import (
     MOTION_TOLERANCE,
     CrossCheck,
@@ -32,6 +38,17 @@ from freebody.symbolic.validity import TAKEN
 LONGEST = 60.0  # [s] in which a motion has to turn
 _N_STEPS = 65  # to the last of the turns
 _N_TURNS = 2  # of a motion that goes to and fro: both sides
+
+
+def as_reached(question: Question, q: Wanted) -> Question | None:
+    """That a measure just reaches the place where it is to turn, which needs no formula of where it turns. None where
+    something else is to have a value."""
+    if not isinstance(q.of, Extent) or q.relation != "=":
+        return None
+    of, turn, _side = q.of.turn
+    event = QuestionEvent(turn.measure, 0, q.target, q.text)
+    asked = RangeFor(q.parameter, of, q.target, question.quantity.dimension, question.quantity.unit, q.text, REACHED)
+    return replace(question, quantity=asked, event=event, options={}, key=None)
 
 
 def find(setup: Setup, question: str, measure: Measure, side: int, name: str) -> Finding:

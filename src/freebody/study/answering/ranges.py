@@ -21,6 +21,7 @@ from freebody.language.expression import Symbol
 from freebody.language.notation import compared, joined, reworded, to_text
 from freebody.language.sentences import Message
 from freebody.questions.base import Wanted
+from freebody.questions.happening import Happening, Lasting
 from freebody.questions.reading import Question
 from freebody.questions.turned_round import REACHED, SO
 from freebody.study.answering.answer import Evidence
@@ -169,7 +170,7 @@ class RangeSearch(TruthInNumbers):
         begun = End(None, at_low) if inside[0] else None
         for k, (_value, end) in enumerate(placed):
             before, after = inside[k], inside[k + 1]
-            if before and after and not is_at[k]:
+            if before == after and not is_at[k] and (before or self._may_be_one_value):
                 is_at[k] = self._is_seen(placed[k][0], draw)
             if before and begun is not None and not (after and is_at[k]):
                 found.append((begun, End(end, is_at[k])))
@@ -182,8 +183,14 @@ class RangeSearch(TruthInNumbers):
             found.append((begun, End(None, False)))
         return found
 
+    @property
+    def _may_be_one_value(self) -> bool:
+        """Whether it may be so of a single value: of a ball that is struck so that it rolls at once, and on."""
+        of = self.wanted.of
+        return isinstance(of, Happening) and (of.at_once or isinstance(of.what, Lasting)) and of.is_so
+
     def _is_seen(self, value: float, draw: Draw) -> bool:
-        """Whether it is so just on the border of two cases, in both of which it is: by the numeric route."""
+        """Whether it is so just on the border of two cases, in both of which it is, or is not: by the numeric route."""
         if self.wanted.relation not in (REACHED, SO):
             return False
         values = draw.values | {self.parameter.name: value}

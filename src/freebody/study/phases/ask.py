@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 
@@ -87,23 +87,24 @@ def _at_first_turn(tree: PhaseTree, question: Question) -> Answer:
     open_ = np.arange(tree.sets.n) if rate.is_zero() else np.flatnonzero(side * tree.numbers(rate) > 0)
     found: list[tuple[Question, AnswerBranch]] = []
 
-    def take(asked: Question, branches: Iterable[tuple[AnswerBranch, Ratio]]) -> None:
+    def take(asked: Question, branches: Iterable[tuple[AnswerBranch, Sequence[Ratio]]]) -> None:
         nonlocal open_
-        for piece, out in branches:
+        for piece, rates in branches:
             sets = np.intersect1d(piece.sets, open_)
-            sets = sets[side * tree.numbers(out)[sets] > 0]
+            for out in rates:
+                sets = sets[side * tree.numbers(out)[sets] > 0]
             if len(sets):
-                needed = tree.conditions([(side * out, ">", "")], sets)
+                needed = tree.conditions([(side * out, ">", "") for out in rates], sets)
                 found.append((asked, replace(piece, sets=sets, conditions=[*piece.conditions, *needed])))
                 open_ = np.setdiff1d(open_, sets)
 
-    # an impact may turn it: behind one the first place without speed is on the other side
+    # an impact may turn it: behind one that does the first place without speed is on the other side
     asked = replace(question, quantity=of, event=event)
     with suppress(CannotAnswer):
         take(asked, [o for p in pieces(tree, asked) if p.nodes[0] is root for o in _setting_out(tree, p, event)])
     struck = replace(question, quantity=of)
     way = WayToPhase((root,), (), (*tree.assumed, *root.conditions))
-    take(struck, [(p, rate) for p in at_turning_impacts(tree, struck, event.measure, side, way)])
+    take(struck, [(p, (rate,)) for p in at_turning_impacts(tree, struck, event.measure, side, way)])
     own = next(((q, p) for q, p in found if 0 in p.sets or not tree.system.has_values), None)
     is_plain = question.event is None and question.transition is None
     if own is None and is_plain and tree.system.has_values and side * tree.numbers(rate)[0] < 0.0:
@@ -123,14 +124,17 @@ def _rate_of(tree: PhaseTree, node: PhaseNode, measure: Measure) -> Ratio:
     return tree.to_home(node.phase, state.acceleration(measure)) if rate.is_zero() else rate
 
 
-def _setting_out(tree: PhaseTree, piece: AnswerBranch, event: QuestionEvent) -> Iterator[tuple[AnswerBranch, Ratio]]:
-    """A turn without an impact since the measure set out, with the rate with which it did: what is struck at rest sets
-    out with that."""
+def _setting_out(
+    tree: PhaseTree, piece: AnswerBranch, event: QuestionEvent
+) -> Iterator[tuple[AnswerBranch, Sequence[Ratio]]]:
+    """A turn to which the measure goes with the rates that are told: that with which it sets out, be it from a blow at
+    rest, and those with which it goes on behind the blows and impacts on its way."""
     for k, node in enumerate(piece.nodes):
         rate = _rate_of(tree, node, event.measure)
         if not rate.is_zero():
-            if all(later.impact is None for later in piece.nodes[k + 1 :]):
-                yield piece, rate
+            struck = [later.phase for later in piece.nodes[k + 1 :] if later.impact is not None]
+            behind = [tree.to_home(phase, phase.start_instant.rate(event.measure)) for phase in struck]
+            yield piece, (rate, *behind)
             return
 
 

@@ -344,15 +344,16 @@ def closed_at_start(system: System) -> frozenset[str]:
     others = [b for b in system.bounds if b.name not in closed]
     if others:
         setup = Setup(in_mode(system, ContactMode.of(closed, {}))[0], 2)
+        reference, q = setup.draws[0].reference, setup.draws[0].q
+        g, size = reference.geometry(q, np.zeros_like(q), 0.0), TOUCHES * reference.sizes.length
         for bound in others:
+            if abs(gap_of(reference, g, bound)) > size or not is_within(reference, g, bound, size):
+                continue  # not there, so not whatever the values are
             geometry = setup.model.geometry
             target = setup.model.field.zero if bound.row.target is None else geometry.scalar(bound.row.target)
             measure: Any = bound.row.measure
             if setup.start_instant.here(measure.value(geometry) - target).is_zero():
-                reference, q = setup.draws[0].reference, setup.draws[0].q
-                g = reference.geometry(q, np.zeros_like(q), 0.0)
-                if is_within(reference, g, bound, TOUCHES * reference.sizes.length):
-                    closed.add(bound.name)
+                closed.add(bound.name)
     return frozenset(closed - _far_sides(system, closed))
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Set
 from contextlib import suppress
 from dataclasses import replace
 from typing import Any, cast
@@ -193,7 +193,7 @@ def _beside_start(tree: PhaseTree, question: Question, asked: Transition, way: W
 # -- impulses ---------------------------------------------------------------------------------
 def _is_of_start_blow(tree: PhaseTree, question: Question) -> bool:
     """Whether impulses are those of the blow of the start: of what holds there, and does not close later."""
-    later = {name for blow in tree.system.blows for name in blow.closing}
+    later = {name for blow in tree.system.blows for name in (*blow.closing, *blow.striking)}
     later |= {bound.row.connection for bound in tree.system.bounds}
     return tree.system.is_struck and not question.quantity.struck & later
 
@@ -201,7 +201,8 @@ def _is_of_start_blow(tree: PhaseTree, question: Question) -> bool:
 def _in_blows(tree: PhaseTree, question: Question, ways: list[WayToPhase]) -> Iterator[AnswerBranch]:
     """In the first blow or impact of what is named: of a contact or of what closes its own, else of any."""
     named = question.quantity.struck
-    own = {name for blow in tree.system.blows for name in blow.closing}
+    own = {name for blow in tree.system.blows for name in (*blow.closing, *blow.striking)}
+    _refuse_several(tree, named & own)
     own |= {bound.row.connection for bound in tree.system.bounds}
     own |= {row.connection for row in ideal_bounds(tree.system)}
     for way in ways:
@@ -216,6 +217,14 @@ def _in_blows(tree: PhaseTree, question: Question, ways: list[WayToPhase]) -> It
                     yield _of_blow(tree, question, way, after, conditions, edge.first)
                 else:
                     yield from _in_blows(tree, question, [way.on(edge, after)])
+
+
+def _refuse_several(tree: PhaseTree, named: Set[str]) -> None:
+    """What is calculated with two blows would take both from the first of them."""
+    found = [named.intersection((*blow.closing, *blow.striking)) for blow in tree.system.blows]
+    if sum(map(bool, found)) > 1:
+        told = Message("{names} act in different blows: ask for each of them by itself", names=", ".join(sorted(named)))
+        raise CannotAnswer(told)
 
 
 def _of_blow(

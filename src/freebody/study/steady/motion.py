@@ -17,6 +17,7 @@ from freebody.errors import CannotAnswer
 from freebody.language.expression import ZERO
 from freebody.language.notation import compared, to_text
 from freebody.language.sentences import Message, further
+from freebody.measures.base import Measure
 from freebody.questions.event import AskedEvent, QuestionEvent
 from freebody.questions.steady import SteadyValue
 from freebody.study.eom import primitive_part
@@ -68,22 +69,27 @@ class SteadyMotion:
     def kept_by(self, event: QuestionEvent) -> dict[int, Ratio] | None:
         """The value of the one coordinate on which a measure depends, where that has the value which an event states:
         the one that is nearest to the start. None where it depends on others, or has no closed form."""
-        m, f = self.model, self.model.field
-        value, target = m.value_of(event.measure), m.geometry.scalar(event.value)
-        inside = [c for c in (*m.coordinates, *m.dependent) if c.index in f.ingredients(value)]
-        if event.order or len(inside) != 1 or inside[0] not in self.others:
-            return None
-        c = inside[0]
-        with m.samples.apart():
-            places = zeros_of(m, without_arc(m, value, target).numerator(), c)
-        near = [v for v in m.samples.start_numbers(c.index)[:1] if v == v]
-        if not places or not near:
+        m = self.model
+        c, places = (None, []) if event.order else self.places_of(event.measure, m.geometry.scalar(event.value))
+        near = [] if c is None else [v for v in m.samples.start_numbers(c.index)[:1] if v == v]
+        if c is None or not places or not near:
             return None
 
         def away(place: Ratio) -> float:
             return min((abs(v - near[0]) for v in m.samples.at_starts(place)[:1] if v == v), default=float("inf"))
 
         return {c.index: min(places, key=away)}
+
+    def places_of(self, measure: Measure, target: Ratio) -> tuple[Coordinate | None, list[Ratio]]:
+        """The one coordinate on which a measure depends, and its values at which that has one; None where it depends on
+        others."""
+        m = self.model
+        value = m.value_of(measure)
+        inside = [c for c in (*m.coordinates, *m.dependent) if c.index in m.field.ingredients(value)]
+        if len(inside) != 1 or inside[0] not in self.others:
+            return None, []
+        with m.samples.apart():
+            return inside[0], zeros_of(m, without_arc(m, value, target).numerator(), inside[0])
 
     def put_in(self, x: Ratio) -> Ratio:
         """An element with the given value."""

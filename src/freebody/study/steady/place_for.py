@@ -33,18 +33,27 @@ def at_place(setup: Setup, question: Question) -> list[Formula]:
         return []
     if not is_steady_place(wanted.of):
         return []
-    steady, f = SteadyMotion.asked(setup.model, question.event), setup.model.field
+    steady = SteadyMotion.asked(setup.model, question.event)
     place, target = unknown_of(steady, wanted.of), setup.model.geometry.scalar(wanted.target)
+    values = [target]
+    if place is None and wanted.of.of.watched is not None:
+        place, values = steady.places_of(wanted.of.of.watched[0], target)
     if place is None or place.index in steady.given or len(steady.equations) != 1 or steady.always:
         return []
+    return [_formula(setup, steady, place, value, target) for value in values]
+
+
+def _formula(setup: Setup, steady: SteadyMotion, place: Coordinate, value: Ratio, target: Ratio) -> Formula:
+    """target: of the measure that is asked about, which a coordinate gives by its own value."""
+    f = setup.model.field
 
     def there(x: Ratio) -> Ratio:
-        return f.lowest_terms(f.follow(steady.put_in(x), {place.index: target}))
+        return f.lowest_terms(f.follow(steady.put_in(x), {place.index: value}))
 
     needed = setup.holding(steady.state) + setup.clearances(steady.state, ">=")
     conditions = [replace(c, element=there(c.element)) for c in needed]
-    numbers = _in_numbers(setup, steady, place, target)
-    return [Formula(there(steady.equations[0]) + target, conditions, _no_evidence, numbers)]
+    numbers = _in_numbers(setup, steady, place, value, target)
+    return Formula(there(steady.equations[0]) + target, conditions, _no_evidence, numbers)
 
 
 def _no_evidence() -> Evidence:
@@ -52,7 +61,7 @@ def _no_evidence() -> Evidence:
 
 
 def _in_numbers(
-    setup: Setup, steady: SteadyMotion, place: Coordinate, target: Ratio
+    setup: Setup, steady: SteadyMotion, place: Coordinate, at: Ratio, target: Ratio
 ) -> Callable[[dict[str, float]], float]:
     """The wanted value, and by how much the full system accelerates where it moves evenly there."""
 
@@ -67,7 +76,7 @@ def _in_numbers(
         for c in steady.others:
             if c.index in steady.given:
                 q = placed(steady, draw, q, c, number(steady.given[c.index]))
-        q = placed(steady, draw, q, place, number(target))
+        q = placed(steady, draw, q, place, number(at))
         here = moving(steady, draw, q, _rates(setup, steady, draw, number))
         return number(target) + unevenness(steady, draw, here)
 

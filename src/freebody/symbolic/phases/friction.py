@@ -15,7 +15,7 @@ import itertools
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 
-from freebody.errors import CannotAnswer
+from freebody.errors import CannotAnswer, FormulaTooLong
 from freebody.language.expression import Expr, free_symbols, substitute
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure
@@ -29,6 +29,7 @@ from freebody.system.system import System
 IsNegative = Callable[[Ratio], bool]
 
 MOST_SIGNS = 64  # combinations of the signs with which frictions are pressed that are tried
+_MOST_TERMS = 2500  # of the load of a friction that is put into a law
 
 
 @dataclass(frozen=True)
@@ -128,7 +129,10 @@ def _solved(model: SymbolicModel, loads: Mapping[str, DryFriction], sizes: Mappi
 
 def with_loads(system: System, model: SymbolicModel, loads: FrictionLoads) -> System:
     """The system with the loads put into the laws of its frictions. Coordinates stand in a law as named measures.
-    Raises CannotAnswer where a load depends on what is no measure."""
+    Raises CannotAnswer where a load depends on what is no measure, FormulaTooLong where one is too long to be a law."""
+    if any(len(x.num) + len(x.denominator().num) > _MOST_TERMS for x in loads.values.values()):
+        told = Message("the forces of dry friction would be formulas of more than {most} terms", most=_MOST_TERMS)
+        raise FormulaTooLong(told)
     exprs = {name: tidy(value) for name, value in loads.values.items()}
     applied_loads = tuple(_with(push, exprs, model) for push in system.applied_loads)
     parameters = {n: p for n, p in system.parameters.items() if n not in exprs}
