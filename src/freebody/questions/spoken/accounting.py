@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from itertools import takewhile
 from typing import TYPE_CHECKING
 
-from freebody.questions.spoken import given
+from freebody.questions.spoken import given, joining
 from freebody.questions.spoken.composing import ALONG
 from freebody.questions.spoken.lexicon import Word
 
@@ -41,6 +41,8 @@ def is_accounted_for(names: Names, words: Sequence[Word], text: str) -> bool:
         return _has_unit(names, words, turned["parameter"])
     if _NO_QUANTITY.match(text):
         return True
+    if Word("filler", "may") in words and "acceleration" in asked and (joining.is_still(names) or given.growing(names, [])):
+        return False  # what can be reached by choice is no acceleration of this motion
     is_push, is_turn = bool(asked & _PUSHES), bool(asked & _TURNS)
     if is_push and not is_turn and _TORQUE.search(text):
         return False

@@ -173,11 +173,22 @@ def counted(names: Names, sentence: Sentence) -> Groups:
         for condition in conditions(names, main.without("ask")):
             yield [f"{what} of {head} until {text}" for head, text in product(heads, condition)]
         return
+    sentence = _there_and_back(sentence)
     for group in _heads_counted(names, sentence):
         if sentence.others == () and main.has("instant", "in the impact"):
             yield group
         for end in ends(names, sentence):
             yield [f"{head} until {condition}" for head, condition in product(group, end)]
+
+
+def _there_and_back(sentence: Sentence) -> Sentence:
+    """How far it goes before it comes back is how far until it turns back: then it has not come back to where it was."""
+    main = sentence.main
+    if not (main.has("ask", "far", "much", "high") or main.has("quantity", "distance", "displacement")):
+        return sentence
+    turns, returns = Word("verb", "turn_back"), Word("verb", "return")
+    others = [(mark, [turns if mark == "until" and w == returns else w for w in own.words]) for mark, own in sentence.others]
+    return Sentence(main, tuple((mark, Clause(own)) for mark, own in others))
 
 
 def _heads_counted(names: Names, sentence: Sentence) -> Groups:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from freebody.language.notation import to_python
 from freebody.measures.geometry import GROUND, ZERO
 from freebody.questions.event import leads_to
-from freebody.questions.spoken import dimensions, joining, lookup, losing, poses
+from freebody.questions.spoken import dimensions, joining, lookup, losing, poses, strings
 from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.words import Clause
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 HAPPENS = (  # verbs of what comes at an instant; the others are of what goes on
     *("hit", "leave", "stop", "turn_back", "return", "reach", "start", "end", "slack", "taut"),
-    *("vanish", "top", "bottom", "begin_roll", "engage"),
+    *("vanish", "top", "bottom", "begin_roll", "engage", "run_off"),
 )
 _WAYS = ("distance", "displacement", "distance travelled", "angle", "height")
 POSES = {"horizontal": poses.level, "vertical": poses.upright, "upright": poses.uppermost}
@@ -279,9 +279,16 @@ def _hits(names: Names, who: str, other: str) -> Groups:
     yield [f"{who or 'it'} hits {other}".strip()]
 
 
+def _runs_off(names: Names, who: str, other: str) -> Groups:
+    yield strings.run_off(names, who) or strings.run_off(names, other)
+
+
 def _leaves(names: Names, who: str, other: str) -> Groups:
     if other in names.loads:
         return  # nothing is said of where a spring no longer pushes
+    if off := strings.run_off(names, who):
+        yield off
+        return
     free = {row.connection for row in names.constraint_rows if row.unilateral or row.reaction == "tension"}
     if any(name in names.connections and name not in free for name in (who, other)):
         return  # it holds on both sides
@@ -293,6 +300,9 @@ def _leaves(names: Names, who: str, other: str) -> Groups:
 
 
 def _rolls(names: Names, who: str, other: str) -> Groups:
+    if not joining.can_turn(names, who):
+        yield strings.run_off(names, who)  # what rolls off is wound on something
+        return
     yield [f"{who} begins to roll" if who else "rolling begins"] if _is_rough_to(names, who, other) else []
 
 
@@ -379,6 +389,7 @@ _TOLD: dict[frozenset[str], Callable[..., Groups]] = {
     for doing, told in (
         ("hit", _hits),
         ("leave", _leaves),
+        ("run_off", _runs_off),
         ("start leave", _leaves),
         ("roll", _rolls),
         ("start roll", _rolls),

@@ -318,6 +318,8 @@ def _event_within(names: Names, main: Clause) -> tuple[Clause, list[list[str]]] 
         return None
     if main.has("ask", "with") and main.has("quantity", "acceleration") and set(verbs) <= {"slide", "roll"}:
         return None
+    if main.has("ask", "with") and (joining.is_still(names) or _is_of_drive(names, main)):
+        return None
     if main.has("not") or (main.has("ask", "large", "much") and set(verbs) == {"taut"}):  # how taut is it
         return None
     if main.has("ask", "with", "where") and (found_at := _where_it_is(names, main)) is not None:
@@ -354,6 +356,13 @@ def _event_within(names: Names, main: Clause) -> tuple[Clause, list[list[str]]] 
         [angle, *_] = [*at_angle, *lookup.angles(names, who or ""), *lookup.angles(names, ""), ""]
         return (Clause([Word("name", angle)]), found) if angle else None
     return Clause([*head, *([Word("name", who)] if who else [])]), found
+
+
+def _is_of_drive(names: Names, main: Clause) -> bool:
+    """Whether the rate of a drive is meant: at which rpm a tappet, which cannot turn, leaves its cam."""
+    rates = [name for name in given.of_kind(names, "angular velocity") if name in joining.drive_parameters(names)]
+    turned = [name for _, name in main.names if joining.axle_of(names, name)]
+    return main.has("quantity", "angular velocity") and bool(rates) and not turned
 
 
 def _where_it_is(names: Names, main: Clause) -> tuple[Clause, list[list[str]]] | None:

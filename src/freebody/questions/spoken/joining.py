@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, cast
 
-from freebody.language.expression import ZERO
+from freebody.language.expression import ZERO, free_symbols
 from freebody.measures.angle import Angle
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, Components
@@ -50,6 +50,13 @@ def driven(names: Names) -> list[str]:
     """Named measures of which a connection says how they go with time."""
     own = [row.measure for row in names.constraint_rows if row.reaction in ("driving torque", "driving force")]
     return [name for name, measure in names.measures.items() if measure in own]
+
+
+def drive_parameters(names: Names) -> list[str]:
+    """The parameters by which connections say how something goes with time: Omega of a motor that follows Omega*t."""
+    laws = [row.target for row in names.constraint_rows if row.reaction in ("driving torque", "driving force")]
+    used = frozenset[str]().union(*(free_symbols(law) for law in laws if law is not None))
+    return [name for name in names.parameters if name in used]
 
 
 def slipping(names: Names, things: list[str]) -> str | None:
@@ -274,6 +281,22 @@ def is_joined(names: Names, name: str) -> bool:
 def is_rough(names: Names) -> bool:
     """Whether dry friction holds something."""
     return any(row.reaction.startswith("friction force") for row in names.constraint_rows)
+
+
+def can_turn(names: Names, thing: str) -> bool:
+    """Whether a thing may roll: it is no body that cannot turn."""
+    return thing not in names.bodies or names.bodies[thing].turns
+
+
+def may_open(names: Names, connection: str) -> bool:
+    """Whether what a connection presses together can part."""
+    return any(row.connection == connection and row.unilateral for row in names.constraint_rows)
+
+
+def is_still(names: Names) -> bool:
+    """Whether friction may hold all there is, and no motion is measured: then an event is none of a motion, it comes
+    where something given gets too large."""
+    return is_rough(names) and lookup.rests(names) and not names.measures and not driven(names)
 
 
 def is_at(names: Names, name: str, thing: str) -> bool:

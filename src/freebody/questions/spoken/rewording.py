@@ -17,6 +17,15 @@ _FOR = Word("preposition", "of")  # friction for rolling
 _SO_THAT, _TO = Word("mark", "so_that"), Word("mark", "to")
 
 
+def can_accelerate(names: Names, words: list[Word], modal: set[str]) -> list[Word]:
+    """How fast it can speed up is the greatest acceleration."""
+    fast, speeds_up = Word("ask", "fast"), Word("verb", "accelerate")
+    if "may" not in modal or fast not in words or speeds_up not in words or not joining.is_still(names):
+        return words
+    greatest = (Word("degree", "greatest"), Word("quantity", "acceleration"))
+    return [own for word in words if word != speeds_up for own in (greatest if word == fast else (word,))]
+
+
 def driven_by_needed(names: Names, words: list[Word]) -> list[Word]:
     """The torque needed to turn the crank, where a motor says how it turns, is that of the motor."""
     kinds = {"torque": "driving torque", "moment": "driving torque", "force": "driving force"}

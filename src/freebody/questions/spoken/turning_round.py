@@ -23,6 +23,7 @@ _FOR = (Word("ask", "from"), Word("ask", "for"), Word("ask", "up_to"))
 def parameters(names: Names, words: list[Word], whole: Callable[..., Groups]) -> Groups:
     """What words can ask for if they ask for a parameter. whole: what other words can ask for."""
     yield from _leaving_at_top(names, Clause(words))
+    yield from _leaving_by_choice(names, Clause(words))
     yield from _without_leaving(names, Clause(words), whole)
     parted = _parted(names, words)
     if parted is None:
@@ -61,6 +62,27 @@ def _leaving_at_top(names: Names, clause: Clause) -> Groups:
         tops = ["at start"] if poses.begins_uppermost(names, bodies[0]) else tops
         for top in tops if len(speeds) == len(joints) == 1 else ():
             yield [f"value of {speeds[0]} for which normal force of {joints[0]} = 0 {top}"]
+
+
+def _leaving_by_choice(names: Names, clause: Clause) -> Groups:
+    """At what speed do the inner wheels lift off: with which nothing presses there, where nothing moves yet; at what
+    rpm does the tappet lift off its cam: the largest of the drive with which it stays on."""
+    known = clause.only("ask", "quantity", "name", "verb", *SILENT) and clause.all("ask") in (["with"], ["from"], ["for"])
+    asked = clause.all("quantity")
+    if not known or clause.all("verb") != ["leave"] or len(asked) != 1 or not given.is_by_unit(asked[0]):
+        return
+    named = [name for _, name in clause.names if name in names.parameters]
+    things = [name for _, name in clause.names if name not in named]
+    chosen = named or given.of_kind(names, asked[0])
+    if len(chosen) != 1 or not 1 <= len(things) <= 2:
+        return
+    joints = [joint for joint in names.connections if all(joining.touches(names, joint, thing) for thing in things)]
+    bound = [name for name in joints if joining.may_open(names, name)]
+    if chosen[0] in joining.drive_parameters(names):
+        yield [f"largest {chosen[0]} so that {joint} stays on" for joint in bound]
+    elif joining.is_still(names) or not bound:  # what holds on both sides lifts off where nothing presses
+        pressed = {row.connection for row in names.constraint_rows if row.reaction == "normal force"}
+        yield [f"value of {chosen[0]} for which normal force of {joint} = 0" for joint in joints if joint in pressed]
 
 
 def _without_leaving(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
