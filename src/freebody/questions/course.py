@@ -18,6 +18,7 @@ from freebody.measures.base import Measure
 from freebody.measures.geometry import GROUND
 from freebody.model.noting import did_you_mean
 from freebody.model.phrases import read_measure
+from freebody.model.solids import ROPE
 from freebody.questions.base import Described, Found, Passage, Path, Quantity, angular_unit, asked
 from freebody.questions.event import leads_to
 from freebody.questions.sudden import side_of_blow
@@ -226,7 +227,7 @@ def read_transition(names: Names, text: str, path: Path) -> Transition | None:
             if found.groupdict().get("rests") is not None:
                 _refuse_rolling(names, (), path)
             return Transition(kind, (), text)
-        if name in names.measures:
+        if name in names.measures or (kind == "opens" and _runs_off(names, name)):
             return None
         of, on = connections_of(names, name, path), found.groupdict().get("on")
         if on is not None:
@@ -242,6 +243,11 @@ def read_transition(names: Names, text: str, path: Path) -> Transition | None:
             _refuse_rolling(names, of, path)
         return Transition(kind, of, text)
     return None
+
+
+def _runs_off(names: Names, name: str) -> bool:
+    """Whether something is a rope with mass: it leaves an edge where all of it hangs, an event of its measure."""
+    return name in names.bodies and names.bodies[name].solid is ROPE
 
 
 def _refuse_rolling(names: Names, of: tuple[str, ...], path: Path) -> None:

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 from freebody.language.expression import Symbol, free_symbols, multiply, negate
 from freebody.language.units import ACCELERATION, DIMENSIONLESS, FORCE, LENGTH, MASS, TIME, TORQUE, Dimension
-from freebody.measures.geometry import ZERO
+from freebody.measures.geometry import GROUND, ZERO
 from freebody.model.elements import VALUE, Parameter
 from freebody.model.solids import ROD
 from freebody.questions.spoken.joining import given_of, is_at, is_joined
@@ -139,7 +139,9 @@ def started_with(names: Names, bodies: list[str]) -> list[str]:
             for component in names.bodies[body].start.velocity or ():
                 used |= free_symbols(component)
         for name, rate in names.start_rates.items():
-            if body == name or (name in names.measures and body in names.measures[name].bodies()):
+            own = set(names.measures[name].bodies()) if name in names.measures else set[str]()
+            is_on_curve = bool(own) and not (own - {GROUND}) & names.bodies.keys()  # of the foot of what runs along it
+            if body == name or body in own or (is_on_curve and len(bodies) == 1):
                 used |= free_symbols(rate)
     return [name for name in of_kind(names, "speed") if name in used]
 

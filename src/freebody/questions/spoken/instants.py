@@ -234,7 +234,15 @@ def _tails(names: Names, main: Clause) -> tuple[list[list[str]], Clause]:
             struck = joining.is_struck_at_start_alone(names)
             tails.append([" at start" if struck and instant[0] == "a" else f" {instant}"])
         elif instant in _PLACES:
-            of = next((name for _, name in main.names if name in names.bodies or name in names.measures), "")
+            of = next((name for _, name in main.names if name in lookup.moving(names) or name in names.measures), "")
+            main = _without_owner(names, main, instant)
+            if (instant == "at the top" and poses.begins_uppermost(names, of)) or (
+                instant == "at the bottom" and poses.begins_level(names, of, lowest=True)
+            ):
+                tails.append([" at start"])
+                continue
+            if instant == "at the top" and joining.tracks(names):
+                instant = "at the top of the loop"
             found_at = _PLACES[instant](names, of) or (_uppermost(names, of) if instant == "at the top" else [])
             tails.append([f" when {text}" for text in found_at])
         elif instant == "at the impact" or (instant == "in the impact" and _is_continuous(names, main)):
@@ -267,6 +275,14 @@ def _tails(names: Names, main: Clause) -> tuple[list[list[str]], Clause]:
                 tails.append([f" when {condition}" for condition in found_at])
                 main = head
     return tails, main
+
+
+def _without_owner(names: Names, main: Clause, instant: str) -> Clause:
+    """Without what a place is of: at the bottom of the wire."""
+    k = next(k for k, word in enumerate(main.words) if word == Word("instant", instant))
+    of, thing = [*main.words[k + 1 : k + 3], Word("", ""), Word("", "")][:2]
+    is_owner = of == Word("preposition", "of") and thing.kind == "name" and thing.what in names.connections
+    return Clause([*main.words[: k + 1], *main.words[k + 3 :]]) if is_owner else main
 
 
 def _uppermost(names: Names, of: str) -> list[str]:

@@ -13,6 +13,7 @@ from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, Components
 from freebody.questions.course import names_line
 from freebody.questions.spoken import lookup
+from freebody.questions.spoken.lexicon import leading
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -97,6 +98,11 @@ def led_round(names: Names) -> list[tuple[str, str]]:
         if "link" in names.called.get(name, ()) and len(ends) == 1 and GROUND in spec.mentions(names):
             found += [(next(iter(ends)), str(given["length"]))] if given.get("length") is not None else []
     return found
+
+
+def tracks(names: Names) -> list[str]:
+    """Links that are called as what leads something round is in nature: a track."""
+    return [name for name in names.connections if name in leading() and "link" in names.called.get(name, ())]
 
 
 def keeps_height(names: Names, body: str) -> bool:

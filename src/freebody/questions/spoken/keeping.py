@@ -150,9 +150,9 @@ def _bodies(names: Names, thing: str) -> set[str]:
     """The bodies that a thing is of, or between."""
     body = thing.partition(".")[0]
     found = {body} if body in names.bodies else set[str]()
-    if thing in names.connections:
-        found |= names.connections[thing].mentions(names)
-        found |= {body for row in names.constraint_rows if row.connection == thing for body in row.measure.bodies()}
+    if body in names.connections:
+        found |= names.connections[body].mentions(names)
+        found |= {own for row in names.constraint_rows if row.connection == body for own in row.measure.bodies()}
     if thing in names.measures:
         found |= {*names.measures[thing].bodies()}
     for load in names.applied_loads:

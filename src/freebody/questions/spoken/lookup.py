@@ -245,6 +245,13 @@ def driving(names: Names) -> list[str]:
     return [name for name in plain if not passive & {word.split()[-1] for word in names.called.get(name, ())}]
 
 
+def is_controlled(names: Names) -> bool:
+    """Whether a controller, or what depends on the motion and is no spring, keeps it as it is: then it is a steady
+    motion that is stable."""
+    pushes = [p for p in names.applied_loads if p.load in driving(names)]
+    return bool(names.states) or any(not free_symbols(p.law) <= names.parameters.keys() | {"t"} for p in pushes)
+
+
 def stretched_at_rest(names: Names, spring: str) -> list[str]:
     """By how much a spring, or the only one, is longer in equilibrium than without force: its length less that."""
     found: list[str] = []

@@ -31,7 +31,7 @@ _LEADS_ON = ("from", "about", "relative", "between", "along")  # prepositions be
 _NOT, _ACCELERATE = Word("not", "not"), Word("verb", "accelerate")
 _STARTS, _AT_START, _FROM_REST = Word("verb", "start"), Word("instant", "at start"), Word("verb", "from_rest")
 _WHILE = Word("mark", "while")
-_COMMA = Word("preposition", ",")
+_COMMA, _IN = Word("preposition", ","), Word("preposition", "in")
 _SO_THAT = Word("mark", "so_that")
 _FREE_END = "free_end"  # of a body, as the spelling writes it
 _ENDS_OF_LADDERS = ("foot", "head")  # where it touches what is level, and what is upright
@@ -54,7 +54,7 @@ def meanings(names: Names, words: list[Word]) -> Groups:
         return
     if any(_leads_nowhere(said, k) or _asks_more(said, k) for k in range(len(said) - 1)):
         return
-    said = rewording.driven_by_needed(names, rewording.can_accelerate(names, said, modal))
+    said = rewording.driven_by_needed(names, rewording.can_accelerate(names, rewording.for_what(names, said), modal))
     said = rewording.by_friction(rewording.needed_to_roll(names, rewording.in_doing(said)))
     said = _unaccelerated(_not_slipping(names, _carrying(names, said, modal)))
     words = [_AS_LARGE.get(word, word) for word in said]
@@ -111,6 +111,10 @@ def _at_free_ends(names: Names, words: list[Word]) -> list[Word]:
     for word in words:
         body, _, end = word.what.partition(".")
         if word.kind == "name" and end in _ENDS_OF_LADDERS:
+            if names.connections.get(body) and names.connections[body].level_places(names):  # the bottom of a wire
+                place = Word("instant", "at the bottom" if end == "foot" else "at the top")
+                found = [*(found[:-1] if found[-1:] == [_IN] else found), place]
+                continue
             joints = joining.leaning(names, body, level=end == "foot")
             if len(joints) != 1:
                 return []
@@ -267,10 +271,10 @@ def _structure(names: Names, sentence: Sentence) -> Groups:
     whole = Clause([*main.words, *(word for _, own in sentence.others for word in own.words)])
     growing = [name for _, name in whole.names if name in names.parameters]
     if not growing and whole.has("verb", "grow") and not any(name in names.bodies for _, name in whole.names):
-        growing = given.chosen(names, given.KIND_OF["force"], [name for _, name in whole.names])
+        growing = given.growing(names, [name for _, name in whole.names])
     doing = set(whole.all("verb")) - {"start", "move"}
     if doing == {"tip", "slide"} and not (sentence.others or whole.has("ask")):  # of the only force
-        growing = growing or given.of_kind(names, "force")
+        growing = growing or given.growing(names, [])
         doing |= {"grow"}
     fails = doing == {"tip", "slide", "grow"} and not whole.has("value")
     if fails and len(growing) == 1 and not whole.has("not") and set(whole.all("degree")) <= {"first"}:
@@ -305,7 +309,9 @@ def _structure(names: Names, sentence: Sentence) -> Groups:
         yield ["does it hold"] if lookup.rests(names) else []
     if verbs & {"stable", "unstable"} and main.only("verb", "quantity", "pronoun", "preposition", "name", "instant"):
         asked = main.all("quantity")
-        if asked == ["equilibrium"] or (not asked and (not of or "in equilibrium" in main.all("instant"))):
+        if not asked and lookup.is_controlled(names) and (not of or everything):
+            yield ["stability of steady motion"]
+        if asked == ["equilibrium"] or (not asked and (not of or everything or "in equilibrium" in main.all("instant"))):
             yield ["stability of equilibrium"]
     if "turn_fully" in verbs and main.only("verb", "name", "ask") and len(of) == 1 and not main.has("ask"):
         yield [f"does {of[0]} turn fully"]

@@ -8,7 +8,6 @@ from freebody.language.units import TORQUE
 from freebody.measures.geometry import GROUND
 from freebody.questions.spoken import given, joining, lookup, strings
 from freebody.questions.spoken.composing import JOINT, SILENT, Groups, said_of, without_owners
-from freebody.questions.spoken.lexicon import leading
 from freebody.questions.spoken.words import Clause
 
 if TYPE_CHECKING:
@@ -50,8 +49,7 @@ def _transmitted(names: Names, quantity: str, rest: Clause) -> Groups:
     if quantity == "tension" and (belts := _tightened(names, rest)):
         yield [JOINT.join(f"{run} tension of {belt}" for run in ("tight", "slack")) for belt in belts]
         return
-    tracks = [name for name in names.connections if name in leading() and "link" in names.called.get(name, ())]
-    if quantity in ("normal force", "contact force") and tracks and "normal force" not in own:
+    if quantity in ("normal force", "contact force") and joining.tracks(names) and "normal force" not in own:
         kinds = ("tension",)  # of what leads round, and presses as a link would pull
     if quantity == "tension" and quantity not in own:
         kinds = tuple(

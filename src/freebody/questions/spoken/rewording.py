@@ -17,6 +17,25 @@ _FOR = Word("preposition", "of")  # friction for rolling
 _SO_THAT, _TO = Word("mark", "so_that"), Word("mark", "to")
 
 
+def for_what(names: Names, words: list[Word]) -> list[Word]:
+    """The least k for stability is that with which it is stable; the angle for the farthest throw is that for which
+    the range is largest."""
+    k = next((k for k, word in enumerate(words) if word == _FOR and k > 0), 0)
+    head, tail = Clause(words[:k]), Clause(words[k + 1 :])
+    if k and tail.words == [Word("degree", "greatest"), Word("verb", "exert")]:  # for the farthest throw
+        tail = Clause([Word("degree", "greatest"), Word("quantity", "horizontal range")])
+    if not k or head.has("mark") or head.has("verb") or tail.has("mark") or tail.has("verb"):
+        return words
+    if tail.all("quantity") in (["stability of equilibrium"], ["stability of steady motion"]):
+        kept = [w for w in tail.words if w.kind not in ("quantity", "preposition")]
+        return [*head.words, _SO_THAT, *kept, Word("verb", "stable")]
+    kept = [w for w in head.words if w.kind not in ("degree", "ask")]  # the best angle
+    is_angle = head.all("quantity") == ["angle"] or (len(kept) == 1 and kept[0].what in names.parameters)
+    if is_angle and tail.has("degree", "greatest") and tail.all("quantity") == ["horizontal range"]:
+        return [Word("ask", "for"), *kept, *tail.without("degree").words, Word("degree", "greatest")]
+    return words
+
+
 def can_accelerate(names: Names, words: list[Word], modal: set[str]) -> list[Word]:
     """How fast it can speed up is the greatest acceleration."""
     fast, speeds_up = Word("ask", "fast"), Word("verb", "accelerate")

@@ -80,7 +80,7 @@ def so(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
     elif negated and verbs and verbs <= {"slide", "start", "move", "fall", "tip"} and everything:
         if verbs & {"slide"}:
             yield ["it does not slip"] if "tip" not in verbs else ["it stays at rest"]
-        elif verbs & {"move", "fall"}:
+        elif "move" in verbs or ("fall" in verbs and lookup.rests(names)):
             yield ["it stays at rest"]
     elif (
         not negated
@@ -171,7 +171,7 @@ def _failing_first(names: Names, clause: Clause) -> Groups:
     verbs = [verb for verb in clause.all("verb") if verb in ("tip", "slide")]
     grows = [word.what for word in clause.words if word.kind == "name" and word.what in names.parameters]
     if not grows and not clause.has("verb", "grow") and clause.has("mark", "until") and not clause.has("not", "not"):
-        grows = given.of_kind(names, "force")
+        grows = given.growing(names, [])
         clause = Clause([*clause.words, Word("verb", "grow")])
     if len(verbs) == 2 and verbs[0] != verbs[1] and len(grows) == 1 and clause.has("verb", "grow"):
         first, second = (f"{verb}s" for verb in verbs)
@@ -209,7 +209,7 @@ def _happening(names: Names, verbs: set[str], negated: bool, who: str, of: list[
     elif verbs == {"turn_fully"} and not negated and who:
         yield [f"{who} turns fully"]
     elif verbs == {"stable"} and not negated:
-        yield ["the equilibrium is stable"] if not names.states else []
+        yield ["the equilibrium is stable"] if not lookup.is_controlled(names) else []
         yield ["the steady motion is stable"]
     elif verbs <= {"hit", "reach"} and verbs and not negated and who and not other:
         yield [f"it hits {who}"]

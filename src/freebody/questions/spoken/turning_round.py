@@ -33,6 +33,9 @@ def parameters(names: Names, words: list[Word], whole: Callable[..., Groups]) ->
         "not"
     ):
         yield [f"critical damping of {parameter}" for parameter in chosen]
+    if relation.has("verb", "unstable") and relation.has("not", "before"):  # before it becomes unstable
+        kept = [Word("verb", "stable") if w == Word("verb", "unstable") else w for w in relation.words]
+        end, relation = end or "largest", Clause(kept).without("not")
     if relation.has("verb", "unstable") and end in ("", "least") and words[0] == Word("ask", "from"):
         end, kept = "largest", [Word("verb", "stable") if w == Word("verb", "unstable") else w for w in relation.words]
         relation = Clause(kept)
@@ -48,20 +51,29 @@ def parameters(names: Names, words: list[Word], whole: Callable[..., Groups]) ->
 
 
 def _leaving_at_top(names: Names, clause: Clause) -> Groups:
-    """At what speed does the car leave the road at the top: with which nothing presses there."""
+    """At what speed does the car leave the road at the top: with which nothing presses there. With which it does not
+    leave it is one end of the speeds with which something presses."""
     is_speed = clause.all("quantity") in (["speed"], ["velocity"]) or clause.has("ask", "fast")
-    known = clause.only("ask", "quantity", "name", "verb", "instant", "degree", "mark", *SILENT)
-    if not (is_speed and known and clause.all("verb") == ["leave"] and clause.all("instant") == ["at the top"]):
+    known = clause.only("ask", "quantity", "name", "verb", "instant", "degree", "mark", "not", *SILENT)
+    doing = {"leave" if verb == "fall" else verb for verb in clause.all("verb") if verb != "move"}
+    if not (is_speed and known and doing in ({"leave"}, {"stay_on"}) and clause.all("instant") == ["at the top"]):
         return
     bodies = [name for _, name in clause.names if name in lookup.moving(names)] or lookup.massive(names)
     others = [name for _, name in clause.names if name not in bodies]
-    if len(bodies) == 1 and len(others) <= 1 and set(clause.all("degree")) <= {"least"}:
-        speeds = given.started_with(names, bodies)
-        joints = joining.joints(names, bodies[0], next(iter(others), ""), "normal force")
-        tops = [f"when {top}" for top in poses.uppermost(names, bodies[0])]
-        tops = ["at start"] if poses.begins_uppermost(names, bodies[0]) else tops
-        for top in tops if len(speeds) == len(joints) == 1 else ():
-            yield [f"value of {speeds[0]} for which normal force of {joints[0]} = 0 {top}"]
+    if len(bodies) != 1 or len(others) > 1 or len(clause.all("degree")) > 1:
+        return
+    speeds = given.started_with(names, bodies)
+    joints = joining.joints(names, bodies[0], next(iter(others), ""), "normal force")
+    tops = [f"when {top}" for top in poses.uppermost(names, bodies[0])]
+    tops = ["at start"] if poses.begins_uppermost(names, bodies[0]) else tops
+    is_denied = (doing == {"leave"}) == (clause.has("not") or clause.has("mark", "without", "until"))
+    end = {"least": "least", "greatest": "largest"}.get(next(iter(clause.all("degree")), ""), "")
+    for top in tops if len(speeds) == len(joints) == 1 else ():
+        pressed = f"normal force of {joints[0]}"
+        if not is_denied:
+            yield [f"value of {speeds[0]} for which {pressed} = 0 {top}"] if end in ("", "least") else []
+        else:
+            yield [f"{end} {speeds[0]} so that {pressed} >= 0 {top}" if end else f"range of {speeds[0]} for which {pressed} >= 0 {top}"]
 
 
 def _leaving_by_choice(names: Names, clause: Clause) -> Groups:
