@@ -41,7 +41,8 @@ def is_accounted_for(names: Names, words: Sequence[Word], text: str) -> bool:
         return _has_unit(names, words, turned["parameter"])
     if _NO_QUANTITY.match(text):
         return True
-    if Word("filler", "may") in words and "acceleration" in asked and (joining.is_still(names) or given.growing(names, [])):
+    is_chosen = joining.is_still(names) or given.growing(names, [])
+    if Word("filler", "may") in words and "acceleration" in asked and is_chosen:
         return False  # what can be reached by choice is no acceleration of this motion
     is_push, is_turn = bool(asked & _PUSHES), bool(asked & _TURNS)
     if is_push and not is_turn and _TORQUE.search(text):

@@ -182,12 +182,14 @@ def counted(names: Names, sentence: Sentence) -> Groups:
 
 
 def _there_and_back(sentence: Sentence) -> Sentence:
-    """How far it goes before it comes back is how far until it turns back: then it has not come back to where it was."""
+    """How far it goes before it comes back is how far until it turns back, and not where it is when it is back."""
     main = sentence.main
     if not (main.has("ask", "far", "much", "high") or main.has("quantity", "distance", "displacement")):
         return sentence
     turns, returns = Word("verb", "turn_back"), Word("verb", "return")
-    others = [(mark, [turns if mark == "until" and w == returns else w for w in own.words]) for mark, own in sentence.others]
+    others = [
+        (mark, [turns if mark == "until" and w == returns else w for w in own.words]) for mark, own in sentence.others
+    ]
     return Sentence(main, tuple((mark, Clause(own)) for mark, own in others))
 
 

@@ -34,6 +34,7 @@ _LIGHT = {
     **dict.fromkeys(FORCES, _ACTING | {"move", "carry", "hang", "reach"}),
     **dict.fromkeys(("highest place", "lowest place"), _GOING),
     "friction force": _ACTING | {"move", "carry", "hang", "reach", "hold"},
+    "terminal velocity": _GOING,
     "links": frozenset({"move", "become"}),
     "flight time": frozenset({"move", "fly", "hold", "stay_on"}),
     "dead points": frozenset({"move", "reach", "stop"}),

@@ -6,7 +6,7 @@ from itertools import pairwise, product
 from typing import TYPE_CHECKING
 
 from freebody.measures.geometry import GROUND
-from freebody.questions.spoken import dimensions, given, joining, lookup, losing, poses, within
+from freebody.questions.spoken import dimensions, farthest, given, joining, lookup, losing, poses, within
 from freebody.questions.spoken.asking import quantities
 from freebody.questions.spoken.composing import SILENT, Groups, ended
 from freebody.questions.spoken.counting import COUNTED
@@ -85,13 +85,16 @@ def timed(names: Names, sentence: Sentence) -> Groups:
         and joining.is_struck_at_start_alone(names)
     ):
         main = main.without("instant")
+    if farthest.is_settled(main) and not others:
+        yield from farthest.where_it_settles(names, main)
+        return
     if main.has("ask", "high") and not others and main.has("verb") and main.only("ask", "verb", "name", "pronoun"):
-        yield from _how_high(names, main)
+        yield from farthest.how_high(names, main)
         return
     is_range = set(main.all("verb")) <= {"fly", "hit"} and main.only("ask", "verb", "name", "pronoun")
     is_far = main.has("ask", "far") and main.only("ask", "verb", "name", "pronoun", "updown", "part")
     if is_far and not is_range and not others:
-        yield from _how_far(names, main)
+        yield from farthest.how_far(names, main)
         return
     if main.has("ask", "where") and main.has("instant", "in equilibrium") and not main.has("quantity"):
         main = Clause([Word("quantity", "equilibrium"), *main.without("ask").without("verb").without("instant").words])
@@ -185,41 +188,6 @@ def _is_continuous(names: Names, main: Clause) -> bool:
     if not asked:
         return not main.has("verb", "accelerate")
     return all(quantity in _CONTINUOUS for quantity in asked)
-
-
-def _how_high(names: Names, main: Clause) -> Groups:
-    """How high does it fly? As high as it is where it no longer rises."""
-    who = next((name for _, name in main.names), "")
-    if set(main.all("verb")) <= {"move", "fly", "rise", "roll", "turn", "slide"} and len(main.names) <= 1:
-        yield [f"{height} when {top}" for height in lookup.rising(names, who) for top in poses.tops(names, who)]
-        yield [f"greatest height of {body}" for body in ([who] if who else lookup.moving(names))]
-
-
-def _how_far(names: Names, main: Clause) -> Groups:
-    """How far does it swing, how far up does it slide? As far as where it turns back."""
-    lines = [name for _, name in main.names if name in names.bodies[GROUND].lines]  # up the slope
-    main = Clause([word for word in main.words if word.what not in lines])
-    who = next((name for _, name in main.names), "")
-    up = main.has("updown", "up") or main.has("part", "upward") or main.has("verb", "rise")
-    if len(main.names) > 1 or main.has("updown", "down") or main.has("verb", "fall"):
-        return
-    if up:
-        yield [f"{way} when rate({way}) = 0" for way, sense in lookup.inclined(names, who) if sense > 0]
-    elif (
-        set(main.all("verb")) == {"move"}
-        and lookup.rests(names)
-        and joining.goes_on(names)
-        and not names.struck_at_start
-    ):
-        yield [f"{way} when rate({way}) = 0" for way in lookup.ways(names, who) if who and lookup.springs(names)]
-    elif set(main.all("verb")) - {"move"} == {"slide"} and not lookup.rests(names):
-        yield [f"distance travelled along {way} until slipping ends" for way in lookup.ways(names, who)]
-    elif set(main.all("verb")) == {"turn"}:
-        led = {name for name in names.measures if names.start_rates and name not in names.start_rates}
-        yield [
-            f"stroke of {angle}" if angle in led or lookup.is_forced(names) else f"{angle} when rate({angle}) = 0"
-            for angle in lookup.angles(names, who)
-        ]
 
 
 def _tails(names: Names, main: Clause) -> tuple[list[list[str]], Clause]:

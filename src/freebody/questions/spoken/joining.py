@@ -47,6 +47,12 @@ def drivers(names: Names, body: str) -> list[str]:
     return [row.connection for row in rows if {*row.measure.bodies()} - {GROUND} == {body}]
 
 
+def joined_by(names: Names, connection: str) -> list[str]:
+    """The bodies that move and that a connection joins."""
+    spec = names.connections.get(connection)
+    return [body for body in lookup.moving(names) if spec is not None and body in spec.mentions(names)]
+
+
 def driven(names: Names) -> list[str]:
     """Named measures of which a connection says how they go with time."""
     own = [row.measure for row in names.constraint_rows if row.reaction in ("driving torque", "driving force")]

@@ -49,7 +49,7 @@ def limits(names: Names, words: list[Word], modal: set[str]) -> Groups:
     if clause.has("ask", "far", "high", "fast") and "may" not in modal:
         return  # how far something comes is no limit of rest
     lasts = _lasting(names, head, state, modal)
-    parameter = _parameter(names, head)
+    parameter = _parameter(names, head, [name for _, name in state.names if name in names.loads])
     if lasts is None or parameter is None:
         return
     end = _end(head, state, modal, lasts)
@@ -142,8 +142,9 @@ def _is_alone(names: Names, head: Clause) -> bool:
     return parameter is not None and joining.is_rough(names) and (not others or is_weight)
 
 
-def _parameter(names: Names, head: Clause) -> str | None:
-    """The parameter that is meant: the one that is named, or the only one of the kind that is."""
+def _parameter(names: Names, head: Clause, against: list[str] | None = None) -> str | None:
+    """The parameter that is meant: the one that is named, or the only one of the kind that is. against: loads that are
+    lifted, or held, by it."""
     named = [name for _, name in head.names if name in names.parameters]
     others = [name for _, name in head.names if name not in names.parameters]
     if len(named) > 1:
@@ -160,6 +161,8 @@ def _parameter(names: Names, head: Clause) -> str | None:
     if not kinds and len(others) == 1 and others[0] in names.bodies and head.has("degree"):  # the largest load that ..
         kinds = [given.KIND_OF["mass"]]
     found = given.chosen(names, kinds[0], others) if kinds else []
+    if len(found) > 1 and against:
+        found = [name for name in found if name not in given.chosen(names, kinds[0], against)]
     return found[0] if len(found) == 1 else None
 
 

@@ -82,8 +82,9 @@ def places(names: Names, body: str) -> list[str]:
     """Measures of where a body is along a line, or all such measures where none is named."""
     if body in names.measures:
         return [body]
-    lengths = [name for name, measure in names.measures.items() if measure.dimension != DIMENSIONLESS]
-    return [name for name in lengths if not body or body in names.measures[name].bodies()]
+    lengths = {name: measure for name, measure in names.measures.items() if measure.dimension != DIMENSIONLESS}
+    ends = {name: (m.start.name, m.end.name) for name, m in lengths.items() if isinstance(m, Distance)}
+    return [name for name, m in lengths.items() if not body or body in m.bodies() or body in ends.get(name, ())]
 
 
 def went(names: Names, body: str) -> list[str]:
@@ -168,6 +169,12 @@ def heights(names: Names, body: str) -> list[tuple[str, int]]:
         if sense is not None and {measure.along.body, measure.origin.body} == {GROUND}:
             found.append((name, sense))
     return found
+
+
+def heights_of_points(names: Names, body: str) -> list[str]:
+    """Measures of how high points of a body are, beside its mass centre."""
+    own = ((name, names.measures[name]) for name, sense in heights(names, body) if sense > 0)
+    return [name for name, m in own if isinstance(m, Displacement) and m.of.name.endswith((".start", ".end"))]
 
 
 def climbed(names: Names, body: str, by: str, sense: int) -> list[str]:

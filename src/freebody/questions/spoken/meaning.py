@@ -33,6 +33,7 @@ _STARTS, _AT_START, _FROM_REST = Word("verb", "start"), Word("instant", "at star
 _WHILE = Word("mark", "while")
 _COMMA, _IN = Word("preposition", ","), Word("preposition", "in")
 _SO_THAT = Word("mark", "so_that")
+_FAILS = {"leave": "tip", "rise": "tip", "turn": "slide"}  # how what stands on wheels fails
 _FREE_END = "free_end"  # of a body, as the spelling writes it
 _ENDS_OF_LADDERS = ("foot", "head")  # where it touches what is level, and what is upright
 # what only a limit tells apart: how small, how steep
@@ -54,7 +55,8 @@ def meanings(names: Names, words: list[Word]) -> Groups:
         return
     if any(_leads_nowhere(said, k) or _asks_more(said, k) for k in range(len(said) - 1)):
         return
-    said = rewording.driven_by_needed(names, rewording.can_accelerate(names, rewording.for_what(names, said), modal))
+    said = rewording.for_what(names, rewording.infinitives(said))
+    said = rewording.driven_by_needed(names, rewording.can_accelerate(names, said, modal))
     said = rewording.by_friction(rewording.needed_to_roll(names, rewording.in_doing(said)))
     said = _unaccelerated(_not_slipping(names, _carrying(names, said, modal)))
     words = [_AS_LARGE.get(word, word) for word in said]
@@ -88,6 +90,10 @@ def meanings(names: Names, words: list[Word]) -> Groups:
 
 def _stretched(names: Names, words: list[Word]) -> list[Word]:
     """By how much a spring is longer than without force is its deflection, where that is measured."""
+    of = next((word.what for word in words if word.kind == "name"), "")
+    swings = bool(lookup.angles(names, of) or lookup.hung(names, of)) or not lookup.ways(names, of)
+    excursion = Word("quantity", "angle" if swings else "displacement")
+    words = [excursion if word == Word("quantity", "excursion") else word for word in words]
     is_measured = any(lookup.deflections(names, name) for name in (*lookup.springs(names), ""))
     extension = Word("quantity", "extension")
     return [Word("quantity", "deflection") if is_measured and word == extension else word for word in words]
@@ -270,9 +276,13 @@ def _structure(names: Names, sentence: Sentence) -> Groups:
     main = sentence.main
     whole = Clause([*main.words, *(word for _, own in sentence.others for word in own.words)])
     growing = [name for _, name in whole.names if name in names.parameters]
-    if not growing and whole.has("verb", "grow") and not any(name in names.bodies for _, name in whole.names):
+    bodies = [name for _, name in whole.names if name in names.bodies]
+    if not growing and whole.has("verb", "grow") and all(lookup.is_all_that_moves(names, name) for name in bodies):
         growing = given.growing(names, [name for _, name in whole.names])
     doing = set(whole.all("verb")) - {"start", "move"}
+    if joining.is_still(names) and whole.has("degree", "first"):  # whether wheels spin, or others lift off first
+        spin = {"turn"} if whole.has("quantity", "angular velocity") else set[str]()
+        doing = {_FAILS.get(verb, verb) for verb in doing | spin}
     if doing == {"tip", "slide"} and not (sentence.others or whole.has("ask")):  # of the only force
         growing = growing or given.growing(names, [])
         doing |= {"grow"}
@@ -311,7 +321,9 @@ def _structure(names: Names, sentence: Sentence) -> Groups:
         asked = main.all("quantity")
         if not asked and lookup.is_controlled(names) and (not of or everything):
             yield ["stability of steady motion"]
-        if asked == ["equilibrium"] or (not asked and (not of or everything or "in equilibrium" in main.all("instant"))):
+        if asked == ["equilibrium"] or (
+            not asked and (not of or everything or "in equilibrium" in main.all("instant"))
+        ):
             yield ["stability of equilibrium"]
     if "turn_fully" in verbs and main.only("verb", "name", "ask") and len(of) == 1 and not main.has("ask"):
         yield [f"does {of[0]} turn fully"]

@@ -14,6 +14,8 @@ if TYPE_CHECKING:
     from freebody.model.names import Names
 
 _FOR = Word("preposition", "of")  # friction for rolling
+_DONE = tuple(Word("verb", verb) for verb in ("hold", "rise", "fall", "move", "start", "turn", "stop", "accelerate"))
+_PUSHES = ("force", "torque", "moment", "driving force", "driving torque")
 _SO_THAT, _TO = Word("mark", "so_that"), Word("mark", "to")
 
 
@@ -36,6 +38,21 @@ def for_what(names: Names, words: list[Word]) -> list[Word]:
     return words
 
 
+def infinitives(words: list[Word]) -> list[Word]:
+    """The torque to hold the load is that needed to: behind what is asked a verb says what for."""
+    found: list[Word] = []
+    for k, word in enumerate(words):
+        before = Clause(found)
+        is_verb = word == Word("preposition", "to") and any(w in _DONE for w in words[k + 1 : k + 2])
+        if not is_verb:
+            found.append(word)
+        elif not before.has("verb") and not before.has("mark") and before.has("quantity", *_PUSHES):
+            found.append(_TO)
+        elif not before.has("mark", "to", "so_that"):  # um die Last zu heben
+            found.append(word)
+    return found
+
+
 def can_accelerate(names: Names, words: list[Word], modal: set[str]) -> list[Word]:
     """How fast it can speed up is the greatest acceleration."""
     fast, speeds_up = Word("ask", "fast"), Word("verb", "accelerate")
@@ -51,16 +68,21 @@ def driven_by_needed(names: Names, words: list[Word]) -> list[Word]:
     k = words.index(_TO) if _TO in words else 0
     goes = words[k + 1 : k + 2] and words[k + 1].kind == "verb" and words[k + 1].what in ("move", "turn", "exert")
     who = words[k + 2 : k + 3]
-    if not goes or not who or not joining.drivers(names, who[0].what) or words[0].what not in kinds:
+    if not goes or not who or words[0].what not in kinds:
         return words
-    return [Word("quantity", kinds[words[0].what]), *words[1:k], *words[k + 2 :]]
+    thing = who[0].what
+    driven = [body for body in (thing, *joining.joined_by(names, thing)) if joining.drivers(names, body)]
+    if not driven:
+        return words
+    return [Word("quantity", kinds[words[0].what]), *words[1:k], Word("name", driven[0]), *words[k + 3 :]]
 
 
 def heaviest(names: Names, words: list[Word]) -> list[Word]:
     """The largest load that F can hold is no F: it is how heavy the load may be."""
     named = [word.what for word in words if word.kind == "name"]
     holds = words[-1:] in ([Word("verb", "hold")], [Word("verb", "rise")], [Word("verb", "move")])
-    is_body = len(named) == 2 and named[0] in names.bodies and named[1] in names.parameters
+    is_body = named[:1] != [] and named[0] in names.bodies and len(named) <= 2
+    is_body = is_body and all(name in names.parameters for name in named[1:])
     if not holds or not is_body or words[0] != Word("degree", "greatest") or words[1].kind != "name":
         return words
     return [

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from freebody.questions.spoken import dimensions, given, joining, lookup
+from freebody.questions.spoken import dimensions, given, joining, lookup, poses
 from freebody.questions.spoken.asking import quantities
 from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.lexicon import Word
@@ -202,6 +202,8 @@ def _happening(names: Names, verbs: set[str], negated: bool, who: str, of: list[
     elif verbs == {"leave"} and not negated:
         yield [f"{who or 'it'} leaves {other}".strip() if who or other else "contact is lost"]
         yield [f"{joint} opens" for joint in joining.joints(names, who, other, "normal force")] if who else []
+    elif verbs == {"leave"} and negated and (held := _on_track(names, who, other)):
+        yield held
     elif verbs == {"leave"} and negated:
         yield [f"{who or 'it'} never leaves {other}".strip() if other else f"{who or 'it'} stays on"]
     elif (verbs == {"slack"} and negated) or (verbs <= {"taut", "hold"} and "taut" in verbs and not negated):
@@ -221,6 +223,12 @@ def _happening(names: Names, verbs: set[str], negated: bool, who: str, of: list[
         )
         if other in names.parameters:
             yield [f"{place} reaches {other}" for place in lookup.places(names, who)]
+
+
+def _on_track(names: Names, who: str, other: str) -> list[str]:
+    """What a link stands for keeps something on as long as it pulls at the top."""
+    led = [track for track in joining.tracks(names) if all(joining.touches(names, track, t) for t in (who, other) if t)]
+    return [f"tension of {track} >= 0 when {top}" for track in led for top in poses.uppermost(names, who)]
 
 
 def _relation(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:

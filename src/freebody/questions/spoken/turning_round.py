@@ -73,13 +73,21 @@ def _leaving_at_top(names: Names, clause: Clause) -> Groups:
         if not is_denied:
             yield [f"value of {speeds[0]} for which {pressed} = 0 {top}"] if end in ("", "least") else []
         else:
-            yield [f"{end} {speeds[0]} so that {pressed} >= 0 {top}" if end else f"range of {speeds[0]} for which {pressed} >= 0 {top}"]
+            yield [
+                f"{end} {speeds[0]} so that {pressed} >= 0 {top}"
+                if end
+                else f"range of {speeds[0]} for which {pressed} >= 0 {top}"
+            ]
 
 
 def _leaving_by_choice(names: Names, clause: Clause) -> Groups:
     """At what speed do the inner wheels lift off: with which nothing presses there, where nothing moves yet; at what
     rpm does the tappet lift off its cam: the largest of the drive with which it stays on."""
-    known = clause.only("ask", "quantity", "name", "verb", *SILENT) and clause.all("ask") in (["with"], ["from"], ["for"])
+    known = clause.only("ask", "quantity", "name", "verb", *SILENT) and clause.all("ask") in (
+        ["with"],
+        ["from"],
+        ["for"],
+    )
     asked = clause.all("quantity")
     if not known or clause.all("verb") != ["leave"] or len(asked) != 1 or not given.is_by_unit(asked[0]):
         return
