@@ -223,6 +223,8 @@ def read_transition(names: Names, text: str, path: Path) -> Transition | None:
         if found is None:
             continue
         name = found.groupdict().get("of")
+        if found.groupdict().get("rests") is not None and not can_change(names):
+            return None  # nothing sticks where it stops: an event of a measure, whose rate is zero
         if name is None:
             if found.groupdict().get("rests") is not None:
                 _refuse_rolling(names, (), path)
@@ -243,6 +245,11 @@ def read_transition(names: Names, text: str, path: Path) -> Transition | None:
             _refuse_rolling(names, of, path)
         return Transition(kind, of, text)
     return None
+
+
+def can_change(names: Names) -> bool:
+    """Whether a contact, a string or dry friction can change its state."""
+    return any(row.unilateral or row.reaction.startswith("friction") for row in names.constraint_rows)
 
 
 def _runs_off(names: Names, name: str) -> bool:

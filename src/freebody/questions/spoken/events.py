@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from freebody.language.notation import to_python
 from freebody.measures.geometry import GROUND, ZERO
+from freebody.questions.course import can_change
 from freebody.questions.event import leads_to
 from freebody.questions.spoken import dimensions, joining, lookup, losing, poses, strings
 from freebody.questions.spoken.coming import come_so_far
@@ -278,6 +279,9 @@ def _is_rough_to(names: Names, who: str, other: str) -> bool:
 def _stops(names: Names, who: str, other: str) -> Groups:
     if who in names.measures:
         yield [f"rate({who}) = 0"] if not other else []
+        return
+    if not other and not can_change(names) and who not in names.connections:  # where it turns back, or comes near to
+        yield poses.turning(names, who)
         return
     yield [f"{who or 'it'} stops"] if not other else []
 

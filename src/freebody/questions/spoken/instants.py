@@ -85,6 +85,9 @@ def timed(names: Names, sentence: Sentence) -> Groups:
         and joining.is_struck_at_start_alone(names)
     ):
         main = main.without("instant")
+    is_place = main.all("quantity") in (["angle"], ["position"], ["height"], ["distance"]) and main.has("ask", "with")
+    if is_place and main.all("verb") == ["hold"]:  # at what angle does it sit
+        main = Clause([Word("quantity", "equilibrium"), *(w for w in main.words if w.kind == "name")])
     if farthest.is_settled(main) and not others:
         yield from farthest.where_it_settles(names, main)
         return

@@ -252,6 +252,12 @@ def driving(names: Names) -> list[str]:
     return [name for name in plain if not passive & {word.split()[-1] for word in names.called.get(name, ())}]
 
 
+def presses_on_ground(names: Names) -> bool:
+    """Whether springs or dampers act between something that moves and the ground."""
+    acting = [p for p in names.applied_loads if p.load in springs(names) or VALUE.name not in free_symbols(p.law)]
+    return any(p.load in springs(names) and GROUND in p.measure.bodies() for p in acting)
+
+
 def is_controlled(names: Names) -> bool:
     """Whether a controller, or what depends on the motion and is no spring, keeps it as it is: then it is a steady
     motion that is stable."""

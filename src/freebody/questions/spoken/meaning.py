@@ -319,11 +319,10 @@ def _structure(names: Names, sentence: Sentence) -> Groups:
         yield ["does it hold"] if lookup.rests(names) else []
     if verbs & {"stable", "unstable"} and main.only("verb", "quantity", "pronoun", "preposition", "name", "instant"):
         asked = main.all("quantity")
-        if not asked and lookup.is_controlled(names) and (not of or everything):
+        is_all = len(of) <= 1 or "in equilibrium" in main.all("instant")  # what a part is at is that of all
+        if not asked and lookup.is_controlled(names) and is_all:
             yield ["stability of steady motion"]
-        if asked == ["equilibrium"] or (
-            not asked and (not of or everything or "in equilibrium" in main.all("instant"))
-        ):
+        if asked == ["equilibrium"] or (not asked and is_all):
             yield ["stability of equilibrium"]
     if "turn_fully" in verbs and main.only("verb", "name", "ask") and len(of) == 1 and not main.has("ask"):
         yield [f"does {of[0]} turn fully"]

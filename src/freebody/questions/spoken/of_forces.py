@@ -229,6 +229,8 @@ def _between(
     if strange:  # the grammar says what the model lacks
         yield [f"{head} of {strange[0]}"]
         return
+    if of == [GROUND] and kind == "reaction" and lookup.presses_on_ground(names):
+        return  # what springs and dampers press with is not in a reaction
     first, second = (*of, "", "")[:2]
     joints = joining.joints(names, first, second, "tooth force" if kind.endswith(" tooth force") else kind)
     joints = [joint for joint in joints if joint in only] or ([] if only else joints)

@@ -101,6 +101,13 @@ def _on_curves(names: Names, body: str, *, lowest: bool) -> list[str]:
     return found
 
 
+def begins_at(names: Names, body: str, *, lowest: bool) -> bool:
+    """Whether the motion begins where something hangs straight down, or is lowest on its curve; or is uppermost."""
+    if not lowest:
+        return begins_uppermost(names, body)
+    return begins_level(names, body, lowest=True) or _starts(names, body, -90.0)
+
+
 def begins_level(names: Names, body: str, *, lowest: bool) -> bool:
     """Whether the file places something where its curve is lowest, or highest."""
     for name, place in _level_places(names, body, lowest=lowest):

@@ -25,7 +25,7 @@ def parameters(names: Names, words: list[Word], whole: Callable[..., Groups]) ->
     yield from _leaving_at_top(names, Clause(words))
     yield from _leaving_by_choice(names, Clause(words))
     yield from _without_leaving(names, Clause(words), whole)
-    parted = _parted(names, words)
+    parted = _parted(names, _begun(names, words))
     if parted is None:
         return
     chosen, relation, end = parted
@@ -48,6 +48,15 @@ def parameters(names: Names, words: list[Word], whole: Callable[..., Groups]) ->
                     continue  # of a place that changes it is to be said when
                 # the least force with which it starts is the largest with which it does not
                 yield from _asked(parameter, text, "largest" if is_begun and end and text in _RESTS else end)
+
+
+def _begun(names: Names, words: list[Word]) -> list[Word]:
+    """Without what says that a speed is that at the bottom, where the motion begins there."""
+    cut = next((k for k, word in enumerate(words) if word.kind == "mark"), 0)
+    place = {"at the bottom": True, "at the top": False}
+    told = [w for w in words[:cut] if w.kind == "instant" and w.what in place]
+    begins = [w for w in told if poses.begins_at(names, "", lowest=place[w.what])]
+    return [word for k, word in enumerate(words) if k >= cut or word not in begins]
 
 
 def _leaving_at_top(names: Names, clause: Clause) -> Groups:
