@@ -169,6 +169,7 @@ class Names(Formulas):
         self.loads: dict[str, Dimension] = {}  # the dimension of what each load exerts
         self.impulses: frozenset[str] = frozenset()  # the loads that act in no time
         self.struck_at_start: frozenset[str] = frozenset()  # what closes and strikes at the start
+        self.closing_later: frozenset[str] = frozenset()  # connections that close in mid-motion
         self.applied_loads: list[
             AppliedLoad
         ] = []  # what the loads push, known before the connections say what they hold

@@ -134,7 +134,8 @@ def lost(names: Names, sentence: Sentence) -> Groups:
     )
     if not is_energy or not main.only("quantity", "ask", "verb", "instant", "name", *SILENT):
         return
-    bodies = [name for _, name in main.names if name in lookup.massive(names)]
+    before = Clause(main.words[: next((k for k, w in enumerate(main.words) if w.kind == "instant"), None)])
+    bodies = [name for _, name in before.names if name in lookup.massive(names)]
     if len(bodies) == 1 < len(lookup.massive(names)) and not sentence.others:
         return  # of one body: what the others get is no loss
     is_blow = not main.has("instant") and losing.only_loses_in_the_blow(names)

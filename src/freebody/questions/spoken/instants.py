@@ -265,6 +265,9 @@ def _at(names: Names, mark: str, clause: Clause) -> Groups:
     """The instant that a clause beside the main one says."""
     if mark in ("until", "while"):
         return
+    if clause.has("verb", "hit") and any(_is_caught(names, name) for _, name in clause.names):
+        yield [" before the impact" if mark == "when" else " after the impact"]
+        return
     if mark == "after":
         time = clock(names, clause)
         if time is not None:
@@ -292,6 +295,11 @@ def _at(names: Names, mark: str, clause: Clause) -> Groups:
         return
     for group in conditions(names, clause):
         yield [f" when {condition}" for condition in group]
+
+
+def _is_caught(names: Names, place: str) -> bool:
+    """Whether something is caught at a place: a connection closes there on the way."""
+    return any(place in (name, *joining.ends_of(names, name)) for name in names.closing_later)
 
 
 def _event_within(names: Names, main: Clause) -> tuple[Clause, list[list[str]]] | None:

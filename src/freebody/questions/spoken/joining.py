@@ -186,7 +186,7 @@ def points(names: Names, along: str, sense: str) -> bool:
 def may_act_at(names: Names, joint: str, thing: str) -> bool:
     """Whether a connection may act at a point: it does not where the file gives it other points of that body."""
     body, _, point = thing.partition(".")
-    ends = [end for end in _ends(names, joint) if end.partition(".")[0] == body and "." in end]
+    ends = [end for end in ends_of(names, joint) if end.partition(".")[0] == body and "." in end]
     return not point or not ends or thing in ends
 
 
@@ -194,7 +194,7 @@ def joined_at(names: Names, name: str) -> str:
     """For a pin between bodies that move, and for what touches the ground with a point, that point. Else the name."""
     if name not in names.connections or name in names.bodies:
         return name
-    movable = [end for end in _ends(names, name) if end.partition(".")[0] in lookup.moving(names)]
+    movable = [end for end in ends_of(names, name) if end.partition(".")[0] in lookup.moving(names)]
     is_pin, is_contact = (kind in names.called.get(name, ()) for kind in ("pin", "contact"))
     if (is_pin and len(movable) == 2) or (is_contact and len(movable) == 1 and "." in movable[0]):
         return movable[0]
@@ -205,10 +205,10 @@ def pinned_at(names: Names, name: str) -> str:
     """For a pin on the ground the point there. Else what is named."""
     if name not in names.connections or "pin" not in names.called.get(name, ()):
         return name
-    return next((end for end in _ends(names, name) if end.partition(".")[0] == GROUND), name)
+    return next((end for end in ends_of(names, name) if end.partition(".")[0] == GROUND), name)
 
 
-def _ends(names: Names, name: str) -> list[str]:
+def ends_of(names: Names, name: str) -> list[str]:
     """What a file gives as the ends of a connection."""
     ends: list[str] = []
     for value in given_of(names.connections[name]).values():
@@ -227,10 +227,10 @@ def axle_points(names: Names, body: str) -> set[Components]:
     if body not in names.bodies:
         return found
     own = names.bodies[body]
-    for name in axles(names):
+    for name in axles(names) if not names.closing_later else ():  # what is caught later has no axle before
         described = names.connections[name]
         if _is_of(names, name, body) and GROUND in described.mentions(names):
-            ends = _ends(names, name)
+            ends = ends_of(names, name)
             points = [end.partition(".")[2] or own.default_point for end in ends if end.partition(".")[0] == body]
             found |= {own.points[point] for point in points if point in own.points}
     return found
@@ -260,7 +260,7 @@ def leaning(names: Names, body: str, *, level: bool) -> list[str]:
 def free_end(names: Names, body: str) -> str | None:
     """The end of a body that nothing holds, where something holds the other one."""
     own = [f"{body}.{end}" for end in ("start", "end") if body in names.bodies and end in names.bodies[body].points]
-    held = [end for end in own if any(end in _ends(names, joint) for joint in names.connections)]
+    held = [end for end in own if any(end in ends_of(names, joint) for joint in names.connections)]
     free = [end for end in own if end not in held]
     return free[0] if len(held) == len(free) == 1 else None
 

@@ -80,7 +80,7 @@ def _is_meant(names: Names, thing: str, things: set[str], text: str) -> bool:
     if parameters and _TURNED_ROUND.search(text):
         return any(_is_of(names, thing, other) for other in parameters)
     struck = {struck for joint in names.struck_at_start for struck in _bodies(names, joint)}
-    return "at start" in text and body in struck
+    return ("at start" in text or "in the blow" in text) and body in struck
 
 
 def _is_thing(names: Names, thing: str) -> bool:

@@ -265,6 +265,12 @@ def is_controlled(names: Names) -> bool:
     return bool(names.states) or any(not free_symbols(p.law) <= names.parameters.keys() | {"t"} for p in pushes)
 
 
+def acted_on(names: Names, thing: str) -> str:
+    """The body that a load acts on, where that is one; else what is named: the motor turns the drum."""
+    acted = {body for p in names.applied_loads if p.load == thing for body in p.measure.bodies()} - {GROUND}
+    return next(iter(acted)) if thing in names.loads and len(acted) == 1 else thing
+
+
 def stretched_at_rest(names: Names, spring: str) -> list[str]:
     """By how much a spring, or the only one, is longer in equilibrium than without force: its length less that."""
     found: list[str] = []

@@ -44,7 +44,7 @@ def meanings(names: Names, words: list[Word]) -> Groups:
     """What words can ask for."""
     if any(word.kind == "other" for word in words):
         return
-    words = _at_free_ends(names, words)
+    words = _at_mass_center(names, _at_free_ends(names, words))
     if not words:
         return
     modal = {word.what for word in words if word.kind == "filler"} & {"may", "must"}
@@ -133,6 +133,15 @@ def _at_free_ends(names: Names, words: list[Word]) -> list[Word]:
             word = Word("name", free[0])
         found.append(word)
     return found
+
+
+def _at_mass_center(names: Names, words: list[Word]) -> list[Word]:
+    """With the only body whose mass centre is meant where it is not said of what; nothing where there are several."""
+    center = Word("pronoun", "mass_center")
+    if center not in words:
+        return words
+    bodies = lookup.massive(names)
+    return [Word("name", bodies[0]) if word == center else word for word in words] if len(bodies) == 1 else []
 
 
 def _as_long_as(words: list[Word]) -> list[Word]:
