@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from freebody.questions.spoken import given, joining, lookup, rewording, turning_round
 from freebody.questions.spoken.asking import quantities
 from freebody.questions.spoken.composing import SILENT, Groups
-from freebody.questions.spoken.counting import counted, lost, stopping, time
+from freebody.questions.spoken.counting import counted, lost, stopping, time, whether
 from freebody.questions.spoken.events import GOES_ON
 from freebody.questions.spoken.frames import FORCES
 from freebody.questions.spoken.geared import geared, per_turn
@@ -48,6 +48,7 @@ def meanings(names: Names, words: list[Word]) -> Groups:
     if not words:
         return
     modal = {word.what for word in words if word.kind == "filler"} & {"may", "must"}
+    is_whether = words[0] == Word("filler", "does") or words[0].kind == "verb"
     words = _stretched(names, _from_rest(names, words))
     said = rewording.signs_between([word for word in words if word.kind != "filler"])
     said = rewording.bounded(_without_auxiliary(said))
@@ -69,6 +70,8 @@ def meanings(names: Names, words: list[Word]) -> Groups:
     yield from turning_round.parameters(names, [_AS_LARGE.get(word, word) for word in lasting], meanings)
     sentence = parted(words)
     sentence = sentence and told_who(names, sentence)
+    if sentence is not None and is_whether:
+        yield from whether(names, sentence)
     if sentence is not None and all(mark in _MARKS for mark, _ in sentence.others):
         for told in (
             _limit,
