@@ -229,7 +229,9 @@ def _hits(names: Names, who: str, other: str) -> Groups:
         yield [f"{height} = 0" for height in (lookup.rising(names, who) or lookup.falling(names, who))]
         yield poses.lowermost(names, who) if not other else []  # it has come down
         return
-    yield [f"{who or 'it'} hits {other}".strip()]
+    meets = [name for name in names.connections if {"contact", "stop", "cam"} & {*names.called.get(name, ())}]
+    if other or not who or any(joining.touches(names, name, who) for name in meets):
+        yield [f"{who or 'it'} hits {other}".strip()]
 
 
 def _runs_off(names: Names, who: str, other: str) -> Groups:

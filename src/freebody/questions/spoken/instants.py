@@ -106,6 +106,7 @@ def timed(names: Names, sentence: Sentence) -> Groups:
     if others and main.has("quantity") and not joining.strikes(names):  # with what speed does it arrive after 3 m
         main = main.without("verb", "hit", "reach")
     accelerates = main.has("quantity", "acceleration", "angular acceleration") and main.has("verb", "start")
+    accelerates = accelerates and not joining.is_still(names)
     if (
         accelerates and set(main.all("verb")) <= {"start", *GOES_ON} and not others
     ):  # with what acceleration does it start to move
@@ -208,7 +209,7 @@ def _tails(names: Names, main: Clause) -> tuple[list[list[str]], Clause]:
             of = next((name for _, name in main.names if name in lookup.moving(names) or name in names.measures), "")
             main = _without_owner(names, main, instant)
             if (instant == "at the top" and poses.begins_uppermost(names, of)) or (
-                instant == "at the bottom" and poses.begins_level(names, of, lowest=True)
+                instant == "at the bottom" and not lookup.rests(names) and poses.begins_at(names, of, lowest=True)
             ):
                 tails.append([" at start"])
                 continue
@@ -312,6 +313,9 @@ def _event_within(names: Names, main: Clause) -> tuple[Clause, list[list[str]]] 
     if main.has("ask", "with") and chosen and begins and lookup.rests(names):  # at which force does it begin to slip
         return None
     if main.has("ask", "with") and main.has("quantity", "acceleration") and set(verbs) <= {"slide", "roll"}:
+        return None
+    is_shaken = lookup.is_forced(names) and main.has("verb", "vanish") and len(main.all("quantity")) == 1
+    if main.has("ask", "with") and is_shaken:  # at what speed the vibration vanishes asks for that of the drive
         return None
     if main.has("ask", "with") and (joining.is_still(names) or _is_of_drive(names, main)):
         return None

@@ -28,7 +28,8 @@ def limits(names: Names, words: list[Word], modal: set[str]) -> Groups:
     """The end of the values of a parameter up to which rest lasts. modal: whether something `may` or `must` be."""
     words = [Word("verb", "hold") if word == Word("verb", "hang") else word for word in words]
     if joining.is_still(names):  # the acceleration that can be reached
-        words = [w for w in words if w.kind != "verb" or w.what not in ("reach", "accelerate")]
+        light = {"reach", "accelerate"} | ({"move"} if Word("ask", "fast") in words and "may" in modal else set[str]())
+        words = [w for w in words if w.kind != "verb" or w.what not in light]
     clause = Clause(words)
     known = clause.only("ask", "degree", "quantity", "name", "verb", "not", "mark", "instant", "part", *SILENT)
     if known and not lookup.rests(names):
@@ -118,7 +119,7 @@ def _lasting(names: Names, head: Clause, state: Clause, modal: set[str]) -> str 
         if "must" in modal and not state.words and head.has("quantity", "friction coefficient"):
             return _REST
         is_bounded = head.has("degree", "least", "greatest", "range") or head.has(
-            "ask", "steep", "flat", "heavy", "rough"
+            "ask", "steep", "flat", "heavy", "rough", "fast"
         )
         return _REST if modal and is_bounded and not state.words and joining.is_rough(names) else None
     if not ends:

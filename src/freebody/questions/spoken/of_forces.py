@@ -59,6 +59,8 @@ def _transmitted(names: Names, quantity: str, rest: Clause) -> Groups:
         )
         if not kinds and any(name in names.connections for _, name in rest.names):
             kinds = (quantity,)  # the grammar says that it has none
+    if quantity == "axial force" and "tension" not in own:  # of a shaft, that of its teeth
+        kinds = ("axial tooth force",)
     joints = {name for _, name in rest.names if name in names.connections}
     if quantity == "force" and not joints and (meshes := _meshes_between(names, rest)):
         angled = {

@@ -38,6 +38,15 @@ def for_what(names: Names, words: list[Word]) -> list[Word]:
     return words
 
 
+def spinning(names: Names, words: list[Word]) -> list[Word]:
+    """Wheels that start to spin slip, where nothing moves yet."""
+    spin = [Word("verb", "start"), Word("quantity", "angular velocity")]
+    k = next((k for k in range(len(words)) if words[k : k + 2] == spin), None)
+    if k is None or not joining.is_still(names):
+        return words
+    return [*words[: k + 1], Word("verb", "slide"), *words[k + 2 :]]
+
+
 def infinitives(words: list[Word]) -> list[Word]:
     """The torque to hold the load is that needed to: behind what is asked a verb says what for."""
     found: list[Word] = []
