@@ -16,7 +16,7 @@ from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, RIGHT, UP, Direction, Point
-from freebody.model.curves import CurvePlace
+from freebody.model.curves import CurvePlace, LevelPlace
 from freebody.model.elements import AppliedLoad, Attitude, ConstraintRow, DryFriction, UnilateralConstraint, Validity
 from freebody.model.glyphs import Glyph, Relation
 from freebody.model.kinds import Kinds
@@ -156,8 +156,8 @@ class Connection(Spec):
         """What it takes for granted of where the bodies are."""
         return []
 
-    def lowest(self, names: Names) -> tuple[Measure, ...]:
-        """The measures of where something is along a curve, which are zero where this is lowest."""
+    def level_places(self, names: Names) -> tuple[LevelPlace, ...]:
+        """The lowest and highest places of a curve that it keeps something on."""
         return ()
 
     def curve_place(self, names: Names) -> CurvePlace | None:

@@ -16,7 +16,7 @@ from freebody.language.units import DIMENSIONLESS, LENGTH, Dimension, dimension_
 from freebody.measures.base import Measure
 from freebody.measures.geometry import GROUND, Direction, Point
 from freebody.model import glyphs
-from freebody.model.curves import PARAMETER, Curve, CurvePlace
+from freebody.model.curves import PARAMETER, Curve, CurvePlace, LevelPlace
 from freebody.model.glyphs import Glyph
 from freebody.model.rotations import UNIT
 from freebody.model.spec import Formula
@@ -109,28 +109,36 @@ class AlongCurve(Connection):
         bends = [side * bend for _s, _x, _y, bend in self._looked_at(names, curve)]
         return 1.0 / max(bends) if bends and max(bends) > 0.0 else None
 
-    def lowest(self, names: Names) -> tuple[Measure, ...]:
-        """None for a closed curve, which has a lowest place in each turn."""
+    def level_places(self, names: Names) -> tuple[LevelPlace, ...]:
+        """At 0, and halfway round a closed curve: so far as the numbers of the model say that it is level there, and
+        nowhere as low, or as high."""
         curve, values = self.curve(names), {p.name: p.value for p in names.parameters.values() if p.value is not None}
 
         def at(s: float, e: Expr) -> float:
             return float(evaluate(e, {**values, PARAMETER: s}))
 
         places = self._looked_at(names, curve)
+        found: list[LevelPlace] = []
         try:
             is_closed = curve.dimension == DIMENSIONLESS and math.isclose(
                 at(0.0, curve.x), at(2.0 * math.pi, curve.x), abs_tol=ROUNDED
             )
-            is_level = abs(at(0.0, curve.slopes[1])) <= ROUNDED
-            bottom = at(0.0, curve.y)
+            for half_turns in (0, 1) if is_closed else (0,):
+                s = half_turns * math.pi
+                y, is_level = at(s, curve.y), abs(at(s, curve.slopes[1])) <= ROUNDED
+                far = [place[2] for place in places if abs(math.remainder(place[0] - s, 2.0 * math.pi)) > ROUNDED]
+                far = far if is_closed else [place[2] for place in places if abs(place[0]) > ROUNDED]
+                if is_level and far and (y < min(far) or y > max(far)):
+                    found.append(LevelPlace(self._measured(names, curve), half_turns, y < min(far), is_closed))
         except (ArithmeticError, ValueError, FreebodyError):
             return ()
-        inner = [place for place in places if abs(place[0]) > ROUNDED]
-        if is_closed or not is_level or not inner or any(place[2] <= bottom for place in inner):
-            return ()
-        (_x, along), _y = curve.place_of(self.moved_point(names))
+        return tuple(found)
+
+    def _measured(self, names: Names, curve: Curve) -> Measure:
+        """What is measured along the curve: its parameter, or x where y is given in x."""
         place = self.curve_place(names)
-        return (along,) if place is None else (place.parameter,)
+        (_x, along), _y = curve.place_of(self.moved_point(names))
+        return along if place is None else place.parameter
 
     # -- what is drawn ------------------------------------------------------------------------
     def drawn(self, names: Names) -> Iterable[Glyph]:

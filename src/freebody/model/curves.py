@@ -75,6 +75,17 @@ class Curve:
 
 
 @dataclass(frozen=True)
+class LevelPlace:
+    """Where a curve is lowest, or highest: what is measured along it is pi times half_turns there, and again after each
+    turn of a closed curve (recurs)."""
+
+    measure: Measure
+    half_turns: int
+    is_lowest: bool
+    recurs: bool
+
+
+@dataclass(frozen=True)
 class CurvePlace:
     """Where a point is beside a curve, of one connection. near: guesses for s and h."""
 

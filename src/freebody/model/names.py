@@ -18,7 +18,7 @@ from freebody.language.units import (
 )
 from freebody.measures.base import Measure
 from freebody.measures.geometry import COMPASS, GROUND, ONE, ZERO, Components, Direction, Point
-from freebody.model.curves import CurvePlace
+from freebody.model.curves import CurvePlace, LevelPlace
 from freebody.model.elements import (
     AppliedLoad,
     Attitude,
@@ -66,8 +66,8 @@ class Joining(Protocol):
         """Whether what it transmits at several places is one force to people."""
         ...
 
-    def lowest(self, names: Names) -> tuple[Measure, ...]:
-        """The measures of where something is along a curve, which are zero where this is lowest."""
+    def level_places(self, names: Names) -> tuple[LevelPlace, ...]:
+        """The lowest and highest places of a curve that it keeps something on."""
         ...
 
     def keeps_flat(self, names: Names) -> bool:
@@ -169,6 +169,7 @@ class Names(Formulas):
         self.loads: dict[str, Dimension] = {}  # the dimension of what each load exerts
         self.impulses: frozenset[str] = frozenset()  # the loads that act in no time
         self.struck_at_start: frozenset[str] = frozenset()  # what closes and strikes at the start
+        self.closing_later: frozenset[str] = frozenset()  # connections that close in mid-motion
         self.applied_loads: list[
             AppliedLoad
         ] = []  # what the loads push, known before the connections say what they hold

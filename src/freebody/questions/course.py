@@ -18,6 +18,7 @@ from freebody.measures.base import Measure
 from freebody.measures.geometry import GROUND
 from freebody.model.noting import did_you_mean
 from freebody.model.phrases import read_measure
+from freebody.model.solids import ROPE
 from freebody.questions.base import Described, Found, Passage, Path, Quantity, angular_unit, asked
 from freebody.questions.event import leads_to
 from freebody.questions.sudden import side_of_blow
@@ -222,11 +223,13 @@ def read_transition(names: Names, text: str, path: Path) -> Transition | None:
         if found is None:
             continue
         name = found.groupdict().get("of")
+        if found.groupdict().get("rests") is not None and not can_change(names):
+            return None  # nothing sticks where it stops: an event of a measure, whose rate is zero
         if name is None:
             if found.groupdict().get("rests") is not None:
                 _refuse_rolling(names, (), path)
             return Transition(kind, (), text)
-        if name in names.measures:
+        if name in names.measures or (kind == "opens" and _runs_off(names, name)):
             return None
         of, on = connections_of(names, name, path), found.groupdict().get("on")
         if on is not None:
@@ -242,6 +245,16 @@ def read_transition(names: Names, text: str, path: Path) -> Transition | None:
             _refuse_rolling(names, of, path)
         return Transition(kind, of, text)
     return None
+
+
+def can_change(names: Names) -> bool:
+    """Whether a contact, a string or dry friction can change its state."""
+    return any(row.unilateral or row.reaction.startswith("friction") for row in names.constraint_rows)
+
+
+def _runs_off(names: Names, name: str) -> bool:
+    """Whether something is a rope with mass: it leaves an edge where all of it hangs, an event of its measure."""
+    return name in names.bodies and names.bodies[name].solid is ROPE
 
 
 def _refuse_rolling(names: Names, of: tuple[str, ...], path: Path) -> None:

@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from itertools import takewhile
 from typing import TYPE_CHECKING
 
-from freebody.questions.spoken import given
+from freebody.questions.spoken import given, joining
 from freebody.questions.spoken.composing import ALONG
 from freebody.questions.spoken.lexicon import Word
 
@@ -29,6 +29,7 @@ _TURNS = frozenset({"moment", "torque", "driving torque", "friction torque"})
 _WAYS = {*ALONG, "uphill", "downhill"}  # what goes that way is a component, or an instant of a motion that way
 _TURNED_ROUND = re.compile(r"^(?:value|range|least|largest) (?:of )?(?P<parameter>\w+) (?:for|so|that) ")
 _NO_QUANTITY = re.compile(r"^(?:value|range|least|largest|ratio|does|is|when|time|change|energy|work|turns) ")
+_OF_MOTION = re.compile(r"^\|?(?:greatest |least )?(?:angular )?(?:speed|velocity|acceleration) of ")
 _TORQUE = re.compile(r"\b(?:torque|moment) (?:of|on) ")
 _OF_TORQUE = re.compile(r"\b(?:torque|moment|impulse|power)\b|\bforce in |/|\*")
 _COMPONENT = re.compile(r"\b(?:along|horizontal|vertical|when|until|normal|while|tension)\b")
@@ -41,6 +42,11 @@ def is_accounted_for(names: Names, words: Sequence[Word], text: str) -> bool:
         return _has_unit(names, words, turned["parameter"])
     if _NO_QUANTITY.match(text):
         return True
+    if Word("filler", "may") in words:  # what can be reached by choice is none of this motion
+        if joining.is_still(names) and _OF_MOTION.match(text):
+            return False
+        if "acceleration" in asked and given.growing(names, []):
+            return False
     is_push, is_turn = bool(asked & _PUSHES), bool(asked & _TURNS)
     if is_push and not is_turn and _TORQUE.search(text):
         return False

@@ -7,9 +7,9 @@ from __future__ import annotations
 from itertools import product
 from typing import TYPE_CHECKING
 
-from freebody.questions.spoken import given, lookup, of_forces, of_motion, of_systems, poses
+from freebody.questions.spoken import given, joining, lookup, of_forces, of_motion, of_systems, poses
 from freebody.questions.spoken.composing import JOINT, SILENT, Groups, composed
-from freebody.questions.spoken.frames import framed
+from freebody.questions.spoken.frames import MOTION, framed
 from freebody.questions.spoken.lexicon import Word
 from freebody.questions.spoken.words import Clause
 
@@ -68,6 +68,8 @@ def _extreme(names: Names, clause: Clause, degrees: list[str]) -> Groups:
     """The greatest or least of something over the motion."""
     if len(degrees) != 1 or degrees[0] not in ("greatest", "least"):
         return
+    if joining.is_still(names) and clause.has("quantity", *MOTION):
+        return  # the greatest acceleration that can be reached is none of a motion
     if len(clause.all("quantity")) > 1 and clause.has("preposition", "and"):
         return  # the largest of one, and another
     whole = " over the motion" if clause.has("instant", "over the motion") else ""

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 
 _WAYS = ("distance", "displacement", "distance travelled")
 _STAYS = {"hold", "fly", "move", "stay_on"}  # verbs of what is in the air
+_COMES = ("hit", "leave", "slack", "turn_back", "return", "run_off", "slide")  # what a motion may come to
 _TO_THE_END = ("ask", "quantity", "verb", "name", *SILENT)
 COUNTED = ("work", "work of friction", "energy lost", "turns")  # up to an event, and at no instant
 
@@ -84,6 +85,17 @@ def time(names: Names, sentence: Sentence) -> Groups:
         yield [f"time when {condition}" for condition in group]
 
 
+def whether(names: Names, sentence: Sentence) -> Groups:
+    """Does the rod lift off? If so, when: of what moves, for of what rests it is asked whether it holds."""
+    main, verbs = sentence.main, sentence.main.all("verb")
+    plain = main.only("verb", "name", *SILENT) and not sentence.others
+    sticks = lookup.rests(names) and any("contact" in names.called.get(name, ()) for name in joining.rough(names, ""))
+    is_begun = verbs == ["slide"] and not sticks  # what slides already does not begin to
+    if plain and len(verbs) == 1 and verbs[0] in _COMES and not joining.is_still(names) and not is_begun:
+        for group in conditions(names, main):
+            yield [f"time when {condition}" for condition in group]
+
+
 def _lifting(names: Names, main: Clause) -> Groups:
     """When do the wheels lift off that nothing lets go: with which push, where there is one alone."""
     bound = {row.connection for row in names.constraint_rows if row.unilateral}
@@ -134,7 +146,8 @@ def lost(names: Names, sentence: Sentence) -> Groups:
     )
     if not is_energy or not main.only("quantity", "ask", "verb", "instant", "name", *SILENT):
         return
-    bodies = [name for _, name in main.names if name in lookup.massive(names)]
+    before = Clause(main.words[: next((k for k, w in enumerate(main.words) if w.kind == "instant"), None)])
+    bodies = [name for _, name in before.names if name in lookup.massive(names)]
     if len(bodies) == 1 < len(lookup.massive(names)) and not sentence.others:
         return  # of one body: what the others get is no loss
     is_blow = not main.has("instant") and losing.only_loses_in_the_blow(names)
@@ -173,11 +186,24 @@ def counted(names: Names, sentence: Sentence) -> Groups:
         for condition in conditions(names, main.without("ask")):
             yield [f"{what} of {head} until {text}" for head, text in product(heads, condition)]
         return
+    sentence = _there_and_back(sentence)
     for group in _heads_counted(names, sentence):
         if sentence.others == () and main.has("instant", "in the impact"):
             yield group
         for end in ends(names, sentence):
             yield [f"{head} until {condition}" for head, condition in product(group, end)]
+
+
+def _there_and_back(sentence: Sentence) -> Sentence:
+    """How far it goes before it comes back is how far until it turns back, and not where it is when it is back."""
+    main = sentence.main
+    if not (main.has("ask", "far", "much", "high") or main.has("quantity", "distance", "displacement")):
+        return sentence
+    turns, returns = Word("verb", "turn_back"), Word("verb", "return")
+    others = [
+        (mark, [turns if mark == "until" and w == returns else w for w in own.words]) for mark, own in sentence.others
+    ]
+    return Sentence(main, tuple((mark, Clause(own)) for mark, own in others))
 
 
 def _heads_counted(names: Names, sentence: Sentence) -> Groups:

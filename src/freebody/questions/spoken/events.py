@@ -8,8 +8,10 @@ from typing import TYPE_CHECKING
 
 from freebody.language.notation import to_python
 from freebody.measures.geometry import GROUND, ZERO
+from freebody.questions.course import can_change
 from freebody.questions.event import leads_to
-from freebody.questions.spoken import dimensions, joining, lookup, losing, poses
+from freebody.questions.spoken import dimensions, joining, lookup, losing, poses, strings
+from freebody.questions.spoken.coming import come_so_far
 from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.words import Clause
 
@@ -18,7 +20,7 @@ if TYPE_CHECKING:
 
 HAPPENS = (  # verbs of what comes at an instant; the others are of what goes on
     *("hit", "leave", "stop", "turn_back", "return", "reach", "start", "end", "slack", "taut"),
-    *("vanish", "top", "bottom", "begin_roll", "engage"),
+    *("vanish", "top", "bottom", "begin_roll", "engage", "run_off"),
 )
 _WAYS = ("distance", "displacement", "distance travelled", "angle", "height")
 POSES = {"horizontal": poses.level, "vertical": poses.upright, "upright": poses.uppermost}
@@ -46,7 +48,7 @@ def conditions(names: Names, clause: Clause) -> Groups:
             yield POSES[pose](names, of) if pose in POSES else []
     else:
         if clause.values or clause.has("turns") or any(name in names.parameters for _, name in clause.names):
-            yield from _with_value(names, clause, verbs)
+            yield from come_so_far(names, clause, verbs)
         yield from _happening(names, clause, verbs)
 
 
@@ -98,7 +100,7 @@ def _of_quantity(names: Names, clause: Clause, verbs: list[str]) -> Groups:
     """The angle is 60 deg; its height reaches h; the normal force vanishes; at a crank angle of 60 deg."""
     values = [value for _, value in clause.values]
     if (set(verbs) & set(GOES_ON) or not verbs) and (plain := _without_kind(names, clause)) is not None:
-        yield from _with_value(names, plain, verbs)
+        yield from come_so_far(names, plain, verbs)
         return
     if clause.all("quantity") == ["equilibrium"] and not values:
         if clause.only("quantity", "verb", "name", *SILENT) and set(verbs) <= {"reach", "move", "turn"}:
@@ -179,56 +181,6 @@ def _grows(names: Names, measure: str) -> bool:
     return measure in names.started_at_zero and rate is not None and rate >= 0.0
 
 
-# -- how far something has come ---------------------------------------------------------------
-def _with_value(names: Names, clause: Clause, verbs: list[str]) -> Groups:
-    """It has moved 2 m; x reaches d; the crank has turned 90 deg; 3 revolutions."""
-    if not clause.only("name", "value", "turns", "verb", "part", *SILENT):
-        return
-    turns = clause.all("turns")
-    values = [value for _, value in clause.values] + [f"{turn} * 2*pi" for turn in turns]
-    of = [name for _, name in clause.names]
-    if not values and of and of[-1] in names.parameters:
-        values = [of.pop()]
-    if len(values) != 1 or len(of) > 3:
-        return
-    lines = [
-        name for before, name in clause.names if before in ("along", "up", "down") and joining.direction(names, name)
-    ]
-    acting = [name for name in of if name in names.loads] if len(of) > 1 else []  # the motor lifts the crate by 2 m
-    [value], of = values, [name for name in of if name not in (*lines, *acting)]
-    who = next(iter(of), "")
-    if who in names.loads:  # the motor: what it turns
-        driven = {body for p in names.applied_loads if p.load == who for body in p.measure.bodies()} - {GROUND}
-        who = next(iter(driven)) if len(driven) == 1 else who
-    if clause.has("part", "horizontal") and dimensions.is_length(value):
-        yield [lookup.come(names, way, value) for way in lookup.level(names, who)]
-        return
-    if dimensions.is_speed(value) or dimensions.is_turning_speed(value):
-        found = lookup.places if dimensions.is_speed(value) else lookup.angles
-        yield [f"rate({measure}) = {value}" for measure in found(names, who)]
-        return
-    if dimensions.is_time(value):
-        return
-    doing = set(verbs) - {"start"}
-    sense = -1 if clause.has("updown", "down") or clause.has("part", "downward") else 0
-    sense = 1 if clause.has("updown", "up") or clause.has("part", "upward") else sense
-    if sense and doing <= {"move", "slide", "roll", "fly", "fall", "rise"}:
-        yield lookup.gone(names, who, value, sense)
-        return
-    if not doing and dimensions.is_angle(value) and who not in names.measures:
-        yield [f"{angle} = {value}" for angle in lookup.angles(names, who)]
-    elif turns or doing == {"turn"}:
-        yield [f"{angle} = {value}" for angle in joining.turned(names, who)]
-    elif doing == {"fall"}:
-        yield lookup.climbed(names, who, value, -1)
-    elif doing == {"rise"}:
-        yield lookup.climbed(names, who, value, 1)
-    elif doing <= {"reach"} and of and of[-1] in names.measures:
-        yield [f"{of[-1]} = {value}"]
-    elif (doing and doing <= {"move", "slide", "roll", "fly", "reach"}) or not doing:
-        yield [lookup.come(names, way, value) for way in lookup.went(names, who)]
-
-
 # -- what happens -----------------------------------------------------------------------------
 def _happening(names: Names, clause: Clause, verbs: list[str]) -> Groups:
     """The ball hits the floor; rolling begins; the rope goes slack; it turns back."""
@@ -275,13 +227,23 @@ def _hits(names: Names, who: str, other: str) -> Groups:
         return
     if not joining.strikes(names) and other in ("", GROUND):
         yield [f"{height} = 0" for height in (lookup.rising(names, who) or lookup.falling(names, who))]
+        yield poses.lowermost(names, who) if not other else []  # it has come down
         return
-    yield [f"{who or 'it'} hits {other}".strip()]
+    meets = [name for name in names.connections if {"contact", "stop", "cam"} & {*names.called.get(name, ())}]
+    if other or not who or any(joining.touches(names, name, who) for name in meets):
+        yield [f"{who or 'it'} hits {other}".strip()]
+
+
+def _runs_off(names: Names, who: str, other: str) -> Groups:
+    yield strings.run_off(names, who) or strings.run_off(names, other)
 
 
 def _leaves(names: Names, who: str, other: str) -> Groups:
     if other in names.loads:
         return  # nothing is said of where a spring no longer pushes
+    if off := strings.run_off(names, who):
+        yield off
+        return
     free = {row.connection for row in names.constraint_rows if row.unilateral or row.reaction == "tension"}
     if any(name in names.connections and name not in free for name in (who, other)):
         return  # it holds on both sides
@@ -293,6 +255,9 @@ def _leaves(names: Names, who: str, other: str) -> Groups:
 
 
 def _rolls(names: Names, who: str, other: str) -> Groups:
+    if not joining.can_turn(names, who):
+        yield strings.run_off(names, who)  # what rolls off is wound on something
+        return
     yield [f"{who} begins to roll" if who else "rolling begins"] if _is_rough_to(names, who, other) else []
 
 
@@ -316,6 +281,9 @@ def _is_rough_to(names: Names, who: str, other: str) -> bool:
 def _stops(names: Names, who: str, other: str) -> Groups:
     if who in names.measures:
         yield [f"rate({who}) = 0"] if not other else []
+        return
+    if not other and not can_change(names) and who not in names.connections:  # where it turns back, or comes near to
+        yield poses.turning(names, who)
         return
     yield [f"{who or 'it'} stops"] if not other else []
 
@@ -379,6 +347,7 @@ _TOLD: dict[frozenset[str], Callable[..., Groups]] = {
     for doing, told in (
         ("hit", _hits),
         ("leave", _leaves),
+        ("run_off", _runs_off),
         ("start leave", _leaves),
         ("roll", _rolls),
         ("start roll", _rolls),

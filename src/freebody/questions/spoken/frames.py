@@ -34,6 +34,7 @@ _LIGHT = {
     **dict.fromkeys(FORCES, _ACTING | {"move", "carry", "hang", "reach"}),
     **dict.fromkeys(("highest place", "lowest place"), _GOING),
     "friction force": _ACTING | {"move", "carry", "hang", "reach", "hold"},
+    "terminal velocity": _GOING,
     "links": frozenset({"move", "become"}),
     "flight time": frozenset({"move", "fly", "hold", "stay_on"}),
     "dead points": frozenset({"move", "reach", "stop"}),
@@ -83,6 +84,8 @@ _FRAMES = (
 def framed(names: Names, clause: Clause) -> Clause:
     """The clause with the quantity that its question words and its verbs stand for, and without what says no more."""
     clause = _changing(clause)
+    if joining.is_still(names) and clause.has("ask", "with") and clause.has("verb"):
+        return clause  # the speed at which it slides is no speed of a motion
     asked, asks, verbs = clause.all("quantity"), set(clause.all("ask")), set(clause.all("verb"))
     kept = [w for w in clause.words if w.kind not in ("ask", "verb")]
     if joining.sloping(names) and verbs & {"slide", "roll"}:  # up the slope on which it slides

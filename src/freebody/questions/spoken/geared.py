@@ -81,9 +81,11 @@ def per_turn(names: Names, sentence: Sentence) -> Groups:
     cut = main.words.index(Word("instant", "over a turn"))
     who, of = (Clause(words).names for words in (main.words[:cut], main.words[cut:]))
     known = main.only("ask", "verb", "name", "instant", *SILENT) and set(main.all("verb")) <= _RUNS - {"turn"}
-    if len(who) != 1 or len(of) != 1 or of[0][1] not in lookup.turning(names) or not known or _n_freedoms(names) > 1:
+    if len(who) != 1 or len(of) != 1 or not known or _n_freedoms(names) > 1:
         return
-    [(_, thing)], [(_, turned)] = who, of
+    [(_, thing)], turned = who, lookup.acted_on(names, of[0][1])
+    if turned not in lookup.turning(names):
+        return
     ways = lookup.places(names, thing)
     speeds = [f"velocity of {way}" for way in ways] or [f"speed of {thing}"]
     yield [f"2*pi * ratio of {speed} to angular velocity of {turned}" for speed in speeds]

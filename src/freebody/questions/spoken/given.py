@@ -11,8 +11,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from freebody.language.expression import Symbol, free_symbols, multiply, negate
-from freebody.language.units import FORCE, LENGTH, MASS, TIME, TORQUE, Dimension
-from freebody.measures.geometry import ZERO
+from freebody.language.units import ACCELERATION, DIMENSIONLESS, FORCE, LENGTH, MASS, TIME, TORQUE, Dimension
+from freebody.measures.geometry import GROUND, ZERO
 from freebody.model.elements import VALUE, Parameter
 from freebody.model.solids import ROD
 from freebody.questions.spoken.joining import given_of, is_at, is_joined
@@ -42,6 +42,11 @@ class ParameterKind:
         """Whether it is how hard something is pushed or turned."""
         return self.dimension in (FORCE, TORQUE)
 
+    @property
+    def ends_rest_by_growing(self) -> bool:
+        """Whether rest ends where it gets too large: how hard something is pushed, how fast it goes round a curve."""
+        return self.is_push or self.dimension in (LENGTH / TIME, ACCELERATION)
+
     def has(self, parameter: Parameter) -> bool:
         """Whether the unit of a parameter says that it is one."""
         return parameter.is_angle if self.is_angle else parameter.dimension == self.dimension
@@ -57,6 +62,8 @@ KINDS = (
     ParameterKind(("reaction",), dimension=FORCE),
     ParameterKind(("torque", "moment", "driving torque"), dimension=TORQUE, ends_rest=True),
     ParameterKind(("speed", "velocity"), ("fast",), dimension=LENGTH / TIME, ends_rest=True),
+    ParameterKind(("acceleration",), dimension=ACCELERATION, ends_rest=True),
+    ParameterKind(("angular velocity",), dimension=DIMENSIONLESS / TIME),
     ParameterKind(("height",), ("high",), dimension=LENGTH, ends_rest=True),
     ParameterKind(("distance",), ("far",), dimension=LENGTH, ends_rest=True),
     ParameterKind(("angle",), ("steep", "flat"), is_angle=True, ends_rest=True),
@@ -107,7 +114,21 @@ def stiffness(names: Names, spring: str) -> str | None:
 def of_kind(names: Names, kind: str) -> list[str]:
     """Parameters that are a force, an angle, a speed, as their units say."""
     given = [parameter for parameter in names.parameters.values() if parameter.form is None]
-    return [parameter.name for parameter in given if is_by_unit(kind) and KIND_OF[kind].has(parameter)]
+    found = [parameter.name for parameter in given if is_by_unit(kind) and KIND_OF[kind].has(parameter)]
+    return [name for name in found if kind != "acceleration" or name not in _weighed_by(names)]
+
+
+def _weighed_by(names: Names) -> frozenset[str]:
+    """The parameters in the laws of gravity."""
+    weights = [load.law for load in names.applied_loads if "gravity" in names.called.get(load.load, ())]
+    return frozenset[str]().union(*map(free_symbols, weights))
+
+
+def growing(names: Names, things: list[str]) -> list[str]:
+    """What may grow until rest ends, where nobody says what: the only force, torque, speed or acceleration that can be
+    chosen. things: what is named."""
+    kinds = ("force", "torque", "speed", "acceleration")
+    return [name for kind in kinds for name in chosen(names, KIND_OF[kind], things)]
 
 
 def started_with(names: Names, bodies: list[str]) -> list[str]:
@@ -118,7 +139,9 @@ def started_with(names: Names, bodies: list[str]) -> list[str]:
             for component in names.bodies[body].start.velocity or ():
                 used |= free_symbols(component)
         for name, rate in names.start_rates.items():
-            if body == name or (name in names.measures and body in names.measures[name].bodies()):
+            own = set(names.measures[name].bodies()) if name in names.measures else set[str]()
+            is_on_curve = bool(own) and not (own - {GROUND}) & names.bodies.keys()  # of the foot of what runs along it
+            if body == name or body in own or (is_on_curve and len(bodies) == 1):
                 used |= free_symbols(rate)
     return [name for name in of_kind(names, "speed") if name in used]
 

@@ -6,7 +6,7 @@ from itertools import pairwise, product
 from typing import TYPE_CHECKING
 
 from freebody.measures.geometry import GROUND
-from freebody.questions.spoken import dimensions, given, joining, lookup, losing, poses, within
+from freebody.questions.spoken import dimensions, farthest, given, joining, lookup, losing, poses, within
 from freebody.questions.spoken.asking import quantities
 from freebody.questions.spoken.composing import SILENT, Groups, ended
 from freebody.questions.spoken.counting import COUNTED
@@ -85,13 +85,19 @@ def timed(names: Names, sentence: Sentence) -> Groups:
         and joining.is_struck_at_start_alone(names)
     ):
         main = main.without("instant")
+    is_place = main.all("quantity") in (["angle"], ["position"], ["height"], ["distance"]) and main.has("ask", "with")
+    if is_place and main.all("verb") == ["hold"]:  # at what angle does it sit
+        main = Clause([Word("quantity", "equilibrium"), *(w for w in main.words if w.kind == "name")])
+    if farthest.is_settled(main) and not others:
+        yield from farthest.where_it_settles(names, main)
+        return
     if main.has("ask", "high") and not others and main.has("verb") and main.only("ask", "verb", "name", "pronoun"):
-        yield from _how_high(names, main)
+        yield from farthest.how_high(names, main)
         return
     is_range = set(main.all("verb")) <= {"fly", "hit"} and main.only("ask", "verb", "name", "pronoun")
     is_far = main.has("ask", "far") and main.only("ask", "verb", "name", "pronoun", "updown", "part")
     if is_far and not is_range and not others:
-        yield from _how_far(names, main)
+        yield from farthest.how_far(names, main)
         return
     if main.has("ask", "where") and main.has("instant", "in equilibrium") and not main.has("quantity"):
         main = Clause([Word("quantity", "equilibrium"), *main.without("ask").without("verb").without("instant").words])
@@ -100,6 +106,7 @@ def timed(names: Names, sentence: Sentence) -> Groups:
     if others and main.has("quantity") and not joining.strikes(names):  # with what speed does it arrive after 3 m
         main = main.without("verb", "hit", "reach")
     accelerates = main.has("quantity", "acceleration", "angular acceleration") and main.has("verb", "start")
+    accelerates = accelerates and not joining.is_still(names)
     if (
         accelerates and set(main.all("verb")) <= {"start", *GOES_ON} and not others
     ):  # with what acceleration does it start to move
@@ -187,41 +194,6 @@ def _is_continuous(names: Names, main: Clause) -> bool:
     return all(quantity in _CONTINUOUS for quantity in asked)
 
 
-def _how_high(names: Names, main: Clause) -> Groups:
-    """How high does it fly? As high as it is where it no longer rises."""
-    who = next((name for _, name in main.names), "")
-    if set(main.all("verb")) <= {"move", "fly", "rise", "roll", "turn", "slide"} and len(main.names) <= 1:
-        yield [f"{height} when {top}" for height in lookup.rising(names, who) for top in poses.tops(names, who)]
-        yield [f"greatest height of {body}" for body in ([who] if who else lookup.moving(names))]
-
-
-def _how_far(names: Names, main: Clause) -> Groups:
-    """How far does it swing, how far up does it slide? As far as where it turns back."""
-    lines = [name for _, name in main.names if name in names.bodies[GROUND].lines]  # up the slope
-    main = Clause([word for word in main.words if word.what not in lines])
-    who = next((name for _, name in main.names), "")
-    up = main.has("updown", "up") or main.has("part", "upward") or main.has("verb", "rise")
-    if len(main.names) > 1 or main.has("updown", "down") or main.has("verb", "fall"):
-        return
-    if up:
-        yield [f"{way} when rate({way}) = 0" for way, sense in lookup.inclined(names, who) if sense > 0]
-    elif (
-        set(main.all("verb")) == {"move"}
-        and lookup.rests(names)
-        and joining.goes_on(names)
-        and not names.struck_at_start
-    ):
-        yield [f"{way} when rate({way}) = 0" for way in lookup.ways(names, who) if who and lookup.springs(names)]
-    elif set(main.all("verb")) - {"move"} == {"slide"} and not lookup.rests(names):
-        yield [f"distance travelled along {way} until slipping ends" for way in lookup.ways(names, who)]
-    elif set(main.all("verb")) == {"turn"}:
-        led = {name for name in names.measures if names.start_rates and name not in names.start_rates}
-        yield [
-            f"stroke of {angle}" if angle in led or lookup.is_forced(names) else f"{angle} when rate({angle}) = 0"
-            for angle in lookup.angles(names, who)
-        ]
-
-
 def _tails(names: Names, main: Clause) -> tuple[list[list[str]], Clause]:
     """Instants within a main clause, and the clause without them."""
     tails: list[list[str]] = []
@@ -234,7 +206,15 @@ def _tails(names: Names, main: Clause) -> tuple[list[list[str]], Clause]:
             struck = joining.is_struck_at_start_alone(names)
             tails.append([" at start" if struck and instant[0] == "a" else f" {instant}"])
         elif instant in _PLACES:
-            of = next((name for _, name in main.names if name in names.bodies or name in names.measures), "")
+            of = next((name for _, name in main.names if name in lookup.moving(names) or name in names.measures), "")
+            main = _without_owner(names, main, instant)
+            if (instant == "at the top" and poses.begins_uppermost(names, of)) or (
+                instant == "at the bottom" and not lookup.rests(names) and poses.begins_at(names, of, lowest=True)
+            ):
+                tails.append([" at start"])
+                continue
+            if instant == "at the top" and joining.tracks(names):
+                instant = "at the top of the loop"
             found_at = _PLACES[instant](names, of) or (_uppermost(names, of) if instant == "at the top" else [])
             tails.append([f" when {text}" for text in found_at])
         elif instant == "at the impact" or (instant == "in the impact" and _is_continuous(names, main)):
@@ -269,6 +249,14 @@ def _tails(names: Names, main: Clause) -> tuple[list[list[str]], Clause]:
     return tails, main
 
 
+def _without_owner(names: Names, main: Clause, instant: str) -> Clause:
+    """Without what a place is of: at the bottom of the wire."""
+    k = next(k for k, word in enumerate(main.words) if word == Word("instant", instant))
+    of, thing = [*main.words[k + 1 : k + 3], Word("", ""), Word("", "")][:2]
+    is_owner = of == Word("preposition", "of") and thing.kind == "name" and thing.what in names.connections
+    return Clause([*main.words[: k + 1], *main.words[k + 3 :]]) if is_owner else main
+
+
 def _uppermost(names: Names, of: str) -> list[str]:
     """Where what goes up a slope at the start turns back."""
     return [f"rate({way}) = 0" for way, sense in lookup.inclined(names, of) if lookup.rises(names, way, sense)]
@@ -277,6 +265,9 @@ def _uppermost(names: Names, of: str) -> list[str]:
 def _at(names: Names, mark: str, clause: Clause) -> Groups:
     """The instant that a clause beside the main one says."""
     if mark in ("until", "while"):
+        return
+    if clause.has("verb", "hit") and any(_is_caught(names, name) for _, name in clause.names):
+        yield [" before the impact" if mark == "when" else " after the impact"]
         return
     if mark == "after":
         time = clock(names, clause)
@@ -307,6 +298,11 @@ def _at(names: Names, mark: str, clause: Clause) -> Groups:
         yield [f" when {condition}" for condition in group]
 
 
+def _is_caught(names: Names, place: str) -> bool:
+    """Whether something is caught at a place: a connection closes there on the way."""
+    return any(place in (name, *joining.ends_of(names, name)) for name in names.closing_later)
+
+
 def _event_within(names: Names, main: Clause) -> tuple[Clause, list[list[str]]] | None:
     """A main clause that tells an event with the quantity there: with what speed does the ball hit the floor."""
     verbs = main.all("verb")
@@ -317,6 +313,11 @@ def _event_within(names: Names, main: Clause) -> tuple[Clause, list[list[str]]] 
     if main.has("ask", "with") and chosen and begins and lookup.rests(names):  # at which force does it begin to slip
         return None
     if main.has("ask", "with") and main.has("quantity", "acceleration") and set(verbs) <= {"slide", "roll"}:
+        return None
+    is_shaken = lookup.is_forced(names) and main.has("verb", "vanish") and len(main.all("quantity")) == 1
+    if main.has("ask", "with") and is_shaken:  # at what speed the vibration vanishes asks for that of the drive
+        return None
+    if main.has("ask", "with") and (joining.is_still(names) or _is_of_drive(names, main)):
         return None
     if main.has("not") or (main.has("ask", "large", "much") and set(verbs) == {"taut"}):  # how taut is it
         return None
@@ -354,6 +355,13 @@ def _event_within(names: Names, main: Clause) -> tuple[Clause, list[list[str]]] 
         [angle, *_] = [*at_angle, *lookup.angles(names, who or ""), *lookup.angles(names, ""), ""]
         return (Clause([Word("name", angle)]), found) if angle else None
     return Clause([*head, *([Word("name", who)] if who else [])]), found
+
+
+def _is_of_drive(names: Names, main: Clause) -> bool:
+    """Whether the rate of a drive is meant: at which rpm a tappet, which cannot turn, leaves its cam."""
+    rates = [name for name in given.of_kind(names, "angular velocity") if name in joining.drive_parameters(names)]
+    turned = [name for _, name in main.names if joining.axle_of(names, name)]
+    return main.has("quantity", "angular velocity") and bool(rates) and not turned
 
 
 def _where_it_is(names: Names, main: Clause) -> tuple[Clause, list[list[str]]] | None:

@@ -7,12 +7,13 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, cast
 
-from freebody.language.expression import ZERO
+from freebody.language.expression import ZERO, free_symbols
 from freebody.measures.angle import Angle
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, Components
 from freebody.questions.course import names_line
 from freebody.questions.spoken import lookup
+from freebody.questions.spoken.lexicon import leading
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -46,10 +47,23 @@ def drivers(names: Names, body: str) -> list[str]:
     return [row.connection for row in rows if {*row.measure.bodies()} - {GROUND} == {body}]
 
 
+def joined_by(names: Names, connection: str) -> list[str]:
+    """The bodies that move and that a connection joins."""
+    spec = names.connections.get(connection)
+    return [body for body in lookup.moving(names) if spec is not None and body in spec.mentions(names)]
+
+
 def driven(names: Names) -> list[str]:
     """Named measures of which a connection says how they go with time."""
     own = [row.measure for row in names.constraint_rows if row.reaction in ("driving torque", "driving force")]
     return [name for name, measure in names.measures.items() if measure in own]
+
+
+def drive_parameters(names: Names) -> list[str]:
+    """The parameters by which connections say how something goes with time: Omega of a motor that follows Omega*t."""
+    laws = [row.target for row in names.constraint_rows if row.reaction in ("driving torque", "driving force")]
+    used = frozenset[str]().union(*(free_symbols(law) for law in laws if law is not None))
+    return [name for name in names.parameters if name in used]
 
 
 def slipping(names: Names, things: list[str]) -> str | None:
@@ -90,6 +104,11 @@ def led_round(names: Names) -> list[tuple[str, str]]:
         if "link" in names.called.get(name, ()) and len(ends) == 1 and GROUND in spec.mentions(names):
             found += [(next(iter(ends)), str(given["length"]))] if given.get("length") is not None else []
     return found
+
+
+def tracks(names: Names) -> list[str]:
+    """Links that are called as what leads something round is in nature: a track."""
+    return [name for name in names.connections if name in leading() and "link" in names.called.get(name, ())]
 
 
 def keeps_height(names: Names, body: str) -> bool:
@@ -167,7 +186,7 @@ def points(names: Names, along: str, sense: str) -> bool:
 def may_act_at(names: Names, joint: str, thing: str) -> bool:
     """Whether a connection may act at a point: it does not where the file gives it other points of that body."""
     body, _, point = thing.partition(".")
-    ends = [end for end in _ends(names, joint) if end.partition(".")[0] == body and "." in end]
+    ends = [end for end in ends_of(names, joint) if end.partition(".")[0] == body and "." in end]
     return not point or not ends or thing in ends
 
 
@@ -175,7 +194,7 @@ def joined_at(names: Names, name: str) -> str:
     """For a pin between bodies that move, and for what touches the ground with a point, that point. Else the name."""
     if name not in names.connections or name in names.bodies:
         return name
-    movable = [end for end in _ends(names, name) if end.partition(".")[0] in lookup.moving(names)]
+    movable = [end for end in ends_of(names, name) if end.partition(".")[0] in lookup.moving(names)]
     is_pin, is_contact = (kind in names.called.get(name, ()) for kind in ("pin", "contact"))
     if (is_pin and len(movable) == 2) or (is_contact and len(movable) == 1 and "." in movable[0]):
         return movable[0]
@@ -186,10 +205,10 @@ def pinned_at(names: Names, name: str) -> str:
     """For a pin on the ground the point there. Else what is named."""
     if name not in names.connections or "pin" not in names.called.get(name, ()):
         return name
-    return next((end for end in _ends(names, name) if end.partition(".")[0] == GROUND), name)
+    return next((end for end in ends_of(names, name) if end.partition(".")[0] == GROUND), name)
 
 
-def _ends(names: Names, name: str) -> list[str]:
+def ends_of(names: Names, name: str) -> list[str]:
     """What a file gives as the ends of a connection."""
     ends: list[str] = []
     for value in given_of(names.connections[name]).values():
@@ -208,10 +227,10 @@ def axle_points(names: Names, body: str) -> set[Components]:
     if body not in names.bodies:
         return found
     own = names.bodies[body]
-    for name in axles(names):
+    for name in axles(names) if not names.closing_later else ():  # what is caught later has no axle before
         described = names.connections[name]
         if _is_of(names, name, body) and GROUND in described.mentions(names):
-            ends = _ends(names, name)
+            ends = ends_of(names, name)
             points = [end.partition(".")[2] or own.default_point for end in ends if end.partition(".")[0] == body]
             found |= {own.points[point] for point in points if point in own.points}
     return found
@@ -241,7 +260,7 @@ def leaning(names: Names, body: str, *, level: bool) -> list[str]:
 def free_end(names: Names, body: str) -> str | None:
     """The end of a body that nothing holds, where something holds the other one."""
     own = [f"{body}.{end}" for end in ("start", "end") if body in names.bodies and end in names.bodies[body].points]
-    held = [end for end in own if any(end in _ends(names, joint) for joint in names.connections)]
+    held = [end for end in own if any(end in ends_of(names, joint) for joint in names.connections)]
     free = [end for end in own if end not in held]
     return free[0] if len(held) == len(free) == 1 else None
 
@@ -274,6 +293,22 @@ def is_joined(names: Names, name: str) -> bool:
 def is_rough(names: Names) -> bool:
     """Whether dry friction holds something."""
     return any(row.reaction.startswith("friction force") for row in names.constraint_rows)
+
+
+def can_turn(names: Names, thing: str) -> bool:
+    """Whether a thing may roll: it is no body that cannot turn."""
+    return thing not in names.bodies or names.bodies[thing].turns
+
+
+def may_open(names: Names, connection: str) -> bool:
+    """Whether what a connection presses together can part."""
+    return any(row.connection == connection and row.unilateral for row in names.constraint_rows)
+
+
+def is_still(names: Names) -> bool:
+    """Whether friction may hold all there is, and no motion is measured: then an event is none of a motion, it comes
+    where something given gets too large."""
+    return is_rough(names) and lookup.rests(names) and not names.measures and not driven(names)
 
 
 def is_at(names: Names, name: str, thing: str) -> bool:

@@ -68,6 +68,8 @@ def _begin_of_state(names: Names, words: Sequence[Word]) -> int:
 def _is_meant(names: Names, thing: str, things: set[str], text: str) -> bool:
     """Whether words of the grammar that name nothing mean a thing: that it all rests, slips, is struck."""
     body = thing.partition(".")[0]
+    if text.startswith("stability of "):  # of a part is that of all
+        return True
     if _OF_ALL.search(text):
         is_one = "slip" not in text and n_freedoms(names) == 1
         return "." not in thing and (joining.is_all_that_slips(names, body) or is_one)
@@ -78,7 +80,7 @@ def _is_meant(names: Names, thing: str, things: set[str], text: str) -> bool:
     if parameters and _TURNED_ROUND.search(text):
         return any(_is_of(names, thing, other) for other in parameters)
     struck = {struck for joint in names.struck_at_start for struck in _bodies(names, joint)}
-    return "at start" in text and body in struck
+    return ("at start" in text or "in the blow" in text) and body in struck
 
 
 def _is_thing(names: Names, thing: str) -> bool:
@@ -150,9 +152,9 @@ def _bodies(names: Names, thing: str) -> set[str]:
     """The bodies that a thing is of, or between."""
     body = thing.partition(".")[0]
     found = {body} if body in names.bodies else set[str]()
-    if thing in names.connections:
-        found |= names.connections[thing].mentions(names)
-        found |= {body for row in names.constraint_rows if row.connection == thing for body in row.measure.bodies()}
+    if body in names.connections:
+        found |= names.connections[body].mentions(names)
+        found |= {own for row in names.constraint_rows if row.connection == body for own in row.measure.bodies()}
     if thing in names.measures:
         found |= {*names.measures[thing].bodies()}
     for load in names.applied_loads:

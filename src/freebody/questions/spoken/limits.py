@@ -27,6 +27,9 @@ _REST, _NO_SLIP, _NO_TIP = "it stays at rest", "it does not slip", "it does not 
 def limits(names: Names, words: list[Word], modal: set[str]) -> Groups:
     """The end of the values of a parameter up to which rest lasts. modal: whether something `may` or `must` be."""
     words = [Word("verb", "hold") if word == Word("verb", "hang") else word for word in words]
+    if joining.is_still(names):  # the acceleration that can be reached
+        light = {"reach", "accelerate"} | ({"move"} if Word("ask", "fast") in words and "may" in modal else set[str]())
+        words = [w for w in words if w.kind != "verb" or w.what not in light]
     clause = Clause(words)
     known = clause.only("ask", "degree", "quantity", "name", "verb", "not", "mark", "instant", "part", *SILENT)
     if known and not lookup.rests(names):
@@ -47,7 +50,7 @@ def limits(names: Names, words: list[Word], modal: set[str]) -> Groups:
     if clause.has("ask", "far", "high", "fast") and "may" not in modal:
         return  # how far something comes is no limit of rest
     lasts = _lasting(names, head, state, modal)
-    parameter = _parameter(names, head)
+    parameter = _parameter(names, head, [name for _, name in state.names if name in names.loads])
     if lasts is None or parameter is None:
         return
     end = _end(head, state, modal, lasts)
@@ -116,7 +119,7 @@ def _lasting(names: Names, head: Clause, state: Clause, modal: set[str]) -> str 
         if "must" in modal and not state.words and head.has("quantity", "friction coefficient"):
             return _REST
         is_bounded = head.has("degree", "least", "greatest", "range") or head.has(
-            "ask", "steep", "flat", "heavy", "rough"
+            "ask", "steep", "flat", "heavy", "rough", "fast"
         )
         return _REST if modal and is_bounded and not state.words and joining.is_rough(names) else None
     if not ends:
@@ -134,12 +137,15 @@ def _is_alone(names: Names, head: Clause) -> bool:
     if head.has("degree", "least"):
         return parameter in given.parameters(names, "friction coefficient", "")
     others = [name for _, name in head.names if name not in names.parameters and name not in names.loads]
+    if joining.is_still(names) and any(map(given.is_by_unit, head.all("quantity"))):  # acceleration of the car
+        others = [name for name in others if not lookup.is_all_that_moves(names, name)]
     is_weight = len(others) == 1 and not head.has("quantity") and others[0] in names.bodies
     return parameter is not None and joining.is_rough(names) and (not others or is_weight)
 
 
-def _parameter(names: Names, head: Clause) -> str | None:
-    """The parameter that is meant: the one that is named, or the only one of the kind that is."""
+def _parameter(names: Names, head: Clause, against: list[str] | None = None) -> str | None:
+    """The parameter that is meant: the one that is named, or the only one of the kind that is. against: loads that are
+    lifted, or held, by it."""
     named = [name for _, name in head.names if name in names.parameters]
     others = [name for _, name in head.names if name not in names.parameters]
     if len(named) > 1:
@@ -156,6 +162,8 @@ def _parameter(names: Names, head: Clause) -> str | None:
     if not kinds and len(others) == 1 and others[0] in names.bodies and head.has("degree"):  # the largest load that ..
         kinds = [given.KIND_OF["mass"]]
     found = given.chosen(names, kinds[0], others) if kinds else []
+    if len(found) > 1 and against:
+        found = [name for name in found if name not in given.chosen(names, kinds[0], against)]
     return found[0] if len(found) == 1 else None
 
 
@@ -180,6 +188,8 @@ def _end(head: Clause, state: Clause, modal: set[str], lasts: str) -> str:
     is_up = head.has("ask", "large", "far", "high", "heavy", "steep", "rough", "fast")
     if head.has("ask", "up_to") or (is_up and not starts and ("may" in modal or state.has("mark", "until"))):
         return "largest"
+    if starts and _is_motion(head) and "fall" not in ends_rest:  # at what speed does it slide
+        return "largest"
     if "must" in modal and not starts and (is_up or head.has("quantity", "friction coefficient")):
         return "least"
     if starts and _is_push(head) and "fall" not in ends_rest and not state.has("updown", "down"):
@@ -198,6 +208,12 @@ def _is_subject(state: Clause) -> bool:
 def _is_denied(state: Clause) -> bool:
     """Whether what would end rest is said not to come: it does not slip, before it slips, what stops it from it."""
     return state.has("not") or state.has("mark", "until", "without") or state.has("verb", "end", "stop")
+
+
+def _is_motion(head: Clause) -> bool:
+    """Whether the parameter is a speed or an acceleration, of which rest can stand so much."""
+    asked = [given.KIND_OF[word] for word in head.all("quantity") if given.can_end_rest(word)]
+    return any(kind.ends_rest_by_growing and not kind.is_push for kind in asked)
 
 
 def _is_push(head: Clause) -> bool:

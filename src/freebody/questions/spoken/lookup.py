@@ -82,8 +82,9 @@ def places(names: Names, body: str) -> list[str]:
     """Measures of where a body is along a line, or all such measures where none is named."""
     if body in names.measures:
         return [body]
-    lengths = [name for name, measure in names.measures.items() if measure.dimension != DIMENSIONLESS]
-    return [name for name in lengths if not body or body in names.measures[name].bodies()]
+    lengths = {name: measure for name, measure in names.measures.items() if measure.dimension != DIMENSIONLESS}
+    ends = {name: (m.start.name, m.end.name) for name, m in lengths.items() if isinstance(m, Distance)}
+    return [name for name, m in lengths.items() if not body or body in m.bodies() or body in ends.get(name, ())]
 
 
 def went(names: Names, body: str) -> list[str]:
@@ -170,6 +171,12 @@ def heights(names: Names, body: str) -> list[tuple[str, int]]:
     return found
 
 
+def heights_of_points(names: Names, body: str) -> list[str]:
+    """Measures of how high points of a body are, beside its mass centre."""
+    own = ((name, names.measures[name]) for name, sense in heights(names, body) if sense > 0)
+    return [name for name, m in own if isinstance(m, Displacement) and m.of.name.endswith((".start", ".end"))]
+
+
 def climbed(names: Names, body: str, by: str, sense: int) -> list[str]:
     """The condition that a body is higher (sense 1) or lower (-1) than at the start by a length."""
     body = massive(names)[0] if not body and len(massive(names)) == 1 else body
@@ -243,6 +250,25 @@ def driving(names: Names) -> list[str]:
     passive = {"gravity", "spring", "damper"}
     plain = [name for name in names.loads if name not in springs(names)]
     return [name for name in plain if not passive & {word.split()[-1] for word in names.called.get(name, ())}]
+
+
+def presses_on_ground(names: Names) -> bool:
+    """Whether springs or dampers act between something that moves and the ground."""
+    acting = [p for p in names.applied_loads if p.load in springs(names) or VALUE.name not in free_symbols(p.law)]
+    return any(p.load in springs(names) and GROUND in p.measure.bodies() for p in acting)
+
+
+def is_controlled(names: Names) -> bool:
+    """Whether a controller, or what depends on the motion and is no spring, keeps it as it is: then it is a steady
+    motion that is stable."""
+    pushes = [p for p in names.applied_loads if p.load in driving(names)]
+    return bool(names.states) or any(not free_symbols(p.law) <= names.parameters.keys() | {"t"} for p in pushes)
+
+
+def acted_on(names: Names, thing: str) -> str:
+    """The body that a load acts on, where that is one; else what is named: the motor turns the drum."""
+    acted = {body for p in names.applied_loads if p.load == thing for body in p.measure.bodies()} - {GROUND}
+    return next(iter(acted)) if thing in names.loads and len(acted) == 1 else thing
 
 
 def stretched_at_rest(names: Names, spring: str) -> list[str]:

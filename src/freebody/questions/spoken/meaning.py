@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from freebody.questions.spoken import given, joining, lookup, rewording, turning_round
 from freebody.questions.spoken.asking import quantities
 from freebody.questions.spoken.composing import SILENT, Groups
-from freebody.questions.spoken.counting import counted, lost, stopping, time
+from freebody.questions.spoken.counting import counted, lost, stopping, time, whether
 from freebody.questions.spoken.events import GOES_ON
 from freebody.questions.spoken.frames import FORCES
 from freebody.questions.spoken.geared import geared, per_turn
@@ -31,8 +31,9 @@ _LEADS_ON = ("from", "about", "relative", "between", "along")  # prepositions be
 _NOT, _ACCELERATE = Word("not", "not"), Word("verb", "accelerate")
 _STARTS, _AT_START, _FROM_REST = Word("verb", "start"), Word("instant", "at start"), Word("verb", "from_rest")
 _WHILE = Word("mark", "while")
-_COMMA = Word("preposition", ",")
+_COMMA, _IN = Word("preposition", ","), Word("preposition", "in")
 _SO_THAT = Word("mark", "so_that")
+_FAILS = {"leave": "tip", "rise": "tip", "turn": "slide"}  # how what stands on wheels fails
 _FREE_END = "free_end"  # of a body, as the spelling writes it
 _ENDS_OF_LADDERS = ("foot", "head")  # where it touches what is level, and what is upright
 # what only a limit tells apart: how small, how steep
@@ -43,10 +44,11 @@ def meanings(names: Names, words: list[Word]) -> Groups:
     """What words can ask for."""
     if any(word.kind == "other" for word in words):
         return
-    words = _at_free_ends(names, words)
+    words = _at_mass_center(names, _at_free_ends(names, words))
     if not words:
         return
     modal = {word.what for word in words if word.kind == "filler"} & {"may", "must"}
+    is_whether = words[0] == Word("filler", "does") or words[0].kind == "verb"
     words = _stretched(names, _from_rest(names, words))
     said = rewording.signs_between([word for word in words if word.kind != "filler"])
     said = rewording.bounded(_without_auxiliary(said))
@@ -54,7 +56,8 @@ def meanings(names: Names, words: list[Word]) -> Groups:
         return
     if any(_leads_nowhere(said, k) or _asks_more(said, k) for k in range(len(said) - 1)):
         return
-    said = rewording.driven_by_needed(names, said)
+    said = rewording.for_what(names, rewording.infinitives(rewording.spinning(names, said)))
+    said = rewording.driven_by_needed(names, rewording.can_accelerate(names, said, modal))
     said = rewording.by_friction(rewording.needed_to_roll(names, rewording.in_doing(said)))
     said = _unaccelerated(_not_slipping(names, _carrying(names, said, modal)))
     words = [_AS_LARGE.get(word, word) for word in said]
@@ -67,6 +70,8 @@ def meanings(names: Names, words: list[Word]) -> Groups:
     yield from turning_round.parameters(names, [_AS_LARGE.get(word, word) for word in lasting], meanings)
     sentence = parted(words)
     sentence = sentence and told_who(names, sentence)
+    if sentence is not None and is_whether:
+        yield from whether(names, sentence)
     if sentence is not None and all(mark in _MARKS for mark, _ in sentence.others):
         for told in (
             _limit,
@@ -88,6 +93,10 @@ def meanings(names: Names, words: list[Word]) -> Groups:
 
 def _stretched(names: Names, words: list[Word]) -> list[Word]:
     """By how much a spring is longer than without force is its deflection, where that is measured."""
+    of = next((word.what for word in words if word.kind == "name"), "")
+    swings = bool(lookup.angles(names, of) or lookup.hung(names, of)) or not lookup.ways(names, of)
+    excursion = Word("quantity", "angle" if swings else "displacement")
+    words = [excursion if word == Word("quantity", "excursion") else word for word in words]
     is_measured = any(lookup.deflections(names, name) for name in (*lookup.springs(names), ""))
     extension = Word("quantity", "extension")
     return [Word("quantity", "deflection") if is_measured and word == extension else word for word in words]
@@ -111,6 +120,10 @@ def _at_free_ends(names: Names, words: list[Word]) -> list[Word]:
     for word in words:
         body, _, end = word.what.partition(".")
         if word.kind == "name" and end in _ENDS_OF_LADDERS:
+            if names.connections.get(body) and names.connections[body].level_places(names):  # the bottom of a wire
+                place = Word("instant", "at the bottom" if end == "foot" else "at the top")
+                found = [*(found[:-1] if found[-1:] == [_IN] else found), place]
+                continue
             joints = joining.leaning(names, body, level=end == "foot")
             if len(joints) != 1:
                 return []
@@ -123,6 +136,15 @@ def _at_free_ends(names: Names, words: list[Word]) -> list[Word]:
             word = Word("name", free[0])
         found.append(word)
     return found
+
+
+def _at_mass_center(names: Names, words: list[Word]) -> list[Word]:
+    """With the only body whose mass centre is meant where it is not said of what; nothing where there are several."""
+    center = Word("pronoun", "mass_center")
+    if center not in words:
+        return words
+    bodies = lookup.massive(names)
+    return [Word("name", bodies[0]) if word == center else word for word in words] if len(bodies) == 1 else []
 
 
 def _as_long_as(words: list[Word]) -> list[Word]:
@@ -266,11 +288,15 @@ def _structure(names: Names, sentence: Sentence) -> Groups:
     main = sentence.main
     whole = Clause([*main.words, *(word for _, own in sentence.others for word in own.words)])
     growing = [name for _, name in whole.names if name in names.parameters]
-    if not growing and whole.has("verb", "grow") and not any(name in names.bodies for _, name in whole.names):
-        growing = given.chosen(names, given.KIND_OF["force"], [name for _, name in whole.names])
+    bodies = [name for _, name in whole.names if name in names.bodies]
+    if not growing and whole.has("verb", "grow") and all(lookup.is_all_that_moves(names, name) for name in bodies):
+        growing = given.growing(names, [name for _, name in whole.names])
     doing = set(whole.all("verb")) - {"start", "move"}
+    if joining.is_still(names) and whole.has("degree", "first"):  # whether wheels spin, or others lift off first
+        spin = {"turn"} if whole.has("quantity", "angular velocity") else set[str]()
+        doing = {_FAILS.get(verb, verb) for verb in doing | spin}
     if doing == {"tip", "slide"} and not (sentence.others or whole.has("ask")):  # of the only force
-        growing = growing or given.of_kind(names, "force")
+        growing = growing or given.growing(names, [])
         doing |= {"grow"}
     fails = doing == {"tip", "slide", "grow"} and not whole.has("value")
     if fails and len(growing) == 1 and not whole.has("not") and set(whole.all("degree")) <= {"first"}:
@@ -305,7 +331,10 @@ def _structure(names: Names, sentence: Sentence) -> Groups:
         yield ["does it hold"] if lookup.rests(names) else []
     if verbs & {"stable", "unstable"} and main.only("verb", "quantity", "pronoun", "preposition", "name", "instant"):
         asked = main.all("quantity")
-        if asked == ["equilibrium"] or (not asked and (not of or "in equilibrium" in main.all("instant"))):
+        is_all = len(of) <= 1 or "in equilibrium" in main.all("instant")  # what a part is at is that of all
+        if not asked and lookup.is_controlled(names) and is_all:
+            yield ["stability of steady motion"]
+        if asked == ["equilibrium"] or (not asked and is_all):
             yield ["stability of equilibrium"]
     if "turn_fully" in verbs and main.only("verb", "name", "ask") and len(of) == 1 and not main.has("ask"):
         yield [f"does {of[0]} turn fully"]

@@ -42,6 +42,7 @@ _JOINT_WORDS = ("joint", "connection", "support")
 _ROPES = ("rope", "string", "cord", "thread", "cable", "wire")
 _LINE_WORDS = ("surface", "slope", "incline", "plane")
 _POINT_WORDS = ("point", "end")
+_PINION = "pinion"  # the smaller of two gears, which is called the wheel only where it is alone
 _ARTICLES = ("the", "a", "an", "it")
 
 
@@ -205,6 +206,7 @@ def _named(elements: Elements, written: Sequence[str]) -> Iterator[tuple[str, in
         yield element.name, distance + (WRITTEN if text == " ".join(written) else ALIKE)
     if len(words) == 1 and not as_written:  # every thing of a kind
         of_kind = [e for e in elements.exact.values() if "." not in e.name and words[0] in e.words]
+        of_kind = [e for e in of_kind if _PINION not in e.name.lower()] or of_kind  # the wheel that it drives
         own = [e for e in of_kind if words[0] in e.name.lower()]  # the block among blocks and boxes
         own = own or [e for e in of_kind if words[0] in _alike(e.name)]  # the elevator among them is the cabin
         yield from ((element.name, INFERRED) for element in own or of_kind)

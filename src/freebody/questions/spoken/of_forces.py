@@ -8,7 +8,6 @@ from freebody.language.units import TORQUE
 from freebody.measures.geometry import GROUND
 from freebody.questions.spoken import given, joining, lookup, strings
 from freebody.questions.spoken.composing import JOINT, SILENT, Groups, said_of, without_owners
-from freebody.questions.spoken.lexicon import leading
 from freebody.questions.spoken.words import Clause
 
 if TYPE_CHECKING:
@@ -50,8 +49,7 @@ def _transmitted(names: Names, quantity: str, rest: Clause) -> Groups:
     if quantity == "tension" and (belts := _tightened(names, rest)):
         yield [JOINT.join(f"{run} tension of {belt}" for run in ("tight", "slack")) for belt in belts]
         return
-    tracks = [name for name in names.connections if name in leading() and "link" in names.called.get(name, ())]
-    if quantity in ("normal force", "contact force") and tracks and "normal force" not in own:
+    if quantity in ("normal force", "contact force") and joining.tracks(names) and "normal force" not in own:
         kinds = ("tension",)  # of what leads round, and presses as a link would pull
     if quantity == "tension" and quantity not in own:
         kinds = tuple(
@@ -61,6 +59,8 @@ def _transmitted(names: Names, quantity: str, rest: Clause) -> Groups:
         )
         if not kinds and any(name in names.connections for _, name in rest.names):
             kinds = (quantity,)  # the grammar says that it has none
+    if quantity == "axial force" and "tension" not in own:  # of a shaft, that of its teeth
+        kinds = ("axial tooth force",)
     joints = {name for _, name in rest.names if name in names.connections}
     if quantity == "force" and not joints and (meshes := _meshes_between(names, rest)):
         angled = {
@@ -231,6 +231,8 @@ def _between(
     if strange:  # the grammar says what the model lacks
         yield [f"{head} of {strange[0]}"]
         return
+    if of == [GROUND] and kind == "reaction" and lookup.presses_on_ground(names):
+        return  # what springs and dampers press with is not in a reaction
     first, second = (*of, "", "")[:2]
     joints = joining.joints(names, first, second, "tooth force" if kind.endswith(" tooth force") else kind)
     joints = [joint for joint in joints if joint in only] or ([] if only else joints)

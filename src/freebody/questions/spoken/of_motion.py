@@ -282,7 +282,8 @@ def _height(names: Names, quantity: str, rest: Clause) -> Groups:
     of = [name for _, name in rest.names if name != GROUND]
     if rest.only("name", *SILENT) and len(of) <= 1:
         name = next(iter(of), "")
-        yield [f"height of {body}" for body in ([name] if name else lookup.moving(names))]
+        of_points = lookup.heights_of_points(names, name)  # that of its upper end may be meant as well
+        yield [*(f"height of {body}" for body in ([name] if name else lookup.moving(names))), *of_points]
         yield [height for height, sense in lookup.heights(names, name) if sense > 0]
 
 

@@ -149,7 +149,7 @@ def _terminal(names: Names, quantity: str, rest: Clause) -> Groups:
 def _gear_ratio(names: Names, quantity: str, rest: Clause) -> Groups:
     """How fast one body turns for another: of the two that are named; of the only two both ways, for which is meant
     custom leaves open."""
-    of = [name for _, name in rest.names if name not in names.connections]
+    of = [lookup.acted_on(names, name) for _, name in rest.names if name not in names.connections]
     if not rest.only("name", *SILENT):
         return
     for first, second in [of] if len(of) == 2 else []:

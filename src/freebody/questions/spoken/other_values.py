@@ -18,6 +18,13 @@ _IN_PASSING = re.compile(  # a parameter and a value behind a word that says for
     r"(?P<value>\d+(?:\.\d+)?(?: ?[A-Za-z°][A-Za-z0-9/^]*)?)(?=[ ,.?!]|$)",
     re.IGNORECASE,
 )
+_STARTED = re.compile(  # a value of the only parameter that has it: if released from 60 deg, with 250 N
+    r"[ ,]+(?:(?:if|when|wenn|falls) (?:it |the \w+ |er |sie |es )?(?:is |was |are )?)?"
+    r"(?:(?:released|let go|started|dropped|thrown|launched|losgelassen|gestartet) (?:from|at|bei|aus) |(?:with|mit) )"
+    r"(?:a |an |the |einer |einem )?(?:force |torque |angle |speed |mass |kraft |drehmoment |winkel )?(?:of |von )?"
+    r"(?P<value>\d+(?:\.\d+)? ?[A-Za-z°][A-Za-z0-9/^]*(?: m)?)(?=[ ,.?!]|$)",
+    re.IGNORECASE,
+)
 _CHANGED = re.compile(  # what happens if the force F is doubled
     r"\b(?:if|when|wenn|falls) (?:(?:the|die|der|das|one|you|man) )?(?:(?:force|kraft|mass|masse|speed|torque) )?"
     r"(?P<name>\w+) (?:is |gets |becomes |wird |sich )?"
@@ -34,8 +41,18 @@ def same_value(names: Names, text: str) -> str | None:
         if parameter is not None and parameter.value is not None:
             with suppress(UnitError, ValueError):
                 if parse_quantity(found["value"]).value == parameter.value != 0.0:
-                    return " ".join((text[: found.start()] + text[found.end() :]).split()).strip(" ,")
+                    return _without(text, found)
+    for found in _STARTED.finditer(text):
+        with suppress(UnitError, ValueError):
+            said = parse_quantity(found["value"].replace("°", "deg"))
+            alike = [p for p in names.parameters.values() if p.value is not None and p.dimension == said.dimension]
+            if said.value != 0.0 and [p.value for p in alike].count(said.value) == 1:
+                return _without(text, found)
     return None
+
+
+def _without(text: str, found: re.Match[str]) -> str:
+    return " ".join((text[: found.start()] + text[found.end() :]).split()).strip(" ,")
 
 
 def other_value(names: Names, text: str) -> Message | None:

@@ -14,8 +14,10 @@ from freebody.language.expression import Symbol
 from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
 from freebody.measures.combination import Composed
+from freebody.measures.displacement import Displacement
 from freebody.measures.distance import Bearing
-from freebody.measures.geometry import GROUND
+from freebody.measures.geometry import GROUND, ZERO
+from freebody.model.curves import LevelPlace
 from freebody.questions.spoken import joining, lookup
 
 if TYPE_CHECKING:
@@ -55,11 +57,17 @@ def turning(names: Names, body: str) -> list[str]:
 
 def uppermost(names: Names, body: str) -> list[str]:
     """The condition that what goes round a point of the ground is straight above it."""
-    return _conditions(names, body, 90.0)
+    return _conditions(names, body, 90.0) or _on_curves(names, body, lowest=False)
 
 
 def begins_uppermost(names: Names, body: str) -> bool:
-    """Whether the file places a body straight above the point of the ground that it goes round."""
+    """Whether the file places a body straight above the point of the ground that it goes round, or where its curve is
+    highest."""
+    body = body or (lookup.massive(names)[0] if len(lookup.massive(names)) == 1 else "")
+    if begins_level(names, body, lowest=False):
+        return True
+    if body not in names.bodies:
+        return False
     placed = names.bodies[body].start.at
     for measure in names.measures.values():
         own, _ = _signed(measure)
@@ -73,14 +81,64 @@ def begins_uppermost(names: Names, body: str) -> bool:
 
 def lowermost(names: Names, body: str) -> list[str]:
     """The condition that what goes round a point of the ground is straight below it, or at the bottom of a curve."""
-    return _conditions(names, body, -90.0) or _at_bottom(names, body)
+    return _conditions(names, body, -90.0) or _on_curves(names, body, lowest=True)
 
 
-def _at_bottom(names: Names, body: str) -> list[str]:
-    """The condition that what is on a curve is where this is lowest."""
+def _on_curves(names: Names, body: str, *, lowest: bool) -> list[str]:
+    """The condition that what is on a curve is where this is lowest, or highest: of a closed one, at the next such
+    place on the way on which it starts."""
+    found: list[str] = []
+    for name, place in _level_places(names, body, lowest=lowest):
+        if not place.recurs:
+            found.append(f"{name} = 0")
+            continue
+        start, rate = _start_of(names, name), names.numeric(names.start_rates.get(name, ZERO))
+        if start is not None and rate:
+            turns = (start / math.pi - place.half_turns) / 2.0
+            n = math.floor(turns + _NEAR) + 1 if rate > 0.0 else math.ceil(turns - _NEAR) - 1
+            n_half = place.half_turns + 2 * n
+            found.append(f"{name} = {'0' if n_half == 0 else f'{n_half}*pi'}".replace(" 1*pi", " pi"))
+    return found
+
+
+def begins_at(names: Names, body: str, *, lowest: bool) -> bool:
+    """Whether the motion begins where something hangs straight down, or is lowest on its curve; or is uppermost."""
+    if not lowest:
+        return begins_uppermost(names, body)
+    return begins_level(names, body, lowest=True) or _starts(names, body, -90.0)
+
+
+def begins_level(names: Names, body: str, *, lowest: bool) -> bool:
+    """Whether the file places something where its curve is lowest, or highest."""
+    for name, place in _level_places(names, body, lowest=lowest):
+        start = _start_of(names, name)
+        if start is not None:
+            away = start - math.pi * place.half_turns
+            return abs(math.remainder(away, 2.0 * math.pi) if place.recurs else away) < _NEAR
+    return False
+
+
+def _start_of(names: Names, name: str) -> float | None:
+    """Where the file lets a measure start."""
+    placed = names.placed_at_start.get(name, ZERO if name in names.started_at_zero else None)
+    return None if placed is None else names.numeric(placed)
+
+
+def _level_places(names: Names, body: str, *, lowest: bool) -> list[tuple[str, LevelPlace]]:
+    """The lowest, or the highest places of curves, by the named measures that tell them."""
     with names.quietly():
-        found = [m for name, spec in names.connections.items() if _is_on(names, name, body) for m in spec.lowest(names)]
-    return [f"{name} = 0" for name, measure in names.measures.items() if measure in found]
+        joints = [spec for name, spec in names.connections.items() if _is_on(names, name, body)]
+        places = [place for spec in joints for place in spec.level_places(names) if place.is_lowest == lowest]
+    named = ((name, measure, place) for place in places for name, measure in names.measures.items())
+    return [(name, place) for name, measure, place in named if _is_same(measure, place.measure)]
+
+
+def _is_same(one: Measure, other: Measure) -> bool:
+    """Whether measures are the same, whatever their direction is called."""
+    if not (isinstance(one, Displacement) and isinstance(other, Displacement)):
+        return one == other
+    along = (one.along.body, one.along.components) == (other.along.body, other.along.components)
+    return along and one.of == other.of and one.origin.offset == other.origin.offset
 
 
 def _is_on(names: Names, joint: str, body: str) -> bool:

@@ -14,7 +14,61 @@ if TYPE_CHECKING:
     from freebody.model.names import Names
 
 _FOR = Word("preposition", "of")  # friction for rolling
+_DONE = tuple(Word("verb", verb) for verb in ("hold", "rise", "fall", "move", "start", "turn", "stop", "accelerate"))
+_PUSHES = ("force", "torque", "moment", "driving force", "driving torque")
 _SO_THAT, _TO = Word("mark", "so_that"), Word("mark", "to")
+
+
+def for_what(names: Names, words: list[Word]) -> list[Word]:
+    """The least k for stability is that with which it is stable; the angle for the farthest throw is that for which
+    the range is largest."""
+    k = next((k for k, word in enumerate(words) if word == _FOR and k > 0), 0)
+    head, tail = Clause(words[:k]), Clause(words[k + 1 :])
+    if k and tail.words == [Word("degree", "greatest"), Word("verb", "exert")]:  # for the farthest throw
+        tail = Clause([Word("degree", "greatest"), Word("quantity", "horizontal range")])
+    if not k or head.has("mark") or head.has("verb") or tail.has("mark") or tail.has("verb"):
+        return words
+    if tail.all("quantity") in (["stability of equilibrium"], ["stability of steady motion"]):
+        kept = [w for w in tail.words if w.kind not in ("quantity", "preposition")]
+        return [*head.words, _SO_THAT, *kept, Word("verb", "stable")]
+    kept = [w for w in head.words if w.kind not in ("degree", "ask")]  # the best angle
+    is_angle = head.all("quantity") == ["angle"] or (len(kept) == 1 and kept[0].what in names.parameters)
+    if is_angle and tail.has("degree", "greatest") and tail.all("quantity") == ["horizontal range"]:
+        return [Word("ask", "for"), *kept, *tail.without("degree").words, Word("degree", "greatest")]
+    return words
+
+
+def spinning(names: Names, words: list[Word]) -> list[Word]:
+    """Wheels that start to spin slip, where nothing moves yet."""
+    spin = [Word("verb", "start"), Word("quantity", "angular velocity")]
+    k = next((k for k in range(len(words)) if words[k : k + 2] == spin), None)
+    if k is None or not joining.is_still(names):
+        return words
+    return [*words[: k + 1], Word("verb", "slide"), *words[k + 2 :]]
+
+
+def infinitives(words: list[Word]) -> list[Word]:
+    """The torque to hold the load is that needed to: behind what is asked a verb says what for."""
+    found: list[Word] = []
+    for k, word in enumerate(words):
+        before = Clause(found)
+        is_verb = word == Word("preposition", "to") and any(w in _DONE for w in words[k + 1 : k + 2])
+        if not is_verb:
+            found.append(word)
+        elif not before.has("verb") and not before.has("mark") and before.has("quantity", *_PUSHES):
+            found.append(_TO)
+        elif not before.has("mark", "to", "so_that"):  # um die Last zu heben
+            found.append(word)
+    return found
+
+
+def can_accelerate(names: Names, words: list[Word], modal: set[str]) -> list[Word]:
+    """How fast it can speed up is the greatest acceleration."""
+    fast, speeds_up = Word("ask", "fast"), Word("verb", "accelerate")
+    if "may" not in modal or fast not in words or speeds_up not in words or not joining.is_still(names):
+        return words
+    greatest = (Word("degree", "greatest"), Word("quantity", "acceleration"))
+    return [own for word in words if word != speeds_up for own in (greatest if word == fast else (word,))]
 
 
 def driven_by_needed(names: Names, words: list[Word]) -> list[Word]:
@@ -23,16 +77,21 @@ def driven_by_needed(names: Names, words: list[Word]) -> list[Word]:
     k = words.index(_TO) if _TO in words else 0
     goes = words[k + 1 : k + 2] and words[k + 1].kind == "verb" and words[k + 1].what in ("move", "turn", "exert")
     who = words[k + 2 : k + 3]
-    if not goes or not who or not joining.drivers(names, who[0].what) or words[0].what not in kinds:
+    if not goes or not who or words[0].what not in kinds:
         return words
-    return [Word("quantity", kinds[words[0].what]), *words[1:k], *words[k + 2 :]]
+    thing = who[0].what
+    driven = [body for body in (thing, *joining.joined_by(names, thing)) if joining.drivers(names, body)]
+    if not driven:
+        return words
+    return [Word("quantity", kinds[words[0].what]), *words[1:k], Word("name", driven[0]), *words[k + 3 :]]
 
 
 def heaviest(names: Names, words: list[Word]) -> list[Word]:
     """The largest load that F can hold is no F: it is how heavy the load may be."""
     named = [word.what for word in words if word.kind == "name"]
     holds = words[-1:] in ([Word("verb", "hold")], [Word("verb", "rise")], [Word("verb", "move")])
-    is_body = len(named) == 2 and named[0] in names.bodies and named[1] in names.parameters
+    is_body = named[:1] != [] and named[0] in names.bodies and len(named) <= 2
+    is_body = is_body and all(name in names.parameters for name in named[1:])
     if not holds or not is_body or words[0] != Word("degree", "greatest") or words[1].kind != "name":
         return words
     return [

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from freebody.questions.spoken import dimensions, given, joining, lookup
+from freebody.questions.spoken import dimensions, given, joining, lookup, poses
 from freebody.questions.spoken.asking import quantities
 from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.lexicon import Word
@@ -80,7 +80,7 @@ def so(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
     elif negated and verbs and verbs <= {"slide", "start", "move", "fall", "tip"} and everything:
         if verbs & {"slide"}:
             yield ["it does not slip"] if "tip" not in verbs else ["it stays at rest"]
-        elif verbs & {"move", "fall"}:
+        elif "move" in verbs or ("fall" in verbs and lookup.rests(names)):
             yield ["it stays at rest"]
     elif (
         not negated
@@ -171,7 +171,7 @@ def _failing_first(names: Names, clause: Clause) -> Groups:
     verbs = [verb for verb in clause.all("verb") if verb in ("tip", "slide")]
     grows = [word.what for word in clause.words if word.kind == "name" and word.what in names.parameters]
     if not grows and not clause.has("verb", "grow") and clause.has("mark", "until") and not clause.has("not", "not"):
-        grows = given.of_kind(names, "force")
+        grows = given.growing(names, [])
         clause = Clause([*clause.words, Word("verb", "grow")])
     if len(verbs) == 2 and verbs[0] != verbs[1] and len(grows) == 1 and clause.has("verb", "grow"):
         first, second = (f"{verb}s" for verb in verbs)
@@ -202,6 +202,8 @@ def _happening(names: Names, verbs: set[str], negated: bool, who: str, of: list[
     elif verbs == {"leave"} and not negated:
         yield [f"{who or 'it'} leaves {other}".strip() if who or other else "contact is lost"]
         yield [f"{joint} opens" for joint in joining.joints(names, who, other, "normal force")] if who else []
+    elif verbs == {"leave"} and negated and (held := _on_track(names, who, other)):
+        yield held
     elif verbs == {"leave"} and negated:
         yield [f"{who or 'it'} never leaves {other}".strip() if other else f"{who or 'it'} stays on"]
     elif (verbs == {"slack"} and negated) or (verbs <= {"taut", "hold"} and "taut" in verbs and not negated):
@@ -209,7 +211,7 @@ def _happening(names: Names, verbs: set[str], negated: bool, who: str, of: list[
     elif verbs == {"turn_fully"} and not negated and who:
         yield [f"{who} turns fully"]
     elif verbs == {"stable"} and not negated:
-        yield ["the equilibrium is stable"] if not names.states else []
+        yield ["the equilibrium is stable"] if not lookup.is_controlled(names) else []
         yield ["the steady motion is stable"]
     elif verbs <= {"hit", "reach"} and verbs and not negated and who and not other:
         yield [f"it hits {who}"]
@@ -221,6 +223,12 @@ def _happening(names: Names, verbs: set[str], negated: bool, who: str, of: list[
         )
         if other in names.parameters:
             yield [f"{place} reaches {other}" for place in lookup.places(names, who)]
+
+
+def _on_track(names: Names, who: str, other: str) -> list[str]:
+    """What a link stands for keeps something on as long as it pulls at the top."""
+    led = [track for track in joining.tracks(names) if all(joining.touches(names, track, t) for t in (who, other) if t)]
+    return [f"tension of {track} >= 0 when {top}" for track in led for top in poses.uppermost(names, who)]
 
 
 def _relation(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:

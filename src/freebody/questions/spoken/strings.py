@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from itertools import pairwise
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
+from freebody.language.notation import to_python
 from freebody.measures.angle import Angle
 from freebody.measures.combination import Combination
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND
+from freebody.questions.spoken import lookup
+from freebody.questions.spoken.joining import given_of
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -25,6 +28,20 @@ def hanging(names: Names) -> frozenset[str]:
         body for name in names.connections if name not in strings for body in names.connections[name].mentions(names)
     }
     return frozenset(body for row in down for body in row.ends) - others
+
+
+def run_off(names: Names, of: str) -> list[str]:
+    """The condition that a rope with mass has left its drum, or the edge that it runs over: all of it hangs."""
+    found: list[str] = []
+    for name, spec in names.connections.items():
+        given = given_of(spec)
+        rope, over, drum = str(given.get("rope")), given.get("over"), given.get("wound_on")
+        n_places = (len(cast("list[object]", over)) if isinstance(over, list) else 0) + (drum is not None)
+        is_free = rope in names.bodies and n_places == 1 and given.get("start") is None
+        if is_free and of in ("", rope, name):
+            length = to_python(names.bodies[rope].sizes[0]).replace("**", "^")
+            found += [f"{way} = {length}" for way in lookup.places(names, rope)]
+    return found
 
 
 def sections(names: Names, string: str, *, level: bool) -> list[tuple[str, ...]]:

@@ -23,8 +23,9 @@ _FOR = (Word("ask", "from"), Word("ask", "for"), Word("ask", "up_to"))
 def parameters(names: Names, words: list[Word], whole: Callable[..., Groups]) -> Groups:
     """What words can ask for if they ask for a parameter. whole: what other words can ask for."""
     yield from _leaving_at_top(names, Clause(words))
+    yield from _leaving_by_choice(names, Clause(words))
     yield from _without_leaving(names, Clause(words), whole)
-    parted = _parted(names, words)
+    parted = _parted(names, _begun(names, words))
     if parted is None:
         return
     chosen, relation, end = parted
@@ -32,6 +33,9 @@ def parameters(names: Names, words: list[Word], whole: Callable[..., Groups]) ->
         "not"
     ):
         yield [f"critical damping of {parameter}" for parameter in chosen]
+    if relation.has("verb", "unstable") and relation.has("not", "before"):  # before it becomes unstable
+        kept = [Word("verb", "stable") if w == Word("verb", "unstable") else w for w in relation.words]
+        end, relation = end or "largest", Clause(kept).without("not")
     if relation.has("verb", "unstable") and end in ("", "least") and words[0] == Word("ask", "from"):
         end, kept = "largest", [Word("verb", "stable") if w == Word("verb", "unstable") else w for w in relation.words]
         relation = Clause(kept)
@@ -46,21 +50,68 @@ def parameters(names: Names, words: list[Word], whole: Callable[..., Groups]) ->
                 yield from _asked(parameter, text, "largest" if is_begun and end and text in _RESTS else end)
 
 
+def _begun(names: Names, words: list[Word]) -> list[Word]:
+    """Without what says that a speed is that at the bottom, where the motion begins there."""
+    cut = next((k for k, word in enumerate(words) if word.kind == "mark"), 0)
+    place = {"at the bottom": True, "at the top": False}
+    told = [w for w in words[:cut] if w.kind == "instant" and w.what in place]
+    begins = [w for w in told if poses.begins_at(names, "", lowest=place[w.what])]
+    return [word for k, word in enumerate(words) if k >= cut or word not in begins]
+
+
 def _leaving_at_top(names: Names, clause: Clause) -> Groups:
-    """At what speed does the car leave the road at the top: with which nothing presses there."""
+    """At what speed does the car leave the road at the top: with which nothing presses there. With which it does not
+    leave it is one end of the speeds with which something presses."""
     is_speed = clause.all("quantity") in (["speed"], ["velocity"]) or clause.has("ask", "fast")
-    known = clause.only("ask", "quantity", "name", "verb", "instant", "degree", "mark", *SILENT)
-    if not (is_speed and known and clause.all("verb") == ["leave"] and clause.all("instant") == ["at the top"]):
+    known = clause.only("ask", "quantity", "name", "verb", "instant", "degree", "mark", "not", *SILENT)
+    doing = {"leave" if verb == "fall" else verb for verb in clause.all("verb") if verb != "move"}
+    if not (is_speed and known and doing in ({"leave"}, {"stay_on"}) and clause.all("instant") == ["at the top"]):
         return
     bodies = [name for _, name in clause.names if name in lookup.moving(names)] or lookup.massive(names)
     others = [name for _, name in clause.names if name not in bodies]
-    if len(bodies) == 1 and len(others) <= 1 and set(clause.all("degree")) <= {"least"}:
-        speeds = given.started_with(names, bodies)
-        joints = joining.joints(names, bodies[0], next(iter(others), ""), "normal force")
-        tops = [f"when {top}" for top in poses.uppermost(names, bodies[0])]
-        tops = ["at start"] if poses.begins_uppermost(names, bodies[0]) else tops
-        for top in tops if len(speeds) == len(joints) == 1 else ():
-            yield [f"value of {speeds[0]} for which normal force of {joints[0]} = 0 {top}"]
+    if len(bodies) != 1 or len(others) > 1 or len(clause.all("degree")) > 1:
+        return
+    speeds = given.started_with(names, bodies)
+    joints = joining.joints(names, bodies[0], next(iter(others), ""), "normal force")
+    tops = [f"when {top}" for top in poses.uppermost(names, bodies[0])]
+    tops = ["at start"] if poses.begins_uppermost(names, bodies[0]) else tops
+    is_denied = (doing == {"leave"}) == (clause.has("not") or clause.has("mark", "without", "until"))
+    end = {"least": "least", "greatest": "largest"}.get(next(iter(clause.all("degree")), ""), "")
+    for top in tops if len(speeds) == len(joints) == 1 else ():
+        pressed = f"normal force of {joints[0]}"
+        if not is_denied:
+            yield [f"value of {speeds[0]} for which {pressed} = 0 {top}"] if end in ("", "least") else []
+        else:
+            yield [
+                f"{end} {speeds[0]} so that {pressed} >= 0 {top}"
+                if end
+                else f"range of {speeds[0]} for which {pressed} >= 0 {top}"
+            ]
+
+
+def _leaving_by_choice(names: Names, clause: Clause) -> Groups:
+    """At what speed do the inner wheels lift off: with which nothing presses there, where nothing moves yet; at what
+    rpm does the tappet lift off its cam: the largest of the drive with which it stays on."""
+    known = clause.only("ask", "quantity", "name", "verb", *SILENT) and clause.all("ask") in (
+        ["with"],
+        ["from"],
+        ["for"],
+    )
+    asked = clause.all("quantity")
+    if not known or clause.all("verb") != ["leave"] or len(asked) != 1 or not given.is_by_unit(asked[0]):
+        return
+    named = [name for _, name in clause.names if name in names.parameters]
+    things = [name for _, name in clause.names if name not in named]
+    chosen = named or given.of_kind(names, asked[0])
+    if len(chosen) != 1 or not 1 <= len(things) <= 2:
+        return
+    joints = [joint for joint in names.connections if all(joining.touches(names, joint, thing) for thing in things)]
+    bound = [name for name in joints if joining.may_open(names, name)]
+    if chosen[0] in joining.drive_parameters(names):
+        yield [f"largest {chosen[0]} so that {joint} stays on" for joint in bound]
+    elif joining.is_still(names) or not bound:  # what holds on both sides lifts off where nothing presses
+        pressed = {row.connection for row in names.constraint_rows if row.reaction == "normal force"}
+        yield [f"value of {chosen[0]} for which normal force of {joint} = 0" for joint in joints if joint in pressed]
 
 
 def _without_leaving(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:

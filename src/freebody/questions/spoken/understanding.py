@@ -15,7 +15,7 @@ from freebody.questions.spoken import strings
 from freebody.questions.spoken.composing import JOINT
 from freebody.questions.spoken.compounds import in_english_nouns
 from freebody.questions.spoken.keeping import is_kept
-from freebody.questions.spoken.lexicon import Word, languages, several
+from freebody.questions.spoken.lexicon import Word, languages, several, stands_for_all
 from freebody.questions.spoken.meaning import meanings
 from freebody.questions.spoken.naming import Elements, elements_of, linked
 from freebody.questions.spoken.other_values import other_value, same_value
@@ -108,7 +108,7 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
         names.problem(several_ways, "find")
     elif (other := other_value(names, text)) is not None:
         names.problem(other, "find")
-    elif _is_specific(told) or instead or _is_misspelt(told, text):
+    elif instead or (_is_specific(told) and not _is_of_kinds(names, told)) or _is_misspelt(told, text):
         names.problems += (
             told if _is_specific(told) and not (_is_of_words(names, told) and instead) else instead or told
         )
@@ -269,13 +269,15 @@ def _each_value(names: Names, words: str, problems: list[Problem]) -> list[str]:
 
 def _is_of_words(names: Names, problems: list[Problem]) -> bool:
     """Whether they take words for names, as in `the string`, or for a condition: the way to mean them says more."""
-    kinds = set[str]().union(*(element.words for element in elements_of(names).exact.values()))
     messages = [p.message for p in problems if isinstance(p.message, Message)]
-    return any(
-        m.startswith("cannot read the condition")
-        or ("hint" in m.arguments and not kinds.isdisjoint(str(x) for x in m.arguments.values()))
-        for m in messages
-    )
+    return any(m.startswith("cannot read the condition") for m in messages) or _is_of_kinds(names, problems)
+
+
+def _is_of_kinds(names: Names, problems: list[Problem]) -> bool:
+    """Whether they take words for kinds of things, or for all there is, for names: the wheel, the gears."""
+    kinds = set[str]().union(*(element.words for element in elements_of(names).exact.values()))
+    named = [m.arguments for p in problems if isinstance(m := p.message, Message) and "hint" in m.arguments]
+    return any(str(x) in kinds or stands_for_all(str(x)) for arguments in named for x in arguments.values())
 
 
 def _is_misspelt(problems: list[Problem], text: str) -> bool:

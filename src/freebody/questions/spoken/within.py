@@ -39,6 +39,9 @@ def place_by_parameter(names: Names, main: Clause) -> tuple[Clause, Clause] | No
     """The end of a main clause that says where by a parameter: at the height h."""
     words = main.words
     kinds = [word.kind for word in words[-3:]]
+    last = names.parameters.get(words[-1].what) if words and words[-1].kind == "name" else None
+    if last is not None and last.is_angle and words[-2:-1] == [Word("preposition", "in")] and len(words) > 2:
+        return Clause(words[:-2]), Clause([Word("quantity", "angle"), words[-1]])  # at beta_1
     is_place = kinds == ["preposition", "quantity", "name"] and words[-1].what in names.parameters
     if not is_place or words[-3].what != "in" or words[-2].what not in ("height", "distance", "angle", "displacement"):
         return None

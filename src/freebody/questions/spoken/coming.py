@@ -1,0 +1,62 @@
+"""How far something has come, as a condition of the grammar: it has moved 2 m, fallen by h, turned 3 times."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from freebody.measures.geometry import GROUND
+from freebody.questions.spoken import dimensions, joining, lookup
+from freebody.questions.spoken.composing import SILENT, Groups
+from freebody.questions.spoken.words import Clause
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+
+def come_so_far(names: Names, clause: Clause, verbs: list[str]) -> Groups:
+    """It has moved 2 m; x reaches d; the crank has turned 90 deg; 3 revolutions."""
+    if not clause.only("name", "value", "turns", "verb", "part", *SILENT):
+        return
+    turns = clause.all("turns")
+    values = [value for _, value in clause.values] + [f"{turn} * 2*pi" for turn in turns]
+    of = [name for _, name in clause.names]
+    if not values and of and of[-1] in names.parameters:
+        values = [of.pop()]
+    if len(values) != 1 or len(of) > 3:
+        return
+    lines = [
+        name for before, name in clause.names if before in ("along", "up", "down") and joining.direction(names, name)
+    ]
+    acting = [name for name in of if name in names.loads] if len(of) > 1 else []  # the motor lifts the crate by 2 m
+    [value], of = values, [name for name in of if name not in (*lines, *acting)]
+    who = next(iter(of), "")
+    if who in names.loads:  # the motor: what it turns
+        driven = {body for p in names.applied_loads if p.load == who for body in p.measure.bodies()} - {GROUND}
+        who = next(iter(driven)) if len(driven) == 1 else who
+    if clause.has("part", "horizontal") and dimensions.is_length(value):
+        yield [lookup.come(names, way, value) for way in lookup.level(names, who)]
+        return
+    if dimensions.is_speed(value) or dimensions.is_turning_speed(value):
+        found = lookup.places if dimensions.is_speed(value) else lookup.angles
+        yield [f"rate({measure}) = {value}" for measure in found(names, who)]
+        return
+    if dimensions.is_time(value):
+        return
+    doing = set(verbs) - {"start"}
+    sense = -1 if clause.has("updown", "down") or clause.has("part", "downward") else 0
+    sense = 1 if clause.has("updown", "up") or clause.has("part", "upward") else sense
+    if sense and doing <= {"move", "slide", "roll", "fly", "fall", "rise"}:
+        yield lookup.gone(names, who, value, sense)
+        return
+    if not doing and dimensions.is_angle(value) and who not in names.measures:
+        yield [f"{angle} = {value}" for angle in lookup.angles(names, who)]
+    elif turns or doing == {"turn"}:
+        yield [f"{angle} = {value}" for angle in joining.turned(names, who)]
+    elif doing == {"fall"}:
+        yield lookup.climbed(names, who, value, -1)
+    elif doing == {"rise"}:
+        yield lookup.climbed(names, who, value, 1)
+    elif doing <= {"reach"} and of and of[-1] in names.measures:
+        yield [f"{of[-1]} = {value}"]
+    elif (doing and doing <= {"move", "slide", "roll", "fly", "reach"}) or not doing:
+        yield [lookup.come(names, way, value) for way in lookup.went(names, who)]

@@ -1,0 +1,64 @@
+"""How high and how far something comes, where no instant is said: as far as where it turns back, or where it rests."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from freebody.measures.geometry import GROUND
+from freebody.questions.spoken import joining, lookup, poses
+from freebody.questions.spoken.composing import SILENT, Groups
+from freebody.questions.spoken.words import Clause
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+
+def is_settled(main: Clause) -> bool:
+    """Whether it is asked how high something hangs, how deep it floats, how far it is moved in equilibrium."""
+    is_still = main.has("instant", "in equilibrium") or main.all("verb") == ["hold"]
+    return main.has("ask", "high", "far") and is_still and not main.has("quantity")
+
+
+def where_it_settles(names: Names, main: Clause) -> Groups:
+    """The equilibrium of a height, or of how far something has come."""
+    who = next((name for _, name in main.names if name in lookup.moving(names)), "")
+    known = main.only("ask", "verb", "name", "instant", *SILENT) and set(main.all("verb")) <= {"hold", "move"}
+    found = lookup.ways(names, who)
+    if main.has("ask", "high"):
+        found = [name for name, _ in lookup.heights(names, who)]
+    yield [f"equilibrium of {name}" for name in found] if known else []
+
+
+def how_high(names: Names, main: Clause) -> Groups:
+    """How high does it fly? As high as it is where it no longer rises."""
+    who = next((name for _, name in main.names), "")
+    if set(main.all("verb")) <= {"move", "fly", "rise", "roll", "turn", "slide"} and len(main.names) <= 1:
+        yield [f"{height} when {top}" for height in lookup.rising(names, who) for top in poses.tops(names, who)]
+        yield [f"greatest height of {body}" for body in ([who] if who else lookup.moving(names))]
+
+
+def how_far(names: Names, main: Clause) -> Groups:
+    """How far does it swing, how far up does it slide? As far as where it turns back."""
+    lines = [name for _, name in main.names if name in names.bodies[GROUND].lines]  # up the slope
+    main = Clause([word for word in main.words if word.what not in lines])
+    who = next((name for _, name in main.names), "")
+    up = main.has("updown", "up") or main.has("part", "upward") or main.has("verb", "rise")
+    if len(main.names) > 1 or main.has("updown", "down") or main.has("verb", "fall"):
+        return
+    if up:
+        yield [f"{way} when rate({way}) = 0" for way, sense in lookup.inclined(names, who) if sense > 0]
+    elif (
+        set(main.all("verb")) == {"move"}
+        and lookup.rests(names)
+        and joining.goes_on(names)
+        and not names.struck_at_start
+    ):
+        yield [f"{way} when rate({way}) = 0" for way in lookup.ways(names, who) if who and lookup.springs(names)]
+    elif set(main.all("verb")) - {"move"} == {"slide"} and not lookup.rests(names):
+        yield [f"distance travelled along {way} until slipping ends" for way in lookup.ways(names, who)]
+    elif set(main.all("verb")) == {"turn"}:
+        led = {name for name in names.measures if names.start_rates and name not in names.start_rates}
+        yield [
+            f"stroke of {angle}" if angle in led or lookup.is_forced(names) else f"{angle} when rate({angle}) = 0"
+            for angle in lookup.angles(names, who)
+        ]
