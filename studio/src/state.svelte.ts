@@ -165,14 +165,12 @@ export class Studio {
 
   /** What can be added and written: after the first picture, which does not wait for it. */
   async learn(): Promise<void> {
-    this.learning ??= Promise.all([server.kinds(), server.schema()]).then(([kinds, schema]) => {
-      this.kinds = kinds;
-      this.schema = schema;
+    if (this.isShared || this.isNotebook) return; // nothing is added there
+    this.learning ??= this.asked("learn", { text: "" }).then((told) => {
+      if (told?.answer) [this.kinds, this.schema] = [told.answer.kinds, told.answer.written];
+      else this.learning = null;
     });
-    await this.learning.catch((error: unknown) => {
-      this.learning = null;
-      this.fail(error);
-    });
+    await this.learning;
   }
 
   /** Shows a file. A draft of it that differs is offered. */
