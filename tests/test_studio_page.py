@@ -13,6 +13,7 @@ import subprocess
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
+from itertools import combinations
 from pathlib import Path
 from typing import Any
 
@@ -279,6 +280,38 @@ def test_a_frame_of_20_bodies_takes_less_than_a_sixtieth_of_a_second(page: Any) 
     page.evaluate(FRAMES, 120)
     assert (processor() - before) / 120 < 1 / 60
     page.get_by_role("button", name="Pause", exact=True).click()
+
+
+# of the words of each frame that is drawn those that are names, with the boxes that they take
+WRITTEN = """n => new Promise((done) => {
+  const write = CanvasRenderingContext2D.prototype.fillText, frames = [];
+  CanvasRenderingContext2D.prototype.fillText = function (text, x, y) {
+    if (/^r\\d+$/.test(text)) frames.at(-1)?.push([text, x, y, this.measureText(text).width]);
+    return write.call(this, text, x, y);
+  };
+  const next = () => {
+    if (n-- > 0) { frames.push([]); return requestAnimationFrame(next); }
+    CanvasRenderingContext2D.prototype.fillText = write;
+    done(frames);
+  };
+  next();
+})"""
+
+
+def test_no_name_of_20_bodies_stands_over_another_one(page: Any) -> None:
+    page.click(".cm-content")
+    page.keyboard.press("Control+a")
+    page.keyboard.insert_text(CHAIN)
+    page.wait_for_selector(".badge.dof:has-text('20 degrees'):not(.stale)", timeout=WAIT)
+    page.get_by_role("button", name="Play", exact=True).click()
+    frames = [frame for frame in page.evaluate(WRITTEN, 60) if frame]
+    page.get_by_role("button", name="Pause", exact=True).click()
+    assert len(frames) > 5
+    for frame in frames:
+        last = {text: (x, y, width) for text, x, y, width in frame}
+        assert len(last) >= 18  # beside the last rods there may be no room
+        for (one, (x, y, width)), (other, (u, v, wide)) in combinations(last.items(), 2):
+            assert abs(x - u) >= (width + wide) / 2 or abs(y - v) >= 12, (one, other)
 
 
 def test_a_file_is_saved_and_a_draft_survives(page: Any, studio: tuple[str, Path]) -> None:
