@@ -1,5 +1,5 @@
-"""The page of the studio in a browser: the first picture, and frames of 20 bodies while they play (`python
-benchmarks/studio.py`, Chromium on the path, `pip install playwright`).
+"""The page of the studio in a browser: the first picture, frames of 20 bodies while they play and are dragged, and how
+soon a motion of ten follows a slider (`python benchmarks/studio.py`, Chromium on the path, `pip install playwright`).
 
 A frame is told twice: by the times between calls of requestAnimationFrame, which a busy machine makes longer, and by
 the processor time of the page's main thread, which it does not. A frame at 60 a second may take 16.7 ms.
@@ -7,17 +7,24 @@ the processor time of the page's main thread, which it does not. A frame at 60 a
 
 from __future__ import annotations
 
+import math
 import os
 import shutil
 import statistics
 import subprocess
 import sys
 import tempfile
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
-N_BODIES, N_FRAMES, N_LOADS = 20, 180, 8
+N_BODIES, N_FRAMES, N_STARTS, N_SLIDES = 20, 180, 5, 20
+MODELS = ("atwood_machine", "four_bar", "slider_crank", "spinning_top")
+EXAMPLES = Path(__file__).parents[1] / "examples"
+WAIT = 120_000  # [ms]
 FRAMES = """n => new Promise((done) => {
   const times = [];
   const next = (time) => { times.push(time); times.length > n ? done(times) : requestAnimationFrame(next); };
@@ -28,6 +35,34 @@ DRAWN = """() => {
   return canvas && canvas.width > 300 && canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data
     .some((value) => value) ? performance.now() : false;
 }"""
+# the colourful pixel of the scene that is farthest to the right, above the axes in the corner
+RIGHTMOST = """() => {
+  const canvas = document.querySelector('.view canvas'), box = canvas.getBoundingClientRect(), ratio = devicePixelRatio;
+  const { data, width, height } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+  for (let x = width - 1; x > 0; x--) for (let y = 0; y < height - 90 * ratio; y++) {
+    const k = 4 * (y * width + x), of = [data[k], data[k + 1], data[k + 2]];
+    if (data[k + 3] > 200 && Math.max(...of) - Math.min(...of) > 90) return [box.x + x / ratio - 3, box.y + y / ratio];
+  }
+}"""
+# from the event of a slider to the picture of the motion that follows it
+SLID = """(k) => new Promise((done) => {
+  const slider = document.querySelector('.sliders input[type=range]'), ask = window.fetch;
+  const clear = CanvasRenderingContext2D.prototype.clearRect, before = performance.now();
+  let isThere = false;
+  window.fetch = async (address, options) => {
+    const reply = await ask(address, options);
+    isThere ||= JSON.parse(options.body).kind === 'motion';
+    return reply;
+  };
+  CanvasRenderingContext2D.prototype.clearRect = function (...box) {
+    clear.apply(this, box);
+    if (!isThere || !this.canvas.closest('.view')) return;
+    [CanvasRenderingContext2D.prototype.clearRect, window.fetch] = [clear, ask];
+    queueMicrotask(() => done(performance.now() - before));
+  };
+  slider.value = Number(slider.value) + Number(slider.step) * (k % 2 ? 3 : -2);
+  slider.dispatchEvent(new Event('input', { bubbles: true }));
+})"""
 
 
 def chain(n: int) -> str:
@@ -43,7 +78,7 @@ def chain(n: int) -> str:
 class Frames:
     """Frames of a page. milliseconds between two of them; processor: of the main thread in each [ms]"""
 
-    def __init__(self, page: Any, n: int) -> None:
+    def __init__(self, page: Any, n: int, meanwhile: Callable[[], None] = lambda: None) -> None:
         session = page.context.new_cdp_session(page)
         session.send("Performance.enable", {"timeDomain": "threadTicks"})
 
@@ -52,13 +87,23 @@ class Frames:
             return next(1000.0 * each["value"] for each in found if each["name"] == "TaskDuration")
 
         before = processor()
-        times = page.evaluate(FRAMES, n)
+        page.evaluate(f"n => void (window.frames_seen = ({FRAMES})(n))", n)
+        meanwhile()
+        times = page.evaluate("window.frames_seen")
         self.processor = (processor() - before) / n
         self.milliseconds = [b - a for a, b in pairwise(times)]
         session.detach()
 
     def __str__(self) -> str:
-        return f"median {statistics.median(self.milliseconds):.1f} ms a frame, {self.processor:.1f} ms of the processor"
+        told = (
+            f"median {statistics.median(self.milliseconds):.1f} ms, p95 {part(self.milliseconds, 0.95):.1f} ms a frame"
+        )
+        return f"{told}, {self.processor:.1f} ms of the processor"
+
+
+def part(values: list[float], share: float) -> float:
+    """The value below which a share of them lies."""
+    return sorted(values)[min(len(values) - 1, int(share * len(values)))]
 
 
 def playing(page: Any, n: int) -> Frames:
@@ -70,31 +115,86 @@ def playing(page: Any, n: int) -> Frames:
     return found
 
 
+def dragged(page: Any, n: int) -> Frames:
+    """The last of the bodies, round and round."""
+    x, y = page.evaluate(RIGHTMOST)
+
+    def round_and_round() -> None:
+        page.mouse.move(x, y)
+        page.mouse.down()
+        for k in range(n // 2):
+            page.mouse.move(x + 30 * math.sin(k / 8), y + 30 - 30 * math.cos(k / 8))
+            page.wait_for_timeout(16)
+        page.mouse.up()
+
+    found = Frames(page, n, round_and_round)
+    assert page.is_enabled("[aria-label=Undo]"), "nothing was dragged"
+    return found
+
+
+@contextmanager
+def served(file: Path) -> Iterator[tuple[str, float]]:
+    """A studio: its address, and when it was printed."""
+    command = [sys.executable, "-m", "freebody", "studio", str(file), "--no-browser"]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as server:
+        assert server.stdout is not None
+        try:
+            yield server.stdout.readline().strip(), time.perf_counter()
+        finally:
+            server.terminate()
+
+
+def first_pictures(browser: Any, file: Path) -> str:
+    """From the printed address to the first picture, of servers that have just started and of pages opened again."""
+    cold: list[float] = []
+    warm: list[float] = []
+    for _ in range(N_STARTS):
+        page = browser.new_context(viewport={"width": 1500, "height": 900}, locale="en-GB").new_page()
+        with served(file) as (address, printed):
+            for times in (cold, warm, warm):
+                begun = printed if times is cold else time.perf_counter()
+                page.goto(address)
+                page.wait_for_function(DRAWN, timeout=WAIT, polling=10)
+                times.append(time.perf_counter() - begun)
+                page.wait_for_selector(".badge.dof:not(.stale)", timeout=WAIT)
+                page.goto("about:blank")
+        page.context.close()
+    told = [f"{statistics.median(times):.2f} s ({min(times):.2f} to {max(times):.2f})" for times in (cold, warm)]
+    return f"{file.stem}: first {told[0]}, opened again {told[1]}"
+
+
+def opened(browser: Any, address: str) -> Any:
+    page = browser.new_page(viewport={"width": 1500, "height": 900}, locale="en-GB")
+    page.goto(address)
+    page.wait_for_selector(".badge.dof:not(.stale)", timeout=WAIT)
+    page.wait_for_timeout(1000)
+    return page
+
+
 def main() -> None:
     from playwright.sync_api import sync_playwright
 
-    with tempfile.TemporaryDirectory() as folder:
+    print(f"load {os.getloadavg()[0]:.0f} on {os.cpu_count()} cores")
+    with tempfile.TemporaryDirectory() as folder, sync_playwright() as running:
+        browser = running.chromium.launch(executable_path=shutil.which("chromium"), args=["--no-sandbox"])
+        for name in MODELS:
+            print(first_pictures(browser, EXAMPLES / f"{name}.yaml"))
         file = Path(folder) / "chain.yaml"
         file.write_text(chain(N_BODIES), encoding="utf-8")
-        command = [sys.executable, "-m", "freebody", "studio", str(file), "--no-browser"]
-        with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as server, sync_playwright() as running:
-            assert server.stdout is not None
-            try:
-                browser = running.chromium.launch(executable_path=shutil.which("chromium"), args=["--no-sandbox"])
-                page, address = browser.new_page(viewport={"width": 1500, "height": 900}), server.stdout.readline()
-                firsts: list[float] = []
-                for _ in range(N_LOADS):
-                    page.goto("about:blank")
-                    page.goto(address.strip())
-                    firsts.append(page.wait_for_function(DRAWN, timeout=60_000).json_value())
-                print(f"load {os.getloadavg()[0]:.0f} on {os.cpu_count()} cores, {N_BODIES} bodies")
-                print(f"first picture: {firsts[0]:.0f} ms, then median {statistics.median(firsts[1:]):.0f} ms,")
-                print(f"least {min(firsts):.0f} ms, from the address being opened")
-                page.wait_for_selector(".badge.dof:not(.stale)", timeout=60_000)
-                print("playing:", playing(page, N_FRAMES))
-                browser.close()
-            finally:
-                server.terminate()
+        with served(file) as (address, _):
+            page = opened(browser, address)
+            print(f"{N_BODIES} bodies, playing:", playing(page, N_FRAMES))
+            print(f"{N_BODIES} bodies, dragged:", dragged(page, N_FRAMES))
+        file.write_text(chain(N_BODIES // 2), encoding="utf-8")
+        with served(file) as (address, _):
+            page = opened(browser, address)
+            slid: list[float] = []
+            for k in range(N_SLIDES):
+                slid.append(page.evaluate(SLID, k))
+                page.wait_for_timeout(700)
+            told = f"median {statistics.median(slid):.0f} ms, least {min(slid):.0f} ms, p95 {part(slid, 0.95):.0f} ms"
+            print(f"{N_BODIES // 2} bodies follow a slider: {told}")
+        browser.close()
 
 
 if __name__ == "__main__":

@@ -389,6 +389,13 @@ def test_a_request_that_is_too_large_is_refused_before_it_is_read(server: Server
     assert server.post("/api/ask", b"", Content_Length=str(LARGEST + 1))[0] == 413
 
 
+def test_what_can_be_added_and_written_is_learned(server: Server) -> None:
+    call = {"kind": "learn", "topic": "learn", "request": {}}
+    answer = json.loads(server.post("/api/ask", call)[2])["answer"]
+    assert {kind["section"] for kind in answer["kinds"]} == {"bodies", "connections", "loads"}
+    assert "bodies" in answer["written"]["properties"]
+
+
 def test_the_page_comes_with_its_policy_and_nothing_else_is_given_away(server: Server) -> None:
     status, headers, content = server.get("/")
     assert (status, b"<div id" in content) == (200, True)
@@ -428,7 +435,7 @@ def test_the_latest_of_a_topic_is_done_and_a_dead_worker_is_a_message() -> None:
         await asyncio.sleep(0)
         worker.cancel("c")
         assert await asyncio.gather(first, *waiting) == ["done", "replaced", "done", "cancelled"]
-        process = await worker.begun()
+        process = (await worker.begun()).process
         dying = asyncio.create_task(status_of(worker, call_of("a")))
         await asyncio.sleep(0)
         process.kill()
@@ -437,6 +444,36 @@ def test_the_latest_of_a_topic_is_done_and_a_dead_worker_is_a_message() -> None:
         await worker.end()
 
     asyncio.run(run())
+
+
+def test_a_worker_is_ended_while_it_starts() -> None:
+    async def run() -> None:
+        worker = Worker(Lane("test", 30))
+        worker.begin()
+        asked = asyncio.create_task(status_of(worker, call_of("a")))
+        await asyncio.sleep(0)
+        worker.cancel("a")
+        assert await asked == "cancelled"
+        assert await status_of(worker, call_of("b")) == "done"
+        await worker.end()
+        assert worker.running is None
+
+    asyncio.run(run())
+
+
+def test_the_first_picture_imports_nothing_that_it_does_not_need() -> None:
+    """A motion that is looked at where it is given, also one with events: splines, optimisers and languages take longer
+    to import than it takes to be found."""
+    code = (
+        "import sys\n"
+        "from freebody.studio import grown, work\n"
+        "text = open(sys.argv[1], encoding='utf-8').read()\n"
+        "assert work.done('read', {'text': text}).status == 'done'\n"
+        "assert work.done('motion', {'text': text, 'until': 2.7}).status == 'done'\n"
+        "print(*sorted({'scipy', 'matplotlib', 'pint', 'xarray', 'freebody.narrative.telling'} & set(sys.modules)))\n"
+    )
+    command = [sys.executable, "-c", code, str(ROOT / "examples" / "bouncing_ball.yaml")]
+    assert subprocess.run(command, capture_output=True, text=True, check=True).stdout == "\n"
 
 
 def test_work_that_takes_too_long_is_ended() -> None:

@@ -12,6 +12,8 @@ import shutil
 import subprocess
 import sys
 from collections.abc import Iterator
+from contextlib import contextmanager
+from itertools import combinations
 from pathlib import Path
 from typing import Any
 
@@ -280,6 +282,38 @@ def test_a_frame_of_20_bodies_takes_less_than_a_sixtieth_of_a_second(page: Any) 
     page.get_by_role("button", name="Pause", exact=True).click()
 
 
+# of the words of each frame that is drawn those that are names, with the boxes that they take
+WRITTEN = """n => new Promise((done) => {
+  const write = CanvasRenderingContext2D.prototype.fillText, frames = [];
+  CanvasRenderingContext2D.prototype.fillText = function (text, x, y) {
+    if (/^r\\d+$/.test(text)) frames.at(-1)?.push([text, x, y, this.measureText(text).width]);
+    return write.call(this, text, x, y);
+  };
+  const next = () => {
+    if (n-- > 0) { frames.push([]); return requestAnimationFrame(next); }
+    CanvasRenderingContext2D.prototype.fillText = write;
+    done(frames);
+  };
+  next();
+})"""
+
+
+def test_no_name_of_20_bodies_stands_over_another_one(page: Any) -> None:
+    page.click(".cm-content")
+    page.keyboard.press("Control+a")
+    page.keyboard.insert_text(CHAIN)
+    page.wait_for_selector(".badge.dof:has-text('20 degrees'):not(.stale)", timeout=WAIT)
+    page.get_by_role("button", name="Play", exact=True).click()
+    frames = [frame for frame in page.evaluate(WRITTEN, 60) if frame]
+    page.get_by_role("button", name="Pause", exact=True).click()
+    assert len(frames) > 5
+    for frame in frames:
+        last = {text: (x, y, width) for text, x, y, width in frame}
+        assert len(last) >= 18  # beside the last rods there may be no room
+        for (one, (x, y, width)), (other, (u, v, wide)) in combinations(last.items(), 2):
+            assert abs(x - u) >= (width + wide) / 2 or abs(y - v) >= 12, (one, other)
+
+
 def test_a_file_is_saved_and_a_draft_survives(page: Any, studio: tuple[str, Path]) -> None:
     page.click(".cm-line:has-text('# a pendulum')")
     page.keyboard.press("End")
@@ -434,6 +468,59 @@ def test_another_model_is_edited_before_it_is_read(page: Any) -> None:
     slider = page.locator(".sliders label:has-text('m') input").first
     slider.press("ArrowRight")
     wait_for_text(page, r"m: 2\.\d+ kg|m: 1\.\d+ kg|m: \d+\.\d+ kg")
+
+
+def typed_at_once(page: Any, text: str) -> None:
+    """All of the text is typed anew, right after what was done before."""
+    page.keyboard.press("Escape")
+    page.focus(".cm-content")
+    page.keyboard.press("Control+a")
+    page.keyboard.insert_text(text)
+
+
+@contextmanager
+def held_back(page: Any, address: str) -> Iterator[None]:
+    """Requests to an address wait until the end of the block."""
+    page.route(address, lambda route: None)
+    yield
+    page.unroute(address)  # which lets those go on that wait
+
+
+def test_what_is_typed_while_another_model_is_opened_is_neither_lost_nor_mixed(
+    page: Any, studio: tuple[str, Path]
+) -> None:
+    (studio[1].parent / "other.yaml").write_text("title: Another one\n", encoding="utf-8")
+    page.on("dialog", lambda dialog: dialog.accept())
+    page.reload()
+    page.wait_for_selector(".view canvas", timeout=WAIT)
+    for k in range(4):
+        page.keyboard.press("Control+o")
+        page.locator("dialog[open] .cards button").nth(5 * k).click()
+        typed_at_once(page, f"# mine {k}\n{PENDULUM}")
+        assert text_of(page) == f"# mine {k}\n{PENDULUM}"
+    page.keyboard.press("Control+o")
+    with held_back(page, "**/api/file"):
+        page.locator("dialog[open] .list button:has-text('other.yaml')").click()
+        page.keyboard.insert_text("x")  # the dialog stays until the file is there
+    page.wait_for_selector(".top .name:has-text('other')", timeout=WAIT)
+    typed_at_once(page, "title: Another one\n# and mine\n")
+    page.keyboard.press("Control+o")
+    page.locator("dialog[open] .cards button").first.click()
+    page.keyboard.press("Control+o")
+    page.locator("dialog[open] .list button:has-text('other.yaml')").click()
+    page.click("text=Take the draft", timeout=WAIT)  # what was typed just before another model was opened
+    assert text_of(page) == "title: Another one\n# and mine\n"
+
+
+def test_a_change_by_a_form_keeps_what_is_typed_meanwhile(page: Any) -> None:
+    page.click(".tree button:has-text('rod')")
+    with held_back(page, "**/api/ask"):
+        page.fill("#panel label:has-text('length') input", "2*L")
+        page.keyboard.press("Enter")
+        page.focus(".cm-content")
+        page.keyboard.press("Control+Home")
+        page.keyboard.insert_text("# mine\n")
+    wait_for_text(page, r"^# mine\n# a pendulum[^]*length: 2\*L\}\}  # thin")
 
 
 def test_panes_are_made_wider_by_pointer_by_keys_and_by_a_command(page: Any) -> None:

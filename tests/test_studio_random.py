@@ -215,7 +215,6 @@ def memory_of(page: Any) -> int:
 
 def at_rest(page: Any, text: str) -> int:
     """The memory with a model as at first, when everything is answered: the same before and after."""
-    page.wait_for_timeout(3000)  # an example that was asked for last would come over the text
     page.set_viewport_size({"width": 1500, "height": 900})
     for _ in range(2):
         page.keyboard.press("Escape")

@@ -40,7 +40,6 @@ const colors = HighlightStyle.define([
 export function editorIn(parent: HTMLElement, studio: Studio, complete: (context: CompletionContext) => CompletionResult | null, label: string) {
   const name = new Compartment();
   const extensions = [
-    EditorState.readOnly.of(studio.isShared),
     lineNumbers(),
     history({ newGroupDelay: 700, minDepth: 1000 }),
     bracketMatching(),
@@ -67,7 +66,8 @@ export function editorIn(parent: HTMLElement, studio: Studio, complete: (context
       studio.canRedo = redoDepth(update.state) > 0;
     }),
   ];
-  const view = new EditorView({ parent, state: EditorState.create({ doc: studio.text, extensions }) });
+  const stateOf = (doc: string) => EditorState.create({ doc, extensions: [EditorState.readOnly.of(studio.isShared || !studio.isOpen), ...extensions] });
+  const view = new EditorView({ parent, state: stateOf(studio.text) });
 
   const writer: Writer = {
     change(changes, userEvent) {
@@ -75,7 +75,7 @@ export function editorIn(parent: HTMLElement, studio: Studio, complete: (context
       view.dispatch({ changes, userEvent, annotations: isSlide ? [] : [isolateHistory.of("full")] });
     },
     load(text) {
-      view.setState(EditorState.create({ doc: text, extensions }));
+      view.setState(stateOf(text));
       [studio.canUndo, studio.canRedo] = [false, false];
       studio.changed(text);
     },

@@ -1,6 +1,6 @@
 // What is asked of the server: with the token of the address, and in the schema of `wire.ts`.
 import { fromKernel, notebook } from "./notebook";
-import type { Answers, Example, Kind, Moved, OpenedFile, Opening, Reply, Requests, SaveAnswer, SaveRequest } from "./wire";
+import type { Answers, Example, Moved, OpenedFile, Opening, Reply, Requests, SaveAnswer, SaveRequest } from "./wire";
 
 /** A page that was written to be shared has its answers with it, and no server. */
 interface Kept {
@@ -80,5 +80,3 @@ export const open = () => kept ? Promise.resolve(kept.opening) : post<Opening>("
 export const openFile = (name: string) => post<OpenedFile>("file", { name });
 export const save = (request: SaveRequest) => post<SaveAnswer>("save", request);
 export const examples = () => post<Example[]>("examples", {});
-export const kinds = () => isAlone ? Promise.resolve<Kind[]>([]) : post<Kind[]>("kinds", {});
-export const schema = () => isAlone ? Promise.resolve<Record<string, unknown>>({}) : post<Record<string, unknown>>("schema", {});

@@ -5,7 +5,7 @@ import * as server from "./server";
 import type { Told } from "./server";
 import { type Change, changeBetween } from "./text";
 import type { Place } from "virtual:player";
-import type { Answers, Element, End, Kind, MotionAnswer, Parameter, ReadAnswer, Spot, StudyAnswer } from "./wire";
+import type { Answers, Element, End, Kind, MotionAnswer, Parameter, ReadAnswer, Requests, Spot, StudyAnswer } from "./wire";
 import { WORDS, type Word } from "./words";
 
 export type Language = "en" | "de";
@@ -67,6 +67,7 @@ export class Studio {
   // -- the text, and what it says
   text = $state("");
   file = $state("model.yaml");
+  isOpen = false; // until the first file is there nothing can be typed
   files = $state<string[]>([]);
   version = $state("");
   savedText = $state("");
@@ -165,18 +166,18 @@ export class Studio {
 
   /** What can be added and written: after the first picture, which does not wait for it. */
   async learn(): Promise<void> {
-    this.learning ??= Promise.all([server.kinds(), server.schema()]).then(([kinds, schema]) => {
-      this.kinds = kinds;
-      this.schema = schema;
+    if (this.isShared || this.isNotebook) return; // nothing is added there
+    this.learning ??= this.asked("learn", { text: "" }).then((told) => {
+      if (told?.answer) [this.kinds, this.schema] = [told.answer.kinds, told.answer.written];
+      else this.learning = null;
     });
-    await this.learning.catch((error: unknown) => {
-      this.learning = null;
-      this.fail(error);
-    });
+    await this.learning;
   }
 
-  /** Shows a file. A draft of it that differs is offered. */
+  /** Shows a file. A draft of it that differs is offered. What was typed into the one before is kept. */
   take(name: string, text: string, version: string): void {
+    if (this.isOpen) this.keepDraftNow();
+    this.isOpen = true;
     [this.file, this.version, this.savedText] = [name, version, text];
     const draft = kept.get(`draft.${name}`);
     this.draft = !this.isShared && draft !== null && draft !== text ? draft : null;
@@ -205,9 +206,11 @@ export class Studio {
     this.draft = null;
   }
 
+  /** The dialog stays until the file is there: what is typed meanwhile would go into the one before. */
   async openFile(name: string): Promise<void> {
     try {
       const file = await server.openFile(name);
+      this.dialog = "";
       this.take(file.name, file.text, file.version);
     } catch (error) {
       this.fail(error);
@@ -253,11 +256,12 @@ export class Studio {
     this.savedText = this.text;
   }
 
-  private keepDraft = debounced(500, () => {
-    if (this.isShared) return;
+  private keepDraft = debounced(500, () => this.keepDraftNow());
+  private keepDraftNow(): void {
+    if (this.isShared || this.isNotebook) return;
     if (this.text === this.savedText) kept.set(`draft.${this.file}`, null);
     else if (!this.draft) kept.set(`draft.${this.file}`, this.text);
-  });
+  }
   private readSoon = debounced(60, () => this.readNow());
 
   readNow(): void {
@@ -343,19 +347,26 @@ export class Studio {
     if (change) this.writer?.change([change], userEvent);
   }
 
+  /** Changes the text as an answer to it says; where it has changed meanwhile, by what is answered to the new one. */
+  private async changeBy<K extends "edit" | "rename" | "add" | "join">(kind: K, request: Omit<Requests[K], "text" | "language">, userEvent: string): Promise<Answers[K] | null> {
+    for (const file = this.file; file === this.file; ) {
+      const text = this.text;
+      const told = await this.asked(kind, { ...request, text, language: this.language } as Requests[K]);
+      if (told?.answer && text !== this.text) continue;
+      if (told?.answer) this.rewrite(told.answer.text, userEvent);
+      else if (told) this.failure = this.reason(told);
+      return told?.answer ?? null;
+    }
+    return null; // another file was opened
+  }
+
   async setValue(path: (string | number)[], value: string | null): Promise<void> {
-    const told = await this.asked("edit", { text: this.text, language: this.language, path, value });
-    if (told?.answer) this.rewrite(told.answer.text, "input.property");
-    else if (told) this.failure = this.reason(told);
+    await this.changeBy("edit", { path, value }, "input.property");
   }
 
   /** What is at a path gets another name, wherever the text has it. */
   async rename(path: (string | number)[], name: string): Promise<void> {
-    const told = await this.asked("rename", { text: this.text, language: this.language, path, name });
-    if (told?.answer) {
-      this.rewrite(told.answer.text, "input.rename");
-      this.selected = [...path.slice(0, -1), name.trim()].join(".");
-    } else if (told) this.failure = this.reason(told);
+    if (await this.changeBy("rename", { path, name }, "input.rename")) this.selected = [...path.slice(0, -1), name.trim()].join(".");
   }
 
   /** Brings a point of a body from one place at the start to another, as far as it goes: by the first pull that moves it. */
@@ -382,10 +393,7 @@ export class Studio {
 
   /** A new element; value: its YAML, in one line. */
   async add(section: string, name: string, value: string): Promise<boolean> {
-    const told = await this.asked("add", { text: this.text, language: this.language, section, name, value });
-    if (told?.answer) this.rewrite(told.answer.text, "input.add");
-    else if (told) this.failure = this.reason(told);
-    return Boolean(told?.answer);
+    return (await this.changeBy("add", { section, name, value }, "input.add")) !== null;
   }
 
   // -- pointing
@@ -432,11 +440,9 @@ export class Studio {
       this.joining = { ...joining, ends, preview: "" };
       return;
     }
-    const told = await this.joined(joining, ends);
-    if (told?.answer) {
-      this.rewrite(told.answer.text, "input.add");
-      [this.selected, this.panel] = [told.answer.path.join("."), "properties"];
-    } else if (told) this.failure = this.reason(told);
+    const { section, kind } = joining.kind;
+    const joined = await this.changeBy("join", { section, kind, ends }, "input.add");
+    if (joined) [this.selected, this.panel] = [joined.path.join("."), "properties"];
   }
 
   // -- asking

@@ -164,6 +164,18 @@ export interface Leaf {
   span: Span;
 }
 
+/** What can be added to a model, and the JSON Schema of its text. */
+export interface LearnAnswer {
+  kinds: Kind[];
+  written: Record<string, unknown>;
+}
+
+/** Say what can be added and written, whatever the model. */
+export interface LearnRequest {
+  text?: string;
+  language?: "en" | "de";
+}
+
 /** One curve over the times of a motion. */
 export interface Line {
   name: string;
@@ -399,6 +411,7 @@ export interface Requests {
   join: JoinRequest;
   suggest: SuggestRequest;
   motion: MotionRequest;
+  learn: LearnRequest;
   picture: PictureRequest;
   judge: JudgeRequest;
   hints: HintsRequest;
@@ -419,6 +432,7 @@ export interface Answers {
   join: JoinAnswer;
   suggest: SuggestAnswer;
   motion: MotionAnswer;
+  learn: LearnAnswer;
   picture: PictureAnswer;
   judge: JudgeAnswer;
   hints: HintsAnswer;

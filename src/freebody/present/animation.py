@@ -148,11 +148,14 @@ def write_film(film: Film, path: str | Path) -> Path:
 def resampled(times: Array, poses: Array, n_frames: int) -> tuple[Array, Array]:
     """(n_frames,), (n_frames, n_bodies, 3): the motion at equally spaced times, by a cubic between the given poses
     that does not overshoot them. Source: Fritsch & Butland, SIAM J. Sci. Stat. Comput. 5 (1984) 300."""
-    from scipy.interpolate import PchipInterpolator
-
     if len(times) == 1:
         return times, poses
     shown: Array = np.linspace(float(times[0]), float(times[-1]), n_frames)
+    given = np.searchsorted(times, shown)
+    if np.array_equal(times[given], shown):  # SciPy's splines take longer to import than a motion to find
+        return shown, poses[given]
+    from scipy.interpolate import PchipInterpolator
+
     cubic: Any = PchipInterpolator(times, poses, axis=0)
     return shown, np.asarray(cubic(shown), dtype=np.float64)
 

@@ -438,35 +438,70 @@ function spotBeside(own, middle, half, k) {
   }
   return spot;
 }
+const areOver = (a, b) => Math.abs(a.spot[0] - b.spot[0]) < a.half[0] + b.half[0] && Math.abs(a.spot[1] - b.spot[1]) < a.half[1] + b.half[1];
+const N_WAYS = 13, FARTHER = 16, N_RINGS = 9, TOO_MUCH = 6;
 function labels(all) {
-  const isDue = drawn++ % 12 === 0 || !shown.isPlaying(), placed = [], ink = all.map(inkOf);
+  const isDue = drawn++ % 12 === 0 || !shown.isPlaying(), placed = data.words.map(boxOfWord), ink = all.map(inkOf);
+  const names = [];
   for (const { owner, text } of data.labels) {
     const own = ink.filter((each) => each.owner === owner && each.spots.length), others = ink.filter((each) => each.owner !== owner);
     if (!own.length) continue;
     const half = [pen.measureText(text).width / 2 + 2, 8], [x0, y0, x1, y1] = boxOf(own.flatMap((each) => each.spots));
-    const middle = [(x0 + x1) / 2, (y0 + y1) / 2];
-    const cost = (spot, k) => {
-      const hits = placed.filter((o) => Math.abs(o.spot[0] - spot[0]) < o.half[0] + half[0] && Math.abs(o.spot[1] - spot[1]) < o.half[1] + half[1]);
+    const middle = [(x0 + x1) / 2, (y0 + y1) / 2], near = [];
+    // a place is a direction, and how many steps farther away than just outside
+    const spotAt = (place) => {
+      const k = place % N_WAYS, far = FARTHER * Math.floor(place / N_WAYS), a = Math.PI / 4 + 2 * Math.PI * k / 12;
+      const [x, y] = (near[k] ??= spotBeside(own, middle, half, k));
+      return [x + far * Math.cos(a), y - far * Math.sin(a)];
+    };
+    const isFree = (spot) => !placed.some((other) => areOver(other, { spot, half }));
+    const cost = (spot, place) => {
       const isOut = spot[0] < half[0] || spot[0] > view.width - half[0] || spot[1] < half[1] || spot[1] > view.height - 60;
       const isOnOthers = others.some((s) => s.isArea && isIn(s.box, spot) && contains(s.outline, spot));
       const gap = gapTo(own, spot, half), below = nCovered(ink, spot, half, 0);
-      return 100 * (hits.length + isOut) + 0.8 * below + 3 * isOnOthers + 4 * Math.min(1, Math.max(0, 0.5 + (gap - gapTo(others, spot, half)) / 26))
-        + 0.06 * gap + 0.005 * Math.hypot(spot[0] - middle[0], spot[1] - middle[1]) - (sides.get(owner) === k ? 2 : 0);
+      return 100 * isOut + 0.8 * below + 3 * isOnOthers + 4 * Math.min(1, Math.max(0, 0.5 + (gap - gapTo(others, spot, half)) / 26))
+        + 0.06 * gap + 0.005 * Math.hypot(spot[0] - middle[0], spot[1] - middle[1]) + Math.floor(place / N_WAYS) - (sides.get(owner) === place ? 2 : 0);
     };
-    if (isDue || !sides.has(owner)) {
-      let best = Infinity, side = 0;
-      for (let k = 0; k <= 12; k++) { const c = cost(spotBeside(own, middle, half, k), k); if (c < best) { best = c; side = k; } }
+    if (isDue || !sides.has(owner) || !isFree(spotAt(sides.get(owner)))) {
+      let best = Infinity, side;
+      const look = (place) => {
+        const spot = spotAt(place), c = isFree(spot) ? cost(spot, place) : Infinity;
+        if (c < best) [best, side] = [c, place];
+      };
+      // farther away only where what is free nearer covers much
+      for (let ring = 0; ring < N_RINGS && best >= TOO_MUCH + ring; ring++) for (let k = 0; k < N_WAYS - (ring > 0); k++) look(ring * N_WAYS + k);
+      if (sides.has(owner)) look(sides.get(owner));
+      if (side === undefined) { sides.delete(owner); continue; }
       sides.set(owner, side);
     }
-    placed.push({ spot: spotBeside(own, middle, half, sides.get(owner)), half, text });
+    const place = sides.get(owner), name = { spot: spotAt(place), half, text };
+    placed.push(name);
+    names.push(name);
+    if (place >= N_WAYS) leader(own, name);
   }
   pen.textAlign = "center";
-  for (const { spot, text } of placed) write(text, spot, theme().ink);
+  for (const { spot, text } of names) write(text, spot, theme().ink);
 }
-function wordBeside({ place, text, dx, dy }) {
+function leader(own, { spot, half }) {
+  // from a name that stands away from its body to the nearest place of it
+  let least = Infinity, end = spot;
+  for (const { spots } of own) for (const p of spots) { const d = Math.hypot(p[0] - spot[0], p[1] - spot[1]); if (d < least) { least = d; end = p; } }
+  const way = [end[0] - spot[0], end[1] - spot[1]], from = Math.min(1, ...way.map((c, k) => half[k] / Math.abs(c || 1e-9)));
+  pen.beginPath();
+  pen.moveTo(spot[0] + from * way[0], spot[1] + from * way[1]);
+  pen.lineTo(...end);
+  pen.strokeStyle = theme().muted;
+  pen.lineWidth = 0.8;
+  pen.stroke();
+}
+function boxOfWord({ place, text, dx, dy }) {
   const [x, y] = onPaper(seen(position(place, at))), u = data.symbol * view.scale, width = pen.measureText(text).width;
-  pen.textAlign = "left";
-  write(text, [Math.max(2, Math.min(x + dx * u, view.width - width - 2)), y - dy * u], theme().ink);
+  return { spot: [Math.max(2, Math.min(x + dx * u, view.width - width - 2)) + width / 2, y - dy * u], half: [width / 2, 8], text };
+}
+function wordBeside(word) {
+  const { spot, text } = boxOfWord(word);
+  pen.textAlign = "center";
+  write(text, spot, theme().ink);
 }
 function contains(outline, [x, y]) {
   // on paper y runs down, so the outline is clockwise

@@ -8,6 +8,7 @@ renaming    another name for a part of it, wherever the text has it
 asking      pictures, studies, and files of them
 work        the table of what a worker does
 worker      the process that does it, with limits of time and memory
+nursery     where workers come from: a process that has imported once what they need (`grown`), and forks
 lanes       the workers as the server sees them: the latest request wins, one can be cancelled, a crash is a message
 folder      the opened folder, beyond which the page reaches nothing
 server      the address of the page, who may use it, and its answers

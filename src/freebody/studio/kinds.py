@@ -14,15 +14,21 @@ from freebody.measures.geometry import GROUND
 from freebody.model.names import Names
 from freebody.model.shapes.base import Shape
 from freebody.studio.reading import entries_of
-from freebody.studio.wire import Kind
+from freebody.studio.wire import Kind, LearnAnswer, LearnRequest
+from freebody.system.schema import json_schema
 from freebody.system.system import System
 
 _SECTIONS: dict[str, Any] = {"bodies": Shape, "connections": Connection, "loads": Load}
 
 
+def learned(_request: LearnRequest) -> LearnAnswer:
+    """What can be added, and the schema of what can be written."""
+    return LearnAnswer(kinds=kinds(), written=json_schema())
+
+
 @cache
 def kinds() -> list[Kind]:
-    """By section, and by name within it."""
+    """By section, and by name within it. Every example is read once."""
     return [kind for section, base in _SECTIONS.items() for kind in _of(section, base)]
 
 

@@ -9,14 +9,15 @@ from __future__ import annotations
 
 import asyncio
 import json
-import os
-import sys
-from asyncio.subprocess import PIPE, Process
+import socket
 from contextlib import suppress
 from dataclasses import dataclass, field
+from multiprocessing.process import BaseProcess
 
+from freebody.studio import nursery
 from freebody.studio.wire import Call, Reply
-from freebody.studio.work import WORK, Lane
+from freebody.studio.work import MOVING, READING, WORK, Lane
+from freebody.studio.worker import work
 
 _PATIENCE = 0.5  # [s]
 _LONGEST = 256 << 20  # [bytes] of an answer
@@ -31,17 +32,33 @@ class _Piece:
     begun: float = 0.0
 
 
+@dataclass(frozen=True, eq=False)
+class Running:
+    """A process, and the ends at which it is told and answers."""
+
+    process: BaseProcess
+    answers: asyncio.StreamReader
+    calls: asyncio.StreamWriter
+
+    async def ended(self) -> int | None:
+        """When the process is gone: its exit code. Whoever waits for its answer hears of that from its end."""
+        self.calls.close()
+        await asyncio.to_thread(self.process.join)
+        return self.process.exitcode
+
+
 @dataclass(eq=False)
 class Worker:
     """The process of a lane."""
 
     lane: Lane
-    process: Process | None = None
+    running: Running | None = None
     waiting: list[_Piece] = field(default_factory=list[_Piece])
     current: _Piece | None = None
     busy: str = ""
     _task: asyncio.Task[None] | None = None
-    _ending: set[asyncio.Task[None]] = field(default_factory=set[asyncio.Task[None]])
+    _start: asyncio.Task[None] | None = None
+    _ending: set[asyncio.Task[int | None]] = field(default_factory=set[asyncio.Task[int | None]])
 
     async def ask(self, call: Call) -> bytes:
         """The `Reply` to a call in JSON, as the worker says it, when it is its turn."""
@@ -77,11 +94,10 @@ class Worker:
 
     def _kill(self) -> None:
         """Ends the process. The next request starts another one."""
-        process, self.process = self.process, None
-        if process is not None:
-            with suppress(ProcessLookupError):
-                process.kill()
-            task = asyncio.get_running_loop().create_task(_ended(process))
+        running, self.running = self.running, None
+        if running is not None:
+            running.process.kill()
+            task = asyncio.get_running_loop().create_task(running.ended())
             self._ending.add(task)
             task.add_done_callback(self._ending.discard)
 
@@ -95,60 +111,64 @@ class Worker:
                 piece.reply.set_result(reply)
 
     async def _done(self, piece: _Piece) -> bytes:
-        process = await self.begun()
         try:
-            return await asyncio.wait_for(self._answer(process, piece.call), self.lane.seconds)
+            running = await self.begun()
+        except (EOFError, OSError) as error:  # it could not be started
+            return _said(Reply(status="crashed", message=str(error)))
+        try:
+            return await asyncio.wait_for(self._answer(running, piece.call), self.lane.seconds)
         except TimeoutError:
             self._kill()
             return _said(Reply(status="too long", message=f"{self.lane.seconds:g}"))
         except (OSError, ValueError, asyncio.IncompleteReadError):
             self._kill()
-            return _said(Reply(status="crashed", message=str(await process.wait())))
+            return _said(Reply(status="crashed", message=str(await running.ended())))
 
-    async def _answer(self, process: Process, call: Call) -> bytes:
-        assert process.stdin is not None
-        assert process.stdout is not None
+    async def _answer(self, running: Running, call: Call) -> bytes:
         document = {"kind": call.kind, "request": call.request}
-        process.stdin.write(json.dumps(document).encode() + b"\n")
-        await process.stdin.drain()
+        running.calls.write(json.dumps(document).encode() + b"\n")
+        await running.calls.drain()
         while True:
-            line = await process.stdout.readuntil(b"\n")
+            line = await running.answers.readuntil(b"\n")
             if not line.startswith(b'{"busy"'):
                 return line
             self.busy = str(json.loads(line)["busy"])
 
-    async def begun(self) -> Process:
+    async def begun(self) -> Running:
         """The process, started if there is none."""
-        if self.process is None or self.process.returncode is not None:
-            alone = {f"{name}_NUM_THREADS": "1" for name in ("OMP", "OPENBLAS", "MKL")}
-            self.process = await asyncio.create_subprocess_exec(
-                *(sys.executable, "-m", "freebody.studio.worker", self.lane.name, str(self.lane.courtesy)),
-                stdin=PIPE,
-                stdout=PIPE,
-                limit=_LONGEST,
-                env={**os.environ, **alone, "PYTHONIOENCODING": "utf-8"},
-            )
-        return self.process
+        if self.running is not None and not self.running.process.is_alive():
+            self._kill()
+        while self.running is None:
+            self.begin()
+            assert self._start is not None
+            await self._start
+        return self.running
+
+    def begin(self) -> None:
+        """Lets the process start, if there is none."""
+        if self.running is None and (self._start is None or self._start.done()):
+            self._start = asyncio.create_task(self._started())
+
+    async def _started(self) -> None:
+        own, its = socket.socketpair()
+        process = await asyncio.to_thread(nursery.started, work, its, self.lane.name, self.lane.courtesy)
+        its.close()
+        self.running = Running(process, *await asyncio.open_connection(sock=own, limit=_LONGEST))
 
     async def end(self) -> None:
         """Ends what is being done, and the process."""
         for piece in [*self.waiting, *([self.current] if self.current else [])]:
             self._end(piece, Reply(status="cancelled"))
-        if self._task is not None:
-            await self._task
+        for task in (self._task, self._start):
+            if task is not None:
+                with suppress(EOFError, OSError):  # of a start that was interrupted
+                    await task
         self._kill()
         await asyncio.gather(*self._ending)
 
 
 def _said(reply: Reply) -> bytes:
     return reply.model_dump_json().encode()
-
-
-async def _ended(process: Process) -> None:
-    """When a process is gone. Whoever waits for its answer hears of that from the pipe."""
-    if process.stdin is not None:
-        process.stdin.close()
-    await process.wait()
 
 
 class Lanes:
@@ -158,13 +178,20 @@ class Lanes:
         lanes = {work.lane.name: work.lane for work in WORK.values()}
         self.workers = {name: Worker(lane) for name, lane in lanes.items()}
 
-    async def begin(self) -> None:
-        """Starts the workers, so that the first answers do not wait for them."""
-        await asyncio.gather(*(worker.begun() for worker in self.workers.values()))
+    def begin(self) -> None:
+        """Starts the workers of the first picture, which does not wait for them; the others come after it."""
+        nursery.begin()
+        for lane in (READING, MOVING):
+            self.workers[lane.name].begin()
 
     async def ask(self, call: Call) -> bytes:
         """The `Reply` to a call, in JSON. Raises KeyError for a kind that there is not."""
-        return await self.workers[WORK[call.kind].lane.name].ask(call)
+        lane = WORK[call.kind].lane
+        reply = await self.workers[lane.name].ask(call)
+        if lane is MOVING:
+            for worker in self.workers.values():
+                worker.begin()
+        return reply
 
     def cancel(self, topic: str) -> None:
         for worker in self.workers.values():

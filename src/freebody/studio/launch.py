@@ -10,15 +10,17 @@ from typing import Any
 
 from freebody.errors import InputError
 from freebody.messages import Message
-from freebody.studio.folder import Folder
+from freebody.studio import nursery
 
 
 def launch(file: Path | None, port: int, *, opens_browser: bool) -> None:
     """Serves the studio until it is interrupted. port: 0 for any that is free. The first line printed is the address.
     Raises InputError where the extra is not installed, or the port is taken."""
+    nursery.begin()
     try:
         import uvicorn
 
+        from freebody.studio.folder import Folder
         from freebody.studio.server import new_token, studio
     except ModuleNotFoundError as error:
         raise InputError(

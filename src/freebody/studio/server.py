@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import json
 import secrets
-from asyncio import to_thread
 from collections.abc import AsyncGenerator, Awaitable, Callable
 from contextlib import asynccontextmanager
 from importlib.metadata import version
@@ -27,13 +26,11 @@ from freebody.errors import InputError
 from freebody.examples_folder import folder as examples_folder
 from freebody.examples_folder import listed_examples, listed_templates, templates
 from freebody.studio.folder import Folder
-from freebody.studio.kinds import kinds
 from freebody.studio.lanes import Lanes
 from freebody.studio.look import style_sheet
 from freebody.studio.telling import told
 from freebody.studio.wire import Call, Example, Opening, SaveAnswer, SaveRequest
 from freebody.studio.work import WORK
-from freebody.system.schema import json_schema
 
 LARGEST = 3_000_000  # [bytes] of a request
 NAMES = ("127.0.0.1", "localhost", "[::1]")  # of this machine
@@ -71,7 +68,7 @@ def studio(folder: Folder, token: str, port: int) -> Starlette:
 
     @asynccontextmanager
     async def life(_app: Starlette) -> AsyncGenerator[None]:
-        await lanes.begin()
+        lanes.begin()
         yield
         await lanes.end()
 
@@ -141,12 +138,6 @@ def studio(folder: Folder, token: str, port: int) -> Starlette:
     async def examples(_body: Any) -> Any:
         return [each.model_dump() for each in _examples()]
 
-    async def all_kinds(_body: Any) -> Any:
-        return [each.model_dump() for each in await to_thread(kinds)]  # every example is read once
-
-    async def schema(_body: Any) -> Any:
-        return await to_thread(json_schema)
-
     answers: dict[str, Answer] = {
         "open": open_page,
         "ask": ask,
@@ -155,8 +146,6 @@ def studio(folder: Folder, token: str, port: int) -> Starlette:
         "file": read_file,
         "save": save,
         "examples": examples,
-        "kinds": all_kinds,
-        "schema": schema,
     }
     routes = [Route(f"/api/{name}", guarded(answer), methods=["POST"]) for name, answer in answers.items()]
     routes += [Route("/", page), Route("/look.css", look), Route("/{name}", page)]

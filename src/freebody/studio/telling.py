@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from functools import cache
+from typing import TYPE_CHECKING
 
-from freebody.narrative.telling.catalogue import Catalogue
+if TYPE_CHECKING:
+    from freebody.narrative.telling.catalogue import Catalogue
 
 
 def told(message: str, language: str) -> str:
@@ -14,4 +16,6 @@ def told(message: str, language: str) -> str:
 
 @cache
 def _catalogue(language: str) -> Catalogue:
+    from freebody.narrative.telling.catalogue import Catalogue  # models in English are shown without it
+
     return Catalogue(language)

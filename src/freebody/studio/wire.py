@@ -32,6 +32,12 @@ class ReadRequest(Request):
     """Read a model."""
 
 
+class LearnRequest(Request):
+    """Say what can be added and written, whatever the model."""
+
+    text: str = Field(default="", max_length=0)
+
+
 class EditRequest(Request):
     """Set the value at a path, as the YAML of a scalar; None takes it out."""
 
@@ -391,6 +397,13 @@ class Kind(Said):
     value: str
     about: str
     ends: list[list[str | int]]
+
+
+class LearnAnswer(Said):
+    """What can be added to a model, and the JSON Schema of its text."""
+
+    kinds: list[Kind]
+    written: dict[str, Any]
 
 
 class OpenedFile(Said):

@@ -1,15 +1,15 @@
 """A worker: a process that does what it is given, line by line, and says on the way what it is busy with.
 
 It reads one JSON document a line and answers with one. What anything prints goes to stderr. On systems that can, its
-memory is limited, so that a model that is too large ends the worker and nothing else. sys.argv: its lane, and the
-courtesy of that.
+memory is limited, so that a model that is too large ends the worker and nothing else.
 """
 
 from __future__ import annotations
 
 import json
 import os
-import sys
+import signal
+import socket
 import threading
 from collections.abc import Callable
 
@@ -17,26 +17,32 @@ MEMORY = 4 << 30  # [bytes] of addresses
 _PAUSE = 0.25  # [s] between two looks at what is done
 
 
-def main() -> None:
-    """Until its input ends."""
-    answers = os.fdopen(os.dup(1), "w", encoding="utf-8")
+def keep_to_one_core() -> None:
+    """Linear algebra that nobody waits for longer; before anything of it is imported."""
+    os.environ.update({f"{name}_NUM_THREADS": "1" for name in ("OMP", "OPENBLAS", "MKL")})
+
+
+def work(calls: socket.socket, lane: str, courtesy: int) -> None:
+    """Until nobody calls any more. courtesy: how far it lets other processes go first, as `os.nice` counts"""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # of the terminal: the server is told, and ends its workers
     os.dup2(2, 1)
-    lane, courtesy = sys.argv[1:]
+    keep_to_one_core()
     _limit_memory()
     if hasattr(os, "nice"):  # Windows has none
-        os.nice(int(courtesy))
+        os.nice(courtesy)
     from freebody.studio.work import done, prepare
 
     prepare(lane)
+    lines = calls.makefile("rw", encoding="utf-8", newline="\n")
     lock = threading.Lock()
 
     def say(document: str) -> None:
         with lock:
-            answers.write(document + "\n")
-            answers.flush()
+            lines.write(document + "\n")
+            lines.flush()
 
     threading.Thread(target=_tell_progress, args=(say,), daemon=True).start()
-    for line in sys.stdin:
+    while line := lines.readline():
         call = json.loads(line)
         say(done(call["kind"], call["request"]).model_dump_json())
 
@@ -62,7 +68,3 @@ def _tell_progress(say: Callable[[str], None]) -> None:
             told = busy
             say(json.dumps({"busy": busy}))
         sleep(_PAUSE)
-
-
-if __name__ == "__main__":
-    main()

@@ -1,0 +1,25 @@
+"""What is imported once for all workers (`nursery`): all that the first picture needs, found by making one."""
+
+from __future__ import annotations
+
+import gc
+import signal
+
+from freebody.studio.worker import keep_to_one_core
+
+signal.signal(signal.SIGINT, signal.SIG_IGN)  # the server is told by the terminal, and this ends with it
+keep_to_one_core()
+
+from freebody.studio.work import MOVING, READING, done, prepare  # noqa: E402  (what it imports reads the environment)
+
+_ROD = """
+bodies: {rod: {rod: {mass: 1 kg, length: 1 m}}}
+connections: {A: {pin: [ground.A, rod.start]}}
+loads: {weight: {gravity: 9.81 m/s^2}}
+"""
+
+prepare(READING.name)
+prepare(MOVING.name)
+done("read", {"text": _ROD})
+done("motion", {"text": _ROD, "until": 0.1, "frames": 3})
+gc.freeze()  # what is shared stays shared
