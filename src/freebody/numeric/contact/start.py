@@ -15,6 +15,7 @@ from freebody.language.units import DIMENSIONLESS, LENGTH
 from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
 from freebody.model.elements import NonholonomicForm, UnilateralConstraint
+from freebody.numeric.contact.overlaps import PENETRATION, gap_of, is_within, overlaps
 from freebody.numeric.instant import forces
 from freebody.numeric.jet_geometry import JetGeometry
 from freebody.numeric.jets import Array
@@ -22,7 +23,6 @@ from freebody.numeric.reference import Reference
 from freebody.numeric.split import RANK_CUT, Split, stack
 from freebody.system.system import System
 
-PENETRATION = 1e-9  # by the size of the system: less than this is round-off
 N_ROUNDS = 12
 MOST_PAIRS = 2000
 
@@ -196,15 +196,6 @@ def _turning(reference: Reference, bounds: tuple[UnilateralConstraint, ...], clo
     return found
 
 
-def gap_of(reference: Reference, g: JetGeometry, bound: UnilateralConstraint) -> float:
-    """The gap of a bound [m or rad]."""
-    value = reference.jet(g, bound.row.measure, bound.name).value
-    target = 0.0 if bound.row.target is None else reference.number(bound.row.target)
-    if bound.row.target is None and not isinstance(bound.row.measure, NonholonomicForm):
-        target = reference.start_value(bound.row.measure)
-    return bound.row.sign * (value - target)
-
-
 def far_sides(reference: Reference, q: Array, bounds: Sequence[UnilateralConstraint]) -> set[str]:
     """Of the two sides of a rod that a corner or a circle touches, that on which it is not: one thing is touched once.
     It is on the side that it would pass through: with the narrower gap, then where it approaches, then where the loads
@@ -260,18 +251,6 @@ def _driven(reference: Reference, g: JetGeometry, free: Set[str] = frozenset()) 
     return a + loose
 
 
-def is_within(reference: Reference, g: JetGeometry, bound: UnilateralConstraint, slack: float | None = None) -> bool:
-    """Whether the place of a bound is on the edge on which it lies; it may be beyond its ends by some slack."""
-    tolerance = PENETRATION * reference.sizes.length if slack is None else slack
-    for span in bound.within:
-        value = reference.jet(g, span.measure, bound.name).value
-        low = -math.inf if span.low is None else reference.number(span.low) - tolerance
-        high = math.inf if span.high is None else reference.number(span.high) + tolerance
-        if not low <= value <= high:
-            return False
-    return True
-
-
 def _refuse_penetration(reference: Reference, q: Array, bounds: tuple[UnilateralConstraint, ...]) -> None:
     """What is inside another body, and how deep. A corner is inside a polygon if it is behind all of its edges: then
     the least deep of them counts. Two polygons overlap if no edge of either has all of the other before it, which they
@@ -293,7 +272,7 @@ def _refuse_penetration(reference: Reference, q: Array, bounds: tuple[Unilateral
         what = further(*found, *stopped)
         raise CannotAnswer(Message("at the start {what}. Start within the limits, or change them", what=what))
     if not found:
-        found = _overlaps(reference, g, bounds)
+        found = [_inside(a, b, f"{depth:.6g} m", contact) for a, b, depth, contact in overlaps(reference, g, bounds)]
     if found:
         raise CannotAnswer(
             Message(
@@ -301,28 +280,6 @@ def _refuse_penetration(reference: Reference, q: Array, bounds: tuple[Unilateral
                 what=further(*found),
             )
         )
-
-
-def _overlaps(reference: Reference, g: JetGeometry, bounds: tuple[UnilateralConstraint, ...]) -> list[str]:
-    """Polygons that overlap: by the separating axis theorem the widest of the narrowest gaps of all edges is
-    negative."""
-    bodies = reference.system.bodies
-    edges: dict[str, dict[str, float]] = {}
-    pairs: dict[str, tuple[str, str]] = {}
-    for bound in bounds:
-        ends = bound.row.ends
-        if not bound.obstacle or len(ends) < 4 or any(len(bodies[name].corners) < 2 for name in ends[2:4]):
-            continue
-        of = edges.setdefault(bound.family, {})
-        of[ends[1]] = min(of.get(ends[1], math.inf), gap_of(reference, g, bound))
-        pairs[bound.family] = ends[2], ends[3]
-    found: list[str] = []
-    for family, gaps in edges.items():
-        apart = max(gaps.values())
-        if apart < -PENETRATION * reference.sizes.length:
-            a, b = pairs[family]
-            found.append(_inside(a, b, f"{-apart:.6g} m", family.partition(":")[0]))
-    return found
 
 
 def _is_stop(bound: UnilateralConstraint) -> bool:

@@ -1,0 +1,80 @@
+"""Gaps in a pose, and convex bodies that overlap in it.
+
+Two convex polygons overlap if no edge of either has all of the other before it, which they may without a corner inside;
+two convex polyhedra if no face of either has, and no common normal of two edges that are the outermost ones along it
+parts them. Source: Ericson, Real-Time Collision Detection, 2005, sec. 5.2.1 (separating axes).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+from freebody.language.units import DIMENSIONLESS, LENGTH, Dimension
+from freebody.measures.displacement import Displacement
+from freebody.model.elements import NonholonomicForm, UnilateralConstraint
+from freebody.numeric.jet_geometry import JetGeometry
+from freebody.numeric.reference import Reference
+
+PENETRATION = 1e-9  # by the size of the system: less than this is round-off
+
+
+def gap_of(reference: Reference, g: JetGeometry, bound: UnilateralConstraint) -> float:
+    """The gap of a bound [m or rad]."""
+    value = reference.jet(g, bound.row.measure, bound.name).value
+    target = 0.0 if bound.row.target is None else reference.number(bound.row.target)
+    if bound.row.target is None and not isinstance(bound.row.measure, NonholonomicForm):
+        target = reference.start_value(bound.row.measure)
+    return bound.row.sign * (value - target)
+
+
+def is_within(reference: Reference, g: JetGeometry, bound: UnilateralConstraint, slack: float | None = None) -> bool:
+    """Whether the place of a bound is on the edge on which it lies; it may be beyond its ends by some slack."""
+    return _spans_hold(reference, g, bound, slack)
+
+
+def _spans_hold(
+    reference: Reference,
+    g: JetGeometry,
+    bound: UnilateralConstraint,
+    slack: float | None = None,
+    only: Dimension | None = None,
+) -> bool:
+    """Whether the measures that say where a place exists are between their ends; only: those of one dimension."""
+    beyond = PENETRATION * reference.sizes.length if slack is None else slack
+    for span in bound.within:
+        if only is not None and span.measure.dimension != only:
+            continue
+        value = reference.jet(g, span.measure, bound.name).value
+        tolerance = beyond if span.measure.dimension == LENGTH else beyond / reference.sizes.length
+        low = -math.inf if span.low is None else reference.number(span.low) - tolerance
+        high = math.inf if span.high is None else reference.number(span.high) + tolerance
+        if not low <= value <= high:
+            return False
+    return True
+
+
+def overlaps(
+    reference: Reference, g: JetGeometry, bounds: tuple[UnilateralConstraint, ...]
+) -> Iterator[tuple[str, str, float, str]]:
+    """Two bodies that overlap, how deep [m], and the connection: the widest of the narrowest gaps is negative."""
+    system = reference.system
+    apart: dict[str, dict[str, float]] = {}
+    pairs: dict[str, tuple[str, str]] = {}
+    for bound in bounds:
+        ends = bound.row.ends
+        if not bound.obstacle or len(ends) < 4:
+            continue
+        if not system.space and any(len(system.bodies[name].corners) < 2 for name in ends[2:4]):
+            continue
+        # of a face all corners; of two edges themselves, where they are the outermost ones along their normal
+        by_face = isinstance(bound.row.measure, Displacement)
+        if by_face or _spans_hold(reference, g, bound, only=DIMENSIONLESS):
+            of = apart.setdefault(bound.family, {})
+            parting = ends[1] if by_face else bound.name
+            of[parting] = min(of.get(parting, math.inf), gap_of(reference, g, bound))
+            pairs[bound.family] = ends[2], ends[3]
+    for family, gaps in apart.items():
+        widest = max(gaps.values())
+        if widest < -PENETRATION * reference.sizes.length:
+            yield (*pairs[family], -widest, family.partition(":")[0])
