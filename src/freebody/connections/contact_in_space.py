@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 ON_PLANE = Message("a sphere, an ellipsoid, a disk, a ring, a cylinder, a box, or a point")
 ON_BODY = Message(
     "a sphere touches a sphere (also inside it, as in [ball, inside bowl]), a box, a cylinder, a disk, a ring, a rod "
-    "or a point, and a point a sphere"
+    "or a point, a point a sphere, and a box a box"
 )
 
 
@@ -78,7 +78,13 @@ class PairInSpace:
             family = f"{self.connection}: {self.first}, {self.second_label}"
             bounds.append(
                 UnilateralConstraint(
-                    row, self.surface.restitution, place.within, self.starts_closed, family, place.obstacle
+                    row,
+                    self.surface.restitution,
+                    place.within,
+                    self.starts_closed,
+                    family,
+                    place.obstacle,
+                    place.pitfall,
                 )
             )
             rubs += self._rubs(place, component, row)

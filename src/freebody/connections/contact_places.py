@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from freebody.language.expression import Expr
+from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.model.elements import NonholonomicForm, Span
 
@@ -30,3 +31,4 @@ class ContactPlace:
     within: tuple[Span, ...] = ()
     obstacle: str = ""
     bodies: tuple[str, ...] = ()  # where label and facing are parts of them
+    pitfall: Message | None = None  # how the bodies lie where the measure has no value

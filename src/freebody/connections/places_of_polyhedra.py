@@ -48,10 +48,11 @@ from freebody.model.spins import constant, spin
 if TYPE_CHECKING:
     from freebody.model.names import Names
 
-PARALLEL = number(Fraction(1, 10**9))  # w^2, the sine of an angle squared, below which edges are parallel
+PARALLEL = number(Fraction(1, 10**4))  # w, the sine of their angle, below which edges are parallel
+LEAST = number(Fraction(1, 10**10))  # of w^2, so that nothing is divided by zero
 AP, AQ, DP, DQ, DB, AB = (Symbol(name) for name in ("ap", "aq", "dp", "dq", "db", "ab"))
 W2 = AP * AP + AQ * AQ
-BOUNDED = (W2 + PARALLEL + Call("abs", W2 - PARALLEL)) / 2  # the greater one, so never 0
+BOUNDED = (W2 + LEAST + Call("abs", W2 - LEAST)) / 2  # the greater one
 W = Call("sqrt", BOUNDED)
 GAP = (AQ * DP - AP * DQ) / W
 FOOT_ON_A = negate(AP * DP + AQ * DQ) / BOUNDED
@@ -109,7 +110,7 @@ class _EdgePair:
         """Both ways in which the edges can cross."""
         gap = self._composed(GAP, LENGTH)
         feet = (
-            Span(self._composed(W2, DIMENSIONLESS), low=PARALLEL),
+            Span(self._composed(W, DIMENSIONLESS), low=PARALLEL),
             Span(self._composed(FOOT_ON_A, LENGTH), ZERO, self.a.length),
             Span(self._composed(FOOT_ON_B, LENGTH), ZERO, self.b.length),
         )

@@ -85,9 +85,8 @@ class Polyhedron:
 
 def polyhedron_of(names: Names, text: str) -> Polyhedron | None:
     """`crate`; None for what has no plane faces all round."""
-    owner, dot, _point = text.partition(".")
-    body = names.known(owner)
-    if dot or body.solid != BOX or ZERO in body.sizes:
+    body = names.bodies.get(text)
+    if body is None or body.solid != BOX or ZERO in body.sizes:
         return None
     return _box(body)
 

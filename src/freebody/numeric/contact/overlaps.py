@@ -8,8 +8,10 @@ parts them. Source: Ericson, Real-Time Collision Detection, 2005, sec. 5.2.1 (se
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
+from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, LENGTH, Dimension
 from freebody.measures.displacement import Displacement
 from freebody.model.elements import NonholonomicForm, UnilateralConstraint
@@ -20,8 +22,18 @@ PENETRATION = 1e-9  # by the size of the system: less than this is round-off
 
 
 def gap_of(reference: Reference, g: JetGeometry, bound: UnilateralConstraint) -> float:
-    """The gap of a bound [m or rad]."""
-    value = reference.jet(g, bound.row.measure, bound.name).value
+    """The gap of a bound [m or rad]. Raises CannotAnswer where it has none, saying how the bodies lie."""
+    try:
+        value = reference.jet(g, bound.row.measure, bound.name).value
+    except CannotAnswer as error:
+        if bound.pitfall is None:
+            raise
+        told = Message(
+            "{what}, where no direction of the contact is known ({contact}). Start it elsewhere",
+            what=bound.pitfall,
+            contact=bound.row.connection,
+        )
+        raise CannotAnswer(told) from error
     target = 0.0 if bound.row.target is None else reference.number(bound.row.target)
     if bound.row.target is None and not isinstance(bound.row.measure, NonholonomicForm):
         target = reference.start_value(bound.row.measure)
@@ -54,13 +66,13 @@ def _spans_hold(
     return True
 
 
-def overlaps(
-    reference: Reference, g: JetGeometry, bounds: tuple[UnilateralConstraint, ...]
-) -> Iterator[tuple[str, str, float, str]]:
-    """Two bodies that overlap, how deep [m], and the connection: the widest of the narrowest gaps is negative."""
+def parting(
+    reference: Reference, g: JetGeometry, bounds: Iterable[UnilateralConstraint]
+) -> dict[str, tuple[float, list[list[UnilateralConstraint]]]]:
+    """Of convex bodies, by family: the widest of the narrowest gaps [m], and the places that have it, by the face, or
+    the edges, that parts them; several where it is the same along several directions."""
     system = reference.system
-    apart: dict[str, dict[str, float]] = {}
-    pairs: dict[str, tuple[str, str]] = {}
+    apart: dict[str, dict[str, list[tuple[float, UnilateralConstraint]]]] = {}
     for bound in bounds:
         ends = bound.row.ends
         if not bound.obstacle or len(ends) < 4:
@@ -68,13 +80,30 @@ def overlaps(
         if not system.space and any(len(system.bodies[name].corners) < 2 for name in ends[2:4]):
             continue
         # of a face all corners; of two edges themselves, where they are the outermost ones along their normal
-        by_face = isinstance(bound.row.measure, Displacement)
+        by_face = not is_of_edges(bound)
         if by_face or _spans_hold(reference, g, bound, only=DIMENSIONLESS):
             of = apart.setdefault(bound.family, {})
-            parting = ends[1] if by_face else bound.name
-            of[parting] = min(of.get(parting, math.inf), gap_of(reference, g, bound))
-            pairs[bound.family] = ends[2], ends[3]
-    for family, gaps in apart.items():
-        widest = max(gaps.values())
+            of.setdefault(ends[1] if by_face else bound.name, []).append((gap_of(reference, g, bound), bound))
+    found: dict[str, tuple[float, list[list[UnilateralConstraint]]]] = {}
+    near = PENETRATION * reference.sizes.length
+    for family, axes in apart.items():
+        narrowest = [min(gap for gap, _bound in of) for of in axes.values()]
+        widest = max(narrowest)
+        least = [of for of, gap in zip(axes.values(), narrowest, strict=True) if gap >= widest - near]
+        found[family] = widest, [[bound for gap, bound in of if gap <= widest + near] for of in least]
+    return found
+
+
+def overlaps(
+    reference: Reference, g: JetGeometry, bounds: Iterable[UnilateralConstraint]
+) -> Iterator[tuple[str, str, float, str]]:
+    """Two bodies that overlap, how deep [m], and the connection."""
+    for widest, places in parting(reference, g, bounds).values():
         if widest < -PENETRATION * reference.sizes.length:
-            yield (*pairs[family], -widest, family.partition(":")[0])
+            row = places[0][0].row
+            yield row.ends[2], row.ends[3], -widest, row.connection
+
+
+def is_of_edges(bound: UnilateralConstraint) -> bool:
+    """Whether it is a place at which edges in space cross."""
+    return bool(bound.obstacle) and not isinstance(bound.row.measure, Displacement)

@@ -15,7 +15,7 @@ from freebody.language.units import DIMENSIONLESS, LENGTH
 from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
 from freebody.model.elements import NonholonomicForm, UnilateralConstraint
-from freebody.numeric.contact.overlaps import PENETRATION, gap_of, is_within, overlaps
+from freebody.numeric.contact.overlaps import PENETRATION, gap_of, is_of_edges, is_within, overlaps, parting
 from freebody.numeric.instant import forces
 from freebody.numeric.jet_geometry import JetGeometry
 from freebody.numeric.jets import Array
@@ -44,13 +44,13 @@ def assembled_touching(reference: Reference) -> Array:
     q = reference.assemble()
     for _ in range(N_ROUNDS):
         added = _next(reference, q, bounds, closing, closed, turning)
-        if added is None:
+        if not added:
             break
-        closed[added.name] = added
+        closed |= {bound.name: bound for bound in added}
         try:
             q = _placed(reference, closed, turning)
         except CannotAnswer as error:
-            raise CannotAnswer(_apart(reference, q, added)) from error
+            raise CannotAnswer(_apart(reference, q, added[0])) from error
     _refuse_penetration(reference, q, bounds)
     return q
 
@@ -119,9 +119,10 @@ def _next(
     closing: set[str],
     closed: dict[str, UnilateralConstraint],
     turning: dict[str, str],
-) -> UnilateralConstraint | None:
+) -> list[UnilateralConstraint]:
     """What must be closed next: the nearest place of a family that does not touch yet, the deepest one that would be
-    inside, and a second corner of a body whose angle nobody gave, which then lies flat."""
+    inside, and a second corner of a body whose angle nobody gave, which then lies flat; of polyhedra all places that
+    are nearest."""
     g = reference.geometry(q, np.zeros_like(q), 0.0)
     gaps = {b.name: gap_of(reference, g, b) for b in bounds if b.family in closing and b.name not in closed}
     for family in sorted(closing):
@@ -129,17 +130,37 @@ def _next(
         if family in turning:
             foot = _foot(reference, g, [b for b in bounds if b.family == family], turning[family])
             if not any(b.family == family for b in closed.values()):
-                return min(foot, key=lambda b: gaps[b.name])
+                return [min(foot, key=lambda b: gaps[b.name])]
             rest = [b for b in foot if b.name not in closed]
             if rest and any(b.name in closed for b in foot):
-                return rest[0]
+                return rest[:1]
+            continue
+        if any(is_of_edges(b) for b in bounds if b.family == family):
+            if not any(b.family == family for b in closed.values()):
+                return _nearest_of_polyhedra(reference, g, [b for b in bounds if b.family == family])
             continue
         if not any(b.family == family for b in closed.values()) and own:
-            return min(own, key=lambda b: _reach(reference, g, b, gaps[b.name]))
+            return [min(own, key=lambda b: _reach(reference, g, b, gaps[b.name]))]
         deep = [b for b in own if not b.obstacle and gaps[b.name] < -PENETRATION * reference.sizes.length]
         if deep:
-            return min(deep, key=lambda b: gaps[b.name])
-    return None
+            return [min(deep, key=lambda b: gaps[b.name])]
+    return []
+
+
+def _nearest_of_polyhedra(
+    reference: Reference, g: JetGeometry, own: list[UnilateralConstraint]
+) -> list[UnilateralConstraint]:
+    """The places at the face, or the edges, that part two bodies most; of several such the one onto which the loads
+    drive."""
+    [(_widest, parted)] = parting(reference, g, own).values()
+    driven = _driven(reference, g)
+
+    def fall(places: list[UnilateralConstraint]) -> float:
+        rows = (b.row.sign * reference.jet(g, b.row.measure, b.name).row(len(driven)) for b in places)
+        return min(float(row @ driven) for row in rows)
+
+    chosen = min(parted, key=fall)
+    return [b for b in chosen if is_within(reference, g, b)] or chosen
 
 
 def _foot(
