@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 ON_PLANE = Message("a sphere, an ellipsoid, a disk, a ring, a cylinder, a box, or a point")
 ON_BODY = Message(
     "a sphere touches a sphere (also inside it, as in [ball, inside bowl]), a box, a cylinder, a disk, a ring, a rod "
-    "or a point, a point a sphere, and a box a box"
+    "or a point, a point a sphere or a box, and a box a box"
 )
 
 

@@ -61,16 +61,24 @@ ACROSS = AP / W, AQ / W
 
 
 def places_of_polyhedra(names: Names, first: str, second: str) -> list[ContactPlace]:
-    """The places at which two bodies can touch; none where one of them is no convex polyhedron."""
-    one, other = polyhedron_of(names, first), polyhedron_of(names, second)
+    """The places at which two bodies, or a point and a body, can touch; none where one is no convex polyhedron."""
+    one, other = (polyhedron_of(names, text) for text in (first, second))
     if one is None or other is None:
-        return []
+        solid, text = (other, first) if one is None else (one, second)
+        point = None if solid is None else _point(names, text)
+        return [] if solid is None or point is None else [_on_face(point, face, solid) for face in solid.faces]
     found = [_on_face(corner, face, other) for corner in one.corners for face in other.faces]
     found += [_on_face(corner, face, one) for corner in other.corners for face in one.faces]
     for a in one.edges:
         for b in other.edges:
             found += _EdgePair(a, b, one, other).places()
     return found
+
+
+def _point(names: Names, text: str) -> Corner | None:
+    """A point of a body, or a particle, which touches faces from all directions; None for what is extended."""
+    owner, dot, _name = text.partition(".")
+    return Corner(names.point(text, "between"), ()) if dot or not names.known(owner).turns else None
 
 
 # -- corners on faces ----------------------------------------------------------------------------

@@ -13,6 +13,7 @@ from collections.abc import Iterable, Iterator
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, LENGTH, Dimension
+from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
 from freebody.model.elements import NonholonomicForm, UnilateralConstraint
 from freebody.numeric.jet_geometry import JetGeometry
@@ -51,13 +52,18 @@ def _spans_hold(
     bound: UnilateralConstraint,
     slack: float | None = None,
     only: Dimension | None = None,
+    known: dict[Measure, float] | None = None,
 ) -> bool:
-    """Whether the measures that say where a place exists are between their ends; only: those of one dimension."""
+    """Whether the measures that say where a place exists are between their ends; only: those of one dimension; known:
+    values that places share."""
+    known = {} if known is None else known
     beyond = PENETRATION * reference.sizes.length if slack is None else slack
     for span in bound.within:
         if only is not None and span.measure.dimension != only:
             continue
-        value = reference.jet(g, span.measure, bound.name).value
+        if span.measure not in known:
+            known[span.measure] = reference.jet(g, span.measure, bound.name).value
+        value = known[span.measure]
         tolerance = beyond if span.measure.dimension == LENGTH else beyond / reference.sizes.length
         low = -math.inf if span.low is None else reference.number(span.low) - tolerance
         high = math.inf if span.high is None else reference.number(span.high) + tolerance
@@ -72,6 +78,7 @@ def parting(
     """Of convex bodies, by family: the widest of the narrowest gaps [m], and the places that have it, by the face, or
     the edges, that parts them; several where it is the same along several directions."""
     system = reference.system
+    known: dict[Measure, float] = {}
     apart: dict[str, dict[str, list[tuple[float, UnilateralConstraint]]]] = {}
     for bound in bounds:
         ends = bound.row.ends
@@ -81,7 +88,7 @@ def parting(
             continue
         # of a face all corners; of two edges themselves, where they are the outermost ones along their normal
         by_face = not is_of_edges(bound)
-        if by_face or _spans_hold(reference, g, bound, only=DIMENSIONLESS):
+        if by_face or _spans_hold(reference, g, bound, only=DIMENSIONLESS, known=known):
             of = apart.setdefault(bound.family, {})
             of.setdefault(ends[1] if by_face else bound.name, []).append((gap_of(reference, g, bound), bound))
     found: dict[str, tuple[float, list[list[UnilateralConstraint]]]] = {}
