@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import itertools
 import math
+import re
 
 import numpy as np
 import pytest
@@ -292,7 +293,7 @@ def test_box_on_a_box_slips_at_the_ratio_of_push_and_weight_unless_it_tips() -> 
         .answers
     )
     assert answer.value == pytest.approx(3 / (2 * 9.81), rel=1e-12)
-    assert any("a·g·m ≥ P·b" in str(c) or "a·m·g ≥ P·b" in str(c) for c in answer.conditions)
+    assert re.search(r"valid.*(P·b|b·P)", str(answer))
 
 
 # -- blows ----------------------------------------------------------------------------------------
