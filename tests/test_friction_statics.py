@@ -16,7 +16,7 @@ import pytest
 
 import freebody as fb
 from command import freebody
-from freebody.numeric import friction_limits
+from freebody.numeric.circular_programs import CircularProgram
 from freebody.numeric.contact import problem as contact
 from freebody.numeric.contact.forces import contact_forces
 from freebody.numeric.friction_branches import Sector, extreme, margin, spread
@@ -575,13 +575,13 @@ def test_a_sector_is_cut_where_its_bound_is_too_large() -> None:
 
 def test_the_margin_of_a_pin_with_friction_takes_few_linear_programs(monkeypatch: pytest.MonkeyPatch) -> None:
     """Eight sectors, and few cuts of the best one; halving it to its last width would take 50 programs."""
-    solved, count = friction_limits._solved, itertools.count()
+    solved, count = CircularProgram.optimum, itertools.count()
 
-    def counted(*arguments: Any) -> Any:
+    def counted(program: CircularProgram) -> Any:
         next(count)
-        return solved(*arguments)
+        return solved(program)
 
-    monkeypatch.setattr(friction_limits, "_solved", counted)
+    monkeypatch.setattr(CircularProgram, "optimum", counted)
     assert margin(rest(PIN, F=1.0, mu=0.26)).value < 0.0  # type: ignore[union-attr]
     assert next(count) <= 24
 

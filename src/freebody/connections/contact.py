@@ -12,6 +12,7 @@ from freebody.connections.contact_in_space import PairInSpace, SurfaceInSpace
 from freebody.connections.outlines import KINDS, Outline, read_outline
 from freebody.connections.pairs import ContactSurface, OutlinePair
 from freebody.connections.places_on_bodies import INSIDE
+from freebody.connections.polyhedra import polyhedron_of
 from freebody.connections.sites import sites
 from freebody.language.natural import natural
 from freebody.language.sentences import Message
@@ -41,6 +42,13 @@ connections:
   slide: {{prismatic: {{first: ground.A, second: other.center, along: z}}}}
   it: {{contact: {{between: [ball, other], friction: {friction}, restitution: 0.5, touching: true}}}}
 """
+_BOXES = """
+space: true
+bodies:
+  slab: {box: {mass: 1 kg, size: [1 m, 0.2 m, 0.6 m]}, fixed: true}
+  other: {BODY, at: AT}
+connections: {it: {contact: {between: [other, slab], friction: 0.3}}}
+"""
 _ON_A_BODY = """
 space: true
 bodies: {{ball: {{sphere: {{mass: 1 kg, radius: 0.1 m}}}}, other: {{{body}}}}}
@@ -54,11 +62,12 @@ class Contact(Connection, kind="contact"):
 
     What touches is named by a body (its circle, or its straight edges and corners), a point, a line (solid on the right
     of its direction, so below one that points to the right; `below: true` for the other side), or `inside bowl` for the
-    inside of a ring. In space: a body on a plane of another one (see `planes`), and a sphere on a sphere, inside one,
-    on a box, a cylinder, a disk, a ring, a rod or a point. friction: one coefficient, or {static: 0.5, kinetic: 0.4};
-    restitution between 0 (default) and 1; rolling_resistance: the arm of the normal force [m]. A contact whose bodies
-    have no place (`at`) starts touching, and `touching: true` moves the bodies there, or out of each other, by the
-    least; `touching: false` leaves them where they are."""
+    inside of a ring. In space: a body on a plane of another one (see `planes`), a sphere on a sphere, inside one, on a
+    box, a cylinder, a disk, a ring, a rod or a point, a point on a sphere or a box, and a box on a box. friction: one
+    coefficient, or {static: 0.5, kinetic: 0.4}; restitution between 0 (default) and 1; rolling_resistance: the arm of
+    the normal force [m]. A contact whose bodies have no place (`at`) starts touching, and `touching: true` moves the
+    bodies there, or out of each other, by the least; `touching: false` leaves them where they are. Of two boxes only
+    `touching: true` does."""
 
     between: list[str] | None = None
     among: list[str] | str | None = None
@@ -124,6 +133,13 @@ connections: {it: {contact: {between: [ball, floor], friction: 0.3, restitution:
             )
         }
     )
+
+    more_examples |= {
+        "box on a box in space": _BOXES.replace("BODY", "box: {mass: 2 kg, size: [0.3 m, 0.2 m, 0.25 m]}").replace(
+            "AT", "[0.1 m, 0.2 m, 0]"
+        ),
+        "particle on a box in space": _BOXES.replace("BODY", "particle: {mass: 2 kg}").replace("AT", "[0, 0.1 m, 0]"),
+    }
 
     def is_in_plane(self, names: Names) -> bool:
         return not self._planes(names) and not self._misnamed(names) and not self._bodies_in_space(names)
@@ -200,6 +216,8 @@ connections: {it: {contact: {between: [ball, floor], friction: 0.3, restitution:
             if owners[0] == owners[1] or all(names.known(body).fixed for body in owners):
                 continue
             starts = self._start_closed(names, *owners)
+            if self.touching is None and polyhedron_of(names, one) and polyhedron_of(names, other):
+                starts = False  # of two bodies with faces nobody knows which of them would
             found.append(PairInSpace(connection, one, other, plane, surface, starts, len(joined) == 1))
         return found
 

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from freebody.connections.contact_places import ContactPlace
+from freebody.connections.places_of_polyhedra import places_of_polyhedra
 from freebody.connections.places_on_bodies import place_on_body
 from freebody.connections.places_on_planes import places_on_plane
 from freebody.language.expression import ZERO, Expr
@@ -27,7 +28,7 @@ if TYPE_CHECKING:
 ON_PLANE = Message("a sphere, an ellipsoid, a disk, a ring, a cylinder, a box, or a point")
 ON_BODY = Message(
     "a sphere touches a sphere (also inside it, as in [ball, inside bowl]), a box, a cylinder, a disk, a ring, a rod "
-    "or a point, and a point a sphere"
+    "or a point, a point a sphere or a box, and a box a box"
 )
 
 
@@ -62,7 +63,7 @@ class PairInSpace:
         if self.plane is not None:
             return [place.on(self.plane, self.second_label) for place in places_on_plane(names, self.first, self.plane)]
         found = place_on_body(names, self.first, self.second) or place_on_body(names, self.second, self.first)
-        return [] if found is None else [found]
+        return places_of_polyhedra(names, self.first, self.second) if found is None else [found]
 
     def elements(self, names: Names) -> tuple[list[UnilateralConstraint], list[DryFriction]]:
         """The bound and the dry friction of every place; a problem is noted where there is none."""
@@ -76,7 +77,15 @@ class PairInSpace:
             row = self._row(place, component, "normal force", place.measure, is_bound=True)
             family = f"{self.connection}: {self.first}, {self.second_label}"
             bounds.append(
-                UnilateralConstraint(row, self.surface.restitution, starts_closed=self.starts_closed, family=family)
+                UnilateralConstraint(
+                    row,
+                    self.surface.restitution,
+                    place.within,
+                    self.starts_closed,
+                    family,
+                    place.obstacle,
+                    place.pitfall,
+                )
             )
             rubs += self._rubs(place, component, row)
         return bounds, rubs
@@ -141,7 +150,7 @@ class PairInSpace:
             measure,
             place.target if is_bound else None,
             place.sign if is_bound else 1,
-            ends=(place.label, place.facing),
+            ends=(place.label, place.facing, *place.bodies),
             unilateral=is_bound,
             connection=self.connection,
         )

@@ -6,8 +6,9 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from freebody.language.expression import Expr
+from freebody.language.sentences import Message
 from freebody.measures.base import Measure
-from freebody.model.elements import NonholonomicForm
+from freebody.model.elements import NonholonomicForm, Span
 
 Rate = Measure | NonholonomicForm
 
@@ -15,7 +16,8 @@ Rate = Measure | NonholonomicForm
 @dataclass(frozen=True)
 class ContactPlace:
     """gap = sign (measure - target); slip: its components along two directions across the normal, which are called
-    `across`; rolling: the angular velocity along the same two, and spinning along the normal."""
+    `across`; rolling: the angular velocity along the same two, and spinning along the normal. within: where the place
+    exists; obstacle: what is the same at several places of which one touches, a corner before the faces of a body."""
 
     label: str
     facing: str  # what of the other body is touched
@@ -26,3 +28,7 @@ class ContactPlace:
     rolling: Callable[[], tuple[Rate, Rate]]
     spinning: Callable[[], Rate]
     sign: int = 1
+    within: tuple[Span, ...] = ()
+    obstacle: str = ""
+    bodies: tuple[str, ...] = ()  # where label and facing are parts of them
+    pitfall: Message | None = None  # how the bodies lie where the measure has no value

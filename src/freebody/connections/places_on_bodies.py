@@ -31,6 +31,7 @@ from typing import TYPE_CHECKING
 
 from freebody.connections.contact_places import ContactPlace
 from freebody.language.expression import ONE, ZERO, Call, Expr, Symbol, divide, number
+from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, LENGTH, Dimension
 from freebody.measures.base import Measure
 from freebody.measures.combination import Composed
@@ -198,7 +199,17 @@ class _Touching:
             lambda: (self._turning(one), self._turning(other)),
             lambda: self._turning(self.n),
             -1 if core.inside else 1,
+            pitfall=self._pitfall(),
         )
+
+    def _pitfall(self) -> Message:
+        """Where |v| is zero, or its nearest place is not a single one."""
+        ball, other = self.ball.label, self.core.body.name
+        if self.core.v == D:
+            return Message("the middle of {ball} is the middle of {other}", ball=ball, other=other)
+        if self.core.body.solid == RING:
+            return Message("the middle of {ball} is on the axis of {other} or on its rim", ball=ball, other=other)
+        return Message("the middle of {ball} is inside {other}", ball=ball, other=other)
 
     def _slip(self, along: Components, other: Components, sign: int) -> NonholonomicForm:
         """b . d' + w . (r x b): r = -R n, and n x b_1 = b_2, n x b_2 = -b_1; inside r = R n."""

@@ -13,13 +13,13 @@ the plane are rates of no measure; a point that is always the same one slips by 
 
 from __future__ import annotations
 
-import itertools
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from freebody.connections.contact_places import ContactPlace
 from freebody.connections.joints import across_names
-from freebody.language.expression import ZERO, Call, Expr, Symbol, divide, number
+from freebody.connections.polyhedra import corners_of_box
+from freebody.language.expression import ZERO, Call, Expr, Symbol
 from freebody.language.units import LENGTH
 from freebody.measures.base import Measure
 from freebody.measures.combination import Composed
@@ -100,16 +100,6 @@ def _height(point: Point, plane: BodyPlane) -> Displacement:
 
 def _point_of(point: Point, label: str, plane: BodyPlane) -> PlaceOnPlane:
     return PlaceOnPlane(label, point, _height(point, plane), None, None)
-
-
-def corners_of_box(body: RigidBody) -> list[Point]:
-    """The eight corners, by the signs of their places along x, y and z."""
-    halves = [divide(size, number(2)) for size in body.sizes]
-    found: list[Point] = []
-    for k, signs in enumerate(itertools.product((-1, 1), repeat=3), 1):
-        place = tuple(number(sign) * half for sign, half in zip(signs, halves, strict=True))
-        found.append(Point(body.name, place, f"{body.name}.corner{k}"))
-    return found
 
 
 def sphere_arm(body: RigidBody, radius: Expr, plane: BodyPlane) -> Arm:

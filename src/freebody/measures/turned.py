@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import fields, is_dataclass
 from typing import Any, TypeVar, cast
 
-from freebody.language.expression import ZERO
+from freebody.language.expression import ZERO, Expr
 from freebody.measures.angle import Angle
 from freebody.measures.geometry import Direction, Point
 
@@ -20,7 +20,7 @@ def within(value: Any, *kinds: type[T]) -> Iterator[T]:
     elif isinstance(value, tuple):
         for item in cast("tuple[Any, ...]", value):
             yield from within(item, *kinds)
-    elif is_dataclass(value) and not isinstance(value, type):
+    elif is_dataclass(value) and not isinstance(value, (type, Expr)):
         for field in fields(value):
             yield from within(getattr(value, field.name), *kinds)
 

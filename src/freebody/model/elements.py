@@ -283,6 +283,7 @@ class UnilateralConstraint:
     starts_closed: bool = False  # the start pose closes it, or another of its family
     family: str = ""  # places at which the same two outlines touch
     obstacle: str = ""  # sites of the same family and obstacle face one corner or circle with all edges of an outline
+    pitfall: Message | None = None  # how the bodies lie where the measure has no value
 
     @property
     def name(self) -> str:

@@ -5,36 +5,29 @@ With J the gradients of all rows (held ones, closed bounds, slips of dry frictio
     Q + J^T lambda = 0,    N >= 0 of what cannot pull,    -forward L <= T <= backward L of dry friction,
 
 T the multiplier of a slip, L its load. In a plane T has two components and |T| <= c L: that is u.T <= c L for all unit
-vectors u, of which those are added, one after another, that the forces found break (Kelley's cutting planes). How far
-this is from failing is one more unknown, the margin t:
+vectors u (`circular_programs`). How far this is from failing is one more unknown, the margin t:
 
     maximize t    so that    N >= t,    T + forward L >= t,    backward L - T >= t.
 
 By Farkas' lemma the multipliers v of the equilibrium equations are a motion. It does no work on held rows, opens
 contacts, or slips where the friction constraint is active, and at t < 0 the loads do positive work along it: that
 motion is how the system fails. The same v belongs to the largest parameter that can be borne (limit analysis).
-Sources: Kelley, J. SIAM 8 (1960) 703-712; Dantzig & Thapa, Linear Programming 2, 2003, ch. 2; Drucker, Coulomb
+Sources: Dantzig & Thapa, Linear Programming 2, 2003, ch. 2; Drucker, Coulomb
 friction, plasticity, and limit loads, J. Appl. Mech. 21, 1954, 71-74.
 """
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any
 
 import numpy as np
 
+from freebody.numeric.circular_programs import CircularCone, program_of, with_slack
 from freebody.numeric.jets import Array
 from freebody.numeric.rest_problem import FrictionCone, RestProblem
-from freebody.numeric.solvers import optimize
 from freebody.tolerances import ROUND_OFF, ROUNDED
 
 _FREE = ROUND_OFF  # a load along a direction in which nothing resists, of the largest load
-_RCOND, _POLISH = 1e-11, 1e-5  # of the constraints that decide, solved once more; a step that is larger is no polish
-_N_PLANES, _MOST_CUTS, _BROKEN = 16, 60, 1e-9  # of a circular cone; a force outside it by more is moved inside
-_ACTIVE = 1e-7  # a dual variable above this part of the largest marks a constraint that decides
 
 
 @dataclass(frozen=True)
@@ -56,7 +49,7 @@ class _Program:
     G: list[Array] = field(default_factory=list[Array])
     h: list[float] = field(default_factory=list[float])
     shares: list[float] = field(default_factory=list[float])
-    cones: list[tuple[Array, Array, Array]] = field(default_factory=list[tuple[Array, Array, Array]])  # T_1, T_2, c L
+    cones: list[CircularCone] = field(default_factory=list[CircularCone])
     limit_of: dict[tuple[int, int], int] = field(default_factory=dict[tuple[int, int], int])  # by cone and side
 
     def add(self, row: Array, bound: float, share: float) -> None:
@@ -64,15 +57,13 @@ class _Program:
         self.h.append(bound)
         self.shares.append(share)
 
-    def broken(self, x: Array, margin: float = 0.0) -> list[Array]:
-        """Of every circular cone outside of which forces are, the row of the plane that keeps them inside there."""
-        found: list[Array] = []
-        for one, other, load in self.cones:
-            first, second = float(one @ x), float(other @ x)
-            size = math.hypot(first, second)
-            if size + margin > float(load @ x) + _BROKEN * max(1.0, size):
-                found.append((first * one + second * other) / size - load)
-        return found
+    def circles(self, share: float | None = None) -> list[CircularCone]:
+        """Its circular cones, with one more unknown of which each has a share in the margin."""
+        if share is None:
+            return self.cones
+        return [
+            CircularCone(np.append(c.one, 0.0), np.append(c.other, 0.0), np.append(c.load, -share)) for c in self.cones
+        ]
 
 
 class Scaled:
@@ -119,16 +110,12 @@ class Scaled:
         return program
 
     def _add_circle(self, program: _Program, cone: FrictionCone) -> None:
-        """A circular cone, by the first of the planes that touch it."""
         one, other, load = (np.zeros(len(self.row_scale)) for _ in range(3))
         one[cone.row] = 1.0
         other[cone.across] = self.row_scale[cone.across] / self.row_scale[cone.row]
         for row, sign in cone.load:
             load[row] += cone.forward * sign * self.row_scale[row] / self.row_scale[cone.row]
-        program.cones.append((one, other, load))
-        for k in range(_N_PLANES):
-            angle = 2.0 * math.pi * k / _N_PLANES
-            program.add(math.cos(angle) * one + math.sin(angle) * other - load, 0.0, 1.0)
+        program.cones.append(CircularCone(one, other, load))
 
     def forces(self, x: Array) -> Array:
         return x * self.row_scale * self.unit
@@ -144,15 +131,12 @@ def margin(problem: RestProblem) -> Optimum | None:
     scaled = Scaled(problem)
     program = scaled.program()
     columns = np.hstack([program.A, np.zeros((len(program.b), 1))])
-    G = np.array([np.append(row, share) for row, share in zip(program.G, program.shares, strict=True)])
+    G = [np.append(row, share) for row, share in zip(program.G, program.shares, strict=True)]
     cost = np.zeros(columns.shape[1])
     cost[-1] = -1.0
-    bounds: list[tuple[float | None, float | None]] = [*[(None, None)] * (len(cost) - 1), (None, 1.0)]
-
-    def broken(x: Array) -> list[Array]:
-        return [np.append(row, 1.0) for row in program.broken(x[:-1], float(x[-1]))]
-
-    found = _solved(cost, columns, program.b, G, np.array(program.h), bounds, broken)
+    # the margin is at most 1
+    circular = program_of(cost, columns, program.b, [*G, -cost], [*program.h, 1.0], program.circles(1.0))
+    found = (with_slack(circular) if circular.cones else circular).optimum()
     if found is None:
         return None
     x, duals, value = found
@@ -216,12 +200,10 @@ def extreme(ray: Ray, sign: int, *, unit: float = 1.0) -> Optimum | None:
     cost = np.zeros(columns.shape[1])
     cost[-1] = -float(sign)
 
-    def broken(x: Array) -> list[Array]:
-        return [np.append(row, 0.0) for row in program.broken(x[:-1])]
-
-    found = _solved(cost, columns, program.b, G, np.array(program.h), [(None, None)] * len(cost), broken)
+    circular = program_of(cost, columns, program.b, list(G), program.h, program.circles(0.0))
+    found = circular.optimum()
     if found is None:
-        if _is_possible(columns, program.b, G, np.array(program.h)):
+        if circular.is_possible():
             return Optimum(sign * np.inf, np.full(len(p0.names), np.nan), np.zeros(len(p0.Q)))
         return None
     x, duals, _value = found
@@ -237,10 +219,10 @@ def spread(problem: RestProblem, row: int) -> tuple[Optimum, Optimum] | None:
     for sign in (1.0, -1.0):
         cost = np.zeros(program.A.shape[1])
         cost[row] = sign
-        G, h = np.array(program.G).reshape(-1, len(cost)), np.array(program.h)
-        found = _solved(cost, program.A, program.b, G, h, [(None, None)] * len(cost), program.broken)
+        circular = program_of(cost, program.A, program.b, program.G, program.h, program.circles())
+        found = circular.optimum()
         if found is None:
-            if not _is_possible(program.A, program.b, G, h):
+            if not circular.is_possible():
                 return None
             ends.append(Optimum(-sign * np.inf, np.full(len(cost), np.nan), np.zeros(len(problem.Q))))
             continue
@@ -248,61 +230,3 @@ def spread(problem: RestProblem, row: int) -> tuple[Optimum, Optimum] | None:
         reactions = scaled.forces(x)
         ends.append(Optimum(float(reactions[row]), reactions, scaled.motion(duals)))
     return ends[0], ends[1]
-
-
-Bounds = Sequence[tuple[float | None, float | None]]
-
-
-def _solved(
-    cost: Array, A: Array, b: Array, G: Array, h: Array, bounds: Bounds, broken: Callable[[Array], list[Array]]
-) -> tuple[Array, Array, float] | None:
-    """The optimum of a program with circular cones: planes are added where it is outside of them, until it is not."""
-    lines, limits = G, h
-    found = _linear(cost, A, b, lines, limits, bounds)
-    for _ in range(_MOST_CUTS):
-        planes = [] if found is None else broken(found[0])
-        if not planes:
-            break
-        lines, limits = np.vstack([lines, *planes]), np.append(limits, np.zeros(len(planes)))
-        found = _linear(cost, A, b, lines, limits, bounds)
-    return found
-
-
-def _linear(cost: Array, A: Array, b: Array, G: Array, h: Array, bounds: Bounds) -> tuple[Array, Array, float] | None:
-    """(x, multipliers of A x = b, least cost) of one linear program, polished; None if it has no optimum.
-
-    The simplex method is exact up to its own tolerance of 1e-7 only. What it says is which constraints decide: with
-    these as equations, x follows by least squares to round-off."""
-    found: Any = optimize().linprog(
-        cost, A_ub=G if len(G) else None, b_ub=h if len(G) else None, A_eq=A, b_eq=b, bounds=bounds
-    )
-    if found.status != 0:
-        return None
-    x: Array = np.asarray(found.x, dtype=np.float64)
-    duals: Array = np.asarray(found.eqlin.marginals, dtype=np.float64)
-    lines, right = [A], [b]
-    if len(G):
-        active = np.asarray(found.ineqlin.residual, dtype=np.float64) < _ACTIVE
-        lines.append(G[active])
-        right.append(h[active])
-    at_bound = [k for k, (_low, high) in enumerate(bounds) if high is not None and x[k] > high - _ACTIVE]
-    for k in at_bound:
-        lines.append(np.eye(len(x))[k : k + 1])
-        right.append(np.array([float(bounds[k][1] or 0.0)]))
-    E, e = np.vstack(lines), np.concatenate(right)
-    step: Array = np.asarray(np.linalg.lstsq(E, e - E @ x, rcond=_RCOND)[0], dtype=np.float64)
-    if float(np.abs(step).max(initial=0.0)) < _POLISH * max(1.0, float(np.abs(x).max(initial=0.0))):
-        x = x + step
-    return x, duals, float(cost @ x)
-
-
-def _is_possible(A: Array, b: Array, G: Array, h: Array) -> bool:
-    found: Any = optimize().linprog(
-        np.zeros(A.shape[1]),
-        A_ub=G if len(G) else None,
-        b_ub=h if len(G) else None,
-        A_eq=A,
-        b_eq=b,
-        bounds=[(None, None)] * A.shape[1],
-    )
-    return bool(found.status == 0)

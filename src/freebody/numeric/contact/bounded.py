@@ -161,8 +161,8 @@ class Bounded:
         if kind == "contact" and is_ideal:
             bodies = list(dict.fromkeys(row.measure.bodies()))
             ends = (bodies[0], bodies[1] if len(bodies) > 1 else row.connection)
-        # the edge on which it counts, longer by round-off at both ends [m]
-        tolerance = TOUCHING * self.numbers.length
+        # the edge on which it counts, longer by round-off at both ends
+        own = [TOUCHING * (self.numbers.length if s.measure.dimension == LENGTH else 1.0) for s in bound.within]
         return UnilateralRow(
             bound.name,
             ends,
@@ -177,7 +177,7 @@ class Bounded:
                     -np.inf if span.low is None else number(span.low) - tolerance,
                     np.inf if span.high is None else number(span.high) + tolerance,
                 )
-                for span in bound.within
+                for span, tolerance in zip(bound.within, own, strict=True)
             ),
             bound.family or bound.name,
             bound.obstacle,

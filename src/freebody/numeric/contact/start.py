@@ -15,6 +15,7 @@ from freebody.language.units import DIMENSIONLESS, LENGTH
 from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
 from freebody.model.elements import NonholonomicForm, UnilateralConstraint
+from freebody.numeric.contact.overlaps import PENETRATION, gap_of, is_of_edges, is_within, overlaps, parting
 from freebody.numeric.instant import forces
 from freebody.numeric.jet_geometry import JetGeometry
 from freebody.numeric.jets import Array
@@ -22,7 +23,6 @@ from freebody.numeric.reference import Reference
 from freebody.numeric.split import RANK_CUT, Split, stack
 from freebody.system.system import System
 
-PENETRATION = 1e-9  # by the size of the system: less than this is round-off
 N_ROUNDS = 12
 MOST_PAIRS = 2000
 
@@ -44,13 +44,13 @@ def assembled_touching(reference: Reference) -> Array:
     q = reference.assemble()
     for _ in range(N_ROUNDS):
         added = _next(reference, q, bounds, closing, closed, turning)
-        if added is None:
+        if not added:
             break
-        closed[added.name] = added
+        closed |= {bound.name: bound for bound in added}
         try:
             q = _placed(reference, closed, turning)
         except CannotAnswer as error:
-            raise CannotAnswer(_apart(reference, q, added)) from error
+            raise CannotAnswer(_apart(reference, q, added[0])) from error
     _refuse_penetration(reference, q, bounds)
     return q
 
@@ -119,9 +119,10 @@ def _next(
     closing: set[str],
     closed: dict[str, UnilateralConstraint],
     turning: dict[str, str],
-) -> UnilateralConstraint | None:
+) -> list[UnilateralConstraint]:
     """What must be closed next: the nearest place of a family that does not touch yet, the deepest one that would be
-    inside, and a second corner of a body whose angle nobody gave, which then lies flat."""
+    inside, and a second corner of a body whose angle nobody gave, which then lies flat; of polyhedra all places that
+    are nearest."""
     g = reference.geometry(q, np.zeros_like(q), 0.0)
     gaps = {b.name: gap_of(reference, g, b) for b in bounds if b.family in closing and b.name not in closed}
     for family in sorted(closing):
@@ -129,17 +130,37 @@ def _next(
         if family in turning:
             foot = _foot(reference, g, [b for b in bounds if b.family == family], turning[family])
             if not any(b.family == family for b in closed.values()):
-                return min(foot, key=lambda b: gaps[b.name])
+                return [min(foot, key=lambda b: gaps[b.name])]
             rest = [b for b in foot if b.name not in closed]
             if rest and any(b.name in closed for b in foot):
-                return rest[0]
+                return rest[:1]
+            continue
+        if any(is_of_edges(b) for b in bounds if b.family == family):
+            if not any(b.family == family for b in closed.values()):
+                return _nearest_of_polyhedra(reference, g, [b for b in bounds if b.family == family])
             continue
         if not any(b.family == family for b in closed.values()) and own:
-            return min(own, key=lambda b: _reach(reference, g, b, gaps[b.name]))
+            return [min(own, key=lambda b: _reach(reference, g, b, gaps[b.name]))]
         deep = [b for b in own if not b.obstacle and gaps[b.name] < -PENETRATION * reference.sizes.length]
         if deep:
-            return min(deep, key=lambda b: gaps[b.name])
-    return None
+            return [min(deep, key=lambda b: gaps[b.name])]
+    return []
+
+
+def _nearest_of_polyhedra(
+    reference: Reference, g: JetGeometry, own: list[UnilateralConstraint]
+) -> list[UnilateralConstraint]:
+    """The places at the face, or the edges, that part two bodies most; of several such the one onto which the loads
+    drive."""
+    [(_widest, parted)] = parting(reference, g, own).values()
+    driven = _driven(reference, g)
+
+    def fall(places: list[UnilateralConstraint]) -> float:
+        rows = (b.row.sign * reference.jet(g, b.row.measure, b.name).row(len(driven)) for b in places)
+        return min(float(row @ driven) for row in rows)
+
+    chosen = min(parted, key=fall)
+    return [b for b in chosen if is_within(reference, g, b)] or chosen
 
 
 def _foot(
@@ -194,15 +215,6 @@ def _turning(reference: Reference, bounds: tuple[UnilateralConstraint, ...], clo
         if not any(body.name in row.measure.bodies() for row in rows):
             found[family] = body.name
     return found
-
-
-def gap_of(reference: Reference, g: JetGeometry, bound: UnilateralConstraint) -> float:
-    """The gap of a bound [m or rad]."""
-    value = reference.jet(g, bound.row.measure, bound.name).value
-    target = 0.0 if bound.row.target is None else reference.number(bound.row.target)
-    if bound.row.target is None and not isinstance(bound.row.measure, NonholonomicForm):
-        target = reference.start_value(bound.row.measure)
-    return bound.row.sign * (value - target)
 
 
 def far_sides(reference: Reference, q: Array, bounds: Sequence[UnilateralConstraint]) -> set[str]:
@@ -260,18 +272,6 @@ def _driven(reference: Reference, g: JetGeometry, free: Set[str] = frozenset()) 
     return a + loose
 
 
-def is_within(reference: Reference, g: JetGeometry, bound: UnilateralConstraint, slack: float | None = None) -> bool:
-    """Whether the place of a bound is on the edge on which it lies; it may be beyond its ends by some slack."""
-    tolerance = PENETRATION * reference.sizes.length if slack is None else slack
-    for span in bound.within:
-        value = reference.jet(g, span.measure, bound.name).value
-        low = -math.inf if span.low is None else reference.number(span.low) - tolerance
-        high = math.inf if span.high is None else reference.number(span.high) + tolerance
-        if not low <= value <= high:
-            return False
-    return True
-
-
 def _refuse_penetration(reference: Reference, q: Array, bounds: tuple[UnilateralConstraint, ...]) -> None:
     """What is inside another body, and how deep. A corner is inside a polygon if it is behind all of its edges: then
     the least deep of them counts. Two polygons overlap if no edge of either has all of the other before it, which they
@@ -293,7 +293,7 @@ def _refuse_penetration(reference: Reference, q: Array, bounds: tuple[Unilateral
         what = further(*found, *stopped)
         raise CannotAnswer(Message("at the start {what}. Start within the limits, or change them", what=what))
     if not found:
-        found = _overlaps(reference, g, bounds)
+        found = [_inside(a, b, f"{depth:.6g} m", contact) for a, b, depth, contact in overlaps(reference, g, bounds)]
     if found:
         raise CannotAnswer(
             Message(
@@ -301,28 +301,6 @@ def _refuse_penetration(reference: Reference, q: Array, bounds: tuple[Unilateral
                 what=further(*found),
             )
         )
-
-
-def _overlaps(reference: Reference, g: JetGeometry, bounds: tuple[UnilateralConstraint, ...]) -> list[str]:
-    """Polygons that overlap: by the separating axis theorem the widest of the narrowest gaps of all edges is
-    negative."""
-    bodies = reference.system.bodies
-    edges: dict[str, dict[str, float]] = {}
-    pairs: dict[str, tuple[str, str]] = {}
-    for bound in bounds:
-        ends = bound.row.ends
-        if not bound.obstacle or len(ends) < 4 or any(len(bodies[name].corners) < 2 for name in ends[2:4]):
-            continue
-        of = edges.setdefault(bound.family, {})
-        of[ends[1]] = min(of.get(ends[1], math.inf), gap_of(reference, g, bound))
-        pairs[bound.family] = ends[2], ends[3]
-    found: list[str] = []
-    for family, gaps in edges.items():
-        apart = max(gaps.values())
-        if apart < -PENETRATION * reference.sizes.length:
-            a, b = pairs[family]
-            found.append(_inside(a, b, f"{-apart:.6g} m", family.partition(":")[0]))
-    return found
 
 
 def _is_stop(bound: UnilateralConstraint) -> bool:

@@ -28,6 +28,7 @@ from freebody.numeric.kernels.arrays import Floats
 from freebody.numeric.options import ImpactLaw
 
 N_IMPACTS = 50
+SAME = 1e-6  # relative, of gradients: of gaps at the same place along the same normal
 
 
 class InstantTransition:
@@ -82,7 +83,7 @@ class InstantTransition:
             outcome = decide(self.still, result, now, touching, None, forbidden)
         result.status = outcome.status
         if left is not None and result.mode is not None and not result.impacts:
-            result.handed = self._handed(result.mode, before, left)
+            result.handed = self._handed(result.mode, before, left, now)
         return result
 
     def _impacts(self, result: After, t: float, near: Floats, touching: list[int]) -> ContactInstant:
@@ -105,10 +106,18 @@ class InstantTransition:
             result.impacts.append(recorded(t, problem, outcome, rates, change))
         return now
 
-    def _handed(self, mode: ModeOf, before: frozenset[int], left: int) -> set[int]:
-        """An edge that ends may hand its contact over to the next one of the same outlines: both."""
+    def _handed(self, mode: ModeOf, before: frozenset[int], left: int, now: ContactInstant) -> set[int]:
+        """An edge that ends may hand its contact over to the next one of the same outlines: both; or to what touched
+        with it already, as two edges do that cross where a corner leaves a face."""
         barriers = self.bounded.barriers
-        taken = {k for k in mode.closed - before if barriers[k].family == barriers[left].family}
+        own = {k for k in mode.closed if barriers[k].family == barriers[left].family}
+        g, *others = (barriers[k].sign * now.gradients[barriers[k].place] for k in (left, *sorted(own & before)))
+        same = [
+            k
+            for k, h in zip(sorted(own & before), others, strict=True)
+            if np.abs(h - g).max() <= SAME * np.abs(g).max()
+        ]
+        taken = own - before | {*same}
         return taken | {left} if taken else set[int]()
 
     def _jam(self, result: After, now: ContactInstant, touching: list[int]) -> bool:

@@ -46,6 +46,7 @@ class Packing:
         self.reads_turns = False  # whether held rows or loads depend on turns
         self._with_bearing: dict[int, tuple[Measure, float, float | None]] = {}
         self._base: dict[Base, int] = {}
+        self._known_slopes: dict[tuple[Expr, tuple[str, ...]], dict[str, Expr] | None] = {}
         self.bases: list[Base] = []
         self.other: list[Composition | RowProduct] = []
         self.by_measure: dict[Measure | NonholonomicForm, Where] = {}
@@ -115,10 +116,8 @@ class Packing:
             return total
         if isinstance(measure, Composed):
             names = dict(measure.measures)
-            slopes = {name: differentiate(measure.expression, name) for name in names}
-            if any(free_symbols(s) & (names.keys() | {"t"}) for s in slopes.values()) or has_jump(
-                measure.expression, names
-            ):
+            slopes = self._slopes(measure.expression, tuple(names))
+            if slopes is None:
                 return None
             rest = substitute(measure.expression, dict.fromkeys(names, ZERO))
             if "t" in free_symbols(rest):
@@ -131,6 +130,13 @@ class Packing:
                 total = summed(total, inner, self.numbers.number(slopes[name]))
             return total
         return self._elementary(measure)
+
+    def _slopes(self, expression: Expr, names: tuple[str, ...]) -> dict[str, Expr] | None:
+        """The constant coefficients of an expression that is linear in the names; None of another."""
+        key = expression, names
+        if key not in self._known_slopes:
+            self._known_slopes[key] = _slopes_in(expression, names)
+        return self._known_slopes[key]
 
     def row(self, measure: Measure | NonholonomicForm) -> Where:
         """The row of a measure, made when it is first asked for."""
@@ -348,3 +354,14 @@ def _component(component: Component) -> Displacement:
     tip, foot = Point(d.body, d.components), Point(d.body, tuple(ZERO for _ in d.components))
     axis = tuple(ONE if name == component.axis else ZERO for name in "xyz"[: len(d.components)])
     return Displacement(tip, foot, Direction(GROUND, axis))
+
+
+def _slopes_in(expression: Expr, names: tuple[str, ...]) -> dict[str, Expr] | None:
+    if has_jump(expression, names):
+        return None
+    slopes: dict[str, Expr] = {}
+    for name in names:
+        slopes[name] = differentiate(expression, name)
+        if free_symbols(slopes[name]) & {*names, "t"}:
+            return None
+    return slopes

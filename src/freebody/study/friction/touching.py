@@ -6,6 +6,7 @@ towards each other, all that come at once. What is closed decides the pose, and 
 
 from __future__ import annotations
 
+import itertools
 import math
 import random
 from collections.abc import Iterable, Sequence
@@ -18,7 +19,8 @@ from freebody.language.expression import free_symbols
 from freebody.language.sentences import Message, listed
 from freebody.measures.displacement import Displacement
 from freebody.model.elements import ConstraintRow, DryFriction, UnilateralConstraint
-from freebody.numeric.contact.start import far_sides, is_within
+from freebody.numeric.contact.overlaps import is_of_edges, is_within, overlaps, parting
+from freebody.numeric.contact.start import far_sides
 from freebody.numeric.jet_geometry import JetGeometry
 from freebody.numeric.jets import TIME, Array
 from freebody.numeric.reference import Reference
@@ -75,7 +77,10 @@ class TouchingAtRest:
         slack, closed = TOUCHES * reference.sizes.length, {bound.name for bound in self.bounds}
         beyond = [bound.name for bound in self.bounds if not is_within(reference, g, bound, slack)]
         apart = _apart(reference, g, self.system.bounds)
-        return beyond + [name for gap, name in apart.values() if gap < -slack and name not in closed]
+        deep = [name for gap, name in apart.values() if gap < -slack and name not in closed]
+        if self.system.space:
+            deep += [f"{a}, {b}" for a, b, depth, _of in overlaps(reference, g, self.system.bounds) if depth > slack]
+        return beyond + deep
 
     def insist(self, reference: Reference, q: Array) -> None:
         """Raises CannotAnswer where the start pose is not admissible: what is said of rest would be said of another."""
@@ -145,6 +150,13 @@ def _first(
     """The sites that close first of a pair none of which is closed yet; of the first such pair."""
     for sites in pairs:
         if not any(site.name in closed for site in sites):
+            if any(is_of_edges(site) for site in sites):  # polyhedra
+                return {
+                    site.name
+                    for _gap_, places in parting(reference, g, sites).values()
+                    for site in itertools.chain(*places)
+                    if is_within(reference, g, site)
+                }
             furthest = list(_apart(reference, g, sites).values())
             least = min(gap for gap, _name in furthest) + _TOGETHER * reference.sizes.length
             return {name for gap, name in furthest if gap <= least}
@@ -161,6 +173,8 @@ def _apart(
     found: dict[tuple[str, ...], tuple[float, str]] = {}
     doubtful: dict[tuple[str, ...], tuple[float, str]] = {}
     for site in sites:
+        if is_of_edges(site):
+            continue
         pair = (site.row.connection, *site.row.ends[:1], *site.row.ends[-1:])
         here = _gap(reference, g, site), site.name
         is_edge = isinstance(site.row.measure, Displacement)
