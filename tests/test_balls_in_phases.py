@@ -167,3 +167,30 @@ def test_rolling_on_an_incline_is_derived_with_both_parts_of_friction(question: 
     told = str(ball(normal=SLOPE).explain(question))
     assert "no derivation" not in told
     assert "2⋅m⋅g⋅sin(α)" in told or "2⋅tan(α)" in told
+
+
+@pytest.mark.parametrize("velocity", ["[v, 0, 0]", "[0, 0, v]", "[v, 0, w]"])
+def test_turns_until_a_ball_rolls_are_counted_about_its_own_axis(velocity: str) -> None:
+    # omega grows evenly to 5/7 v/R in the time 2 v/(7 mu g): 5 v^2/(98 pi mu g R) turns, whichever way it goes
+    speed = math.hypot(*(2.0 if x == "v" else 0.5 if x == "w" else 0.0 for x in velocity.strip("[]").split(", ")))
+    answer = asked(ball(velocity), "turns of ball until rolling begins")
+    assert answer.value == pytest.approx(5 * speed**2 / (98 * math.pi * 0.2 * G * R), rel=1e-12)
+
+
+def test_turns_of_a_wheel_about_a_bearing_in_space() -> None:
+    # phi = w t + T t^2/(2 J)
+    system = fb.System.from_text("""
+space: true
+parameters: {J: 0.2 kg m^2, T: 3 N m, w: 4 rad/s, t1: 2 s}
+bodies: {wheel: {body: {mass: 1 kg, inertia: J}}}
+connections: {c: {revolute: {first: ground.O, second: wheel, about: x}}}
+loads: {m: {torque: {on: wheel, about: x, magnitude: T}}}
+measures: {th: angle of wheel about x}
+start: {th: 0, rate(th): w}
+""")
+    assert asked(system, "turns of wheel at t = t1").value == pytest.approx((8 + 30) / (2 * math.pi), rel=1e-12)
+
+
+def test_turns_of_a_ball_whose_spin_turns_its_axis_are_refused() -> None:
+    [answer] = ball("[v, 0, w]", "[a, b, c]").solve("turns of ball until rolling begins").answers
+    assert "axis keeps its direction" in answer.reason

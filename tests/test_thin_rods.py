@@ -9,7 +9,7 @@ import pytest
 
 import freebody as fb
 from freebody.numeric.engine.course import Status
-from freebody.study.phases.home import closed_at_start
+from freebody.study.phases.at_start import closed_at_start
 
 L, V, E = 1.2, 2.0, 0.6
 

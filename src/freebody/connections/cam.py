@@ -259,9 +259,9 @@ connections:
 
     def _edge(self, names: Names) -> list[tuple[Expr, Expr]]:
         """Places on the edge in the cam's own frame: seen from the cam, the follower is at the angle -phi."""
-        r = substitute(self._radius(names), {_PHI: -Symbol("psi")})
-        slope, roller = differentiate(r, "psi"), self._roller(names)
-        cos, sin = Call("cos", Symbol("psi")), Call("sin", Symbol("psi"))
+        r = substitute(self._radius(names), {_PHI: -Symbol("@psi")})
+        slope, roller = differentiate(r, "@psi"), self._roller(names)
+        cos, sin = Call("cos", Symbol("@psi")), Call("sin", Symbol("@psi"))
         if self.form == "flat":
             x, y = r * cos - slope * sin, r * sin + slope * cos
         else:
@@ -269,7 +269,7 @@ connections:
             x = r * cos - roller * (r * cos + slope * sin) / size
             y = r * sin - roller * (r * sin - slope * cos) / size
         angles = [divide(2 * k * PI, number(_N_DRAWN)) for k in range(_N_DRAWN + 1)]
-        at: Callable[[Any, Any], Expr] = lambda e, psi: substitute(e, {"psi": psi})  # noqa: E731
+        at: Callable[[Any, Any], Expr] = lambda e, psi: substitute(e, {"@psi": psi})  # noqa: E731
         return [(at(x, psi), at(y, psi)) for psi in angles]
 
     def glyphs(self, names: Names) -> Iterable[Glyph]:

@@ -65,9 +65,9 @@ def _whole_turn(names: Names, angles: list[float], lifts: list[float]) -> tuple[
     for k in range(1, len(angles)):
         if angles[k] <= angles[k - 1]:
             told = Message(
-                "the angles of the points grow: {this:.4g} rad comes after {last:.4g} rad",
-                this=angles[k],
-                last=angles[k - 1],
+                "the angles of the points grow: {this:.4g}° comes after {last:.4g}°",
+                this=math.degrees(angles[k]),
+                last=math.degrees(angles[k - 1]),
             )
             names.problem(told, "points", k)
             return None
@@ -87,9 +87,9 @@ def _whole_turn(names: Names, angles: list[float], lifts: list[float]) -> tuple[
         return None
     if angles[-1] - angles[0] >= math.tau:
         told = Message(
-            "the points go over more than one turn: from {first:.4g} rad to {last:.4g} rad",
-            first=angles[0],
-            last=angles[-1],
+            "the points go over more than one turn: from {first:.4g}° to {last:.4g}°",
+            first=math.degrees(angles[0]),
+            last=math.degrees(angles[-1]),
         )
         names.problem(told, "points", len(angles) - 1)
         return None

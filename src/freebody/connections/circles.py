@@ -13,6 +13,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from freebody.language.expression import ZERO, Expr, add, negate
+from freebody.language.sentences import Message
 from freebody.language.units import LENGTH
 from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
@@ -29,6 +30,22 @@ def own_radius(names: Names, spec: Spec, which: str) -> Expr:
     """The radius that a connection states for one of its wheels, else that of the body."""
     own = names.optional(spec, f"{which}_radius", LENGTH)
     return names.radius(getattr(spec, which), which) if own is None else own
+
+
+def look_at_fit(names: Names, inner: str, radius: Expr, ring: str, rim: Expr, *path: str | int) -> None:
+    """What runs inside a ring is the smaller one; a problem is noted where it is not."""
+    own, room = names.numeric(radius), names.numeric(rim)
+    if own is not None and room is not None and own >= room:
+        names.problem(
+            Message(
+                "{inner} does not fit into {ring}: its radius {own:.4g} m must be less than {room:.4g} m",
+                inner=inner,
+                ring=ring,
+                own=own,
+                room=room,
+            ),
+            *path,
+        )
 
 
 def touching(

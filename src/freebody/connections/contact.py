@@ -8,6 +8,7 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from freebody.connections.base import Connection
+from freebody.connections.circles import look_at_fit
 from freebody.connections.contact_in_space import PairInSpace, SurfaceInSpace
 from freebody.connections.outlines import KINDS, Outline, read_outline
 from freebody.connections.pairs import ContactSurface, OutlinePair
@@ -260,6 +261,7 @@ connections: {it: {contact: {between: [ball, floor], friction: 0.3, restitution:
                         "between",
                     )
                 continue
+            _look_at_hollows(names, a, b)
             starts = self._start_closed(names, a.body, b.body)
             found.append(OutlinePair(connection, a, b, surface, starts, len(joined) == 1))
         return found
@@ -342,6 +344,14 @@ def _is_misspelt(names: Names, *outlines: Outline) -> bool:
             names.problem(told, "between")
             return True
     return False
+
+
+def _look_at_hollows(names: Names, a: Outline, b: Outline) -> None:
+    """A circle inside a ring is the smaller one."""
+    for outer, inner in ((a, b), (b, a)):
+        for hollow in outer.hollows:
+            for part in inner.rounds:
+                look_at_fit(names, inner.body, part.radius, hollow.body, hollow.radius, "between")
 
 
 def _may_touch(names: Names, a: Outline, b: Outline) -> bool:

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING, ClassVar, Literal
 
 from freebody.connections.base import Connection
-from freebody.connections.circles import own_radius, touching
+from freebody.connections.circles import look_at_fit, own_radius, touching
 from freebody.connections.standing import distance_between, is_near, number_of
 from freebody.connections.teeth import parting_slope, parts_of_tooth_force, read_pressure_angle
 from freebody.language.expression import ONE, ZERO, Expr, add, divide, multiply, negate, number
@@ -152,7 +152,10 @@ connections: {p: {pin: [ground.A, a]}, q: {pin: [ground.B, b]}, it: {gear_mesh: 
 
     def _radii(self, names: Names) -> tuple[Expr, Expr]:
         if self.module is None and self.teeth is None:
-            return own_radius(names, self, "first"), own_radius(names, self, "second")
+            radii = own_radius(names, self, "first"), own_radius(names, self, "second")
+            if self.internal:
+                look_at_fit(names, self.second, radii[1], self.first, radii[0], "first")
+            return radii
         if self.module is None or self.teeth is None or len(self.teeth) != 2:
             names.problem(Message("module and teeth go together, e.g. module: 2 mm, teeth: [17, 51]"), "teeth")
             return ONE, ONE

@@ -47,7 +47,7 @@ from freebody.model.spins import body_axes
 if TYPE_CHECKING:
     from freebody.model.names import Names
 
-D = (Symbol("d1"), Symbol("d2"), Symbol("d3"))
+D = (Symbol("@d1"), Symbol("@d2"), Symbol("@d3"))
 # q, and two directions across it, F_1 x F_2 = Q: a rotation in fractions, of a direction that no model has of its own
 Q: Components = tuple(number(Fraction(k, 209)) for k in (111, 168, 56))
 F: tuple[Components, Components] = (
@@ -235,6 +235,6 @@ class _Touching:
         for k, c in enumerate(along):
             p, q = e[(k + 1) % 3], e[(k + 2) % 3]
             for a in body_axes(self.ball.center.body):
-                seen = (*self.seen, ("c", Alignment(q, a)))
-                terms.append((Composed(-c * Symbol("c"), seen, dimension), Alignment(p, a)))
+                seen = (*self.seen, ("@c", Alignment(q, a)))
+                terms.append((Composed(-c * Symbol("@c"), seen, dimension), Alignment(p, a)))
         return terms

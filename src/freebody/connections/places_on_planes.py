@@ -105,15 +105,16 @@ def _point_of(point: Point, label: str, plane: BodyPlane) -> PlaceOnPlane:
 def sphere_arm(body: RigidBody, radius: Expr, plane: BodyPlane) -> Arm:
     """-R n."""
     return [
-        (Composed(-radius * Symbol("n"), (("n", Alignment(b, plane.normal)),), LENGTH), b) for b in body_axes(body.name)
+        (Composed(-radius * Symbol("@n"), (("@n", Alignment(b, plane.normal)),), LENGTH), b)
+        for b in body_axes(body.name)
     ]
 
 
 def _rim(body: RigidBody, center: Point, label: str, radius: Expr, plane: BodyPlane) -> PlaceOnPlane:
     across = [Direction(body.name, v) for v in perpendiculars(body.axis)]
-    n = tuple((f"n{j}", Alignment(b, plane.normal)) for j, b in enumerate(across, 1))
-    size = Call("sqrt", Symbol("n1") * Symbol("n1") + Symbol("n2") * Symbol("n2"))
-    gap = Composed(Symbol("h") - radius * size, (("h", _height(center, plane)), *n), LENGTH)
+    n = tuple((f"@n{j}", Alignment(b, plane.normal)) for j, b in enumerate(across, 1))
+    size = Call("sqrt", Symbol("@n1") * Symbol("@n1") + Symbol("@n2") * Symbol("@n2"))
+    gap = Composed(Symbol("@h") - radius * size, (("@h", _height(center, plane)), *n), LENGTH)
     arm: Arm = [(Composed(-radius * Symbol(name) / size, n, LENGTH), b) for (name, _), b in zip(n, across, strict=True)]
     return PlaceOnPlane(label, center, gap, None, arm)
 
@@ -121,12 +122,12 @@ def _rim(body: RigidBody, center: Point, label: str, radius: Expr, plane: BodyPl
 def ellipsoid_on_plane(body: RigidBody, plane: BodyPlane) -> PlaceOnPlane:
     """The lowest place of an ellipsoid."""
     axes = body_axes(body.name)
-    n = tuple((f"n{j}", Alignment(b, plane.normal)) for j, b in enumerate(axes, 1))
+    n = tuple((f"@n{j}", Alignment(b, plane.normal)) for j, b in enumerate(axes, 1))
     reach: Expr = ZERO
     for half_axis, (name, _) in zip(body.sizes, n, strict=True):
         reach = reach + half_axis * half_axis * Symbol(name) * Symbol(name)
     size = Call("sqrt", reach)
-    gap = Composed(Symbol("h") - size, (("h", _height(body.center, plane)), *n), LENGTH)
+    gap = Composed(Symbol("@h") - size, (("@h", _height(body.center, plane)), *n), LENGTH)
     arm: Arm = [
         (Composed(-half_axis * half_axis * Symbol(name) / size, n, LENGTH), b)
         for half_axis, (name, _), b in zip(body.sizes, n, axes, strict=True)

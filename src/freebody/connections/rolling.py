@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, ClassVar
 
 from freebody.connections.base import Connection
-from freebody.connections.circles import touching
+from freebody.connections.circles import look_at_fit, touching
 from freebody.connections.rolling_in_space import rolling_rows
 from freebody.connections.standing import is_parallel, same_way, stands_at
 from freebody.language.expression import Expr, add, negate
@@ -87,6 +87,8 @@ connections: {it: {rolling: {body: wheel, on: floor}}}
             return self._nothing_there(names)
         inside = self.inside is not None
         rim = names.radius(other.name, inside=inside)
+        if inside:
+            look_at_fit(names, body.name, radius, other.name, rim, "inside")
         distance, total, rolled = touching(other.center, rim, body.center, radius, internal=inside)
         return [
             ConstraintRow("contact", "normal force", distance, total, sign=-1 if self.inside else 1, unilateral=True),

@@ -71,15 +71,15 @@ def _slips(body: RigidBody, arm: Arm, plane: BodyPlane) -> list[ConstraintRow]:
 
 def _rim(body: RigidBody, radius: Expr, plane: BodyPlane) -> list[ConstraintRow]:
     across = [Direction(body.name, v) for v in perpendiculars(body.axis)]
-    n = tuple((f"n{j}", Alignment(b, plane.normal)) for j, b in enumerate(across, 1))
-    size = Call("sqrt", Symbol("n1") * Symbol("n1") + Symbol("n2") * Symbol("n2"))
+    n = tuple((f"@n{j}", Alignment(b, plane.normal)) for j, b in enumerate(across, 1))
+    size = Call("sqrt", Symbol("@n1") * Symbol("@n1") + Symbol("@n2") * Symbol("@n2"))
     height = Displacement(body.center, plane.through, plane.normal)
-    gap = Composed(Symbol("h") - radius * size, (("h", height), *n), LENGTH)
+    gap = Composed(Symbol("@h") - radius * size, (("@h", height), *n), LENGTH)
     arm = [-radius * Symbol(name) / size for name, _ in n]
     p, q = (along for _name, along in _along(plane))
     axis = Direction(body.name, body.axis)
-    seen = (("ap", Alignment(axis, p)), ("aq", Alignment(axis, q)), *n)
-    ap, aq = Symbol("ap") / size, Symbol("aq") / size
+    seen = (("@ap", Alignment(axis, p)), ("@aq", Alignment(axis, q)), *n)
+    ap, aq = Symbol("@ap") / size, Symbol("@aq") / size
     rows = [ConstraintRow("contact", "normal force", gap, unilateral=True)]
     # n x a = (a.p) q - (a.q) p, and n x (n x a) = -(a.p) p - (a.q) q
     for name, along_p, along_q in (("along", -aq, ap), ("across", -ap, -aq)):

@@ -48,7 +48,7 @@ class _OverPoints(Load):
         return [names.point(self.start, "from"), *between, names.point(self.to, "to")]
 
     def _length(self, names: Names) -> tuple[tuple[str, Distance], ...]:
-        return tuple((f"l{k}", Distance(a, b)) for k, (a, b) in enumerate(pairwise(self._points(names)), 1))
+        return tuple((f"@l{k}", Distance(a, b)) for k, (a, b) in enumerate(pairwise(self._points(names)), 1))
 
     def glyphs(self, names: Names) -> Iterable[Glyph]:
         nodes = tuple(glyphs.Node(point, ZERO) for point in self._points(names))

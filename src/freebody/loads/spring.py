@@ -67,7 +67,7 @@ loads: {it: {spring: {first: ground.A, second: ball, stiffness: 5 N/m, length: 1
             stretch = Combination(((ONE, distance),), LENGTH)
             pull = ZERO if self.preload is None else names.formula(self.preload, FORCE, "preload")
             return [AppliedLoad("", stretch, negate(multiply(k, VALUE) + pull))]
-        stretch = Composed(Symbol("length") - natural, (("length", distance),), LENGTH)
+        stretch = Composed(Symbol("@length") - natural, (("@length", distance),), LENGTH)
         return [AppliedLoad("", stretch, negate(multiply(k, VALUE)))]
 
     def pulls_with(self, laws: Sequence[Any], sqrt: Callable[[Any], Any]) -> Any:
@@ -137,7 +137,7 @@ loads: {it: {torsional_spring: {body: wheel, stiffness: 5 N m}}}
         theta = turn_about(names, self.body, self.on, self.about)
         k = names.positive(self, "stiffness", ROTARY_STIFFNESS)
         relaxed = names.formula(self.angle, DIMENSIONLESS, "angle")
-        turned = theta if relaxed == ZERO else Composed(Symbol("angle") - relaxed, (("angle", theta),), DIMENSIONLESS)
+        turned = theta if relaxed == ZERO else Composed(Symbol("@angle") - relaxed, (("@angle", theta),), DIMENSIONLESS)
         return [AppliedLoad("", turned, negate(multiply(k, VALUE)))]
 
     def glyphs(self, names: Names) -> Iterable[Glyph]:

@@ -138,7 +138,12 @@ def _assembled_whole(reference: NumericSystem, extra: Wanted, guess: Array | Non
             return _nearest(reference, fit, guess)
 
     # else from the guess alone, and from disturbed ones
-    best, q = _searched(reference, guess, equations, n_starts)
+    try:
+        best, q = _searched(reference, guess, equations, n_starts)
+    except BudgetExhausted:
+        raise
+    except CannotAnswer as error:
+        raise error if extra else CannotAnswer(_with_places_that_fit(reference, error.args[0])) from error
     if q is not guess:
         best = _settled(reference, best, guess, wishes)
     return _nearest(reference, best, guess)
@@ -198,6 +203,33 @@ def _not_found(
             )
         )
     return CannotAnswer(Message("the start cannot be assembled: {why}", why=at_best))
+
+
+def _with_places_that_fit(reference: NumericSystem, told: str) -> str:
+    """The same, and where bodies could be that the model puts where they cannot be: by places that are guesses."""
+    put = {body.name: body for body in reference.system.moving if body.start.at is not None}
+    if not put:
+        return told
+    loose = {name: replace(b, start=replace(b.start, at=None, near=Start(at=b.start.at))) for name, b in put.items()}
+    other = type(reference)(
+        replace(reference.system, bodies={**reference.system.bodies, **loose}), reference.frame.values
+    )
+    try:
+        q = assembled(other, (), None).q
+    except CannotAnswer:
+        return told
+    for name, body in put.items():
+        assert body.start.at is not None
+        point, wanted = body.start.at
+        g = other.geometry(q, np.zeros_like(q), 0.0)
+        axes = zip(axes_of(other.system), wanted, strict=True)
+        pairs = [
+            (Displacement(body.point(point), Point(GROUND), axis).value(g).value, other.number(x)) for axis, x in axes
+        ]
+        if max(abs(a - b) for a, b in pairs) > ACCEPTED:
+            place = ", ".join(f"{a:.4g} m" for a, _b in pairs)
+            return Message("{told}. It could be assembled with {body} at [{place}]", told=told, body=name, place=place)
+    return told
 
 
 def _nearest(reference: NumericSystem, found: Fit, guess: Array) -> Fit:

@@ -16,7 +16,7 @@ from functools import cached_property
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Call, Expr, Symbol, add
 from freebody.language.sentences import Message
-from freebody.model.elements import ConstraintRow, DryFriction, NonholonomicForm
+from freebody.model.elements import ConstraintRow, DryFriction
 from freebody.narrative.contact.phase_way import PhaseSegment, PhaseSequence, on_the_way
 from freebody.narrative.contact.phase_worlds import CourseWorld
 from freebody.narrative.lines.glossary import Meaning, World
@@ -26,6 +26,7 @@ from freebody.study.phases.impact import ClosedFormCollision
 from freebody.study.phases.words import label
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.relations import readable
+from freebody.symbolic.state import SymbolicState
 
 
 @dataclass(frozen=True)
@@ -96,18 +97,20 @@ class _Telling:
         return found
 
     def _what(self, name: str) -> Sentence:
-        is_friction = any(rub.name == name for rub in self.collision.dry_friction)
-        key = "symbol.impulse_of_friction" if is_friction else "symbol.impulse_of"
-        return Sentence(key, {"connection": label(name)})
+        of = {rub.name: rub.of or rub.name for rub in self.collision.dry_friction}
+        key = "symbol.impulse_of_friction" if name in of else "symbol.impulse_of"
+        return Sentence(key, {"connection": label(of.get(name, name))})
 
     def _read(self, row: ConstraintRow) -> Callable[[World], float]:
         """The impulse in numbers, from the momenta before and after."""
         tree, node, place = self.way.tree, self.leg.node, self.leg.number - 1
+        parts = [(tree.numbers(tree.to_home(self.collision.setup, x)), r) for x, r in self.collision.along(row)]
 
         def read(world: World) -> float:
             assert isinstance(world, CourseWorld)
             last = world.run.seen[place - 1] if place else None
-            return self._sign(row.name) * impulses_in_numbers(tree, node, world.run.k, last)(row)
+            impulse = impulses_in_numbers(tree, node, world.run.k, last)
+            return self._sign(row.name) * sum(float(share[world.run.k]) * impulse(part) for share, part in parts)
 
         return read
 
@@ -139,8 +142,7 @@ class _Telling:
     def _slopes(self, row: ConstraintRow) -> dict[int, Ratio]:
         """Of the rate of what a row measures, by the speeds, in the pose of the impact."""
         model, f = self.collision.model, self.collision.model.field
-        assert not isinstance(row.measure, NonholonomicForm)
-        rate = model.in_independent_speeds(model.rate(model.value_of(row.measure)))
+        rate = model.in_independent_speeds(SymbolicState(model).rate(row.measure))
         return {c.speed: self.collision.here(f.partial(rate, c.speed)) for c in model.coordinates}
 
     # -- the laws -----------------------------------------------------------------------------

@@ -191,8 +191,9 @@ def _needed(way: PhaseSequence, leg: PhaseSegment) -> tuple[set[str], set[str]]:
     f = model.field
     is_last = leg is way.legs[-1] and way.piece.after is None
     if not is_last or not isinstance(leg.phase.course, UniformMotion):
-        names = {c.name for c in model.coordinates if _moves(leg, c)}
-        return names, names
+        moving = [c for c in model.coordinates if _moves(leg, c)]
+        placed = {c.name for c in moving if c.index not in model.unfollowed}  # how a ball is turned has no number
+        return {c.name for c in moving}, placed
     element = model.in_independent_speeds(assert_first.watch.element)
     used = f.ingredients(f.follow(element, leg.phase.course.still))
     q = way.question.quantity
@@ -207,7 +208,7 @@ def _needed(way: PhaseSequence, leg: PhaseSegment) -> tuple[set[str], set[str]]:
                 for g in f.ingredients(model.dynamics.solved_accelerations[a])
             }
     moving = {c.name for c in model.coordinates if used & {c.index, c.speed} and _moves(leg, c)}
-    placed = used - model.unfollowed  # how a ball is turned has no number
+    placed = used - model.unfollowed
     places = {c.name for c in model.coordinates if c.index in placed and c.name in moving}
     return moving, places
 

@@ -14,6 +14,7 @@ from freebody.language.sentences import Message, further
 from freebody.language.units import DIMENSIONLESS, LENGTH
 from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
+from freebody.measures.geometry import ONE
 from freebody.model.elements import NonholonomicForm, UnilateralConstraint
 from freebody.numeric.contact.overlaps import PENETRATION, gap_of, is_of_edges, is_within, overlaps, parting
 from freebody.numeric.instant import forces
@@ -295,10 +296,13 @@ def _refuse_penetration(reference: Reference, q: Array, bounds: tuple[Unilateral
     if not found:
         found = [_inside(a, b, f"{depth:.6g} m", contact) for a, b, depth, contact in overlaps(reference, g, bounds)]
     if found:
+        what = further(*found)
+        if reference.system.space and reference.system.up[1] == ONE:
+            what = Message("{what}, where y points up (space: {{up: z}} makes it z)", what=what)
         raise CannotAnswer(
             Message(
                 "at the start {what}. Move them apart, or let the assembly do it: touching: true in the contact",
-                what=further(*found),
+                what=what,
             )
         )
 

@@ -20,6 +20,7 @@ from freebody.numeric.jets import Array
 from freebody.numeric.snapshot import Snapshot
 from freebody.questions.base import Described, Quantity
 from freebody.study.answering.finding import Elements
+from freebody.study.answering.turns_in_space import turns_in_formulas, turns_in_numbers
 from freebody.study.setup import Setup
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.reached import Reached
@@ -47,6 +48,7 @@ class FormulaPhase:
     begin: SymbolicState
     end: SymbolicState
     told: Callable[[Ratio], Ratio]
+    time: Ratio | None = None  # how long it lasts, where that has a closed form
 
     def at_begin(self, measure: Measure) -> Ratio:
         return self.told(self.begin.value(measure))
@@ -72,6 +74,7 @@ class FormulaPassage:
     why_no_time: str
     elements: Callable[[Quantity, SymbolicState], Elements]
     numbers: Callable[[Ratio], Array]
+    sqrt: Callable[[Ratio], Ratio]
 
     def time(self) -> Ratio:
         if self.elapsed is None:
@@ -99,6 +102,8 @@ class FormulaPassage:
 
     def revolutions(self, body: str) -> Ratio:
         """Angles turned through, without sign, over a full turn; in every phase the body turns one way only."""
+        if self.system.space:
+            return turns_in_formulas(body, self.phases, self.numbers, self.sqrt)
         why = Message(
             "which way {body} turns depends on the parameter values; ask for the change of its angle", body=body
         )
@@ -140,7 +145,7 @@ def smooth_passage(
 ) -> FormulaPassage:
     """A motion of one phase."""
     there = SymbolicState(setup.model, setup.motion.known_at(reached))
-    phase = FormulaPhase(setup.start_instant, there, lambda x: x)
+    phase = FormulaPhase(setup.start_instant, there, lambda x: x, reached.time)
     return FormulaPassage(
         setup.system,
         (phase,),
@@ -148,6 +153,7 @@ def smooth_passage(
         reached.why_no_time,
         elements,
         lambda x: np.array(setup.model.samples.at_starts(x), dtype=np.float64),
+        setup.start_instant.sqrt,
     )
 
 
@@ -203,6 +209,8 @@ class NumericPassage:
     def revolutions(self, body: str) -> float:
         if self.ways is None:
             raise CannotAnswer(Message("how often {body} turns is not counted here", body=body))
+        if self.begin.reference.system.space:
+            return turns_in_numbers(body, self.ways())
         angle, why = Angle(body), both_ways(body)
         return sum(gone_through([s.value(angle) for s in instants], why) for instants in self.ways()) / (2.0 * np.pi)
 

@@ -205,7 +205,7 @@ def _answer(tree: PhaseTree, question: Question, parts: list[list[AnswerBranch]]
     own = regions[0]
     main = own.piece
     value = _value(tree, main) if tree.system.has_values else None
-    notes = list(main.notes)
+    notes = [*tree.put, *main.notes]
     if main.first is None:
         notes.append(in_phase(main.phase))
     elif main.after is None and question.quantity.may_jump:

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import random
-from collections.abc import Iterator, Mapping, Sequence, Set
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
-from functools import cached_property, lru_cache
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -18,10 +17,8 @@ from freebody.measures.distance import Distance
 from freebody.measures.geometry import Pose, SpatialPose
 from freebody.model.elements import ConstraintRow, DryFriction, Start, UnilateralConstraint
 from freebody.numeric.blow import blow_loads_friction
-from freebody.numeric.contact.start import assembled_touching, far_sides, gap_of, is_within
 from freebody.numeric.jets import Array
-from freebody.numeric.reference import Reference
-from freebody.study.answering.draws import SEED, draw_parameters
+from freebody.study.phases.at_start import as_put, closed_at_start, parted_at_start
 from freebody.study.phases.decide import Inequality
 from freebody.study.phases.numbers import Chosen, Sets
 from freebody.study.phases.phase import Phase, has_lines
@@ -31,11 +28,10 @@ from freebody.study.setup import Setup, held_in_blow
 from freebody.symbolic.conditions import Condition, require
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.relations import parted
-from freebody.symbolic.spatial.balls import balls
 from freebody.symbolic.state import SymbolicState
 from freebody.system.modes import ContactMode, depends_on_time, ideal_bounds, in_mode, sticking_rows
 from freebody.system.system import System
-from freebody.tolerances import ROUND_OFF, ROUNDED, TOUCHES
+from freebody.tolerances import ROUND_OFF, ROUNDED
 
 _LONG_ANGLE, _LONG_TIME = 3, 12  # operations: what is longer gets a symbol
 _N_STARTS = 3  # numbers of the parameters at which the rates of the start are looked at
@@ -45,7 +41,8 @@ class Home:
     """A system at its start, without friction: conditions, times and values of all phases are elements of its field."""
 
     def __init__(self, system: System) -> None:
-        system = replace(system, unfollowed=balls(system))
+        given, system = system.assumptions, as_put(system)
+        self.put = [text for text in system.assumptions if text not in given]  # what is assumed about its start
         touching = closed_at_start(system)
         self.moving = parted_at_start(system, touching)  # touch, with a gap that grows or shrinks at the start
         self.closed = touching - self.moving
@@ -324,80 +321,3 @@ def _with_angles(system: System, setup: Setup) -> System:
             if all(abs(a) < ROUND_OFF for a in angles):
                 bodies[body.name] = replace(body, start=replace(body.start, angle=ZERO))
     return system if bodies == system.bodies else replace(system, bodies=bodies)
-
-
-@lru_cache(maxsize=4)
-def closed_at_start(system: System) -> frozenset[str]:
-    """Bounds that are closed when the motion begins: ideal ones; of those said to touch the places that do so at the
-    model's own values; and those whose gap is zero whatever the values are."""
-    closed = {row.name for row in ideal_bounds(system)}
-    if any(b.starts_closed for b in system.bounds):
-        reference = Reference(system, draw_parameters(system, random.Random(SEED), 0.0))
-        q = assembled_touching(reference)
-        g = reference.geometry(q, np.zeros_like(q), 0.0)
-        size = TOUCHES * reference.sizes.length
-        closed |= {
-            b.name
-            for b in system.bounds
-            if b.starts_closed and abs(gap_of(reference, g, b)) <= size and is_within(reference, g, b, size)
-        }
-    others = [b for b in system.bounds if b.name not in closed]
-    if others:
-        setup = Setup(in_mode(system, ContactMode.of(closed, {}))[0], 2)
-        reference, q = setup.draws[0].reference, setup.draws[0].q
-        g, size = reference.geometry(q, np.zeros_like(q), 0.0), TOUCHES * reference.sizes.length
-        for bound in others:
-            if abs(gap_of(reference, g, bound)) > size or not is_within(reference, g, bound, size):
-                continue  # not there, so not whatever the values are
-            geometry = setup.model.geometry
-            target = setup.model.field.zero if bound.row.target is None else geometry.scalar(bound.row.target)
-            measure: Any = bound.row.measure
-            if setup.start_instant.here(measure.value(geometry) - target).is_zero():
-                closed.add(bound.name)
-    return frozenset(closed - _far_sides(system, closed))
-
-
-def _far_sides(system: System, closed: Set[str]) -> set[str]:
-    """The sides of rods that are touched from the other side, at the model's own values."""
-    touched = [bound for bound in system.bounds if bound.name in closed and bound.obstacle]
-    if len(touched) < 2:
-        return set()
-    reference = Reference(system, draw_parameters(system, random.Random(SEED), 0.0))
-    return far_sides(reference, assembled_touching(reference), touched)
-
-
-def parted_at_start(system: System, touching: frozenset[str]) -> frozenset[str]:
-    """Of the bounds that touch when the motion begins those whose gap grows or shrinks by the rates that are given: of
-    bodies that are put where they touch, and of others where the rates contradict that all of them keep touching; or
-    after a blow, in which contacts answer to what it leaves them to do."""
-    own = {b.name: b for b in system.bounds if b.name in touching}
-    runs = system.start_rates or any(b.start.velocity or b.start.angular_velocity for b in system.moving)
-    if not own or not (runs or system.is_struck):
-        return frozenset()
-    found: set[str] = set()
-    for k in range(_N_STARTS):
-        values = draw_parameters(system, random.Random(SEED + k), 1.0)
-        put = {name for name, b in own.items() if not b.starts_closed}
-        references = [
-            Reference(in_mode(system, ContactMode.of(closed, {}))[0], values)
-            for closed in (touching, touching - put, touching - own.keys())
-        ]
-        q = references[0].assemble()
-        *first, last = references[1 + system.is_struck :]
-        for reference in first:
-            with suppress(CannotAnswer):
-                found |= _parting(reference, q, own)
-                break
-        else:
-            found |= _parting(last, q, own)
-    return frozenset(found)
-
-
-def _parting(reference: Reference, q: Array, own: Mapping[str, UnilateralConstraint]) -> set[str]:
-    """The bounds whose gap grows or shrinks at the velocities of the start; beside what moves, gaps may all be still.
-    Raises CannotAnswer where there are none."""
-    g = reference.geometry(q, reference.velocities(q), 0.0)
-    rates = {name: reference.jet(g, bound.row.measure, name).rate for name, bound in own.items()}
-    fastest = float(np.abs(g.v / reference.sizes.unit_moves).max(initial=0.0))
-    largest = max(*map(abs, rates.values()), fastest * max(1.0, reference.sizes.length))
-    return {name for name, rate in rates.items() if abs(rate) > ROUND_OFF * largest}

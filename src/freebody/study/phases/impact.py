@@ -8,6 +8,10 @@ answer with. Of one colliding contact with friction the slip ends in the impact 
     slip ends                   W (P, T) = (-(1 + e) gap', -slip'),  |T| <= mu P
     slides on, s = +1, -1       (W_nn - s mu W_nt) P = -(1 + e) gap',  s slip'+ > 0
 
+In space a slip in a plane is counted along its direction, which it keeps where no impulse changes what is at right
+angles to it: so it is of a ball, and of a particle.
+
+
 as the numeric route has it (`numeric/contact/impacts.py`). Forces of finite size (weight, springs, brakes) do nothing
 in an instant. Source: Pfeiffer & Glocker, Multibody Dynamics with Unilateral Contacts, 1996, ch. 8.
 """
@@ -38,7 +42,7 @@ from freebody.symbolic.phases.friction import named_rows
 from freebody.symbolic.start import StartState, start_from_bodies, start_state
 from freebody.symbolic.state import SymbolicState
 from freebody.system.blows import BlowEvent
-from freebody.system.modes import ContactMode, at_blow, ideal_bounds, in_mode
+from freebody.system.modes import ContactMode, Way, across_the_way, at_blow, ideal_bounds, in_mode, straightened
 from freebody.system.system import System
 
 
@@ -53,8 +57,8 @@ class CollisionOutcome:
 
 
 class ClosedFormCollision:
-    """Bounds whose gaps are zero and shrink, in a state; what else touches keeps touching. Raises CannotAnswer where
-    the impact has no closed form here."""
+    """Bounds whose gaps are zero and shrink, in a state; what else touches keeps touching. ways: the directions of
+    slips in planes. Raises CannotAnswer where the impact has no closed form here."""
 
     def __init__(
         self,
@@ -64,7 +68,15 @@ class ClosedFormCollision:
         placed: Placed,
         values: Sequence[Mapping[str, float]],
         past: frozenset[str] = frozenset(),
+        ways: Mapping[str, Way] | None = None,
     ) -> None:
+        self.ways = dict(ways or {})
+        in_planes = {rub.name: rub for rub in base.dry_friction}
+        aside = [across_the_way(in_planes[name], way) for name, way in self.ways.items()]
+        self.own, base = (
+            base,
+            straightened(base, ContactMode.of(frozenset(), dict.fromkeys(self.ways, 1), ways=self.ways)),
+        )
         ideal = (UnilateralConstraint(row) for row in ideal_bounds(base))
         bounds = {b.name: b for b in (*ideal, *base.bounds)}
         self.base, self.kept = base, kept
@@ -72,12 +84,7 @@ class ClosedFormCollision:
         self.dry_friction: list[DryFriction] = [rub for rub in base.dry_friction if rub.of in hits]
         self.others: list[DryFriction] = [rub for rub in base.dry_friction if rub.of not in hits and rub.load]
         if in_plane := [rub for rub in self.dry_friction if rub.across is not None]:
-            raise CannotAnswer(
-                Message(
-                    "{contact} collides with friction in a plane: such an impact has no closed form here",
-                    contact=in_plane[0].row.connection,
-                )
-            )
+            raise self._in_a_plane(in_plane[0])
         if self.dry_friction and (len(hits) > 1 or len(self.dry_friction) > 1):
             raise CannotAnswer(
                 Message(
@@ -99,11 +106,24 @@ class ClosedFormCollision:
         self.model = self.setup.model
         self.start: StartState = (
             start_state(self.model, dict(system.all_start), dict(system.all_start_rates))
-            if placed.bodies is None
+            if placed.bodies is None or system.space
             else start_from_bodies(self.model)
         )
         self.now = SymbolicState(self.model, self.start.values)
         self.columns = {name: self.model.field.index(self.model.parameters[s]) for name, s in self.symbols.items()}
+        for rub, other in zip(self.dry_friction, aside, strict=False):
+            if not all(x.is_zero() for x in self.slopes(SymbolicState(self.model).acceleration(other)).values()):
+                raise self._in_a_plane(rub)
+
+    @staticmethod
+    def _in_a_plane(rub: DryFriction) -> CannotAnswer:
+        """Of a slip that turns in the impact."""
+        return CannotAnswer(
+            Message(
+                "{contact} collides with friction in a plane: such an impact has no closed form here",
+                contact=rub.row.connection,
+            )
+        )
 
     @property
     def struck(self) -> list[ConstraintRow]:
@@ -116,6 +136,19 @@ class ClosedFormCollision:
     def slopes(self, x: Ratio) -> dict[str, Ratio]:
         """How a quantity grows with each impulse."""
         return {name: self.here(self.model.field.partial(x, column)) for name, column in self.columns.items()}
+
+    def along(self, row: ConstraintRow) -> list[tuple[Ratio, ConstraintRow]]:
+        """The rows of the model that a row of the collision is made of, and their shares: both of a slip in a plane."""
+        ways = self.ways.get(row.name)
+        if ways is None:
+            return [(self.model.field.one, row)]
+        rub = next(rub for rub in self.own.dry_friction if rub.name == row.name)
+        return [(self.model.geometry.scalar(share), part) for share, part in zip(ways, rub.rows, strict=True)]
+
+    def by_row(self, impulses: Mapping[str, Ratio]) -> dict[str, Ratio]:
+        """Impulses along the rows of the model."""
+        own = [(row, impulses[row.name]) for row in self.struck if row.name in impulses]
+        return {part.name: share * x for row, x in own for share, part in self.along(row)}
 
     def blows(self) -> Iterator[CollisionOutcome]:
         """The outcomes that may follow."""

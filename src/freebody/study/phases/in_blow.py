@@ -116,7 +116,7 @@ def after_in_numbers(
     after = changed(base, stage, values, q, v, time)
     closed = stage.kept.union(stage.hits)
     system, _loads = in_mode(base, ContactMode.of(closed, {}, stage.phase.mode.past))
-    rubs = tuple(rub.row for rub in base.dry_friction if rub.of in stage.hits)
+    rubs = tuple(row for rub in base.dry_friction if rub.of in stage.hits for row in rub.rows)
     pushed = next((blow.impulses for blow in base.blows if blow.name == stage.blow), ())
     system = replace(system, constraint_rows=(*system.constraint_rows, *rubs), impulses=pushed)
     reference = Reference(system, {n: x for n, x in values.items() if n in base.parameters})

@@ -8,7 +8,7 @@ needed to hold it. Source: Coriolis, Theorie mathematique des effets du jeu de b
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -17,8 +17,11 @@ from freebody.model.elements import DryFriction
 from freebody.study.phases.home import Home
 from freebody.study.phases.nodes import PhaseStart
 from freebody.study.phases.numbers import Chosen
+from freebody.study.phases.placed import Given
 from freebody.symbolic.field import Ratio
-from freebody.system.modes import ContactMode, Way
+from freebody.symbolic.start import start_state
+from freebody.symbolic.state import SymbolicState
+from freebody.system.modes import ContactMode, Way, in_mode
 
 Rates = Callable[[Any], Ratio]  # of a measure, in the field that all phases share
 
@@ -72,6 +75,21 @@ def ways_of_onset(home: Home, instant: PhaseStart, indices: Chosen) -> dict[str,
         if not (first.is_zero() and second.is_zero()):
             found[name] = directed(home, first, second)[1]
     return found
+
+
+def ways_of_impact(
+    home: Home, instant: PhaseStart, hits: Sequence[str], values: Sequence[Mapping[str, float]]
+) -> dict[str, Way]:
+    """In which direction of its plane what collides slips just before; along the first row where it does not slip."""
+    rubs = [rub for rub in home.system.dry_friction if rub.of in hits and rub.across is not None]
+    if not rubs:
+        return {}
+    system, _loads = in_mode(instant.placed.put_into(home.system), ContactMode.of(instant.closed, {}, instant.past))
+    setup = Given(system, values)
+    start = start_state(setup.model, dict(system.all_start), dict(system.all_start_rates))
+    now = SymbolicState(setup.model, start.values)
+    slips = slips_of(home, rubs, lambda measure: home.to_home(setup, setup.model.field.lowest_terms(now.rate(measure))))
+    return {rub.name: slips.ways.get(rub.name, (ONE, ZERO)) for rub in rubs}
 
 
 def _sense(home: Home, slip: Ratio, indices: Chosen) -> int:

@@ -67,7 +67,7 @@ class PhaseImpact:
     @property
     def struck(self) -> frozenset[str]:
         """The rows along which it collides."""
-        return frozenset(() if self.collision is None else (row.name for row in self.collision[0].struck))
+        return frozenset(() if self.collision is None else self.collision[0].by_row(self.collision[1]))
 
     def is_in(self, connection: str) -> bool:
         """Whether it happens in one connection. Raises CannotAnswer where others strike at once."""

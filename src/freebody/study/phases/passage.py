@@ -72,7 +72,9 @@ def passage_of(
         ends = way.edges[k].first if k < len(way.edges) else first
         values = node.phase.start.values if ends is None else {**node.phase.still, **ends.zero.values}
         end = SymbolicState(node.phase.model, values)
-        phases.append(FormulaPhase(node.phase.start_instant, end, partial(tree.to_home, node.phase)))
+        told = partial(tree.to_home, node.phase)
+        time = None if ends is None or ends.zero.time is None else told(ends.zero.time)
+        phases.append(FormulaPhase(node.phase.start_instant, end, told, time))
     last = way.last.phase
     if after is not None:
         last = after.phase
@@ -88,6 +90,7 @@ def passage_of(
         _NO_TIME,
         elements,
         lambda x: tree.numbers(x)[sets],
+        tree.home.state.sqrt,
         tree,
         way,
         first,

@@ -25,7 +25,7 @@ from freebody.study.phases.events import first_events
 from freebody.study.phases.handing_over import taking_over
 from freebody.study.phases.home import Home
 from freebody.study.phases.impact import ClosedFormCollision, CollisionOutcome
-from freebody.study.phases.in_plane import slips_of
+from freebody.study.phases.in_plane import slips_of, ways_of_impact
 from freebody.study.phases.nodes import PhaseEnd, PhaseImpact, PhaseNode, PhaseStart
 from freebody.study.phases.numbers import Chosen
 from freebody.study.phases.phase import Phase
@@ -123,8 +123,10 @@ class PhaseTree(Home):
         """The phases that follow on a collision. Where it has no closed form there is none, and a reason more."""
         found: list[PhaseNode] = []
         try:
+            values = self.sets.some(indices, 3)
+            ways = ways_of_impact(self, instant, hits, values)
             collision = ClosedFormCollision(
-                self.system, instant.closed, hits, instant.placed, self.sets.some(indices, 3), instant.past
+                self.system, instant.closed, hits, instant.placed, values, instant.past, ways
             )
             blows = [(blow, *self._tested(collision, blow)) for blow in collision.blows()]
         except NO_FORM as error:
@@ -143,7 +145,7 @@ class PhaseTree(Home):
                 )
                 continue
             blow, elements, _tests = blows[cell.label]
-            impulses = {name: self.to_home(collision.setup, x) for name, x in blow.impulses.items()}
+            impulses = {name: self.to_home(collision.setup, x) for name, x in collision.by_row(blow.impulses).items()}
             given = self.conditions([*elements, *cell.cuts], cell.sets)
             impact = PhaseImpact(hits, impulses, collision, collision.kept, collision=(collision, blow.impulses))
             if instant.impact is not None:  # by the blow just before

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
-from freebody.study.phases.home import closed_at_start
+from freebody.study.phases.at_start import closed_at_start
 from freebody.symbolic.spatial.balls import balls
 from freebody.system.system import System
 

@@ -1,0 +1,190 @@
+"""What touches when a motion begins, and which of that parts at once."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Mapping, Set
+from contextlib import suppress
+from dataclasses import replace
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+
+from freebody.errors import CannotAnswer
+from freebody.language.expression import free_symbols
+from freebody.language.sentences import Message
+from freebody.model.elements import UnilateralConstraint
+from freebody.numeric.contact.start import assembled_touching, far_sides, gap_of, is_within
+from freebody.numeric.jets import Array
+from freebody.numeric.reference import Reference
+from freebody.study.answering.draws import SEED, draw_parameters
+from freebody.study.setup import Setup
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.spatial.balls import balls
+from freebody.system.modes import ContactMode, ideal_bounds, in_mode
+from freebody.system.system import System
+from freebody.tolerances import ROUND_OFF, TOUCHES
+
+_N_STARTS = 3  # numbers of the parameters at which the rates of the start are looked at
+_ALONG = 1e-12  # of a slope: less than this from 1 is along an axis
+
+
+@lru_cache(maxsize=4)
+def as_put(system: System) -> System:
+    """The system with its start in full: balls without an orientation, bodies of space that nobody has turned straight,
+    and what touches in the model's own numbers touching whatever the parameters are."""
+    system = replace(system, unfollowed=balls(system))
+    if not system.bounds:
+        return system
+    return _touching_as_put(_straight(system) if system.space else system)
+
+
+def _straight(system: System) -> System:
+    """With the orientation of those bodies of space of which nobody said any, where it is that of the ground."""
+    open_ones = [
+        body
+        for body in system.moving
+        if body.turns and body.start.turned is None and body.start.near is None and body.name not in system.unfollowed
+    ]
+    if not open_ones or system.attitudes or system.constraint_rows:
+        return system
+    straight = {body.name: replace(body, start=replace(body.start, turned=())) for body in open_ones}
+    return replace(system, bodies={**system.bodies, **straight})
+
+
+def _touching_as_put(system: System) -> System:
+    """With the place of what touches in the model's own numbers moved to where it does so whatever the parameters are:
+    a ball of the radius r that is put at a height of 0.1 m is put at r, if r is 0.1 m. Along an axis of the ground, in
+    which its gap is c - c(r), it is moved by that gap."""
+    held = {name for row in system.constraint_rows for name in row.measure.bodies()}
+    for bound in system.bounds:
+        if bound.starts_closed or bound.row.component in ("min", "max"):
+            continue
+        loose = [n for n in bound.row.measure.bodies() if n not in held and _is_put_by_numbers(system, n)]
+        if loose and (put := _moved_by_its_gap(system, bound, loose)) is not None:
+            system = put
+    return system
+
+
+def _is_put_by_numbers(system: System, name: str) -> bool:
+    body = system.bodies[name]
+    return not body.fixed and body.start.at is not None and not any(map(free_symbols, body.start.at[1]))
+
+
+def _moved_by_its_gap(system: System, bound: UnilateralConstraint, loose: list[str]) -> System | None:
+    """Where it touches for all parameters; None where it does not in the model's numbers, or does so anyway."""
+    reference = Reference(system, draw_parameters(system, random.Random(SEED), 0.0))
+    with suppress(CannotAnswer):
+        q = reference.assemble()
+        g = reference.geometry(q, np.zeros_like(q), 0.0)
+        size = TOUCHES * reference.sizes.length
+        if abs(gap_of(reference, g, bound)) > size or not is_within(reference, g, bound, size):
+            return None
+        setup = Setup(in_mode(system, ContactMode.of(frozenset(), {}))[0], 2)
+        gap = _gap_at_start(setup, bound)
+        model = setup.model
+        coordinates = {c.index for c in (*model.coordinates, *model.dependent)}
+        symbols = {model.field.index(symbol) for symbol in model.samples.start_symbols.values()}
+        if gap.is_zero() or model.field.ingredients(gap) & (coordinates | symbols):
+            return None
+        slopes = reference.jet(g, bound.row.measure, bound.name).row(len(q))
+        for name in loose:
+            body = system.bodies[name]
+            assert body.start.at is not None
+            point, place = body.start.at
+            own = slopes[list(reference.columns(name)[: len(place)])]
+            along = [k for k, slope in enumerate(own) if abs(abs(slope) - 1.0) <= _ALONG]
+            if along:
+                (k,) = along
+                moved = list(place)
+                moved[k] = model.field.expression(
+                    model.field.lowest_terms(model.geometry.scalar(place[k]) - round(own[k]) * gap)
+                )
+                put = replace(body, start=replace(body.start, at=(point, tuple(moved))))
+                told = Message("{body} touches at the start, whatever the parameters are", body=name)
+                assumed = system.assumptions if told in system.assumptions else (*system.assumptions, told)
+                return replace(system, bodies={**system.bodies, name: put}, assumptions=assumed)
+    return None
+
+
+def _gap_at_start(setup: Setup, bound: UnilateralConstraint) -> Ratio:
+    """The measure of a bound less its target, at the start."""
+    geometry = setup.model.geometry
+    target = setup.model.field.zero if bound.row.target is None else geometry.scalar(bound.row.target)
+    measure: Any = bound.row.measure
+    return setup.start_instant.here(measure.value(geometry) - target)
+
+
+@lru_cache(maxsize=4)
+def closed_at_start(system: System) -> frozenset[str]:
+    """Bounds that are closed when the motion begins: ideal ones; of those said to touch the places that do so at the
+    model's own values; and those whose gap is zero whatever the values are."""
+    system = as_put(system)
+    closed = {row.name for row in ideal_bounds(system)}
+    if any(b.starts_closed for b in system.bounds):
+        reference = Reference(system, draw_parameters(system, random.Random(SEED), 0.0))
+        q = assembled_touching(reference)
+        g = reference.geometry(q, np.zeros_like(q), 0.0)
+        size = TOUCHES * reference.sizes.length
+        closed |= {
+            b.name
+            for b in system.bounds
+            if b.starts_closed and abs(gap_of(reference, g, b)) <= size and is_within(reference, g, b, size)
+        }
+    others = [b for b in system.bounds if b.name not in closed]
+    if others:
+        setup = Setup(in_mode(system, ContactMode.of(closed, {}))[0], 2)
+        reference, q = setup.draws[0].reference, setup.draws[0].q
+        g, size = reference.geometry(q, np.zeros_like(q), 0.0), TOUCHES * reference.sizes.length
+        for bound in others:
+            is_there = abs(gap_of(reference, g, bound)) <= size and is_within(reference, g, bound, size)
+            if is_there and _gap_at_start(setup, bound).is_zero():
+                closed.add(bound.name)
+    return frozenset(closed - _far_sides(system, closed))
+
+
+def _far_sides(system: System, closed: Set[str]) -> set[str]:
+    """The sides of rods that are touched from the other side, at the model's own values."""
+    touched = [bound for bound in system.bounds if bound.name in closed and bound.obstacle]
+    if len(touched) < 2:
+        return set()
+    reference = Reference(system, draw_parameters(system, random.Random(SEED), 0.0))
+    return far_sides(reference, assembled_touching(reference), touched)
+
+
+def parted_at_start(system: System, touching: frozenset[str]) -> frozenset[str]:
+    """Of the bounds that touch when the motion begins those whose gap grows or shrinks by the rates that are given: of
+    bodies that are put where they touch, and of others where the rates contradict that all of them keep touching; or
+    after a blow, in which contacts answer to what it leaves them to do."""
+    own = {b.name: b for b in system.bounds if b.name in touching}
+    runs = system.start_rates or any(b.start.velocity or b.start.angular_velocity for b in system.moving)
+    if not own or not (runs or system.is_struck):
+        return frozenset()
+    found: set[str] = set()
+    for k in range(_N_STARTS):
+        values = draw_parameters(system, random.Random(SEED + k), 1.0)
+        put = {name for name, b in own.items() if not b.starts_closed}
+        references = [
+            Reference(in_mode(system, ContactMode.of(closed, {}))[0], values)
+            for closed in (touching, touching - put, touching - own.keys())
+        ]
+        q = references[0].assemble()
+        *first, last = references[1 + system.is_struck :]
+        for reference in first:
+            with suppress(CannotAnswer):
+                found |= _parting(reference, q, own)
+                break
+        else:
+            found |= _parting(last, q, own)
+    return frozenset(found)
+
+
+def _parting(reference: Reference, q: Array, own: Mapping[str, UnilateralConstraint]) -> set[str]:
+    """The bounds whose gap grows or shrinks at the velocities of the start; beside what moves, gaps may all be still.
+    Raises CannotAnswer where there are none."""
+    g = reference.geometry(q, reference.velocities(q), 0.0)
+    rates = {name: reference.jet(g, bound.row.measure, name).rate for name, bound in own.items()}
+    fastest = float(np.abs(g.v / reference.sizes.unit_moves).max(initial=0.0))
+    largest = max(*map(abs, rates.values()), fastest * max(1.0, reference.sizes.length))
+    return {name for name, rate in rates.items() if abs(rate) > ROUND_OFF * largest}
