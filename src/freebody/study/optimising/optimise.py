@@ -12,6 +12,7 @@ import numpy as np
 from freebody.errors import CannotAnswer, InputError
 from freebody.language.sentences import Message, further
 from freebody.numeric.options import SimulationOptions
+from freebody.study.given import each
 from freebody.study.optimising.conditions import Conditions, conditions
 from freebody.study.optimising.evolution import check_installed, evolve
 from freebody.study.optimising.problem import Problem, read_problem
@@ -62,9 +63,9 @@ def optimise(
         check_path(path)
     problem = read_problem(
         system,
-        _texts(minimise),
-        _texts(maximise),
-        _texts(subject_to),
+        each(minimise),
+        each(maximise),
+        each(subject_to),
         over or {},
         until=until,
         options=replace(options or SimulationOptions(), **given),
@@ -73,10 +74,6 @@ def optimise(
     )
     found = _found(problem, method, starts, generations, seed)
     return replace(found, files=tuple(file for path in paths for file in found.write(path)))
-
-
-def _texts(given: str | Sequence[str]) -> list[str]:
-    return [given] if isinstance(given, str) else list(given)
 
 
 def _found(problem: Problem, method: str, starts: int, generations: int, seed: int) -> Optimum:
