@@ -13,7 +13,7 @@ from freebody.errors import CannotAnswer, InputError
 from freebody.language.sentences import Message, further
 from freebody.numeric.options import SimulationOptions
 from freebody.study.given import each
-from freebody.study.optimising.conditions import Conditions, conditions
+from freebody.study.optimising.conditions import Conditions, conditions, sharpened
 from freebody.study.optimising.evolution import check_installed, evolve
 from freebody.study.optimising.problem import Problem, read_problem
 from freebody.study.optimising.result import Optimum, check_path
@@ -124,7 +124,10 @@ def _by_gradients(search: Search, starts: int) -> Optimum:
     runs = [search.run(u) for u in every if np.isfinite(search.value(u))]
     best = _best(search, runs)
     n_same = sum(run.is_good and abs(run.value - best.value) <= _SAME * search.size for run in runs)
-    known = conditions(search, best.u) if best.is_good else None
+    known = None
+    if best.is_good:
+        u = sharpened(search, best.u)
+        best, known = replace(best, u=u, value=search.value(u), missed=search.missed(u)), conditions(search, u)
     return Optimum(
         problem,
         "gradients",
