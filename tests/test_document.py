@@ -19,6 +19,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+import freebody as fb
 from freebody import examples_folder
 from freebody.errors import InputError, ModelError, Problem
 from freebody.language.document import MAX_DEPTH, Document
@@ -707,8 +708,37 @@ def test_a_number_that_has_changed_is_all_that_is_read_again(monkeypatch: pytest
     known = Document.read("a: {b: 1 m, c: [2, 3]}  # d\ne: {f: 4}\ng:\n")
     changed = "a: {b: 0.125 mm, c: [2, 3]}  # d\ne: {f: 4}\ng:\n"
     expected = Document.read(changed)._root
-    monkeypatch.setattr(Document, "read", None)
+    monkeypatch.setattr("freebody.language.document.document.compose", None)
     found = known.reread(changed)
     assert found._root == expected
     assert found.data == {"a": {"b": "0.125 mm", "c": [2, 3]}, "e": {"f": 4}, "g": None}
     assert found.place(("a", "c", 1)) == (1, 25)
+
+
+def test_another_value_of_a_parameter_is_all_that_is_read_again(monkeypatch: pytest.MonkeyPatch):
+    known = Document.read("a: {b: 1 m, c: [2, 3]}  # d\ne: {f: 4}\n")
+    monkeypatch.setattr("freebody.language.document.document.compose", None)
+    found = known.with_value(("a", "b"), "0.125 mm")
+    assert found.dumps() == "a: {b: 0.125 mm, c: [2, 3]}  # d\ne: {f: 4}\n"
+    assert found.data == {"a": {"b": "0.125 mm", "c": [2, 3]}, "e": {"f": 4}}
+    assert found.with_value(("e", "f"), 55).place(("e", "f")) == (2, 8)
+
+
+def test_a_text_that_was_read_is_not_composed_again(monkeypatch: pytest.MonkeyPatch):
+    text = "only: [here, 1, 2 m]\n"
+    first = Document.read(text, "a.yaml")
+    monkeypatch.setattr("freebody.language.document.composer._Composer", None)
+    assert Document.read(text, "a.yaml")._root is first._root
+    with pytest.raises(TypeError):  # messages of another file would name it
+        Document.read(text, "b.yaml")
+
+
+def test_a_question_is_asked_without_composing_the_model(monkeypatch: pytest.MonkeyPatch):
+    system = fb.System.load(str(examples_folder.folder().joinpath("planetary_gear.yaml")))
+    monkeypatch.setattr("freebody.language.document.composer._Composer", None)
+    monkeypatch.setattr("freebody.language.document.composer._kept", None)
+    (found,) = system.asked(system.questions[0].text)
+    assert found.quantity == system.questions[0].quantity
+    with pytest.raises(fb.ModelError, match="no connection nothing") as refused:
+        system.asked("tension of nothing")
+    assert [problem.line for problem in refused.value.problems] == [None]

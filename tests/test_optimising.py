@@ -67,6 +67,26 @@ def test_the_farthest_throw_from_a_height_is_that_of_the_formula() -> None:
     assert math.tan(found.values["theta"]) == pytest.approx(18 / math.sqrt(18**2 + 2 * 9.81 * 5), rel=1e-6)
 
 
+def test_the_highest_point_over_a_wall_is_found_to_the_last_digits() -> None:
+    """y = d tan(a) - g d^2/(2 v^2 cos^2 a) is greatest for tan(a) = v^2/(g d). A search alone ends where y changes no
+    more, with half of the digits of a."""
+    system = fb.System.from_text(
+        """
+parameters: {m: 1 kg, v: 12 m/s, a: 40 deg, g: 9.81 m/s^2, d: 4 m}
+bodies: {stone: {particle: {mass: m}, at: [0, 0]}}
+loads: {weight: {gravity: g}}
+measures: {x: x of stone, y: y of stone}
+start: {x: 0, y: 0, rate(x): v*cos(a), rate(y): v*sin(a)}
+questions: [{id: clear, find: y when x = d}]
+"""
+    )
+    found = system.optimise(maximise="clear", over={"a": "10..85 deg"})
+    assert found.values["a"] == pytest.approx(math.atan(144 / (9.81 * 4)), abs=1e-12)
+    assert found.value == pytest.approx(144 / (2 * 9.81) - 9.81 * 16 / 288, rel=1e-14)
+    assert found.known is not None
+    assert found.known.order == "strict"
+
+
 def test_the_multiplier_of_a_limit_is_what_a_unit_more_of_it_costs() -> None:
     """min a + 2 b with a b >= c: a = sqrt(2 c), b = a/2, the least value 2 sqrt(2 c), which grows by sqrt(2/c)."""
     found = numbers().optimise("a + 2*b", subject_to="a*b > 2 m^2", over={"a": "0.2..9 m", "b": "0.2..9 m"})

@@ -71,6 +71,12 @@ def test_an_answer_is_differentiated_by_a_start_value() -> None:
     assert told["relative"] == pytest.approx(-math.pi / 3 * math.tan(math.pi / 3), rel=1e-12)
 
 
+def test_one_question_and_one_name_need_no_list() -> None:
+    system = example("simple_pendulum")
+    assert system.gradient("period", "L").to_plain() == system.gradient(["period"], ["L"]).to_plain()
+    assert list(system.sweep({"L": "1..2 m:2"}, find="period").counts) == ["period"]
+
+
 def test_the_gradient_of_a_period_has_the_signs_of_its_parameters() -> None:
     """2 pi sqrt(L/g): pi/sqrt(L g), without a sign left open."""
     (answer,) = example("simple_pendulum").gradient(["period"]).answers

@@ -54,6 +54,14 @@ def test_a_word_of_the_grammar_that_is_also_a_name_stays() -> None:
     assert renamed(text, "measures.x", "s") == text.replace("{x:", "{s:")
 
 
+def test_a_parameter_with_the_name_of_a_field_is_renamed_in_its_value() -> None:
+    text = (folder() / "planetary_gear_with_three_planets.yaml").read_text(encoding="utf-8")
+    found = renamed(text, "parameters.module", "pitch")
+    assert "teeth: [z_S, z_P]" in found
+    assert found.count("module: pitch") == text.count("module: module") == 2
+    assert found.replace("pitch", "module") == text
+
+
 @pytest.mark.parametrize("name", ["up", "L", "2a", "a b", "ground", "weight"])
 def test_a_name_that_could_be_taken_for_something_else_is_refused(name: str) -> None:
     with pytest.raises(InputError):

@@ -280,12 +280,15 @@ def test_every_format_has_the_same_numbers(tmp_path: Path) -> None:
     xarray = pytest.importorskip("xarray")
     pandas = pytest.importorskip("pandas")
     paths = [tmp_path / f"a{suffix}" for suffix in (".nc", ".zarr", ".csv", ".parquet")]
-    found = example("atwood_machine").sweep({"m1": "1..3 kg:5", "M": "0.5, 1 kg"}, find=["tension"], out=paths)
+    asked = ["tension", "acceleration"]
+    found = example("atwood_machine").sweep({"m1": "1..3 kg:5", "M": "0.5, 1 kg"}, find=asked, out=paths)
     assert found.files == tuple(paths)
     assert not list(tmp_path.glob("*.part"))
     expected = found.values("tension")
+    np.testing.assert_array_equal(found.values("acceleration")[2], 0.0)  # of equal weights: no missing value
     for data in (xarray.open_dataset(paths[0]), xarray.open_zarr(paths[1]), found.dataset):
-        np.testing.assert_array_equal(data["tension"].values, expected)
+        for name in asked:
+            np.testing.assert_array_equal(data[name].values, found.values(name))
         assert data["tension"].dims == ("m1", "M")
         assert data["m1"].attrs["units"] == "kg"
         assert "formula" in data["tension.status"].attrs["flag_meanings"]

@@ -41,7 +41,7 @@ def rename(request: RenameRequest) -> TextAnswer:
     key = document.key_span(path)
     if key is None:
         raise InputError(Message("{name} has no name of its own", name=old))
-    found = {each: edits for each, edits in _edits(document, text, word, (old, new)) if edits}
+    found = {(each, is_key): edits for each, is_key, edits in _edits(document, text, word, (old, new)) if edits}
     left = set(system.unspecified)
     while True:
         changed = _spliced(text, [(*key, new), *(edit for edits in found.values() for edit in edits)])
@@ -49,10 +49,11 @@ def rename(request: RenameRequest) -> TextAnswer:
             renamed = checked_system(changed)
         except ModelError as error:
             problems = [tuple(old if part == new else part for part in p.path) for p in error.problems]
-            others = [each for each in found if any(_is_about(problem, each) for problem in problems)]
+            others = [at for at in found if any(_is_about(problem, at[0]) for problem in problems)]
             if not others:
                 raise
-            for each in others:
+            # a field of an element may have the name that its value is to lose: module: module
+            for each in [at for at in others if at[1]] or others:
                 del found[each]
             continue
         if {new if name == old else name for name in left} != set(renamed.unspecified):
@@ -68,9 +69,9 @@ def _is_about(problem: Place, edited: Place) -> bool:
 
 def _edits(
     document: Document, text: str, word: re.Pattern[str], names: tuple[str, str]
-) -> Iterator[tuple[Place, list[Edit]]]:
-    """What the new name would change, by the path of the value or key it stands in. word: what to look for, which ends
-    with the old name; names: old, new"""
+) -> Iterator[tuple[Place, bool, list[Edit]]]:
+    """What the new name would change, by the path of the value it stands in, or of its key. word: what to look for,
+    which ends with the old name; names: old, new"""
     old, new = names
 
     def within(start: int, end: int) -> list[Edit]:
@@ -78,7 +79,7 @@ def _edits(
         words = [found for found in word.finditer(part) if not _is_behind_number(part[: found.start()])]
         return [(start + found.end() - len(old), start + found.end(), new) for found in words]
 
-    def walk(value: Any, path: Place) -> Iterator[tuple[Place, list[Edit]]]:
+    def walk(value: Any, path: Place) -> Iterator[tuple[Place, bool, list[Edit]]]:
         if (path and path[0] in _TOLD) or (len(path) > 2 and path[0] == "questions" and path[-1] in _NOTES):
             return
         if isinstance(value, dict | list):
@@ -88,17 +89,14 @@ def _edits(
                 is_deep = len(path) >= 3 and path[-1] not in _OWN
                 is_named = path[:1] in (("start",), ("drawing",)) or is_deep or each is None
                 if key is not None and is_named:
-                    yield (*path, name), within(*key)
+                    yield (*path, name), True, within(*key)
                 yield from walk(each, (*path, name))
             return
         span = document.span(path)
         if span is not None and isinstance(value, str) and not _is_quantity(value):
-            yield path, within(*span)
+            yield path, False, within(*span)
 
-    edits: dict[Place, list[Edit]] = {}
-    for path, found in walk(document.data, ()):
-        edits.setdefault(path, []).extend(found)
-    yield from edits.items()
+    yield from walk(document.data, ())
 
 
 def _is_behind_number(before: str) -> bool:

@@ -121,7 +121,7 @@ class System(SystemDescription):
                 raise InputError(
                     Message("a question has at most {most} characters, this one {n}", most=LONGEST, n=len(text))
                 )
-        document = self.document.with_value(("questions",), [{"find": text} for text in texts])
+        document = Document.from_plain({**self.document.data, "questions": [{"find": text} for text in texts]})
         return self._read_given(document, "questions", None, "find").questions
 
     def to_yaml(self) -> str:

@@ -9,6 +9,7 @@ import math
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field
+from functools import lru_cache
 from typing import Any, NoReturn
 
 from ruamel.yaml import YAML
@@ -39,11 +40,18 @@ from freebody.language.document.tree import (
 )
 from freebody.messages import Message
 
+_SHORT = 20_000  # characters of a text whose tree is kept
 _BEGINNING = Message("a model begins with a section such as 'bodies:'")
 
 
 def compose(text: str, file: str | None) -> DocumentNode:
-    """The tree of a text. Raises ModelError with all its problems."""
+    """The tree of a text. Raises ModelError with all its problems. Trees of short texts are kept: a model that is being
+    worked on is read again and again."""
+    return _kept(text, file) if len(text) <= _SHORT else _Composer(text, file).compose()
+
+
+@lru_cache(maxsize=128)
+def _kept(text: str, file: str | None) -> DocumentNode:
     return _Composer(text, file).compose()
 
 

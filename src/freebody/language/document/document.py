@@ -47,10 +47,13 @@ class Document:
         return cls(text, file, compose(text, file), True)
 
     def reread(self, text: str) -> Document:
-        """The document of another text, as `read` makes it. Where that differs by one number, as it does while a value
-        is being moved, the rest is not read again."""
-        root = with_another_number(self._root, self._text, text)
-        return Document.read(text, self.file) if root is None else Document(text, self.file, root, self._has_places)
+        """The document of another text, as `read` makes it."""
+        return Document(text, self.file, self._root_of(text), True)
+
+    def _root_of(self, text: str) -> DocumentNode:
+        """The tree of another text. Where that differs by one number, as it does while a value is being moved, the rest
+        is not read again. Raises ModelError."""
+        return with_another_number(self._root, self._text, text) or compose(text, self.file)
 
     @classmethod
     def load(cls, path: str | Path) -> Document:
@@ -199,7 +202,7 @@ class Document:
     def _verified(self, text: str, path: Place, expected: Any) -> Document:
         """The changed text read again; it must say what is expected: the old data with the one value changed."""
         try:
-            changed = Document(text, self.file, compose(text, self.file), self._has_places)
+            changed = Document(text, self.file, self._root_of(text), self._has_places)
         except ModelError:
             changed = None
         if changed is None or repr(changed.data) != repr(expected):

@@ -25,6 +25,7 @@ from freebody.study.fitting.data import Run, Series, read_run
 from freebody.study.fitting.estimate import estimated
 from freebody.study.fitting.result import Fit, Residuals
 from freebody.study.fitting.unknowns import Unknown, unknowns
+from freebody.study.given import each
 from freebody.study.simulation.recorded import series_units
 from freebody.study.simulation.simulate import with_steps
 from freebody.study.simulation.tangents import MotionTangents
@@ -43,7 +44,7 @@ _MOST = 200  # trials of the unknowns
 def fit(
     system: System,
     data: str | Path | Sequence[str | Path],
-    free: Sequence[str],
+    free: str | Sequence[str],
     *,
     tolerance: float = TOLERANCE,
     method: str = "auto",
@@ -59,7 +60,7 @@ def fit(
     if not files:
         raise InputError(Message("there are no data: give a table of measurements"))
     runs = [read_run(Path(file), units) for file in files]
-    seen, wanted = unknowns(system, list(dict.fromkeys(free)), runs, units)
+    seen, wanted = unknowns(system, list(dict.fromkeys(each(free))), runs, units)
     n = sum(len(s.values) for run in runs for s in run.series)
     if n < len(wanted):
         raise InputError(Message("{n} measured values cannot tell {m} unknowns", n=n, m=len(wanted)))

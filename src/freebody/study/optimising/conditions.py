@@ -19,7 +19,7 @@ from typing import Any, Literal
 import numpy as np
 
 from freebody.numeric.jets import Array
-from freebody.study.optimising.slopes import Search
+from freebody.study.optimising.slopes import KEPT, Search
 
 ACTIVE = 1e-6  # of its size: a limit that is as near counts as active
 HOLDS = 1e-5  # the residual of the first-order conditions, relative to the gradient
@@ -63,22 +63,54 @@ class _Row:
 
 def conditions(search: Search, u: Array) -> Conditions:
     """At the case u (n,)."""
+    at = _first_order(search, u)
+    rank = int(np.linalg.matrix_rank(at.A, tol=1e-9)) if at.rows else 0
+    order: Order = "not shown"
+    if at.residual <= HOLDS and np.isfinite(at.gradient).all():
+        order = "strict" if _is_strict(search, u, at) else "stationary"
+    return Conditions(order, at.residual, tuple(_told(search, at.rows, at.multipliers)), rank == len(at.rows))
+
+
+def sharpened(search: Search, u: Array) -> Array:
+    """The case u (n,) after Newton steps within what the active limits leave free, as long as the first-order
+    conditions are met better: a search ends where its goal no longer changes, which is half of the digits early."""
+    at = _first_order(search, u)
+    while not search.is_minimax:
+        free = _free(at)
+        curvature = free.T @ _hessian(search, u, at) @ free
+        if not free.shape[1] or not np.isfinite(curvature).all() or np.linalg.eigvalsh(curvature).min() <= _CLEAR:
+            break
+        ahead = np.clip(u - free @ np.linalg.solve(curvature, free.T @ at.gradient), 0.0, 1.0)
+        further = _first_order(search, ahead)
+        if not further.residual < 0.5 * at.residual or search.missed(ahead) > max(KEPT, search.missed(u)):
+            break
+        u, at = ahead, further
+    return u
+
+
+@dataclass(frozen=True)
+class _FirstOrder:
+    """The first-order conditions at a case: A has a row for each active condition."""
+
+    gradient: Array
+    rows: list[_Row]
+    A: Array
+    multipliers: Array
+    residual: float
+
+
+def _first_order(search: Search, u: Array) -> _FirstOrder:
     gradient, rows = _system(search, u)
     optimize: Any = import_module("scipy.optimize")
     A = np.array([row.slope for row in rows]).reshape(len(rows), len(gradient))
+    multipliers: Array = np.zeros(0)
     if rows:
         lower = np.array([-np.inf if row.is_equation else 0.0 for row in rows])
         found = optimize.lsq_linear(A.T, gradient, (lower, np.full(len(rows), np.inf)), tol=1e-14)
-        multipliers: Array = np.asarray(found.x, dtype=np.float64)
-    else:
-        multipliers = np.zeros(0)
+        multipliers = np.asarray(found.x, dtype=np.float64)
     scale = max(float(np.abs(gradient).max(initial=0.0)), 1.0 if search.is_minimax else 1e-3)
     residual = float(np.abs(gradient - A.T @ multipliers).max(initial=0.0)) / scale
-    rank = int(np.linalg.matrix_rank(A, tol=1e-9)) if rows else 0
-    order: Order = "not shown"
-    if residual <= HOLDS and np.isfinite(gradient).all():
-        order = "strict" if _is_strict(search, u, rows, multipliers, A) else "stationary"
-    return Conditions(order, residual, tuple(_told(search, rows, multipliers)), rank == len(rows))
+    return _FirstOrder(gradient, rows, A, multipliers, residual)
 
 
 def _system(search: Search, u: Array) -> tuple[Array, list[_Row]]:
@@ -110,29 +142,39 @@ def _system(search: Search, u: Array) -> tuple[Array, list[_Row]]:
     return np.append(np.zeros(n), 1.0), rows
 
 
-def _is_strict(search: Search, u: Array, rows: list[_Row], multipliers: Array, A: Array) -> bool:
+def _is_strict(search: Search, u: Array, at: _FirstOrder) -> bool:
     """Whether the second-order conditions are sufficient; a limit that is active and costs nothing leaves them open."""
-    strong = np.array([row.is_equation or m > _CLEAR for row, m in zip(rows, multipliers, strict=True)], dtype=bool)
-    if not strong.all():
+    pairs = zip(at.rows, at.multipliers, strict=True)
+    if not all(row.is_equation or m > _CLEAR for row, m in pairs):
         return False
-    n = search.problem.n
-    size = n + int(search.is_minimax)
-    if len(rows):
-        _u, s, vt = np.linalg.svd(A)
-        free = vt[int((s > 1e-9 * s.max(initial=1.0)).sum()) :].T
-    else:
-        free = np.eye(size)
+    free = _free(at)
     if not free.shape[1]:
         return True
+    reduced = free.T @ _hessian(search, u, at) @ free
+    return bool(np.isfinite(reduced).all() and np.linalg.eigvalsh(reduced).min() > _CLEAR)
+
+
+def _free(at: _FirstOrder) -> Array:
+    """(n, n_free) directions along which the active conditions do not change."""
+    size = len(at.gradient)
+    if not at.rows:
+        return np.eye(size)
+    _u, s, vt = np.linalg.svd(at.A)
+    return vt[int((s > 1e-9 * s.max(initial=1.0)).sum()) :].T
+
+
+def _hessian(search: Search, u: Array, at: _FirstOrder) -> Array:
+    """Of f - sum lambda c, by differences of exact gradients."""
+    n, size = search.problem.n, len(at.gradient)
     H = np.zeros((size, size))
     for k in range(n):
         h = min(_STEP, max(u[k], 1.0 - u[k]))
         ahead, behind = u.copy(), u.copy()
         ahead[k], behind[k] = min(u[k] + h, 1.0), max(u[k] - h, 0.0)
-        change = _lagrangian(search, ahead, rows, multipliers) - _lagrangian(search, behind, rows, multipliers)
+        change = _lagrangian(search, ahead, at.rows, at.multipliers)
+        change = change - _lagrangian(search, behind, at.rows, at.multipliers)
         H[:n, k] = change / (ahead[k] - behind[k])
-    reduced = free.T @ (0.5 * (H + H.T)) @ free
-    return bool(np.isfinite(reduced).all() and np.linalg.eigvalsh(reduced).min() > _CLEAR)
+    return 0.5 * (H + H.T)
 
 
 def _lagrangian(search: Search, u: Array, rows: list[_Row], multipliers: Array) -> Array:

@@ -12,7 +12,8 @@ import numpy as np
 from freebody.errors import CannotAnswer, InputError
 from freebody.language.sentences import Message, further
 from freebody.numeric.options import SimulationOptions
-from freebody.study.optimising.conditions import Conditions, conditions
+from freebody.study.given import each
+from freebody.study.optimising.conditions import Conditions, conditions, sharpened
 from freebody.study.optimising.evolution import check_installed, evolve
 from freebody.study.optimising.problem import Problem, read_problem
 from freebody.study.optimising.result import Optimum, check_path
@@ -62,9 +63,9 @@ def optimise(
         check_path(path)
     problem = read_problem(
         system,
-        _texts(minimise),
-        _texts(maximise),
-        _texts(subject_to),
+        each(minimise),
+        each(maximise),
+        each(subject_to),
         over or {},
         until=until,
         options=replace(options or SimulationOptions(), **given),
@@ -73,10 +74,6 @@ def optimise(
     )
     found = _found(problem, method, starts, generations, seed)
     return replace(found, files=tuple(file for path in paths for file in found.write(path)))
-
-
-def _texts(given: str | Sequence[str]) -> list[str]:
-    return [given] if isinstance(given, str) else list(given)
 
 
 def _found(problem: Problem, method: str, starts: int, generations: int, seed: int) -> Optimum:
@@ -127,7 +124,10 @@ def _by_gradients(search: Search, starts: int) -> Optimum:
     runs = [search.run(u) for u in every if np.isfinite(search.value(u))]
     best = _best(search, runs)
     n_same = sum(run.is_good and abs(run.value - best.value) <= _SAME * search.size for run in runs)
-    known = conditions(search, best.u) if best.is_good else None
+    known = None
+    if best.is_good:
+        u = sharpened(search, best.u)
+        best, known = replace(best, u=u, value=search.value(u), missed=search.missed(u)), conditions(search, u)
     return Optimum(
         problem,
         "gradients",

@@ -20,6 +20,7 @@ from freebody.numeric.vectorised import VectorFunction
 from freebody.present.lines import number_text
 from freebody.present.report.blocks import Block, Equation, Equations, Formula, Report, Section
 from freebody.present.report.results import Result, entries, entry, line, question_title, summary, table
+from freebody.study.given import each
 from freebody.study.sensitivity.derivatives import AnswerGradient, Derivative
 from freebody.study.sensitivity.motions import of_motion
 from freebody.study.sweeps.answers import AnswerEvaluator
@@ -105,10 +106,10 @@ def _plain(a: AnswerGradient) -> dict[str, Any]:
 @in_words
 def gradient(
     system: System,
-    find: Sequence[str] = (),
-    by: Sequence[str] = (),
+    find: str | Sequence[str] = (),
+    by: str | Sequence[str] = (),
     *,
-    record: Sequence[str] = (),
+    record: str | Sequence[str] = (),
     until: float | None = None,
     options: SimulationOptions | None = None,
     **given: Any,
@@ -119,6 +120,7 @@ def gradient(
     parameters in a formula; record: of the motion up to `until` [s], as of `sweep`; options, given: how it is followed.
     Raises InputError for what cannot be read, CannotAnswer where there is no motion. Where no formula is known to hold
     at the model's numbers, or something has no derivative, it says so."""
+    find, by, record = each(find), each(by), each(record)
     questions = [] if record and not find else questions_asked(system, find)
     if record and until is None:
         raise InputError(Message("how long is the motion? Say until when it is followed, as --until '5 s'"))

@@ -16,6 +16,7 @@ from freebody.language.sentences import Message
 from freebody.numeric.ensemble.devices import GPU
 from freebody.numeric.options import SimulationOptions
 from freebody.questions.reading import Question
+from freebody.study.given import each
 from freebody.study.sweeps import remote, running
 from freebody.study.sweeps.answers import AnswerEvaluator
 from freebody.study.sweeps.clusters import check_cluster, connected
@@ -44,10 +45,10 @@ def sweep(
     over: Mapping[str, Given] | None = None,
     sample: str | None = None,
     seed: int = 0,
-    find: Sequence[str] = (),
-    record: Sequence[str] = (),
+    find: str | Sequence[str] = (),
+    record: str | Sequence[str] = (),
     until: float | None = None,
-    events: Sequence[str] = (),
+    events: str | Sequence[str] = (),
     options: SimulationOptions | None = None,
     threads: int | None = None,
     cluster: str | None = None,
@@ -76,6 +77,7 @@ def sweep(
     comes to other numbers than it. A case that fails is a status of the result. After Ctrl-C the result has what was
     done."""
     began = time.perf_counter()
+    find, record, events = each(find), each(record), each(events)
     threads = running.n_threads(threads)
     block = (BLOCK_OF_CARD if device == GPU else BLOCK) if block is None else block
     running.check(threads, block)

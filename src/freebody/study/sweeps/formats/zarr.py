@@ -31,7 +31,8 @@ def write(result: Swept, path: Path) -> None:
         group = library.open_group(str(beside), mode="w", zarr_format=2, attributes=_plain(result.attributes))
         for of in result.variables():
             about = {**_plain(of.attributes), "_ARRAY_DIMENSIONS": list(of.dimensions)}
-            array = group.create_array(of.name, shape=of.shape, dtype=of.dtype, attributes=about)
+            # no fill value: readers take it for a missing one, and the default, 0, is a result
+            array = group.create_array(of.name, shape=of.shape, dtype=of.dtype, attributes=about, fill_value=None)
             for part, values in of.parts():
                 array[part] = values
         library.consolidate_metadata(str(beside))

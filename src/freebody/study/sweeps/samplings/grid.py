@@ -44,9 +44,9 @@ def make(text: str, ranges: Mapping[str, Range], _seed: int) -> Grid:
     if open_:
         raise InputError(
             Message(
-                "a grid needs the values of {names}: say how many, as {name}=1..3:50, or draw cases, as sobol:1024",
+                "a grid needs the values of {names}: say how many, as m1=1..3 kg:50; from a distribution draw "
+                "cases, as sobol:1024",
                 names=", ".join(open_),
-                name=open_[0],
             )
         )
     n = math.prod(len(x) for of in ranges.values() if (x := of.grid) is not None)
