@@ -279,7 +279,9 @@ def test_a_merge_key_brings_nothing_in():
 
 def test_keys_that_name_the_same_text_are_duplicates():
     error = refusal("m: {1: a, '1': b, 1: c}\n")
-    assert [p.message for p in error.problems] == ["the key 1 stands in line 1 already; keep one of the two"] * 2
+    assert [p.message for p in error.problems] == [
+        "the key 1 stands in line 1 already; keep one of the two, or give one of them another name"
+    ] * 2
     assert error.problems[0].path == ("m", "1")
 
 

@@ -36,10 +36,10 @@ ALLOWED = {"mrow", "mi", "mn", "mo", "mfrac", "msqrt", "msub", "msup", "msubsup"
         ("m_rod", '<msub><mi>m</mi><mi mathvariant="normal">rod</mi></msub>', 'm_"rod"'),
         ("x_1_2", '<msub><mi>x</mi><mi mathvariant="normal">1,2</mi></msub>', 'x_"1,2"'),
         ("Omega", '<mi mathvariant="normal">Ω</mi>', "upright(Ω)"),
-        ("x'", '<mover><mi>x</mi><mo stretchy="false" mathsize="1em">.</mo></mover>', "dot(x)"),
+        ("x'", '<mover><mi>x</mi><mo stretchy="false" scriptlevel="+0" mathsize="1em">.</mo></mover>', "dot(x)"),
         (
             "lam''",
-            '<mover><mi>λ</mi><mo stretchy="false" mathsize="1em" style="letter-spacing:-0.08em">..</mo></mover>',
+            '<mover><mi>λ</mi><mo stretchy="false" scriptlevel="+0" mathsize="1em" style="letter-spacing:-0.08em">..</mo></mover>',
             "dot.double(λ)",
         ),
         ("9.81", "<mn>9.81</mn>", "9.81"),

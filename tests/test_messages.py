@@ -17,7 +17,7 @@ import pytest
 import freebody as fb
 from freebody import errors
 from freebody.errors import CannotAnswer, NeverHappens
-from freebody.language.expression import ZERO, Symbol
+from freebody.language.expression import ZERO, Symbol, evaluate
 from freebody.language.notation import compared, joined, reworded
 from freebody.language.sentences import Message, further, in_turn, listed, turns
 from freebody.narrative.telling.catalogue import Catalogue
@@ -404,7 +404,7 @@ BROKEN = [  # a section, what stands there instead, the one place with a problem
     ("measures", "{x: x on b, y: {expression: 2*x}, phi: angle of a}", "x", "cannot read the measure"),
     ("measures", "{x: {expression: 2*}, y: {expression: 2*x}, phi: angle of a}", "x", "the expression ends"),
     ("measures", "[x, y, phi]", "measures", "must be a mapping of names"),
-    ("bodies", "{a: {disc: {mass: m, radius: R}}, b: {particle: {mass: m}}}", "a", "a body has no disc"),
+    ("bodies", "{a: {ring_: {mass: m, radius: R}}, b: {particle: {mass: m}}}", "a", "a body has no ring_"),
     ("bodies", "{a: 3, b: {particle: {mass: m}}}", "a", "say what a is"),
     ("bodies", "[a, b]", "bodies", "must be a mapping of names"),
     (
@@ -443,11 +443,30 @@ def test_only_the_cause_is_told_of_what_cannot_be_read(section: str, text: str, 
         ("mu: 0.4", "mu: 0,4", "a comma separates entries; write a point: 0.4"),
         ("mu: 0.4", "mu: 0,4 m", "a comma separates entries; write a point: 0.4 m"),
         ("{pin: [ground.A, bob]}", "pin [ground.A, bob]", "a colon belongs behind the kind: p: {pin: [ground.A, bob]}"),
-        ("rectangle:", "block:", "a body has no block. Did you mean rectangle?"),
+        ("rectangle:", "wheel:", "a body has no wheel. Did you mean one of"),
+        ("{pin: [ground.A, bob]}", "{spring: {first: ground.A, second: bob, stiffness: m}}", "it belongs under loads"),
+        ("parameters:", "paramters:", "there is no section paramters. Did you mean parameters?"),
+        (
+            "parameters:",
+            "gravity: 9.81 m/s^2\nparameters:",
+            "gravity belongs under loads, with a name of",
+        ),
+        ("mu: 0.4", "\u03bc: 0.4", "names have Latin letters, digits and underscores: write mu"),
+        ("m: 80 kg", "m:80 kg", "a space belongs behind the colon: m: 80 kg"),
+        (
+            "bob: {particle: {mass: m}}",
+            "bob: {type: disk, mass: m, radius: 1 m}",
+            "bob: {disk: {mass: m, radius: 1 m}}",
+        ),
+        (
+            "{particle: {mass: m}}",
+            "{particle: {mass: m}, velocity: 3 m/s}",
+            "found '3 m/s', e.g. [3 m/s, 0]",
+        ),
+        ("m: 80 kg", "m: 80 kg, g: 9.81 m/s", "g must be an acceleration (m/s^2), but is given in m/s"),
+        ("mass: m, width", "mass: 2,5 kg, width", "a comma separates entries; write a point: 2.5 kg"),
         ("[crate, floor]", "[crate, flor]", "there is no body or line flor. Did you mean floor?"),
         ("lines: {floor: {along: right}}", "{}", "ground: {lines: {floor: {along: right}}}"),
-        ("pin:", "hinge:", "hinge is no kind of connection. Did you mean pin?"),
-        ("string:", "rope:", "rope is no kind of connection. Did you mean string?"),
         ("bob: {particle: {mass: m}}", "bob: {mass: m}", "bob needs a shape with these fields: bob: {particle:"),
         ("pin:", "revolute:", "revolute is for models in space: write space: true; in the plane take pin"),
         ("[crate, floor]", "[crate, ground]", "name one of its lines: ground.floor"),
@@ -476,6 +495,8 @@ connections:
         text = text.replace("ground: {lines: {floor: {along: right}}}\n", "")
     if "M: 3" in new:
         text = text.replace("{crate: {rectangle: {mass: m", "{crate: {rectangle: {mass: M")
+    if "g: 9.81 m/s" in new and "gravity" not in new:
+        text += "loads: {w: {gravity: g}}\n"
     with pytest.raises(fb.ModelError) as told:
         fb.System.from_text(text.replace(old, new))
     messages = [problem.message for problem in told.value.problems]
@@ -529,3 +550,64 @@ connections: {axle: {pin: [PLACE, pulley]}, rope: {string: WAY}}
     long = text.replace("PLACE", "ground.origin").replace("WAY", "{from: left, over: [pulley], to: right}")
     for way in ("{from: left, over: pulley, to: right}", "[left, pulley, right]"):
         assert fb.System.from_text(text.replace("PLACE", "ground").replace("WAY", way)) == fb.System.from_text(long)
+
+
+# -- words that people write for a kind ------------------------------------------------------------
+WORDS = [  # a word, the kind that it stands for, a model with the kind
+    ("block", "particle", "bodies: {it: {KIND: {mass: 1 kg}}}"),
+    ("block", "rectangle", "bodies: {it: {KIND: {mass: 1 kg, width: 1 m, height: 2 m}}}"),
+    ("block", "box", "space: true\nbodies: {it: {KIND: {mass: 1 kg, size: [1 m, 2 m, 3 m]}}}"),
+    ("gear", "disk", "bodies: {it: {KIND: {inertia: 1 kg m^2, radius: 1 m}}}"),
+    ("beam", "rod", "bodies: {it: {KIND: {mass: 1 kg, length: 1 m}}}"),
+    ("beam", "rod", "bodies: {it: KIND}"),
+    ("pulley", "disk", "bodies: {it: {composite: {parts: {a: {KIND: {mass: 1 kg, radius: 1 m}}}}}}"),
+    ("hinge", "pin", "bodies: {a: {rod: {mass: 1 kg, length: 1 m}}}\nconnections: {it: {KIND: [ground.O, a.start]}}"),
+    ("fixed", "weld", "bodies: {a: {rod: {mass: 1 kg, length: 1 m}}}\nconnections: {it: {KIND: [ground.O, a.start]}}"),
+    ("guide", "slider", "bodies: {a: {particle: {mass: 1 kg}}}\nconnections: {it: {KIND: {body: a, along: up}}}"),
+    (
+        "guide",
+        "slot",
+        "bodies: {a: {rod: {mass: 1 kg, length: 1 m}}}\nconnections: {it: {KIND: {pin: a.end, along: up}}}",
+    ),
+    (
+        "gear",
+        "gear_mesh",
+        "bodies: {a: {disk: {radius: 1 m}}, b: {disk: {radius: 1 m}, at: [2 m, 0]}}\nconnections: {it: {KIND: [a, b]}}",
+    ),
+    ("rope", "string", "bodies: {a: {particle: {mass: 1 kg}}}\nconnections: {it: {KIND: {from: ground.O, to: a}}}"),
+]
+
+
+@pytest.mark.parametrize(("word", "kind", "text"), WORDS)
+def test_a_word_that_people_write_stands_for_the_kind_that_takes_its_fields(word: str, kind: str, text: str) -> None:
+    written, meant = (fb.System.from_text(text.replace("KIND", name)) for name in (word, kind))
+    assert written.connections == meant.connections
+    assert [vars(b) for b in written.bodies.values()] == [vars(b) for b in meant.bodies.values()]
+
+
+def test_a_word_for_two_kinds_that_move_otherwise_is_asked_back() -> None:
+    """A wheel may be a disk or a hoop, which have not the same moment of inertia."""
+    with pytest.raises(fb.ModelError, match="a body has no wheel"):
+        fb.System.from_text("bodies: {it: {wheel: {mass: 1 kg, radius: 1 m}}}")
+
+
+def test_a_line_through_two_points_of_its_body() -> None:
+    text = (
+        "ground: {points: {P: [0, 1 m], Q: [3 m, 5 m]}, lines: {slope: [P, Q]}}\nbodies: {a: {particle: {mass: 1 kg}}}"
+    )
+    line = fb.System.from_text(text).bodies["ground"].lines["slope"]
+    assert [float(evaluate(c, {})) for c in line.direction.components] == pytest.approx([0.6, 0.8])
+    assert line.through.name == "ground.P"
+
+
+def test_a_name_that_stands_for_nothing_is_told_once() -> None:
+    text = """
+bodies: {a: {disk: {mass: 1 kg, radius: 1 m}}}
+connections: {p: {pin: [ground.A, bar]}, q: {pin: [ground.A, bar.end]}, c: {rolling: {body: a, on: floor}}}
+measures: {x: x of bar}
+"""
+    with pytest.raises(fb.ModelError) as caught:
+        fb.System.from_text(text)
+    bar, floor = caught.value.problems
+    assert "there is no body bar" in bar.message
+    assert "ground: {lines: {floor: {along: right}}}" in floor.message

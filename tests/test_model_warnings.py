@@ -46,6 +46,15 @@ connections: {foot: {contact: {between: [ladder.start, floor], friction: 0.5}},
   head: {contact: {between: [ladder.end, wall]}}}
 loads: {w: {gravity: g}}
 """
+SPRING = """
+bodies: {bob: {particle: {mass: 1 kg}, at: PLACE}}
+loads: {w: {gravity: 9.81 m/s^2}, s: {spring: {first: ground.O, second: bob, stiffness: 9 N/m, length: 1 m}}}
+"""
+MAN = """
+parameters: {L: 5 m, s: PLACE}
+bodies: {ladder: {rod: {mass: 1 kg, length: L}, points: {S: [s - L/2, 0]}}, man: {particle: {mass: 80 kg}}}
+connections: {A: {pin: [ground.A, ladder.start]}, stands: {weld: [man, ladder.S]}}
+"""
 CEILING = """
 parameters: {m: 1 kg, R: 0.1 m}
 ground: {points: {P: [0, 1 m]}, lines: {ceiling: {through: ground.P, along: left}}}
@@ -112,6 +121,12 @@ def warned(text: str) -> list[tuple[str, str]]:
         (WEDGE.replace("NEAR", ""), "side open", "how far block is from wedge.origin, but not on which side"),
         (PUSH.replace("PLACE", "ground"), "no effect", "push acts on ground, which cannot move"),
         (WHEEL.replace("GUIDE", ON_RAIL), "locked rotation", "so that motor has no effect"),
+        (
+            SPRING.replace("PLACE", "[0, 0]"),
+            "ends meet",
+            "s acts between ground.O and bob, which start at the",
+        ),
+        (MAN.replace("PLACE", "6 m"), "off the rod", "S lies 1 m beyond the end of ladder"),
     ],
 )
 def test_what_is_unlikely_is_told_once_with_its_cure(text: str, kind: str, says: str) -> None:
@@ -132,6 +147,9 @@ def test_what_is_unlikely_is_told_once_with_its_cure(text: str, kind: str, says:
         CRANK.replace("GUIDE", SLOT),
         WHEEL.replace("GUIDE", "slot: {pin: wheel, along: right}"),
         PUSH.replace("PLACE", "bob"),
+        SPRING.replace("PLACE", "[0, -1 m]"),
+        SPRING.replace("PLACE", "[0, 0]").replace("length: 1 m", "length: 0"),
+        MAN.replace("PLACE", "4 m"),
         WEDGE.replace("NEAR", ", near: {at: [1 m, 1 m]}"),
         RACK.replace("GUIDES", "guide: {slider: {body: bar, along: right}}"),
     ],

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import freebody as fb
@@ -78,3 +79,34 @@ def test_the_name_of_a_flat_slope_stands_near_its_end() -> None:
     beta = next(word for word in drawn.words if word.label.text == "β")
     others = [word for word in drawn.words if word is not beta]
     assert min(math.dist(beta.at, word.at) for word in others) < 150.0
+
+
+CAR = """
+parameters: {m: 1 kg, L: 4 m, H: 1 m, a: 1.2 m, b: 1.5 m, c: 0.3 m, r: 0.3 m, u: 0.4 m, alpha: 8 deg}
+ground: {lines: {road: {along: alpha}}}
+bodies:
+  car: {rectangle: {mass: m, width: L, height: H}, points: {R: [-a, -c], F: [b, -c], P: [u, 0]}}
+  rear: {disk: {radius: r}}
+  front: {disk: {radius: r}}
+connections:
+  one: {pin: [car.R, rear]}
+  two: {pin: [car.F, front]}
+  rolls: {rolling: {body: rear, on: road}}
+  also: {rolling: {body: front, on: road}}
+measures: {x: x of car.P}
+"""
+
+
+def test_lengths_that_stand_in_coordinates_only_have_dimensions_and_points_of_measures_their_names() -> None:
+    drawn = fb.System.from_text(CAR).picture()
+    assert {"a", "b", "c", "L", "H", "r", "P"} <= words_of(drawn)
+
+
+def test_the_dimension_of_a_coordinate_is_as_long_as_the_length() -> None:
+    """a and b run along the axis of the car, on paper as long as they are by the scale of the whole length."""
+    shapes = fb.System.from_text(CAR).picture().shapes
+    ink = [s.points for s in shapes if s.width == 0.7 and len(s.points) == 2]
+    sizes = sorted(float(np.hypot(*(p[1] - p[0]))) + 7.0 for p in ink)  # a head covers 3.5 points of a line
+    whole = sizes[-1]
+    for length in (1.2, 1.5):
+        assert min(abs(size / whole - length / 4.0) for size in sizes) < 0.01

@@ -140,6 +140,36 @@ def test_a_disk_touches_the_surface_it_rolls_on_all_the_way() -> None:
         assert height_over(surface, drawing.poses[frame, 0, :2]) == pytest.approx(0.2)
 
 
+def test_two_wheels_on_one_road_have_one_line_under_both() -> None:
+    text = """
+ground: {lines: {road: {along: 10 deg}}}
+bodies:
+  car: {rectangle: {mass: 1 kg, width: 4 m, height: 1 m}, points: {R: [-1.2 m, 0], F: [1.3 m, 0]}}
+  rear: {disk: {radius: 0.3 m}}
+  front: {disk: {radius: 0.3 m}}
+connections:
+  one: {pin: [car.R, rear]}
+  two: {pin: [car.F, front]}
+  rolls: {rolling: {body: rear, on: road}}
+  also: {rolling: {body: front, on: road}}
+"""
+    scene, poses = posed(text)
+    drawing = Drawing.of(scene, poses)
+    (road,) = lines(drawing, "surface")
+    for wheel in ("rear", "front"):
+        center = poses[0, scene.names.index(wheel), :2]
+        assert height_over(road, center) == pytest.approx(0.3, abs=1e-9)
+        share = float((center - road[0]) @ (road[-1] - road[0])) / float(np.sum((road[-1] - road[0]) ** 2))
+        assert 0.1 < share < 0.9
+
+
+@pytest.mark.parametrize("name", ["cam_with_roller", "cam_with_flat_follower"])
+def test_the_guide_of_a_follower_ends_before_the_axle_of_its_cam(name: str) -> None:
+    drawing = Drawing.of(*example(name))
+    (guide,) = (line for line in lines(drawing, "surface") if len(line) == 2 and np.ptp(line[:, 0]) < 1e-9)
+    assert float(guide[:, 1].min()) > 0.015  # the axle is at the origin, the base circles have 30 mm and 40 mm
+
+
 def test_a_cart_stands_on_ground_that_is_hatched_below() -> None:
     scene, poses = example("cart_and_pendulum")
     drawing = Drawing.of(scene, poses)

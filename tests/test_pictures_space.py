@@ -336,6 +336,16 @@ def test_an_axle_comes_out_of_the_bodies_that_it_joins() -> None:
     assert x.max() > 0.015 + 0.5 * drawing.symbol
 
 
+def test_what_hangs_in_a_yoke_without_extent_has_an_axle_that_reaches_it() -> None:
+    text = (Path(__file__).parents[1] / "examples" / "conical_pendulum.yaml").read_text(encoding="utf-8")
+    drawing = drawn(text)
+    bob = next(form for form in drawing.scene.figures if form.name == "bob")
+    top = drawing.poses.place(bob.points["top"], 0)
+    axle = [p for p in drawing.pieces if p.look == "joint" and p.turn == bob.index]
+    points = np.concatenate([p.placed(drawing.poses, 0)[0] for p in axle])
+    assert np.linalg.norm(points - top, axis=1).min() < drawing.symbol
+
+
 def test_the_axle_of_a_ring_is_at_its_rim_not_in_its_middle() -> None:
     drawing = drawn(GYRO)
     outer = next(form for form in drawing.scene.figures if form.name == "outer")

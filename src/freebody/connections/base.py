@@ -36,8 +36,6 @@ class Connection(Spec):
     example: ClassVar[str] = ""
     # further ones for the conformance tests, by name: where the same words state other measures, as in space
     more_examples: ClassVar[dict[str, str]] = {}
-    # in space it joins only bodies that a planar joint keeps in the plane of x and y
-    in_plane: ClassVar[bool] = False
     # it keeps its bodies as one; it leaves free how they turn; a body that only such hold hangs on them
     is_rigid: ClassVar[bool] = False
     lets_turn: ClassVar[bool] = False

@@ -37,6 +37,7 @@ class DiscClutch(Connection, kind="disc_clutch"):
     force may depend on time `t`."""
 
     called: ClassVar[tuple[str, ...]] = ("clutch", "brake", "disc brake", "cone clutch")
+    also: ClassVar[tuple[str, ...]] = ("clutch",)
 
     between: list[str]
     force: Formula

@@ -22,6 +22,7 @@ class Driver(Connection, kind="driver"):
     the measure up (1 row)."""
 
     called: ClassVar[tuple[str, ...]] = ("drive", "motor")
+    also: ClassVar[tuple[str, ...]] = ("drive", "motor")
 
     measure: str | dict[str, Any]
     follows: Formula

@@ -34,6 +34,7 @@ class GearMesh(Connection, kind="gear_mesh"):
     with several gears on it, or `module: m, teeth: [z1, z2]`: the pitch circles have the diameters m z."""
 
     called: ClassVar[tuple[str, ...]] = ("mesh", "gear")
+    also: ClassVar[tuple[str, ...]] = ("gear", "mesh")
 
     first: str
     second: str

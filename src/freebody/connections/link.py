@@ -26,6 +26,7 @@ class Link(Connection, kind="link"):
     it is positive when it pulls (1 row)."""
 
     called: ClassVar[tuple[str, ...]] = ("rod", "bar", "strut")
+    also: ClassVar[tuple[str, ...]] = ("bar", "strut", "rod")
 
     first: str
     second: str

@@ -27,6 +27,7 @@ class Pin(Connection, kind="pin"):
     the torque that resists is mu r times the force in the pin."""
 
     called: ClassVar[tuple[str, ...]] = ("hinge", "pivot", "axle", "bearing", "pin joint", "axis")
+    also: ClassVar[tuple[str, ...]] = ("hinge", "pivot", "axle", "bearing")
 
     first: str
     second: str

@@ -25,6 +25,7 @@ class Revolute(AxialJoint, kind="revolute"):
     in_plane_take = "pin"
 
     called: ClassVar[tuple[str, ...]] = ("hinge", "pivot", "axle", "bearing", "pin")
+    also: ClassVar[tuple[str, ...]] = ("hinge", "pivot", "axle", "bearing")
 
     first: str
     second: str

@@ -77,7 +77,7 @@ connections: {it: {rolling: {body: wheel, on: floor}}}
         line = None if self.on is None else names.line(self.on, "on")
         if line is not None:
             return self._on_line(body, radius, line)
-        if names.space and self.on is not None and self.on not in names.bodies:
+        if self.on is not None and self.on not in names.bodies:
             return self._nothing_there(names)
         other = names.body(str(self.on or self.inside), "on" if self.on else "inside")
         if other.name == body.name:
@@ -106,7 +106,7 @@ connections: {it: {rolling: {body: wheel, on: floor}}}
             name=self.on,
             hint=did_you_mean(str(self.on), known),
         )
-        names.problem(told, "on")
+        names.unknown(str(self.on), told, "on")
         return []
 
     def _on_line(self, body: RigidBody, radius: Expr, line: Line) -> list[ConstraintRow]:

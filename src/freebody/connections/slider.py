@@ -108,6 +108,7 @@ class Slider(Connection, kind="slider"):
     `friction`: the force that resists is mu times the normal force."""
 
     called: ClassVar[tuple[str, ...]] = ("guide", "rail", "track")
+    also: ClassVar[tuple[str, ...]] = ("guide",)
 
     body: str
     along: Heading

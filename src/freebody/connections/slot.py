@@ -26,6 +26,7 @@ class Slot(Connection, kind="slot"):
     times the normal force."""
 
     called: ClassVar[tuple[str, ...]] = ("guide", "groove", "roller")
+    also: ClassVar[tuple[str, ...]] = ("guide", "groove")
 
     pin: str
     along: Heading

@@ -29,6 +29,7 @@ class Weld(Connection, kind="weld"):
     x], and parallel to it without any (6 rows)."""
 
     called: ClassVar[tuple[str, ...]] = ("clamp", "fixed support", "wall")
+    also: ClassVar[tuple[str, ...]] = ("clamp", "fixed")
 
     first: str
     second: str

@@ -52,6 +52,12 @@ _LETTERS = {**GREEK, **_VARIANTS}
 _REST = "A-Za-z0-9_" + "".join(_LETTERS) + "".join(_INDICES)
 _TO_ASCII = str.maketrans({**_LETTERS, **_INDICES})
 
+
+def in_ascii(name: str) -> str:
+    """A name as expressions have it: alpha for α, x1 for x₁."""
+    return name.translate(_TO_ASCII)
+
+
 _SUPERSCRIPTS = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
 
 _TOKEN = re.compile(

@@ -81,6 +81,7 @@ class Damper(Load, kind="damper"):
     """`damper: {first: ground.A, second: block, damping: c}`: pulls with c dl/dt."""
 
     called: ClassVar[tuple[str, ...]] = ("dashpot", "shock absorber")
+    also: ClassVar[tuple[str, ...]] = ("dashpot",)
 
     first: str
     second: str

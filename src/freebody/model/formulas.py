@@ -14,12 +14,18 @@ from freebody.language.expression import FUNCTIONS, Expr, ProductOf, Symbol, eva
 from freebody.language.parser import parse
 from freebody.language.sentences import Message
 from freebody.language.units import (
+    ACCELERATION,
+    ANGULAR_VELOCITY,
     DIMENSIONLESS,
     FORCE,
+    INERTIA,
     LARGEST,
     LENGTH,
     MASS,
+    STIFFNESS,
     TIME,
+    TORQUE,
+    VELOCITY,
     Dimension,
     dimension_of,
     is_unit,
@@ -229,6 +235,9 @@ class Formulas(Noting):
         if len(items) != len(self.origin):
             wanted = Message("three components [x, y, z]" if self.space else "two components [x, y]")
             hint = Message(". For a model in space write space: true") if len(items) == 3 else ""
+            if not items and isinstance(value, (str, int, float)):
+                example = f"[{', '.join(str(each) for each in (value, *[0] * (len(self.origin) - 1)))}]"
+                hint = Message(", e.g. {example}", example=example)
             self.problem(
                 Message("expected {wanted}, found {value}{hint}", wanted=wanted, value=f"{value!r}", hint=hint),
                 *path,
@@ -259,6 +268,12 @@ def _unit_differs(text: str, found: Dimension, wanted: Dimension) -> Message:
         MASS: Message("a mass"),
         TIME: Message("a time"),
         FORCE: Message("a force"),
+        VELOCITY: Message("a velocity"),
+        ACCELERATION: Message("an acceleration"),
+        ANGULAR_VELOCITY: Message("an angular velocity"),
+        INERTIA: Message("a moment of inertia"),
+        TORQUE: Message("a torque"),
+        STIFFNESS: Message("a stiffness"),
     }
     kind = kinds.get(wanted, Message("a quantity"))
     if wanted == DIMENSIONLESS:

@@ -285,7 +285,7 @@ class Names(Formulas):
                 told = Message(
                     "{name} is a direction and a line of the ground; call the line something else", name=text
                 )
-                self.problem(told, *path)
+                self.problem_once(told, *path)
             if (named := self.named_direction(text, body)) is not None:
                 return named
             if re.fullmatch(r"[A-Za-z_]+(\.[A-Za-z_]\w*)?", text) and text not in self.parameters and text != "pi":

@@ -37,6 +37,7 @@ class Noting:
         self.problems: list[Problem] = []
         self.assumptions: list[str] = []
         self.broken: set[str] = set()  # what could not be read: told where it stands, and nowhere else
+        self.told_once: set[str] = set()  # what is one mistake, however often the model has it
         self.is_cut_short = False  # a whole section of names could not be read
         self._path: tuple[str | int, ...] = ()
 
@@ -75,7 +76,12 @@ class Noting:
     def unknown(self, name: str, message: str, *path: str | int) -> None:
         """Notes a problem of a name that stands for nothing, but not where that follows from another problem."""
         if name not in self.broken and not self.is_cut_short:
-            self.problem(message, *path)
+            self.problem_once(message, *path)
+
+    def problem_once(self, message: str, *path: str | int) -> None:
+        """Notes a problem that is one mistake wherever it shows: it is told where it shows first."""
+        self.problem(message, *path)
+        self.told_once.add(message)
 
     def problem(self, message: str, *path: str | int) -> None:
         noted = Problem(self._path + path, message)

@@ -82,6 +82,8 @@ class Spec(BaseModel, metaclass=_Described):
     kind: ClassVar[str] = ""
     # what people call such a thing beside its kind: questions know it by these words
     called: ClassVar[tuple[str, ...]] = ()
+    # of these and others the words that a file may say for the kind
+    also: ClassVar[tuple[str, ...]] = ()
     # fields that people give it and that are another kind's: what to write there
     elsewhere: ClassVar[Mapping[str, str]] = {}
 
@@ -138,6 +140,8 @@ class Spec(BaseModel, metaclass=_Described):
         """What such a thing is called."""
         return (cls.kind.replace("_", " "), *cls.called)
 
+    # in space it joins only bodies that a planar joint keeps in the plane of x and y
+    in_plane: ClassVar[bool] = False
     # what there is in space alone, and the kind of the plane that does the same
     space_only: ClassVar[bool] = False
     in_plane_take: ClassVar[str] = ""

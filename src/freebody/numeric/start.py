@@ -354,7 +354,9 @@ def _body_equations(reference: NumericSystem, start_of: Callable[[RigidBody], St
             point, place = start.at
             for axis, expr in zip(axes_of(reference.system), place, strict=True):
                 measure = Displacement(body.point(point), Point(GROUND), axis)
-                equations.append(PoseEquation.of(f"at of {body.name}", measure, Jet(reference.number(expr))))
+                equations.append(
+                    PoseEquation.of(f"the given place of {body.name}", measure, Jet(reference.number(expr)))
+                )
         if start.angle is not None and body.turns:
             angle = Jet(reference.number(start.angle))
             equations.append(PoseEquation.of(f"angle of {body.name}", Angle(body.name), angle))

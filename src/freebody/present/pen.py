@@ -13,19 +13,16 @@ import numpy as np
 from freebody.model import glyphs
 from freebody.present.figures import (
     GROUND,
-    Array,
     Figure,
-    Groove,
     Heading,
     Place,
-    Rail,
     Spring,
-    Track,
     is_within,
     positions,
     turned,
 )
-from freebody.present.layout import Layout, extent_across, headings, travel
+from freebody.present.guides import Guides
+from freebody.present.layout import Layout, headings
 from freebody.present.picture.label import equation
 from freebody.present.scene import Scene
 from freebody.present.strokes import Caption, Path, Strand, Stretch, Stroke
@@ -44,9 +41,7 @@ from freebody.present.symbols import (
     vane,
 )
 
-_RAIL = 6.0  # half of a rail at least, in sizes of symbols
 _END = 0.16  # the end of a rope, in sizes of symbols
-_ROLLED_ON = 2.6  # half of a line on which a wheel rolls, by the radius of the wheel
 
 
 class Pen:
@@ -59,21 +54,7 @@ class Pen:
         self.u = layout.symbol
 
     def strokes(self) -> Iterator[Stroke]:
-        for sign in self.scene.signs:
-            match sign:
-                case glyphs.Rail():
-                    yield from self._rail(sign)
-                case glyphs.Face(through, point, normal, turning):
-                    edge = glyphs.Rail(
-                        through, point, normal.quarter_back(), "freely" if turning == "freely" else "not"
-                    )
-                    yield from self._rail(edge)
-                case glyphs.Track():
-                    yield from self._track(sign)
-                case glyphs.Groove():
-                    yield from self._groove(sign)
-                case _:
-                    pass
+        yield from Guides(self.scene, self.poses, self.u).strokes()
         yield from self._supports()
         bodies = sorted(self.scene.figures, key=self._layer)
         for figure in bodies:
@@ -113,70 +94,6 @@ class Pen:
         return not figure.is_hollow, -size
 
     # -- ground -------------------------------------------------------------------------------
-    def _rail(self, rail: Rail) -> Iterator[Stroke]:
-        """A hatched rail on the ground, a line on a body; a slot for a pin that turns in it."""
-        figure = self._figure(rail.point.body)
-        is_slot = rail.turning != "not"
-        reach = 3.0 * self.u if is_slot else self._half_length(figure, rail.point, rail.along) + self.u
-        low, high, level = self._run(rail.point, rail.along, max(reach, _RAIL * self.u * (not is_slot)))
-        if is_slot:
-            slot = capsule((low, 0.0), (high, 0.0), 0.9 * self.u)
-            yield self._on_line(rail.along, level, slot, "slot", is_closed=True)
-            return
-        below, above = extent_across(figure, rail.point, rail.along, self.poses) if figure else (0.0, 0.0)
-        level += below if below < -1e-9 else -0.8 * self.u if above < 1e-9 else 0.0
-        yield from self._edge(rail.along, level, low, high, -1.0)
-
-    def _track(self, track: Track) -> Iterator[Stroke]:
-        """The line on which a circle rolls, unless it is a surface for others too."""
-        figure = self._figure(track.center.body)
-        reach = (
-            max(_ROLLED_ON * abs(track.radius), self._half_length(figure, track.center, track.along), 2 * self.u)
-            + self.u
-        )
-        low, high, level = self._run(track.center, track.along, reach)
-        level -= track.radius
-        if not self._is_drawn(track.along, level):
-            yield from self._edge(track.along, level, low, high, -1.0 if track.radius >= 0 else 1.0)
-
-    def _groove(self, groove: Groove) -> Iterator[Stroke]:
-        """The two edges of a circular groove."""
-        turn = groove.center.body
-        for radius in (groove.radius - 0.9 * self.u, groove.radius + 0.9 * self.u):
-            if radius > 0.0:
-                yield Path(groove.center, turn, circle(radius, 24), "slot", True)
-
-    def _run(self, point: Place, along: Heading, reach: float) -> tuple[float, float, float]:
-        """From where to where a point goes along a line, and how far on its left it starts [m]."""
-        s, across = travel(point, along, self.poses)
-        return float(s.min()) - reach, float(s.max()) + reach, float(across[0])
-
-    def _edge(self, along: Heading, level: float, low: float, high: float, side: float) -> Iterator[Stroke]:
-        """A line, hatched on one side on the ground."""
-        yield self._on_line(along, level, np.array([(low, 0.0), (high, 0.0)]), "surface")
-        if along.body == GROUND:
-            yield self._on_line(along, level, hatched(low, high, side * self.u, self.u), "hatch")
-
-    def _on_line(self, along: Heading, level: float, points: Array, style: str, *, is_closed: bool = False) -> Path:
-        """A path given along and across a line."""
-        start = turned(along.angle + np.pi / 2, 1.0, 0.0) * level
-        return Path(Place(along.body, *map(float, start)), along.body, turned(along.angle, *points.T), style, is_closed)
-
-    def _is_drawn(self, along: Heading, level: float) -> bool:
-        """Whether a line is a surface for others too, which is drawn at full length."""
-        for wall in self.scene.walls:
-            turn = along.x * wall.along.y - along.y * wall.along.x
-            height = wall.through.y * along.x - wall.through.x * along.y
-            if wall.along.body == along.body and max(abs(turn), abs(height - level)) < 1e-6:
-                return True
-        return False
-
-    def _half_length(self, figure: Figure | None, point: Place, along: Heading) -> float:
-        if figure is None or figure.is_particle:
-            return 0.0
-        low, high = extent_across(figure, point, along.quarter_back(), self.poses)
-        return max(-low, high)
-
     def _figure(self, body: int) -> Figure | None:
         return next((f for f in self.scene.figures if f.index == body != GROUND), None)
 

@@ -9,6 +9,7 @@ from freebody.connections.base import Connection
 from freebody.loads.base import Load
 from freebody.model.shapes.base import Shape
 from freebody.model.spec import Spec
+from freebody.model.written_kinds import words_also
 
 _FORMULA = {"type": ["string", "number"], "description": "an expression, or a quantity such as 3 kg"}
 # components: two in the plane, three in space
@@ -26,6 +27,13 @@ def _fields(kind: type[Spec]) -> dict[str, Any]:
     return {**described, "anyOf": [schema, {"type": "array"}, {"type": ["string", "number", "null"]}]}
 
 
+def _by_word(kinds: Mapping[str, type[Spec]]) -> dict[str, Any]:
+    """Schema of the value under each kind, and under each word that may stand for kinds."""
+    own = {name: _fields(kind) for name, kind in sorted(kinds.items())}
+    also = {word: names for word, names in sorted(words_also(kinds).items()) if word not in kinds}
+    return own | {word: {"anyOf": [_fields(kinds[name]) for name in names]} for word, names in also.items()}
+
+
 def _one_of(kinds: Mapping[str, type[Spec]], beside: Mapping[str, Any] | None = None) -> dict[str, Any]:
     """One of some kinds; beside: what may stand beside it."""
     more = dict(beside or {})
@@ -34,7 +42,7 @@ def _one_of(kinds: Mapping[str, type[Spec]], beside: Mapping[str, Any] | None = 
         "minProperties": 1,
         "maxProperties": 1 + len(more),
         "additionalProperties": False,
-        "properties": {name: _fields(kind) for name, kind in sorted(kinds.items())} | more,
+        "properties": _by_word(kinds) | more,
     }
 
 
@@ -77,7 +85,7 @@ def json_schema() -> dict[str, Any]:
     body = {
         "type": "object",
         "additionalProperties": False,
-        "properties": {name: _fields(kind) for name, kind in sorted(Shape.kinds.items())}
+        "properties": _by_word(Shape.kinds)
         | {
             "at": {"anyOf": [_PAIR, _named(_PAIR)]},
             "angle": _FORMULA,

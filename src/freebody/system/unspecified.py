@@ -19,6 +19,7 @@ from freebody.measures.geometry import GROUND
 from freebody.model.elements import Parameter, Sign
 from freebody.model.names import Names
 from freebody.model.shapes.base import Shape
+from freebody.model.written_kinds import written_kind
 
 Place = tuple[str | int, ...]  # where a dimension would stand in the document
 ShapeT = TypeVar("ShapeT", bound=Shape)
@@ -49,12 +50,13 @@ class Unspecified:
         self.names.parameters[name] = Parameter(name, LENGTH, None, sign)
         return name
 
-    def completed(self, shape: ShapeT, body: str) -> ShapeT:
-        """A shape with a parameter for every length that was not given and that something depends on."""
+    def completed(self, shape: ShapeT, body: str, word: str) -> ShapeT:
+        """A shape with a parameter for every length that was not given and that something depends on. word: what the
+        model calls the shape."""
         added: dict[str, str] = {}
         for field, points in shape.open_lengths.items():
             if getattr(shape, field) is None and (not points or self._is_mentioned(body, points)):
-                added[field] = self.parameter(f"{field}_{body}", "positive", ("bodies", body, shape.kind, field))
+                added[field] = self.parameter(f"{field}_{body}", "positive", ("bodies", body, word, field))
         return shape.model_copy(update=added) if added else shape
 
     def _is_mentioned(self, body: str, points: tuple[str, ...]) -> bool:
@@ -121,7 +123,8 @@ def with_dimension(document: Document, place: Place, value: Any) -> Document:
         return document.with_value(("bodies", body), {str(kind): {str(field): value}})
     if isinstance(entry[kind], dict):
         return document.with_value(place, value)
-    fields = Shape.kinds[str(kind)].from_plain(entry[kind])
+    meant = written_kind(str(kind), entry[kind], Shape.kinds, space=bool(data.get("space"))) or str(kind)
+    fields = Shape.kinds[meant].from_plain(entry[kind])
     return document.with_value(("bodies", body, kind), {**fields, str(field): value})
 
 

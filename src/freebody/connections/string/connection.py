@@ -51,6 +51,7 @@ class String(Connection, kind="string"):
     `wrap: {drum: 3*pi}`; ask for the tension at an end, or between two places."""
 
     called: ClassVar[tuple[str, ...]] = ("rope", "cord", "cable", "thread", "wire", "line")
+    also: ClassVar[tuple[str, ...]] = ("rope", "cord", "cable", "thread")
 
     start: str | None = Field(default=None, alias="from")
     to: str | None = None

@@ -195,7 +195,10 @@ class _Composer:
             first = entries.setdefault(name, DocumentStep(key, last)).key
             if first is not None and first is not key:
                 message = Message(
-                    "the key {name} stands in line {line} already; keep one of the two", name=name, line=first.line
+                    "the key {name} stands in line {line} already; keep one of the two, or give one of them another "
+                    "name",
+                    name=name,
+                    line=first.line,
                 )
                 self._note(at, inner, message)
         raise _RestUnread

@@ -19,6 +19,7 @@ from freebody.model.noting import did_you_mean
 from freebody.model.rotations import UNIT, Columns, applied, columns_of
 from freebody.model.shapes.base import Build, Shape, circle
 from freebody.model.tensors import moved, turned
+from freebody.model.written_kinds import written_kind
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -132,9 +133,10 @@ def _turned(axes: Columns, v: Components, n: int) -> Components:
 def _part(names: Names, value: Any) -> tuple[Build, Components, Columns] | None:
     """A part, the place of its reference point, and its axes."""
     entry = cast("dict[str, Any]", value) if isinstance(value, dict) else {}
-    kinds = [key for key in entry if key in Shape.kinds]
+    written = {k: written_kind(k, value, Shape.kinds, space=names.space) for k, value in entry.items()}
+    kinds = [key for key, kind in written.items() if kind is not None]
     for key in entry:
-        if key not in Shape.kinds and key not in OPTIONS:
+        if key not in kinds and key not in OPTIONS:
             names.problem(
                 Message("a part has no {key}.{hint}", key=key, hint=did_you_mean(key, [*Shape.kinds, *OPTIONS])),
                 key,
@@ -147,7 +149,7 @@ def _part(names: Names, value: Any) -> tuple[Build, Components, Columns] | None:
             )
         )
         return None
-    kind = Shape.kinds[kinds[0]]
+    kind = Shape.kinds[written[kinds[0]] or ""]
     try:
         shape = kind.model_validate(kind.from_plain(entry[kinds[0]]))
     except ValidationError as error:

@@ -55,6 +55,7 @@ class Disk(Shape, kind="disk"):
     about its `axis` (z), with half of that inertia about its diameters."""
 
     called: ClassVar[tuple[str, ...]] = ("disc", "wheel", "cylinder", "pulley", "roller", "drum", "gear", "flywheel")
+    also: ClassVar[tuple[str, ...]] = ("disc", "cylinder", "pulley", "roller", "drum", "gear", "flywheel")
 
     mass: Formula = 0
     radius: Formula | None = None
@@ -74,6 +75,7 @@ class Ring(Shape, kind="ring"):
     """A thin ring or hoop; I = m R^2 unless `inertia` is given. Wheels may run on its inside."""
 
     called: ClassVar[tuple[str, ...]] = ("hoop", "wheel", "pipe")
+    also: ClassVar[tuple[str, ...]] = ("hoop",)
 
     mass: Formula = 0
     radius: Formula | None = None

@@ -43,6 +43,7 @@ class Particle(Shape, kind="particle"):
         *("block", "bob", "bead", "ball", "object", "weight"),
         *("piston", "car", "cart", "collar"),
     )
+    also: ClassVar[tuple[str, ...]] = ("block", "bob", "bead", "piston", "car", "cart", "collar")
 
     mass: Formula = 0
 
@@ -56,6 +57,7 @@ class Rod(Shape, kind="rod"):
     """A slender uniform rod from `start` to `end`, along its own x axis; I = m L^2/12."""
 
     called: ClassVar[tuple[str, ...]] = ("bar", "beam", "ladder", "link", "crank", "stick", "pole", "arm")
+    also: ClassVar[tuple[str, ...]] = ("bar", "beam", "ladder", "crank", "stick", "pole", "arm")
 
     mass: Formula = 0
     length: Formula | None = None
@@ -84,6 +86,7 @@ class Rectangle(Shape, kind="rectangle"):
     these points is used."""
 
     called: ClassVar[tuple[str, ...]] = ("block", "box", "crate", "plate", "plank", "cart", "car")
+    also: ClassVar[tuple[str, ...]] = ("block", "box", "crate", "plate", "plank", "cart", "car")
 
     mass: Formula = 0
     width: Formula | None = None
@@ -128,6 +131,7 @@ class Box(Shape, kind="box"):
     in_plane_take = "rectangle"
 
     called: ClassVar[tuple[str, ...]] = ("block", "crate", "brick")
+    also: ClassVar[tuple[str, ...]] = ("block", "crate", "brick")
 
     mass: Formula = 0
     size: list[Formula]

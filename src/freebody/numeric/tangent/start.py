@@ -212,7 +212,12 @@ class StartTangent:
             point, place = start.at
             for axis, expr in zip(axes_of(self.system), place, strict=True):
                 measure = Displacement(body.point(point), Point(GROUND), axis)
-                yield f"at of {body.name}", w.raw(measure) - w.scalar(expr), self.reference.sizes.length, is_wish
+                yield (
+                    f"the given place of {body.name}",
+                    w.raw(measure) - w.scalar(expr),
+                    self.reference.sizes.length,
+                    is_wish,
+                )
         if start.angle is not None and body.turns:
             yield f"angle of {body.name}", w.raw(Angle(body.name)) - w.scalar(start.angle), 1.0, is_wish
 

@@ -38,17 +38,18 @@ class Dimensioned:
     def show(self, label: Label) -> None:
         self.shown.add(label.text.split("/")[0])
 
-    def dimension(self, label: Label, a: Array, b: Array, sense: float, most: int = 5) -> None:
-        """A dimension line beside two points, on the left first (sense +1) or on the right, where there is room."""
+    def dimension(self, label: Label, a: Array, b: Array, sense: float, most: int = 5) -> bool:
+        """A dimension line beside two points, on the left first (sense +1) or on the right, where there is room;
+        whether it is drawn."""
         apart = float(np.hypot(*(b - a)))
         if apart < LEAST:
-            return
+            return False
         lines = [list(dimension(a, b, sense * aside, INK)) for aside in _ASIDE]
         way = (b - a) / apart
         names = [_name_of(0.5 * (a + b), way, sense * aside) for aside in _ASIDE]
         k = self.sketch.least_crowded([[*line[2:], where] for line, where in zip(lines, names, strict=True)], most)
         if k is None:
-            return
+            return False
         self.show(label)
         self.sketch.add(lines[k])
         side = sense * across(way)
@@ -56,6 +57,7 @@ class Dimensioned:
         spots = [a + share * (b - a) + _ASIDE[k] * side for share in (0.5, 0.35, 0.65)]
         places = tuple((s, sign * outwards) for s in spots for sign in (1.0, -1.0))
         self.sketch.wish(Wish(label, places, SIZE, INK, weight=3.0))
+        return True
 
     def plain(self, *parts: Expr) -> Label | None:
         """The size of a vector as a parameter, its half or its double."""

@@ -51,7 +51,8 @@ class Dimensions(Dimensioned):
         self._links()
         self._ground()
 
-    def _at(self, place: Place) -> Array:
+    def spot(self, place: Place) -> Array:
+        """(2,) [points]"""
         return self.sketch.seen(positions(self.drawing.poses, place)[0])
 
     # -- radii --------------------------------------------------------------------------------
@@ -60,7 +61,7 @@ class Dimensions(Dimensioned):
         rim = (figure.radius or 0.0) * self.sketch.scale
         if label is None or rim < LEAST or not self.is_new(label):
             return
-        middle = self._at(figure.center)
+        middle = self.spot(figure.center)
         turn = 0.0 if figure.index == GROUND else float(self.drawing.poses[0, figure.index, 2])
         options: list[list[Shape]] = []
         for angle in _ANGLES:
@@ -84,7 +85,7 @@ class Dimensions(Dimensioned):
                 label = self.plain(shown.sign.length)
                 ends = self.places.place(shown.sign.first), self.places.place(shown.sign.second)
                 if label is not None and self.is_new(label) and ends in self.drawing.scene.rods:
-                    self.dimension(label, self._at(ends[0]), self._at(ends[1]), 1.0)
+                    self.dimension(label, self.spot(ends[0]), self.spot(ends[1]), 1.0)
 
     def _ground(self) -> None:
         """Between points of the ground at which something is joined."""
@@ -94,7 +95,7 @@ class Dimensions(Dimensioned):
         for first, second in combinations(joined, 2):
             label = self._apart(ground.points[first], ground.points[second])
             if label is not None and self.is_new(label):
-                a, b = (self._at(self.places.place(ground.point(called))) for called in (first, second))
+                a, b = (self.spot(self.places.place(ground.point(called))) for called in (first, second))
                 self.dimension(label, a, b, -1.0)
 
     def _held(self) -> Iterator[tuple[Place, Place]]:
@@ -108,7 +109,7 @@ class Dimensions(Dimensioned):
         for k, (first, second) in enumerate(self._stretches(figure, body)):
             label = self._apart(body.points[first], body.points[second])
             if label is not None and self.is_new(label):
-                a, b = (self._at(figure.points[name]) for name in (first, second))
+                a, b = (self.spot(figure.points[name]) for name in (first, second))
                 self.dimension(label, a, b, 1.0 if len(figure.outline) < 3 else -1.0, _CROSSED if not k else 5)
 
     def _stretches(self, figure: Figure, body: RigidBody) -> Iterator[tuple[str, str]]:
@@ -122,7 +123,10 @@ class Dimensions(Dimensioned):
         order = sorted(figure.points, key=lambda n: float(along @ np.array(figure.points[n].xy)))
         distinct: list[str] = []
         for name in order:
-            if not distinct or np.hypot(*(self._at(figure.points[name]) - self._at(figure.points[distinct[-1]]))) > 1.0:
+            if (
+                not distinct
+                or np.hypot(*(self.spot(figure.points[name]) - self.spot(figure.points[distinct[-1]]))) > 1.0
+            ):
                 distinct.append(name)
         yield distinct[0], distinct[-1]
         yield from pairwise(distinct)
@@ -172,7 +176,7 @@ class Dimensions(Dimensioned):
             angle = self.system.bodies[figure.name].start.angle
             if angle is None or figure.radius is not None or len(figure.outline) != 2:
                 continue
-            ends = [self._at(place) for place in figure.points.values()]
+            ends = [self.spot(place) for place in figure.points.values()]
             low, high = min(ends, key=lambda end: end[1]), max(ends, key=lambda end: end[1])
             length = float(np.hypot(*(high - low)))
             for name, base in self._counted(angle):

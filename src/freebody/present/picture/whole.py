@@ -10,6 +10,8 @@ import numpy as np
 from freebody.language.expression import Expr, Symbol, add, differentiate, free_symbols
 from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
+from freebody.measures.geometry import Point
+from freebody.measures.turned import within
 from freebody.model.elements import RATE, VALUE, ConstraintRow, NonholonomicForm
 from freebody.model.glyphs import Equation, Pin, Rail, Spring
 from freebody.present.figures import Array, Place, positions
@@ -18,6 +20,7 @@ from freebody.present.picture.bodies_free import body_label, name_beside
 from freebody.present.picture.coordinates import Coordinates
 from freebody.present.picture.dimensions import Dimensions
 from freebody.present.picture.forces import ShownForce
+from freebody.present.picture.given_places import GivenPlaces
 from freebody.present.picture.label import Label, Run, beside, equation, formula, name, words
 from freebody.present.picture.placer import Wish, around
 from freebody.present.picture.plane import sketched
@@ -104,6 +107,12 @@ class Whole(ABC):
         used |= {place for spring in scene.springs for place in (spring.first, spring.second)}
         used |= {place for figure in scene.figures for place in figure.path}
         used |= {node.place for rope in scene.ropes for node in rope.nodes if not node.arm}
+        asked = (
+            *self.system.measures.values(),
+            *self.system.questions,
+            *(p.measure for p in self.system.applied_loads),
+        )
+        used |= {self.places.place(point) for point in within(asked, Point)}
         named: dict[Place, str] = {}
         for body in self.system.material.values():
             for called in body.points:
@@ -147,6 +156,7 @@ class WholeInPlane(Whole):
         StartMotion(self.system, self.sketch, self.drawing, self.places).draw()
         self._draw_coordinates()
         dimensions.draw()
+        GivenPlaces(dimensions).draw()
 
     def _draw_coordinates(self) -> None:
         """A coordinate that follows a law has it beside its arrow; what has no name of its own has the law alone."""

@@ -92,9 +92,10 @@ class Joints:
         yield from self._bearing(joint, along, [end for ends in parts for end in (ends[0], ends[-1])])
 
     def _shell_part(self, joint: DrawnJoint, along: Array, tip: float) -> list[float]:
-        """From where to where an axle runs on a sphere of bodies without extent: out of the solid inside it, if any."""
+        """From where to where an axle runs on a sphere of bodies without extent: out of the body inside it, if any."""
         low, high = self.cuts.inside((joint.first, joint.second), along)
-        is_alone = low == high == 0.0
+        others = {joint.first.body, joint.second.body} - self.shells.forms.keys()
+        is_alone = low == high == 0.0 and all(self.scene.is_fixed(body) for body in others)
         start = tip - np.sign(tip) * 0.9 * self.u if is_alone else high if tip > 0 else low
         return sorted((float(start), tip + float(np.sign(tip)) * 0.9 * self.u))
 

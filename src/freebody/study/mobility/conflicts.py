@@ -266,8 +266,8 @@ def _conditions(reference: Reference) -> dict[str, list[PoseEquation]]:
             point, place = start.at
             for axis, expr in zip(axes_of(system), place, strict=True):
                 measure = Displacement(body.point(point), Point(GROUND), axis)
-                equation = PoseEquation.of(f"at of {body.name}", measure, Jet(reference.number(expr)))
-                found.setdefault(f"at of {body.name}", []).append(equation)
+                equation = PoseEquation.of(f"the given place of {body.name}", measure, Jet(reference.number(expr)))
+                found.setdefault(f"the given place of {body.name}", []).append(equation)
         if start.angle is not None and body.turns:
             angle = Jet(reference.number(start.angle))
             found[f"angle of {body.name}"] = [PoseEquation.of(f"angle of {body.name}", Angle(body.name), angle)]

@@ -16,6 +16,7 @@ from freebody.model.elements import BodyPlane, Edge, Line, RigidBody, Rotation
 from freebody.model.names import placeholder
 from freebody.model.noting import did_you_mean
 from freebody.model.shapes.base import Build, Shape
+from freebody.model.written_kinds import written_kind
 from freebody.system.reading.body_start import POSE_KEYS, start_of_body
 from freebody.system.reading.copies import copied_names
 from freebody.system.reading.frames import read_frames
@@ -81,21 +82,21 @@ class BodySections:
 
     def body(self, name: str, value: Any) -> RigidBody | None:
         names = self.names
-        if isinstance(value, str) and value in Shape.kinds:
+        if isinstance(value, str) and self._kind(value, None):
             value = {value: None}
         if not isinstance(value, dict):
             names.problem(Message("say what {name} is, e.g. {name}: {{disk: {{mass: m, radius: R}}}}", name=name))
             return None
         entry = cast("dict[str, Any]", value)
-        shape = self._shape(name, entry)
+        shape, word = self._shape(name, entry)
         if shape is None:
             with names.quietly():  # the angles that it would name
                 chain = read_chain(names, entry.get("turned", []), named=True)
             names.broken |= {turn.name for turn in chain if turn.name}
             return None
         names.called[name] = shape.words()
-        with names.at(shape.kind):
-            build = self.source.open.completed(shape, name).build(names)
+        with names.at(word):
+            build = self.source.open.completed(shape, name, word).build(names)
         offsets = self._offsets(name, entry, build)
         fixed = bool(entry.get("fixed", False))
         if fixed:
@@ -131,12 +132,16 @@ class BodySections:
             inner=build.inner,
         )
 
-    def _shape(self, name: str, entry: dict[str, Any]) -> Shape | None:
-        """The one shape that a body has; problems are noted where there is none, and for keys that mean nothing."""
+    def _kind(self, word: str, value: Any) -> str | None:
+        return written_kind(word, value, Shape.kinds, space=self.names.space)
+
+    def _shape(self, name: str, entry: dict[str, Any]) -> tuple[Shape | None, str]:
+        """The one shape that a body has, and the word for it; problems are noted where there is none, and for keys that
+        mean nothing."""
         names = self.names
-        kinds = [k for k in entry if k in Shape.kinds]
         options = SPATIAL_OPTIONS if names.space else PLANAR_OPTIONS
-        fields = {key: value for key, value in entry.items() if key not in options and key not in Shape.kinds}
+        kinds = {k: kind for k, value in entry.items() if k not in options and (kind := self._kind(k, value))}
+        fields = {key: value for key, value in entry.items() if key not in options and key not in kinds}
         if not kinds and fields and (able := self._able(fields)):
             names.problem(
                 Message(
@@ -147,9 +152,13 @@ class BodySections:
                     names=", ".join(able),
                 )
             )
-            return None
+            return None, ""
+        if not kinds and isinstance(word := fields.pop("type", None), str) and (kind := self._kind(word, fields)):
+            told = Message("the shape is the key: {name}: {entry}", name=name, entry=flow_text({kind: fields}))
+            names.problem(told, "type")
+            return None, ""
         for key, value in entry.items():
-            if key not in Shape.kinds and key not in options:
+            if key not in kinds and key not in options:
                 known = [*Shape.kinds, *options]
                 inside = cast("dict[str, Any]", value) if isinstance(value, dict) else {}
                 hint = kind_meant(key, Shape.kinds, known, space=names.space, fields=inside)
@@ -159,13 +168,14 @@ class BodySections:
                     hint = Message(" In space write how it is turned, e.g. turned: 30 deg about z.")
                 names.problem(Message("{what} has no {key}.{hint}", what=Message("a body"), key=key, hint=hint), key)
         if len(kinds) > 1:
-            names.problem(Message("{name} has two shapes: {kinds}", name=name, kinds=kinds))
+            names.problem(Message("{name} has two shapes: {kinds}", name=name, kinds=[*kinds]))
         elif not kinds and entry.keys() <= {*options}:  # else a shape may be among the keys that mean nothing
             what = Message("one of {names}", names=", ".join(Shape.kinds))
             names.problem(Message("{name} needs a shape: {what}", name=name, what=what))
         if len(kinds) != 1:
-            return None
-        return self.source.spec(Shape.kinds[kinds[0]], entry[kinds[0]], kinds[0])
+            return None, ""
+        ((word, kind),) = kinds.items()
+        return self.source.spec(Shape.kinds[kind], entry[word], word), word
 
     def _able(self, fields: Collection[str]) -> list[str]:
         """Shapes that take all these fields, the plainest first."""
@@ -236,7 +246,11 @@ class BodySections:
         if given is None:
             return ()
         if not isinstance(given, list) or len(cast("list[Any]", given)) < 2:
-            self.names.problem(Message("outline is a list of points of the body, e.g. outline: [P, Q, R]"), "outline")
+            told = Message(
+                "outline is a list of points of the body, e.g. outline: [P, Q, R]; what is round is a disk, which may "
+                "be given its moment of inertia: {{disk: {{mass: m, radius: R, inertia: J}}}}"
+            )
+            self.names.problem(told, "outline")
             return ()
         corners = [str(name) for name in cast("list[Any]", given)]
         for k, name in enumerate(corners):

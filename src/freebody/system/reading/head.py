@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+from difflib import get_close_matches
 from pathlib import Path
 from typing import Any, cast
 
+from freebody.connections.base import Connection
+from freebody.language.document.writer import flow_text
 from freebody.language.plain_text import plain
 from freebody.language.sentences import Message
+from freebody.loads.base import Load
 from freebody.model.noting import did_you_mean
 from freebody.model.rotations import UNIT
 from freebody.system.reading.source import Source, known_keys
@@ -39,19 +43,35 @@ def title(source: Source) -> str:
 
 
 def check_sections(source: Source) -> None:
-    for key in source.data:
-        if key not in SECTIONS:
-            source.names.problem(
-                Message("there is no section {key}.{hint}", key=key, hint=did_you_mean(key, SECTIONS)), key
-            )
+    """Notes sections that there are not. One that is misspelt is read as the one that is meant."""
+    for key, value in list(source.data.items()):
+        if key in SECTIONS:
+            continue
+        source.names.problem(_no_section(key, value), key)
+        meant = get_close_matches(key, [name for name in SECTIONS if name not in source.data], n=1, cutoff=0.7)
+        if meant:
+            source.data[meant[0]] = value
+        else:
+            source.names.is_cut_short = True
     version = source.data.get("freebody", 1)
     if version != 1:
         source.names.problem(
             Message("this is freebody's file format {version}; this version reads format 1", version=repr(version)),
             "freebody",
         )
-    if not source.data.get("bodies"):
+    if not source.data.get("bodies") and not source.names.is_cut_short:
         source.names.problem(Message("a model needs at least one body, under bodies"), "bodies")
+
+
+def _no_section(key: str, value: Any) -> Message:
+    """Who writes `gravity: g` as a section has a kind in mind, which stands in one."""
+    for section, kinds in (("loads", Load.kinds), ("connections", Connection.kinds)):
+        if key in kinds:
+            entry = flow_text({f"my_{key}": {key: value}})
+            return Message(
+                "{key} belongs under {section}, with a name of its own: {entry}", key=key, section=section, entry=entry
+            )
+    return Message("there is no section {key}.{hint}", key=key, hint=did_you_mean(key, SECTIONS))
 
 
 def read_space(source: Source) -> None:

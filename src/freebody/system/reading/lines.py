@@ -18,6 +18,10 @@ _DIRECTIONS = ("along", "angle", "solid")
 
 def read_line(names: Names, body: RigidBody, name: str, spec: Any) -> Line:
     entry = cast("dict[str, Any]", spec) if isinstance(spec, dict) else {"along": spec}
+    if (ends := _ends(names, body, spec)) is not None:
+        label = _label(body, name)
+        apart = tuple(b - a for a, b in zip(*(end.offset for end in ends), strict=True))
+        return Line(ends[0], replace(names.unit_direction(body.name, apart), name=label), label)
     known_keys(names, entry, ("through", *_DIRECTIONS), Message("a line"))
     given = [key for key in _DIRECTIONS if key in entry]
     if not given:
@@ -31,6 +35,16 @@ def read_line(names: Names, body: RigidBody, name: str, spec: Any) -> Line:
         along = along.normal()
     label = _label(body, name)
     return Line(_through(names, body, entry.get("through")), replace(along, name=label), label)
+
+
+def _ends(names: Names, body: RigidBody, spec: Any) -> tuple[Point, Point] | None:
+    """`[P, Q]`: the line from one point of its body to another."""
+    if not isinstance(spec, list) or len(cast("list[Any]", spec)) != 2:
+        return None
+    called = [str(each).removeprefix(f"{body.name}.") for each in cast("list[Any]", spec)]
+    if not all(name in body.points for name in called) or set(called) <= names.parameters.keys():
+        return None
+    return body.point(called[0]), body.point(called[1])
 
 
 def read_plane(names: Names, body: RigidBody, name: str, spec: Any) -> BodyPlane:

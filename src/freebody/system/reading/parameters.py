@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import Any, cast
 
-from freebody.errors import InputError
+from freebody.errors import InputError, NoQuantity, UnitError
 from freebody.language.expression import Expr, free_symbols
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, TIME, parse_quantity, parse_unit
@@ -107,6 +107,10 @@ def _without_number(names: Names, name: str, value: Any, sign: Sign, error: Exce
                 value,
                 unit.is_angle,
             )
+    if isinstance(error, UnitError) and not isinstance(error, NoQuantity):  # which says what is wrong with the unit
+        names.problem(str(error))
+        names.broken.add(name)
+        return Parameter(name, DIMENSIONLESS, None, sign)
     names.problem(
         Message(
             "{error}. Write for example {name}: 3 kg, {name}: 0.5, or {name}: kg for a symbol", error=error, name=name

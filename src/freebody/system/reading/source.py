@@ -5,19 +5,22 @@ from __future__ import annotations
 import difflib
 import re
 from collections.abc import Collection, Iterable, Mapping, Sequence
-from itertools import pairwise
 from typing import Any, TypeVar, cast
 
 from pydantic import ValidationError
 
+from freebody.connections.base import Connection
 from freebody.errors import ModelError
 from freebody.language.document import Document
 from freebody.language.document.writer import flow_text
 from freebody.language.expression import name_problem
+from freebody.language.parser import in_ascii
 from freebody.language.sentences import Message, in_turn, listed
+from freebody.loads.base import Load
 from freebody.model.names import Names
 from freebody.model.noting import did_you_mean
 from freebody.model.spec import Spec
+from freebody.model.written_kinds import written_kind
 from freebody.system.unspecified import Unspecified
 
 SpecT = TypeVar("SpecT", bound=Spec)
@@ -54,6 +57,17 @@ def known_keys(names: Names, entry: Mapping[str, Any], known: Sequence[str], wha
                 *path,
                 key,
             )
+
+
+def _named_otherwise(name: str) -> Message | None:
+    """What to write for a key that cannot be a name, where that is plain."""
+    before, colon, after = name.partition(":")
+    if colon and not name_problem(before):
+        return Message("a space belongs behind the colon: {name}: {value}", name=before, value=after.strip())
+    meant = re.sub(r"\s+", "_", in_ascii(name).strip())
+    if meant != name and not name_problem(meant):
+        return Message("names have Latin letters, digits and underscores: write {meant}", meant=meant)
+    return None
 
 
 def kind_meant(
@@ -93,16 +107,45 @@ class Source:
     def __init__(self, document: Document, file: str | None, names: Names | None = None) -> None:
         self.document = document
         self.file = file
-        self.data = document.data
         self.names = Names() if names is None else names
+        self.data: dict[str, Any] = self._with_points(document.data)
         self.open = Unspecified(self.names, self.data)
+
+    def _with_points(self, value: Any, *path: str | int) -> Any:
+        """What stands in a document, with points for the commas of `{gravity: 9,81 m/s^2}`, which are problems: so
+        nothing else follows from them."""
+        if isinstance(value, list):
+            return [self._with_points(each, *path, k) for k, each in enumerate(cast("list[Any]", value))]
+        if not isinstance(value, dict):
+            return value
+        entries = cast("dict[str, Any]", value)
+        read: dict[str, Any] = {}
+        before, n = "", None
+        for name, given in entries.items():
+            if given is None and isinstance(n, int) and _DIGITS_FIRST.fullmatch(str(name)):
+                told = Message("a comma separates entries; write a point: {n}.{rest}", n=n, rest=name)
+                self.names.problem(told, *path, before)
+                read[before] = f"{n}.{name}"
+            else:
+                read[name] = self._with_points(given, *path, name)
+            before, n = name, given
+        return read
 
     def refuse_problems(self) -> None:
         """Raises ModelError with all problems, in the order of their places."""
         if self.names.problems:
             located = [self.document.locate(p) for p in self.names.problems]
             located.sort(key=lambda p: (p.line or 0, p.column or 0))
-            raise ModelError(located, self.file)
+            seen: set[str] = set()
+            raise ModelError([p for p in located if self._is_new(p.message, seen)], self.file)
+
+    def _is_new(self, message: str, seen: set[str]) -> bool:
+        """Whether a problem is not told yet, of those that are told once."""
+        if message not in self.names.told_once:
+            return True
+        is_new = message not in seen
+        seen.add(message)
+        return is_new
 
     def mapping(self, section: str) -> dict[str, Any]:
         value = self.data.get(section)
@@ -121,18 +164,12 @@ class Source:
         """The entries of a section whose names can be used."""
         good: dict[str, Any] = {}
         entries = self.mapping(section)
-        for before, name in pairwise(entries):
-            if section == "parameters" and _DIGITS_FIRST.fullmatch(str(name)) and isinstance(entries[before], int):
-                told = Message("a comma separates entries; write a point: {n}.{rest}", n=entries[before], rest=name)
-                self.names.problem(told, section, before)
-                self.names.broken.update((before, name))
         for name, value in entries.items():
-            if section == "parameters" and name in self.names.broken:
-                continue
             fault = name_problem(name)
             if fault is not None or (name == "t" and section in ("parameters", "measures")):
-                self.names.problem(fault or Message("t is the time; choose another name"), section, name)
-                self.names.broken.add(name)
+                told = _named_otherwise(name) or fault or Message("t is the time; choose another name")
+                self.names.problem(told, section, name)
+                self.names.broken.update((name, in_ascii(name), *re.findall(r"\w+", name)))
                 continue
             good[name] = value
         return good
@@ -183,6 +220,19 @@ class Source:
             hint=able[0],
             names=", ".join(able),
         )
+
+    def _no_kind(self, section: str, kind: str, fields: Any, kinds: Mapping[str, type[Spec]]) -> Message:
+        """What to say of a kind that there is not in a section, though perhaps in the other one."""
+        if section == "connections":
+            what, other, others = Message("connection"), "loads", cast("Mapping[str, type[Spec]]", Load.kinds)
+        else:
+            what, other, others = Message("load"), "connections", cast("Mapping[str, type[Spec]]", Connection.kinds)
+        if written_kind(kind, fields, others, space=self.names.space):
+            return Message(
+                "{kind} is no kind of {what}: it belongs under {section}", kind=kind, what=what, section=other
+            )
+        hint = kind_meant(kind, kinds, kinds, space=self.names.space)
+        return Message("{kind} is no kind of {what}.{hint}", kind=kind, what=what, hint=hint)
 
     def _misnamed(self, kind: type[Spec], absent: Sequence[str], strange: Sequence[str], *path: str | int) -> None:
         """Fields that there are not and fields that are left out. Who writes `from` for `first` makes one mistake."""
@@ -236,19 +286,11 @@ class Source:
                     self.names.problem(self._kind_wanted(name, value, kinds))
                     continue
                 ((kind, fields),) = cast("dict[str, Any]", value).items()
-                if kind not in kinds:
-                    what = Message("connection" if section == "connections" else "load")
-                    self.names.problem(
-                        Message(
-                            "{kind} is no kind of {what}.{hint}",
-                            kind=kind,
-                            what=what,
-                            hint=kind_meant(kind, kinds, kinds, space=self.names.space),
-                        ),
-                        kind,
-                    )
+                meant = written_kind(kind, fields, kinds, space=self.names.space)
+                if meant is None:
+                    self.names.problem(self._no_kind(section, kind, fields, kinds), kind)
                     continue
-                spec = self.spec(kinds[kind], fields, kind)
+                spec = self.spec(kinds[meant], fields, kind)
                 if spec is not None:
                     found[name] = spec
         return found

@@ -1,0 +1,40 @@
+"""What people write for a kind: `block` for a particle or a rectangle, `hinge` for a pin."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from freebody.model.spec import Spec
+
+
+def written_kind(word: str, value: Any, kinds: Mapping[str, type[Spec]], *, space: bool) -> str | None:
+    """The kind that a file means by a word with these fields: of the kinds for which the word may stand, those that
+    take all the fields and need no others; of these the one with the fewest fields of its own (a block without sides
+    is a particle). None where there is none, or where two are as plain."""
+    if word in kinds:
+        return word
+    able: list[tuple[int, str]] = []
+    for name, kind in kinds.items():
+        is_here = not kind.in_plane if space else not kind.space_only
+        if word in kind.also and is_here and _takes(kind, value):
+            able.append((len(kind.model_fields), name))
+    able.sort()
+    return None if not able or (len(able) > 1 and able[0][0] == able[1][0]) else able[0][1]
+
+
+def words_also(kinds: Mapping[str, type[Spec]]) -> dict[str, list[str]]:
+    """By each word that may stand for kinds: which."""
+    found: dict[str, list[str]] = {}
+    for name, kind in kinds.items():
+        for word in kind.also:
+            found.setdefault(word, []).append(name)
+    return found
+
+
+def _takes(kind: type[Spec], value: Any) -> bool:
+    """Whether a kind has all fields that are given, and needs no others. A field may be called as people call it."""
+    fields = {info.alias or name: info for name, info in kind.model_fields.items()}
+    meant = {key: (key,) if key in fields else kind.meant(key) for key in kind.from_plain(value)}
+    needed = {name for name, info in fields.items() if info.is_required()}
+    return all(meant.values()) and needed <= {field for each in meant.values() for field in each}

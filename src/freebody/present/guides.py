@@ -1,0 +1,127 @@
+"""Draws what guides points and bodies of the plane: rails, slots, the lines on which circles roll, grooves."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+import numpy as np
+
+from freebody.model import glyphs
+from freebody.present.figures import GROUND, Array, Figure, Groove, Heading, Place, Rail, Track, turned
+from freebody.present.layout import extent_across, travel
+from freebody.present.scene import Scene
+from freebody.present.strokes import Path, Stroke
+from freebody.present.symbols import capsule, circle, hatched
+
+_RAIL = 6.0  # half of the rail of what is short, in sizes of symbols
+_SHORT = 5.0  # what is shorter, in sizes of symbols
+_ROLLED_ON = 2.6  # half of a line on which a wheel rolls, by the radius of the wheel
+
+
+class Guides:
+    """The guides of a scene on its way. poses: (n_times, n_bodies, 3); u: [m] the size of symbols."""
+
+    def __init__(self, scene: Scene, poses: Array, u: float) -> None:
+        self.scene, self.poses, self.u = scene, poses, u
+
+    def strokes(self) -> Iterator[Stroke]:
+        for sign in self.scene.signs:
+            match sign:
+                case glyphs.Rail():
+                    yield from self._rail(sign)
+                case glyphs.Face(through, point, normal, turning):
+                    edge = glyphs.Rail(
+                        through, point, normal.quarter_back(), "freely" if turning == "freely" else "not"
+                    )
+                    yield from self._rail(edge)
+                case glyphs.Track():
+                    yield from self._track(sign)
+                case glyphs.Groove():
+                    yield from self._groove(sign)
+                case _:
+                    pass
+
+    def _figure(self, body: int) -> Figure | None:
+        return next((f for f in self.scene.figures if f.index == body != GROUND), None)
+
+    def _rail(self, rail: Rail) -> Iterator[Stroke]:
+        """A hatched rail on the ground, a line on a body; a slot for a pin that turns in it."""
+        figure = self._figure(rail.point.body)
+        is_slot = rail.turning != "not"
+        back, ahead = self._lengths(figure, rail.point, rail.along)
+        is_short = back + ahead < _SHORT * self.u
+        more = max(0.5 * (2 * _RAIL * self.u - back - ahead), self.u) if is_short else self.u
+        reach = (3.0 * self.u, 3.0 * self.u) if is_slot else (back + more, ahead + more)
+        low, high, level = self._run(rail.point, rail.along, reach)
+        if is_slot:
+            slot = capsule((low, 0.0), (high, 0.0), 0.9 * self.u)
+            yield self._on_line(rail.along, level, slot, "slot", is_closed=True)
+            return
+        below, above = extent_across(figure, rail.point, rail.along, self.poses) if figure else (0.0, 0.0)
+        level += below if below < -1e-9 else -0.8 * self.u if above < 1e-9 else 0.0
+        yield from self._edge(rail.along, level, low, high, -1.0)
+
+    def _track(self, track: Track) -> Iterator[Stroke]:
+        """The line on which a circle rolls, unless it is a surface for others too."""
+        side = math.copysign(1.0, track.radius)
+        runs = [self._rolled(other) for other in self.scene.tracks if self._share_line(track, other)]
+        low, high, level = min(run[0] for run in runs), max(run[1] for run in runs), runs[0][2]
+        is_first = next(other for other in self.scene.tracks if self._share_line(track, other)) is track
+        if is_first and not self._is_drawn(track.along, level):
+            yield from self._edge(track.along, level, low, high, -side)
+
+    def _rolled(self, track: Track) -> tuple[float, float, float]:
+        """From where to where one circle needs its line, and how far on the left of the origin that is [m]."""
+        lengths = self._lengths(self._figure(track.center.body), track.center, track.along)
+        reach = max(_ROLLED_ON * abs(track.radius), *lengths, 2 * self.u) + self.u
+        low, high, level = self._run(track.center, track.along, (reach, reach))
+        return low, high, level - track.radius
+
+    def _share_line(self, a: Track, b: Track) -> bool:
+        """Whether two circles roll on the same side of one line, which is drawn once."""
+        if a.along.body != b.along.body or a.radius * b.radius <= 0:
+            return False
+        levels = [self._run(t.center, t.along, (0.0, 0.0))[2] - t.radius for t in (a, b)]
+        is_same_way = float(np.hypot(a.along.x - b.along.x, a.along.y - b.along.y)) < 1e-9
+        return is_same_way and abs(levels[0] - levels[1]) < 1e-6
+
+    def _groove(self, groove: Groove) -> Iterator[Stroke]:
+        """The two edges of a circular groove."""
+        turn = groove.center.body
+        for radius in (groove.radius - 0.9 * self.u, groove.radius + 0.9 * self.u):
+            if radius > 0.0:
+                yield Path(groove.center, turn, circle(radius, 24), "slot", True)
+
+    def _run(self, point: Place, along: Heading, reach: tuple[float, float]) -> tuple[float, float, float]:
+        """From where to where a point goes along a line, with some reach behind it and ahead, and how far on its left
+        it starts [m]."""
+        s, across = travel(point, along, self.poses)
+        return float(s.min()) - reach[0], float(s.max()) + reach[1], float(across[0])
+
+    def _edge(self, along: Heading, level: float, low: float, high: float, side: float) -> Iterator[Stroke]:
+        """A line, hatched on one side on the ground."""
+        yield self._on_line(along, level, np.array([(low, 0.0), (high, 0.0)]), "surface")
+        if along.body == GROUND:
+            yield self._on_line(along, level, hatched(low, high, side * self.u, self.u), "hatch")
+
+    def _on_line(self, along: Heading, level: float, points: Array, style: str, *, is_closed: bool = False) -> Path:
+        """A path given along and across a line."""
+        start = turned(along.angle + np.pi / 2, 1.0, 0.0) * level
+        return Path(Place(along.body, *map(float, start)), along.body, turned(along.angle, *points.T), style, is_closed)
+
+    def _is_drawn(self, along: Heading, level: float) -> bool:
+        """Whether a line is a surface for others too, which is drawn at full length."""
+        for wall in self.scene.walls:
+            turn = along.x * wall.along.y - along.y * wall.along.x
+            height = wall.through.y * along.x - wall.through.x * along.y
+            if wall.along.body == along.body and max(abs(turn), abs(height - level)) < 1e-6:
+                return True
+        return False
+
+    def _lengths(self, figure: Figure | None, point: Place, along: Heading) -> tuple[float, float]:
+        """[m] how far a body reaches behind a point and ahead of it along a line."""
+        if figure is None or figure.is_particle:
+            return 0.0, 0.0
+        low, high = extent_across(figure, point, along.quarter_back(), self.poses)
+        return -low, high
