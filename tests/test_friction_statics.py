@@ -823,3 +823,26 @@ def test_what_hangs_freely_beside_a_drive_that_accelerates_is_not_at_rest() -> N
     found = fb.solve(fb.System.from_text(hung + "questions: [largest a0 so that it stays at rest]\n")).answers[0]
     assert found.expression is None
     assert "free to move" in found.reason
+
+
+def test_a_drum_against_a_chock_may_spin_and_goes_along() -> None:
+    """About the chock: m a0 (R - h) = m g sqrt(R^2 - (R - h)^2)."""
+    drum = """
+parameters: {m: 80 kg, R: 0.3 m, h: 0.05 m, a0: 1 m/s^2, g: 9.81 m/s^2}
+bodies:
+  truck:
+    rectangle: {mass: 1000 kg, width: 4 m, height: 0.4 m}
+    at: [0, 0]
+    lines: {bed: {through: [0, 0.2], along: right}}
+    points: {chock: [-sqrt(R^2 - (R - h)^2), 0.2 m + h]}
+  drum: {disk: {mass: m, radius: R}, near: {at: [0, 0.5]}}
+connections:
+  track: {slider: {body: truck, along: right}}
+  motor: {driver: {measure: x of truck, follows: a0*t^2/2}}
+  bed: {contact: {between: [drum, truck.bed], touching: true}}
+  chock: {contact: {between: [drum, truck.chock], touching: true}}
+loads: {weight: {gravity: g}}
+questions: [largest a0 so that it stays at rest]
+"""
+    (answer,) = fb.solve(fb.System.from_text(drum)).answers
+    assert answer.value == pytest.approx(9.81 * math.sqrt(0.3**2 - 0.25**2) / 0.25, rel=1e-9)

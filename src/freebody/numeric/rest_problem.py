@@ -20,11 +20,10 @@ from freebody.numeric.instant import forces, gyroscopic
 from freebody.numeric.jet_geometry import JetGeometry
 from freebody.numeric.jets import TIME, Array
 from freebody.numeric.reference import Reference
-from freebody.numeric.split import stack
+from freebody.numeric.split import Split, stack
 from freebody.tolerances import ROUND_OFF
 
 FREE_BESIDE = Message("beside what is driven something is free to move; rest is asked of what is held")
-_RCOND = 1e-11
 
 
 @dataclass(frozen=True)
@@ -108,11 +107,15 @@ def _led(reference: Reference, J: Array, driven: Array) -> Array:
     moves = reference.sizes.unit_moves
     if not driven.any():
         return np.zeros(len(moves))
-    scaled, _rest, rank, _sizes = np.linalg.lstsq(J * moves, driven, rcond=_RCOND)
-    found: Array = moves * scaled
+    split = Split(J, moves)
+    found = split.least(driven)
     if float(np.abs(J @ found - driven).max()) > ROUND_OFF * float(np.abs(driven).max()):
         raise CannotAnswer(Message("the drive moves what is held, so nothing stays at rest beside it"))
-    if rank < J.shape[1]:
+    n = 3 if reference.system.space else 2
+    moved = [column for body in reference.system.moving for column in reference.columns(body.name)[:n]]
+    if (
+        float(np.abs(split.null[moved]).max(initial=0.0)) > ROUND_OFF
+    ):  # what only spins about its middle need not go along
         raise CannotAnswer(FREE_BESIDE)
     return found
 

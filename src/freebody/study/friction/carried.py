@@ -1,7 +1,7 @@
 """What goes along with a drive in a system at rest beside it: the rate of momentum of every body.
 
-The system in which everything that touches sticks has no freedom left; its bodies have the velocities and accelerations
-that the drive gives them.
+The system in which everything that touches sticks has no freedom left, but for what spins about its own middle; its
+bodies have the velocities and accelerations that the drive gives them.
 """
 
 from __future__ import annotations
@@ -18,13 +18,17 @@ def carried(touching: TouchingAtRest, setup: Setup) -> dict[str, tuple[Ratio, ..
     if not touching.is_driven:
         return {}
     stuck = Setup(touching.stuck)
-    if stuck.model.degrees_of_freedom:
-        raise CannotAnswer(FREE_BESIDE)
     state, model = stuck.start_instant, stuck.model
+    f, n = model.field, 3 if model.system.space else 2
+    for partials in model.kinematics.partial_velocities.values():
+        if any(not state.here(x).is_zero() for partial in partials for x in partial[:n]):
+            raise CannotAnswer(FREE_BESIDE)  # what only spins about its middle need not go along
+    still = dict.fromkeys(model.accelerations, f.zero)
     found: dict[str, tuple[Ratio, ...]] = {}
     for body in model.system.all_moving:
-        along = model.dynamics.inertia_force(body.name, model.kinematics.body_accelerations[body.name])
-        shown = (model.field.expression(model.field.lowest_terms(state.here(x))) for x in along)
+        accelerations = [f.substitute(a, still) for a in model.kinematics.body_accelerations[body.name]]
+        along = model.dynamics.inertia_force(body.name, accelerations)
+        shown = (f.expression(f.lowest_terms(state.here(x))) for x in along)
         found[body.name] = tuple(setup.model.geometry.scalar(x) for x in shown)
     is_moved = any(not x.is_zero() for parts in found.values() for x in parts)
     return found if is_moved else {}
