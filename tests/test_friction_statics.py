@@ -846,3 +846,22 @@ questions: [largest a0 so that it stays at rest]
 """
     (answer,) = fb.solve(fb.System.from_text(drum)).answers
     assert answer.value == pytest.approx(9.81 * math.sqrt(0.3**2 - 0.25**2) / 0.25, rel=1e-9)
+
+
+def test_what_rolls_from_the_start_rolls() -> None:
+    """m a = F, m R^2 al/2 = F R, a + R al = a0: F = m a0/3 <= mu m g."""
+    drum = """
+parameters: {m: 5 kg, R: 0.3 m, a0: 2 m/s^2, g: 9.81 m/s^2, mu: 0.3}
+bodies:
+  truck: {rectangle: {mass: 1 t, width: 5 m, height: 0.5 m}, lines: {top: {through: [0, 0.25], along: right}}}
+  drum: {disk: {mass: m, radius: R}, near: {at: [0, 0.55]}}
+connections:
+  track: {slider: {body: truck, along: right}}
+  motor: {driver: {measure: x of truck, follows: a0*t^2/2}}
+  roll: {contact: {between: [drum, truck.top], friction: mu, touching: true}}
+loads: {weight: {gravity: g}}
+questions: [least mu so that drum rolls, largest a0 so that drum rolls]
+"""
+    least, largest = fb.solve(fb.System.from_text(drum)).answers
+    assert least.value == pytest.approx(2 / (3 * 9.81), rel=1e-9)
+    assert largest.value == pytest.approx(3 * 0.3 * 9.81, rel=1e-9)

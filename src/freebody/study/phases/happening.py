@@ -102,7 +102,7 @@ class _Walk:
         if not is_first:
             return None
         if isinstance(self.what, Transition):
-            begins = bool(begins_with(self.tree, self.what, node)) or (self.at_once and self._rolls_at_once(node))
+            begins = bool(begins_with(self.tree, self.what, node)) or self._rolls_at_once(node)
             if begins or self.at_once:
                 return begins
         if isinstance(self.before, Transition) and begins_with(self.tree, self.before, node):

@@ -171,6 +171,9 @@ class _Seen:
             )
         before = np.maximum.accumulate(slides, axis=0)
         if asked.kind == "rolls":
+            is_asked, from_start = asked is self.happening.what, Lasting("rolls", asked.of, asked.text)
+            if is_asked and (states[:2] == 0).any() and self._fails(from_start) > self.course.times[1]:
+                return 0.0
             return self._first((before & (states == 0)).any(axis=1))
         turned = np.zeros_like(slides)
         turned[1:] = slides[:-1] & (states[1:] != states[:-1])
