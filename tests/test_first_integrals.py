@@ -558,3 +558,15 @@ start: {x: A, rate(x): 0}
     assert system.solve("period of x").answers[0].value == pytest.approx(expected, rel=1e-9)
     turned = system.solve("value of A for which period of x = 2 s").answers[0].value
     assert turned == pytest.approx(0.2 * expected / 2, rel=1e-9)
+
+
+def test_a_rough_rod_that_turns_flings_a_bead_by_a_linear_law() -> None:
+    """N = 2 m w r', so r'' + 2 mu w r' = w^2 r: r = a e^(-mu w t) (cosh(k t) + mu w/k sinh(k t)), k^2 = w^2 (1 + mu^2).
+    Meriam & Kraige, Dynamics, ch. 2 and 3."""
+    rough = FLUNG.replace("on: rod}}", "on: rod, friction: 0.3}}")
+    (answer,) = fb.solve(fb.System.from_text(rough + "questions: ['r at t = 0.4 s']\n")).answers
+    w, mu, t = 3.0, 0.3, 0.4
+    k = w * math.hypot(1.0, mu)
+    wanted = 0.2 * math.exp(-mu * w * t) * (math.cosh(k * t) + mu * w / k * math.sinh(k * t))
+    assert answer.expression is not None
+    assert answer.value == pytest.approx(wanted, rel=1e-9)

@@ -169,7 +169,8 @@ def course_of(model: SymbolicModel, start: StartState, one_way: Set[int] = froze
         return UniformMotion(model, start, still)
     smooth = SmoothMotion(model, start)
     # what is driven goes on by the time since the start of the model, not of the phase
-    free = not model.dependent and not is_driven(model)
+    is_timed = is_driven(model) and any(f.index(f.time) in f.ingredients(a) for a in accelerations)
+    free = not model.dependent and not is_timed
     laws, sides = _laws(smooth, one_way) if free else ([], ())
     has_laws = len(laws) == len(model.coordinates)
     if len(model.coordinates) == 1:
