@@ -59,3 +59,10 @@ loads: {weight: {gravity: 9.81 m/s^2}}
         .answers
     )
     assert "space: {up: z}" in answer.reason
+
+
+def test_copies_in_space_are_to_be_written_each() -> None:
+    with pytest.raises(fb.FreebodyError) as refused:
+        fb.System.from_text("space: true\nbodies: {p: {sphere: {mass: 1 kg, radius: 0.1 m}, copies: 3}}\n")
+    assert "in space write each body with a name of its own" in str(refused.value)
+    assert "pinned" not in str(refused.value)

@@ -465,6 +465,45 @@ questions: {force: force of air at start, slow: "acceleration of ball along z at
     assert solution["spin"].value == pytest.approx(2 / 0.5)  # at rest
 
 
+def bungee(start: str, *, space: bool) -> fb.System:
+    zero = "[0, 0, 0]" if space else "[0, 0]"
+    return fb.System.from_text(f"""
+space: {str(space).lower()}
+parameters: {{m: 70 kg, k: 100 N/m, l: 10 m, g: 9.81 m/s^2}}
+ground: {{points: {{A: {zero}}}}}
+bodies: {{jumper: {{particle: {{mass: m}}{", at: " + zero if start == "at" else ""}}}}}
+loads:
+  weight: {{gravity: g}}
+  cord: {{elastic_string: {{from: ground.A, to: jumper, stiffness: k, length: l}}}}
+measures: {{y: drop of jumper below ground.A}}
+{"start: {y: 0, rate(y): 0}" if start == "start" else ""}
+""")
+
+
+@pytest.mark.parametrize("space", [False, True], ids=["plane", "space"])
+@pytest.mark.parametrize("start", ["at", "start"])
+def test_jumper_who_starts_at_the_anchor_falls_freely_and_is_caught(start: str, space: bool) -> None:
+    # m g y = k/2 (y - l)^2 at the lowest place; the speed is greatest where k (y - l) = m g
+    m, k, free, g = 70.0, 100.0, 10.0, 9.81
+    sag = m * g / k
+    lowest = free + sag + math.sqrt(sag * sag + 2 * sag * free)
+    fall, omega = math.sqrt(2 * free / g), math.sqrt(k / m)
+    lowest_after = fall + (math.pi - math.atan(g * fall / (sag * omega))) / omega
+    wanted = {
+        "greatest y": lowest,
+        "greatest velocity of y": math.sqrt(2 * g * (free + sag) - k / m * sag * sag),
+        "greatest force in cord": k * (lowest - free),
+        "velocity of y when y = l": math.sqrt(2 * g * free),
+        "time when y turns back": lowest_after,
+    }
+    system = bungee(start, space=space)
+    for question, value in wanted.items():
+        [answer] = system.solve(question).answers
+        assert answer.value == pytest.approx(value, rel=1e-7), question
+    motion = system.simulate(2 * lowest_after)
+    assert float(motion.dataset["y"][-1]) == pytest.approx(0.0, abs=1e-4)  # it comes back to the anchor
+
+
 def test_an_elastic_string_is_slack_where_it_is_short() -> None:
     # a jump of 20 m of free fall, then m g y = k (y - l)^2/2 at the lowest point
     system = fb.System.from_text("""

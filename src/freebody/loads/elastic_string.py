@@ -21,8 +21,9 @@ from freebody.language.units import FORCE, LENGTH, STIFFNESS
 from freebody.loads.base import Load
 from freebody.loads.law import law
 from freebody.measures.combination import Combination, Composed
+from freebody.measures.displacement import Displacement
 from freebody.measures.distance import Distance
-from freebody.measures.geometry import ONE, ZERO, Point
+from freebody.measures.geometry import AXES, GROUND, ONE, ZERO, Point
 from freebody.model import glyphs
 from freebody.model.elements import VALUE, AppliedLoad, Validity
 from freebody.model.glyphs import Glyph
@@ -91,8 +92,39 @@ loads: {it: {elastic_string: {from: ground.A, to: ball, stiffness: 5 N/m, length
         if self.taut:
             names.assumptions.append(Message("the elastic string from {start} stays taut", start=self.start))
             return [AppliedLoad("", stretch, negate(multiply(k, VALUE)))]
+        if natural is not None and self._starts_at_its_anchor(names):
+            return [AppliedLoad("", self._stretched(names, natural), negate(multiply(k, VALUE)))]
         # (e + |e|)/2 is e where it is positive, and 0 elsewhere
         return [AppliedLoad("", stretch, negate(divide(multiply(k, VALUE + Call("abs", VALUE)), number(2))))]
+
+    def _starts_at_its_anchor(self, names: Names) -> bool:
+        """Whether the model puts both ends in one place, where the string has no direction."""
+        ends = self._points(names)
+        if len(ends) != 2:
+            return False
+        for held, moved in (ends, ends[::-1]):
+            body = names.known(moved.body)
+            if held.body == GROUND and body.start.at is not None and body.points[body.start.at[0]] == moved.offset:
+                gaps = [names.numeric(a - b) for a, b in zip(body.start.at[1], held.offset, strict=False)]
+                return all(gap == 0.0 for gap in gaps)
+        started = (names.measures[name] for name in names.started_at_zero if name in names.measures)
+        between = {(p.body, p.offset) for p in ends}
+        return any(
+            isinstance(m, Displacement) and {(p.body, p.offset) for p in (m.of, m.origin)} == between for m in started
+        )
+
+    def _stretched(self, names: Names, natural: Expr) -> Composed:
+        """max(l, l_0) - l_0, with max(a, b) = (a + b + |a - b|)/2 of the squares: it has a gradient also where the ends
+        meet, which is zero."""
+        first, last = self._points(names)
+        axes = zip(("@x", "@y", "@z") if names.space else ("@x", "@y"), AXES, strict=False)
+        parts = tuple((name, Displacement(last, first, axis)) for name, axis in axes)
+        square: Expr = ZERO
+        for name, _part in parts:
+            square = square + Symbol(name) * Symbol(name)
+        relaxed = natural * natural
+        larger = divide(square + relaxed + Call("abs", square - relaxed), number(2))
+        return Composed(Call("sqrt", larger) - natural, parts, LENGTH)
 
 
 class TensionedString(_OverPoints, kind="tensioned_string"):

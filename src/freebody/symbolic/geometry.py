@@ -40,7 +40,8 @@ class FieldGeometry:
         self.poses = poses
         self._tangent = tangent
         self._root = root
-        self.functions = functions(field, is_negative)  # what signs roots have that formulas leave open
+        # what signs roots have that formulas leave open; a size that is asked for as such may have either
+        self.functions = {**functions(field, is_negative), "abs": functions(field)["abs"]}
         zero, one = field.zero, field.one
         self._ground: AnyPose = Pose(zero, zero, zero, one, zero)
         if space:

@@ -54,6 +54,11 @@ def read_system(document: Document, file: str | None) -> SystemDescription:
     names.called |= {name: spec.words() for name, spec in {**connections, **loads}.items() if name not in names.bodies}
     measures = read_measures(source)
     read_states(source)
+    start, rates = read_start(source, measures)
+    names.placed_at_start = dict(start)
+    names.started_at_zero = {name for name, value in start.items() if value == ZERO}
+    names.starts_away = any(value != ZERO for value in (*start.values(), *rates.values()))
+    names.start_rates = rates
     applied_loads = names.applied_loads = read_loads(names, loads)
     impulses = read_impulses(names, loads)
     striking, closing = striking_when(names, loads), closing_when(source)
@@ -65,11 +70,6 @@ def read_system(document: Document, file: str | None) -> SystemDescription:
     blows = gathered(closing, striking, later, list(impulses))
     contacts, limits, brakes = read_bounds(names, connections, closing)
     validities = read_validities(names, connections, loads)
-    start, rates = read_start(source, measures)
-    names.placed_at_start = dict(start)
-    names.started_at_zero = {name for name, value in start.items() if value == ZERO}
-    names.starts_away = any(value != ZERO for value in (*start.values(), *rates.values()))
-    names.start_rates = rates
     mode = read_mode(source)
     names.constraint_rows = [*held, *later, *rows_to_ask_for(contacts, limits, brakes)]
     names.impulses = frozenset(push.load for push in impulses)

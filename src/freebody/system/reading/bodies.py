@@ -119,7 +119,9 @@ class BodySections:
             fixed=fixed,
             start=start,
             corners=self._outline(entry, offsets) or build.corners,
-            copies=copied_names(names, name, entry.get("copies"), self.source.mapping("bodies")),
+            copies=copied_names(
+                names, name, None if names.space else entry.get("copies"), self.source.mapping("bodies")
+            ),
             is_ring=build.is_ring,
             edges=tuple(self._edge_from_mass_center(edge, build) for edge in build.edges),
             tensor=build.tensor,
@@ -166,6 +168,8 @@ class BodySections:
                     hint = Message(" It is for models in space: write space: true.")
                 if key == "angle":
                     hint = Message(" In space write how it is turned, e.g. turned: 30 deg about z.")
+                if key == "copies":
+                    hint = Message(" It is for planets in the plane; in space write each body with a name of its own.")
                 names.problem(Message("{what} has no {key}.{hint}", what=Message("a body"), key=key, hint=hint), key)
         if len(kinds) > 1:
             names.problem(Message("{name} has two shapes: {kinds}", name=name, kinds=[*kinds]))
