@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any, ClassVar, cast
 
@@ -52,6 +52,9 @@ class String(Connection, kind="string"):
 
     called: ClassVar[tuple[str, ...]] = ("rope", "cord", "cable", "thread", "wire", "line")
     also: ClassVar[tuple[str, ...]] = ("rope", "cord", "cable", "thread")
+    elsewhere: ClassVar[Mapping[str, str]] = {
+        "length": Message("it is as long as where its ends and the bodies on its way are put (at) makes it")
+    }
 
     start: str | None = Field(default=None, alias="from")
     to: str | None = None
