@@ -39,7 +39,8 @@ ALLOWED = {"mrow", "mi", "mn", "mo", "mfrac", "msqrt", "msub", "msup", "msubsup"
         ("x'", '<mover><mi>x</mi><mo stretchy="false" scriptlevel="+0" mathsize="1em">.</mo></mover>', "dot(x)"),
         (
             "lam''",
-            '<mover><mi>λ</mi><mo stretchy="false" scriptlevel="+0" mathsize="1em" style="letter-spacing:-0.08em">..</mo></mover>',
+            '<mover><mi>λ</mi><mo stretchy="false" scriptlevel="+0" mathsize="1em" '
+            'style="letter-spacing:-0.08em">..</mo></mover>',
             "dot.double(λ)",
         ),
         ("9.81", "<mn>9.81</mn>", "9.81"),

@@ -465,6 +465,8 @@ def test_only_the_cause_is_told_of_what_cannot_be_read(section: str, text: str, 
         ),
         ("m: 80 kg", "m: 80 kg, g: 9.81 m/s", "g must be an acceleration (m/s^2), but is given in m/s"),
         ("mass: m, width", "mass: 2,5 kg, width", "a comma separates entries; write a point: 2.5 kg"),
+        ("to: ground.B", "to: ground.B, length: 2 m", "string has no length: it is as long as"),
+        ("questions:", "loads: {w: {gravity: [0, -9.81 m/s^2]}}", "gravity is a strength and a direction"),
         ("[crate, floor]", "[crate, flor]", "there is no body or line flor. Did you mean floor?"),
         ("lines: {floor: {along: right}}", "{}", "ground: {lines: {floor: {along: right}}}"),
         ("bob: {particle: {mass: m}}", "bob: {mass: m}", "bob needs a shape with these fields: bob: {particle:"),
@@ -491,6 +493,8 @@ connections:
   p: {pin: [ground.A, bob]}
   s: {string: {from: bob, to: ground.B}}
 """
+    if new.startswith("loads:"):
+        text += f"{new}\n"
     if new == "{}":
         text = text.replace("ground: {lines: {floor: {along: right}}}\n", "")
     if "M: 3" in new:

@@ -110,3 +110,9 @@ def test_the_dimension_of_a_coordinate_is_as_long_as_the_length() -> None:
     whole = sizes[-1]
     for length in (1.2, 1.5):
         assert min(abs(size / whole - length / 4.0) for size in sizes) < 0.01
+
+
+@pytest.mark.parametrize("name", ["wheel_over_a_hump", "rod_caught_by_a_peg"])
+def test_only_points_of_bodies_that_there_are_have_names(name: str) -> None:
+    """A carrier of a place beside a curve is no body."""
+    assert load(name).picture().words

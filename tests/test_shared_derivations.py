@@ -8,9 +8,9 @@ import pytest
 
 from examples_told import explained
 from freebody import System
-from freebody.language.expression import Symbol, free_symbols
+from freebody.language.expression import Expr, Symbol, free_symbols
 from freebody.narrative.explain import Explanation, explain
-from freebody.narrative.lines.script import NumberedFormula, Sentence
+from freebody.narrative.lines.script import Legend, NumberedFormula, Sentence
 from freebody.narrative.sharing import lines_of, referred, sentences_of
 
 EXAMPLES = Path(__file__).parent.parent / "examples"
@@ -23,10 +23,26 @@ def all_lines(found: Explanation) -> list[NumberedFormula]:
     return lines_of([*found.opening, *(stage for d in found.derivations for stage in d.stages)])
 
 
+def legends(found: Explanation) -> list[tuple[Expr, Sentence, str]]:
+    stages = [*found.opening, *(stage for d in found.derivations for stage in d.stages)]
+    return [e for stage in stages for item in stage.items if isinstance(item, Legend) for e in item.entries]
+
+
 @shared
 def test_no_line_is_written_twice(name: str) -> None:
     lines = [line for line in all_lines(explained(name)) if line.why is not None]
     assert len({(line.sides, line.symbols) for line in lines}) == len(lines)
+
+
+@pytest.mark.parametrize("name", ["ladder_rough_wall", "block_tips_or_slides"])
+def test_two_limits_of_one_question_share_their_equations(name: str) -> None:
+    """Equilibrium is written once for a block that tips and for one that slides, and so is a law of friction."""
+    found = explained(name)
+    for derivation in found.derivations:
+        lines = lines_of(derivation.stages)
+        led = {n for line in lines for n in (*line.uses, *referred(line.why))}
+        twice = [line for line in lines if line.number in led]
+        assert len({(line.sides, line.symbols, line.when) for line in twice}) == len(twice)
 
 
 @shared
@@ -128,3 +144,23 @@ def test_reasons_keep_their_formulas_and_units() -> None:
     assert pieces[0] == "adds "
     assert sum(isinstance(piece, Formula) for piece in pieces) == 2
     assert any("m⁴/s²" in piece for piece in pieces if isinstance(piece, str))
+
+
+def test_the_energies_of_all_bodies_are_called_alike() -> None:
+    """T_left is a tension, so no body has a T of its own."""
+    told = {str(e[0].name) for e in legends(explained("atwood_machine")) if isinstance(e[0], Symbol)}
+    assert {"E_kin_left", "E_kin_right", "E_kin_pulley"} <= told
+    assert "T_pulley" not in told
+
+
+def test_a_coordinate_that_a_joint_offers_is_called_by_it() -> None:
+    found = explained("disk_on_angled_shaft")
+    (what,) = (e[1] for e in legends(found) if isinstance(e[0], Symbol) and e[0].name == "phi_spindle")
+    assert what == Sentence("symbol.angle_in", {"connection": "spindle"})
+    assert "along the axes of shaft" in found.to_text()
+
+
+def test_what_is_asked_of_a_body_is_not_called_as_the_body() -> None:
+    text = explained("slider_crank").to_text()
+    assert "v_piston = " in text
+    assert " piston = " not in text

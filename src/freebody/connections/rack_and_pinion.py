@@ -104,8 +104,15 @@ connections: {p: {pin: [ground.A, gear]}, g: {slider: {body: bar, along: right}}
         x, y = (number_of(names, c) for c in guide.components[:2])
         line = guide if x > ROUND_OFF or (abs(x) <= ROUND_OFF and y > 0) else guide.reversed()
         me = self.own_name(names)
-        whose = f"the guide of {pinion.name}" if rack.fixed else "its guide"
-        names.assumptions.append(f"{me}: the teeth of {rack.name} run along {whose}")
+        told = Message(
+            "{connection}: the teeth of {rack} run along the guide of {pinion}"
+            if rack.fixed
+            else "{connection}: the teeth of {rack} run along its guide",
+            connection=me,
+            rack=rack.name,
+            pinion=pinion.name,
+        )
+        names.assumptions.append(told)
         return line
 
     def _is_above(self, names: Names, pinion: RigidBody, rack: RigidBody, along: Direction) -> bool:

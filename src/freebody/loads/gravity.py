@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, ClassVar
 
+from freebody.errors import UnitError
 from freebody.language.expression import Expr, multiply
-from freebody.language.units import ACCELERATION
+from freebody.language.sentences import Message
+from freebody.language.units import ACCELERATION, parse_quantity
 from freebody.loads.base import Load
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import ZERO, Direction
@@ -34,6 +36,13 @@ loads: {it: {gravity: 9.81 m/s^2}}
 """
 
     def applied_loads(self, names: Names) -> list[AppliedLoad]:
+        if _is_an_acceleration(self.along):
+            told = Message(
+                "gravity is a strength and a direction, not components: gravity: 9.81 m/s^2, or "
+                "{{strength: 9.81 m/s^2, along: down}}"
+            )
+            names.problem(told)
+            return []
         g = names.positive(self, "strength", ACCELERATION)
         along = names.direction(self.along, "along")
         names.fields.add((along, g))
@@ -55,3 +64,11 @@ loads: {it: {gravity: 9.81 m/s^2}}
 
     def glyphs(self, names: Names) -> Iterable[Glyph]:
         yield glyphs.Field(names.direction(self.along, "along"))
+
+
+def _is_an_acceleration(value: Heading) -> bool:
+    """Whether a component of gravity stands where its direction belongs."""
+    try:
+        return isinstance(value, str) and parse_quantity(value).dimension == ACCELERATION
+    except UnitError:
+        return False

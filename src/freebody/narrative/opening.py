@@ -17,6 +17,7 @@ from freebody.measures.angle import Angle
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, RIGHT, UP, ZERO, Direction, Point
 from freebody.model.elements import NonholonomicForm, RigidBody
+from freebody.model.named_angles import offered_name
 from freebody.model.phrases import phrase_text
 from freebody.model.states import state_name
 from freebody.narrative.contact.settings import has_phases
@@ -109,7 +110,13 @@ def _coordinate(context: Context, name: str) -> tuple[Sentence, str]:
             axis = "x" if along.components == RIGHT.components else "y"
             return Sentence("symbol.place", {"body": of.body, "axis": f"@letter.{axis}"}), "m"
         case _:
-            return Sentence("symbol.coordinate"), ""
+            pass
+    for called, connection in context.system.connections.items():  # offered by a joint without a name of its own
+        for key, measure in connection.offers(context.system.names):
+            if offered_name(called, key, measure) == name:
+                kind = "angle_in" if measure.is_angle else "travel_in"
+                return Sentence(f"symbol.{kind}", {"connection": called}), "" if measure.is_angle else "m"
+    return Sentence("symbol.coordinate"), ""
 
 
 def _is_plain(of: Point, origin: Point, along: Direction) -> bool:

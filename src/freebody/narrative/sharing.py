@@ -130,6 +130,7 @@ class ToldSoFar:
         """What is new in a derivation, and by which lines those that it lost stand already."""
         pieces = [piece for k, stage in enumerate(stages) for piece in _pieces(k, stage)]
         again = {p.line.number: n for p in pieces if p.line is not None and (n := self.line_of(p.line)) is not None}
+        again = _repeated(pieces) | again
         needed = _needed(pieces, again)
         kept: list[DerivationStage] = []
         for k, stage in enumerate(stages):
@@ -244,16 +245,35 @@ def _pieces(place: int, stage: DerivationStage) -> list[_Piece]:
     return [*found, *([_Piece(place, tuple(waiting))] if waiting else [])]
 
 
+def _repeated(pieces: Sequence[_Piece]) -> dict[int, int]:
+    """Of the lines from which others follow those that stand in the same derivation before, and where: two limits are
+    found from the same equations."""
+    leads_on = _leading_on(pieces)
+    first: dict[object, int] = {}
+    found: dict[int, int] = {}
+    for line in (p.line for p in pieces if p.line is not None):
+        n = first.setdefault(_key(line, line.when), line.number)
+        if n != line.number and line.number in leads_on:
+            found[line.number] = n
+    return found
+
+
+def _leading_on(pieces: Sequence[_Piece]) -> set[int]:
+    """The lines from which others follow."""
+    return {n for p in pieces if p.line is not None for n in (*p.line.uses, *referred(p.line.why))}
+
+
 def _needed(pieces: Sequence[_Piece], again: Mapping[int, int]) -> set[int]:
     """The lines that lead to an end of the derivation without having been told: to its last line, and to those from
     which no other follows."""
     own = {p.line.number: p for p in pieces if p.line is not None}
-    leads_on = {n for p in pieces if p.line is not None for n in (*p.line.uses, *referred(p.line.why))}
+    leads_on = _leading_on(pieces)
     waiting = [n for n in own if n not in leads_on]
     waiting += [n for p in pieces if p.line is None for item in p.items for n in referred_in(item)]
     found = set[int]()
     while waiting:
         n = waiting.pop()
+        n = again.get(n, n)
         if n in own and n not in again and n not in found:
             found.add(n)
             line = own[n].line

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any, ClassVar, cast
 
@@ -52,6 +52,9 @@ class String(Connection, kind="string"):
 
     called: ClassVar[tuple[str, ...]] = ("rope", "cord", "cable", "thread", "wire", "line")
     also: ClassVar[tuple[str, ...]] = ("rope", "cord", "cable", "thread")
+    elsewhere: ClassVar[Mapping[str, str]] = {
+        "length": Message("it is as long as where its ends and the bodies on its way are put (at) makes it")
+    }
 
     start: str | None = Field(default=None, alias="from")
     to: str | None = None
@@ -225,15 +228,26 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
             rows.append(hook.row(names))
             self._note_guided(names, me, rows[-1], hook)
             if names.known(body).start.at is not None:
-                names.assumptions.append(
-                    f"{me}: {body} is put where it hangs straight down, so it moves up and down only; swings: true "
-                    "lets it swing"
+                told = Message(
+                    "{connection}: {body} is put where it hangs straight down, so it moves up and down only; swings: "
+                    "true lets it swing",
+                    connection=me,
+                    body=body,
                 )
+                names.assumptions.append(told)
         for first, second, lead in askew(names, run.way, run.leads, run.arms):
-            names.assumptions.append(
-                f"{me}: the lead from {first} to {second} runs {lead.name or 'in a constant direction'}, although it "
-                "would be askew where these stand"
+            told = Message(
+                "{connection}: from {first} to {second} its direction is taken to be {direction}, although it would be "
+                "at an angle to that where these are put"
+                if lead.name
+                else "{connection}: from {first} to {second} it is taken to keep its direction, although it would turn "
+                "where these are put",
+                connection=me,
+                first=first,
+                second=second,
+                direction=lead.name,
             )
+            names.assumptions.append(told)
         return rows
 
     def _own_hooks(self, names: Names, run: StringRun) -> Iterator[tuple[str, Hook]]:
@@ -249,11 +263,19 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
         """What is taken for granted of a body that hangs on what moves sideways, or beside a level lead."""
         body, lead = hook.point.body, hook.leads[0]
         if not is_parallel(names, lead.normal, RIGHT):
-            names.assumptions.append(f"{me}: {body} stays on the line of its lead, as on a smooth guide")
-        elif isinstance(row.measure, Displacement) and row.measure.origin.body != GROUND:
-            names.assumptions.append(
-                f"{me}: {body} is kept straight below {lead.other}, which may move sideways; swings: true lets it swing"
+            told = Message(
+                "{connection}: {body} stays on the line of its lead, as on a smooth guide", connection=me, body=body
             )
+            names.assumptions.append(told)
+        elif isinstance(row.measure, Displacement) and row.measure.origin.body != GROUND:
+            told = Message(
+                "{connection}: {body} is kept straight below {other}, which may move sideways; swings: true lets it "
+                "swing",
+                connection=me,
+                body=body,
+                other=lead.other,
+            )
+            names.assumptions.append(told)
 
     def hanging(self, names: Names) -> set[str]:
         """The bodies that can hang on it."""

@@ -8,6 +8,14 @@ from dataclasses import replace
 from functools import partial
 
 from freebody.language.expression import Expr, Symbol, rate_key
+from freebody.language.units import (
+    ACCELERATION,
+    ANGULAR_ACCELERATION,
+    ANGULAR_VELOCITY,
+    FORCE,
+    LENGTH,
+    VELOCITY,
+)
 from freebody.narrative.context import Context
 from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.script import Legend, Script, Sentence
@@ -47,6 +55,16 @@ def asked_entry(symbol: Symbol, question: Question, unit: str = "", n: int = 1) 
     return Legend(tuple((name, what, unit) for name in names))
 
 
+_LETTERS = {  # of what is asked of a body by whose name the question goes
+    LENGTH: "s",
+    VELOCITY: "v",
+    ACCELERATION: "a",
+    ANGULAR_VELOCITY: "omega",
+    ANGULAR_ACCELERATION: "alpha",
+    FORCE: "F",
+}
+
+
 def component_names(name: str) -> tuple[Symbol, Symbol, Symbol]:
     """name_x, name_y, name_z"""
     x, y, z = (Symbol(f"{name}_{axis}") for axis in "xyz")
@@ -56,6 +74,9 @@ def component_names(name: str) -> tuple[Symbol, Symbol, Symbol]:
 def asked_symbol(context: Context, question: Question, n: int = 1) -> Symbol:
     """A symbol for what is asked, and one for each of n components: the question's id where that is a good name."""
     own = question.id if re.fullmatch(r"[A-Za-z]\w*", question.id) else "result"
+    if own in context.system.bodies:  # v_piston, not piston, for a velocity
+        letter = _LETTERS.get(question.quantity.dimension)
+        own = own if letter is None else f"{letter}_{own}"
     reactions = {r.name for r in reaction_symbols(context.system).values()}
     if n > 1 and any(name.name in reactions for name in names_of(Symbol(own), n)):
         own = f"{own}_asked"

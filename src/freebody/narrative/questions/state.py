@@ -115,9 +115,12 @@ def _square(context: Context, body: str) -> tuple[Expr | None, list[Term]]:
 
 
 def name_of(context: Context, letter: str, of: str) -> Symbol:
-    """T_left, or E_kin_left where T_left is a tension."""
+    """T_left, or E_kin_left where one of T_left, T_right ... is a tension: all parts of a sum are called alike."""
     long = {"T": "E_kin", "V": "E_pot", "H": "L"}[letter]
-    return context.symbol(f"{letter}_{of}", f"{long}_{of}")
+    system = context.system
+    parts = [*system.loads] if letter == "V" else [body.name for body in system.moving]
+    is_free = all(context.symbol(f"{letter}_{part}").name == f"{letter}_{part}" for part in parts)
+    return context.symbol(*([f"{letter}_{of}"] if is_free else []), f"{long}_{of}")
 
 
 # -- energy -----------------------------------------------------------------------------------

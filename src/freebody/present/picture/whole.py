@@ -112,7 +112,7 @@ class Whole(ABC):
             *self.system.questions,
             *(p.measure for p in self.system.applied_loads),
         )
-        used |= {self.places.place(point) for point in within(asked, Point)}
+        used |= {self.places.place(p) for p in within(asked, Point) if p.body in self.system.material}
         named: dict[Place, str] = {}
         for body in self.system.material.values():
             for called in body.points:
