@@ -575,7 +575,6 @@ def test_what_a_change_of_a_parameter_does_is_told_by_asking_twice(said: str) ->
 @pytest.mark.parametrize(
     ("name", "said", "suggested"),
     [
-        ("worm_gear", "is the worm gear self-locking?", "range of T that keeps it at rest"),
         ("slider_crank", "quick return ratio", "time ratio of position of piston along cylinder"),
         ("gear_pair_with_pressure_angle", "what is the efficiency", "ratio of power of machine to power of motor"),
     ],

@@ -288,6 +288,13 @@ def _at(names: Names, mark: str, clause: Clause) -> Groups:
     if starts and clause.only("instant", "pronoun", "name"):
         yield [" at start"]
         return
+    places = {"at the top": False, "at the bottom": True}
+    said = [instant for instant in clause.all("instant") if instant in places and not lookup.rests(names)]
+    if len(said) == 1 and clause.only("instant", "pronoun", "name", "verb", "preposition"):
+        of = next((name for _, name in clause.names if name in lookup.moving(names)), "")
+        if poses.begins_at(names, of, lowest=places[said[0]]):
+            yield [" at start"]
+            return
     if (
         clause.only("pronoun", "verb", "preposition", "name")
         and clause.all("verb") in (["start"], ["start", "move"])

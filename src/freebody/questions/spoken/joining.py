@@ -300,6 +300,13 @@ def can_turn(names: Names, thing: str) -> bool:
     return thing not in names.bodies or names.bodies[thing].turns
 
 
+def threads(names: Names, things: list[str]) -> list[str]:
+    """Screws and worms that are, or touch, all of some things."""
+    with names.quietly():
+        own = [name for name, spec in names.connections.items() if not isinstance(spec.thread(names), str)]
+    return [name for name in own if all(touches(names, name, thing) for thing in things)]
+
+
 def may_open(names: Names, connection: str) -> bool:
     """Whether what a connection presses together can part."""
     return any(row.connection == connection and row.unilateral for row in names.constraint_rows)

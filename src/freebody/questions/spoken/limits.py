@@ -68,7 +68,7 @@ def _grip(names: Names, words: list[Word]) -> Groups:
     rough = [*joining.rough(names, ""), *of_forces.having(names, "greatest belt force")]
     joints = [name for _, name in state.names if name in rough]
     parameter = _parameter(names, head)
-    is_over = head.has("ask", "from") or head.has("degree", "least")
+    is_over = head.has("ask", "from", "with") or head.has("degree", "least")
     is_up_to = head.has("degree", "greatest") or head.has("ask", "up_to", "large")
     is_end = is_up_to if _is_denied(state) else is_over
     if parameter and is_end and len(joints) == 1 and set(state.all("verb")) <= {"slide", "start"}:

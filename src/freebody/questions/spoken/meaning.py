@@ -339,6 +339,7 @@ def _structure(names: Names, sentence: Sentence) -> Groups:
     if "turn_fully" in verbs and main.only("verb", "name", "ask") and len(of) == 1 and not main.has("ask"):
         yield [f"does {of[0]} turn fully"]
     if verbs == {"self_locking"} and main.only("verb", "name", "ask", *SILENT):  # whether rest needs no torque
+        yield [f"is {name} self-locking" for name in joining.threads(names, of)]
         pushes = [
             name for name in given.of_kind(names, "torque") if name in given.chosen(names, given.KIND_OF["torque"], [])
         ]

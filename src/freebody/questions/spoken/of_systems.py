@@ -164,6 +164,14 @@ def _gear_ratio(names: Names, quantity: str, rest: Clause) -> Groups:
         yield [JOINT.join(both)]
 
 
+@said_of("efficiency")
+def _efficiency(names: Names, quantity: str, rest: Clause) -> Groups:
+    """Of a screw or a worm that is named, or of the only one."""
+    of = [name for _, name in rest.names]
+    if rest.only("name", *SILENT) and len(of) <= 2:
+        yield [f"efficiency of {name}" for name in joining.threads(names, of)]
+
+
 @said_of("mechanical advantage")
 def _advantage(names: Names, quantity: str, rest: Clause) -> Groups:
     """Of a load to an effort: of two that are named, or of the only weight to the only drive."""

@@ -51,6 +51,8 @@ def _pieces(text: str, language: str) -> Iterator[list[str]]:
     cuts = [found for found in several(language, "and").finditer(text) if found.start() > 0]
     cuts = [cut for cut in cuts if not never.search(text[: cut.start()])]
     cuts = [cut for cut in cuts if _is_open(text[: cut.start()]) or not _leads_on(text[cut.end() :], language)]
+    if any(_adds_to(text[: cut.start()], text[cut.end() :]) for cut in cuts):
+        return
     if not cuts or len(cuts) >= MOST:
         return
     label = several(language, "label")
@@ -70,6 +72,25 @@ def _leads_on(text: str, language: str) -> bool:
     if re.match(r"\S+ ?[=<>]", text):  # when x = 1 m and y = 0
         return True
     return _kind_at(text.lower().split(), 0, language) in ("mark", "instant", "not")
+
+
+def _adds_to(before: str, after: str) -> bool:
+    """Whether what stands behind a conjunction is a second condition: when x = d, and the crank turns at 2 rad/s."""
+    if re.search(r"\d", after) is None:
+        return False
+    plain = re.sub(r"\d\S*(?: [A-Za-z]+(?:/[A-Za-z]+)?(?![A-Za-z]))?", " ", after)  # without values and their units
+    ways = [(_may_be(before, language), _may_be(plain, language)) for language in languages()]
+    return any("mark" in first and "verb" in own and not own & {"ask", "mark", "degree"} for first, own in ways)
+
+
+def _may_be(text: str, language: str) -> set[str]:
+    """Kinds that the words of a text may be."""
+    words, found = text.lower().split(), set[str]()
+    for k in range(len(words)):
+        found |= {
+            word.kind for word, _ in phrases_at(" ".join(words), sum(len(word) + 1 for word in words[:k]), language)
+        }
+    return found
 
 
 def _kind_at(words: Sequence[str], k: int, language: str) -> str:
