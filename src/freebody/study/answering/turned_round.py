@@ -30,6 +30,7 @@ from freebody.study.answering.crosscheck import (
     INSTANT_TOLERANCE,
     MIN_DRAWS,
     MOTION_TOLERANCE,
+    OF_PARTS,
     CrossCheck,
     TooLittleCompared,
     element_at,
@@ -278,9 +279,10 @@ class _Turned:
         check = CrossCheck(self.question.text, route, INSTANT_TOLERANCE if event is None else MOTION_TOLERANCE)
 
         def compare(made: PutBack) -> None:
-            draw = made.draw
+            draw, target = made.draw, made.draw.reference.number(self.quantity.target)
             numeric = quantity_with(self.setup, self.question, of, self.formula, made)
-            check.compare(draw, draw.reference.number(self.quantity.target), numeric, lambda: made.size)
+            share = 1.0 if event is None or target else 1.0 / OF_PARTS  # what vanishes in motion counts by its size
+            check.compare(draw, target, numeric, lambda: share * made.size)
 
         return check.gather(candidate.at, compare).evidence()
 
