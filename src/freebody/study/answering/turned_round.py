@@ -60,18 +60,8 @@ _ARCS = {  # the ranges of their values, in half turns
     "acos": (Fraction(0), Fraction(1)),
     "atan": (Fraction(-1, 2), Fraction(1, 2)),
 }
-_OTHERS = (
-    1.25,
-    0.8,
-    2.0,
-    0.5,
-    3.0,
-    1 / 3,
-    10.0,
-    0.1,
-    30.0,
-    1 / 30,
-)  # of the file's number: values with which a motion may get there
+# of the file's number: values with which a motion may get there
+_OTHERS = (1.25, 0.8, 2.0, 0.5, 3.0, 1 / 3, 10.0, 0.1, 30.0, 1 / 30)
 _ANGLES = (0.2, 0.5, 0.8, 1.1, 1.4)  # [rad] the same for acute angles
 
 
