@@ -22,6 +22,7 @@ from freebody.numeric.jet_geometry import JetGeometry
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference
 from freebody.study.answering.draws import SEED, draw_parameters
+from freebody.study.mobility.gruebler import is_driven
 from freebody.system.modes import ContactMode, ideal_bounds, in_mode
 from freebody.system.system import System
 from freebody.tolerances import TOUCHES
@@ -95,6 +96,14 @@ def touching(system: System) -> TouchingAtRest:
                 body=reference.most_moved(v),
             )
         )
+    for row in held.constraint_rows:
+        if is_driven(row):
+            told = Message(
+                "{driver} sets the system in motion, so it does not stay at rest; ask for what happens, as in "
+                "'range of a for which crate tips'",
+                driver=row.connection,
+            )
+            raise CannotAnswer(told)
     bounds = tuple(bound for bound in system.bounds if bound.name in closed)
     dry_friction = tuple(rub for rub in system.dry_friction if not rub.of or rub.of in closed)
     return TouchingAtRest(system, held, bounds, dry_friction)
