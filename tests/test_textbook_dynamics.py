@@ -366,3 +366,31 @@ def test_two_blows_are_not_taken_for_one() -> None:
     (answer,) = fb.solve(fb.System.from_text(WAGONS), asked).answers
     assert answer.expression is None
     assert "different blows" in (answer.reason or "")
+
+
+CRATE_ON_A_TRUCK = """
+parameters: {m: 60 kg, w: 0.6 m, h: 1.5 m, mu: 0.5, a: 3 m/s^2, g: 9.81 m/s^2}
+bodies:
+  truck: {body: {mass: 1000 kg, inertia: 1000 kg m^2}, at: [0, 0], lines: {bed: {along: right}}}
+  crate: {rectangle: {mass: m, width: w, height: h}, at: [0, h/2], angle: 0}
+connections:
+  road: {slider: {body: truck, along: right}}
+  pull: {driver: {measure: x, follows: a*t^2/2}}
+  bed: {contact: {between: [crate, truck.bed], friction: mu}}
+loads: {weight: {gravity: g}}
+measures: {x: x of truck}
+"""
+
+
+def test_what_is_driven_rests_beside_the_drive() -> None:
+    """It tips where m a h/2 > m g w/2, though it does not move at the start, and slips where a > mu g."""
+    system = fb.System.from_text(CRATE_ON_A_TRUCK)
+    for asked, formula in (("least mu so that it stays at rest", "a/g"), ("does it tip or slide as a grows", "w*g/h")):
+        (answer,) = fb.solve(system, asked).answers
+        assert isinstance(answer.expression, Expr), answer.reason
+        assert_same_function(to_python(answer.expression), formula, {})
+    (holds,) = fb.solve(system, "does it hold").answers
+    assert "it holds" in holds.verdict
+    (tips,) = fb.solve(system, "range of a for which crate tips").answers
+    assert isinstance(tips.expression, Expr), tips.reason
+    assert_same_function(to_python(tips.expression), "w*g/h", {})

@@ -30,6 +30,7 @@ from freebody.study.answering.crosscheck import (
     INSTANT_TOLERANCE,
     MIN_DRAWS,
     MOTION_TOLERANCE,
+    OF_PARTS,
     CrossCheck,
     TooLittleCompared,
     element_at,
@@ -55,18 +56,13 @@ _NEAR = 1e-6  # of the size of its parts: a quantity that is smaller is zero at 
 TIME = 0.37  # [s] at which drivers are looked at
 _ENOUGH = 2 * MIN_DRAWS  # numbers at which a value is one: some of them may say nothing more
 _WIDE, _BATCHES = 2.5, 6  # draws beyond the usual ones: their spread, and how many lots of them
-_OTHERS = (
-    1.25,
-    0.8,
-    2.0,
-    0.5,
-    3.0,
-    1 / 3,
-    10.0,
-    0.1,
-    30.0,
-    1 / 30,
-)  # of the file's number: values with which a motion may get there
+_ARCS = {  # the ranges of their values, in half turns
+    "asin": (Fraction(-1, 2), Fraction(1, 2)),
+    "acos": (Fraction(0), Fraction(1)),
+    "atan": (Fraction(-1, 2), Fraction(1, 2)),
+}
+# of the file's number: values with which a motion may get there
+_OTHERS = (1.25, 0.8, 2.0, 0.5, 3.0, 1 / 3, 10.0, 0.1, 30.0, 1 / 30)
 _ANGLES = (0.2, 0.5, 0.8, 1.1, 1.4)  # [rad] the same for acute angles
 
 
@@ -299,9 +295,10 @@ class _Turned:
         check = CrossCheck(self.question.text, route, INSTANT_TOLERANCE if event is None else MOTION_TOLERANCE)
 
         def compare(made: PutBack) -> None:
-            draw = made.draw
+            draw, target = made.draw, made.draw.reference.number(self.quantity.target)
             numeric = quantity_with(self.setup, self.question, of, self.formula, made)
-            check.compare(draw, draw.reference.number(self.quantity.target), numeric, lambda: made.size)
+            share = 1.0 if event is None or target else 1.0 / OF_PARTS  # what vanishes in motion counts by its size
+            check.compare(draw, target, numeric, lambda: share * made.size)
 
         return check.gather(candidate.at, compare).evidence()
 

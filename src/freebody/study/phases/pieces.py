@@ -221,7 +221,7 @@ def _in_blows(tree: PhaseTree, question: Question, ways: list[WayToPhase]) -> It
 
 def _refuse_several(tree: PhaseTree, named: Set[str]) -> None:
     """What is calculated with two blows would take both from the first of them."""
-    found = [named.intersection((*blow.closing, *blow.striking)) for blow in tree.system.blows]
+    found = [named & {*blow.closing, *blow.striking} for blow in tree.system.blows]
     if sum(map(bool, found)) > 1:
         told = Message("{names} act in different blows: ask for each of them by itself", names=", ".join(sorted(named)))
         raise CannotAnswer(told)
