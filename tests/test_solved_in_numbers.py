@@ -116,6 +116,7 @@ def test_numbers_are_all_solutions_in_the_range_that_is_named(name: str) -> None
     text, question, f = CASES[name]
     answer = asked(text, question)
     assert answer.expression is None
+    assert answer.value is not None, answer.reason
     values = answer.value if isinstance(answer.value, tuple) else (answer.value,)
     low, high = said_range(answer)
     assert low < high
