@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Callable
+from typing import cast
 
 import pytest
 from scipy.optimize import brentq
@@ -57,7 +58,7 @@ def roots(f: Callable[[float], float], low: float, high: float, n: int = 4001) -
     places = [low * (high / low) ** (k / (n - 1)) for k in range(n)]
     values = [f(x) for x in places]
     pairs = zip(places, places[1:], values, values[1:], strict=False)
-    return [brentq(f, a, b, xtol=1e-14, rtol=1e-14) for a, b, fa, fb_ in pairs if fa * fb_ < 0]
+    return [cast("float", brentq(f, a, b, xtol=1e-14)) for a, b, fa, fb_ in pairs if fa * fb_ < 0]
 
 
 def braked(c: float = 3.0, m: float = 2.0, T: float = 1.0) -> float:
@@ -116,6 +117,7 @@ def test_numbers_are_all_solutions_in_the_range_that_is_named(name: str) -> None
     text, question, f = CASES[name]
     answer = asked(text, question)
     assert answer.expression is None
+    assert answer.value is not None, answer.reason
     values = answer.value if isinstance(answer.value, tuple) else (answer.value,)
     low, high = said_range(answer)
     assert low < high

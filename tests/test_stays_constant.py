@@ -72,6 +72,7 @@ def test_the_value_is_that_of_the_balance_towards_the_centre(name: str) -> None:
 
 def test_the_simulation_stays() -> None:
     speed = asked(HANGING, "value of v_0 for which r stays constant").value
+    assert isinstance(speed, float)
     system = fb.System.from_text(HANGING).with_parameters(v_0=speed)
     motion = fb.simulate(system, until=3.0)
     assert motion.series["r"][0] == pytest.approx(0.3, rel=1e-7)

@@ -212,13 +212,17 @@ def _check_consistent(reference: NumericSystem, split: Split, gaps: Array, b: Ar
         )
 
 
+class WithoutInertia(CannotAnswer):
+    """Something can move that has no inertia."""
+
+
 def check_inertia(reference: NumericSystem, N: Array, inertia: Array) -> None:
-    """Raises CannotAnswer naming a body that can move along N without inertia."""
+    """Raises WithoutInertia naming a body that can move along N without inertia."""
     values, vectors = np.linalg.eigh(inertia)
     if values[0] > RANK_CUT:
         return
     loose = reference.most_moved(N @ vectors[:, 0])
-    raise CannotAnswer(
+    raise WithoutInertia(
         Message(
             "{what} can move without inertia, so its acceleration is not determined. Give it a mass (and a "
             "moment of inertia), or hold it",

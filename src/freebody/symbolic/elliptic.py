@@ -299,18 +299,14 @@ class _Finder:
 
     def _near(self, angle: Ratio) -> Ratio | None:
         """An angle without whole turns, so that it is within half a turn of zero at the start; where it is so at some
-        samples only, as at the first one, and that is needed."""
+        samples only, that is needed."""
         f = self.field
         begin = f.lowest_terms(f.follow(angle, {self.c.index: self.q0}))
         turns = [round(v / (2 * math.pi)) for v in self.model.samples.at_starts(begin) if not math.isnan(v)]
-        if not turns:
-            return None
-        whole = 2 * f.pi * turns[0]
-        if max(turns) > turns[0]:
-            self.needs.append((f.lowest_terms(whole + f.pi - begin), ">"))
-        if min(turns) < turns[0]:
-            self.needs.append((f.lowest_terms(begin - whole + f.pi), ">"))
-        return angle - whole
+        whole = 2 * f.pi * turns[0] if turns else f.zero
+        for way in sorted({(n > turns[0]) - (n < turns[0]) for n in turns} - {0}):
+            self.needs.append((f.lowest_terms(f.pi - way * (begin - whole)), ">"))
+        return angle - whole if turns else None
 
     def _placed(self, angle: Ratio) -> Callable[[Ratio], Ratio]:
         f = self.field

@@ -39,6 +39,15 @@ def magnitude(dimension: Dimension, seen: Snapshot) -> float:
     return max(most(M, b, c), most(_force(seen), b - 1, c + 2))
 
 
+def power_size(of: str, seen: Snapshot) -> float:
+    """[W] The size of the parts of the power of a load or a driver: each force by the fastest motion there is, whatever
+    moves along it."""
+    system, length, speed = seen.reference.system, seen.reference.sizes.length, _speed(seen)
+    forces = [(_law(push, seen), push.measure) for push in system.applied_loads if push.load == of]
+    forces += [(abs(seen.multiplier(row)), row.measure) for row in system.constraint_rows if row.connection == of]
+    return sum(force / _per_length(measure.dimension, length) * speed for force, measure in forces)
+
+
 def _speed(seen: Snapshot) -> float:
     """[m/s] The largest, that of a turn by the size of the system."""
     return float(np.abs(seen.v * _arms(seen)).max(initial=0.0))

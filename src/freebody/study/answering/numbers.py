@@ -19,8 +19,9 @@ from freebody.questions.small_motion import Equilibrium, OfSmallMotion, SmallOsc
 from freebody.study.answering.answer import Value
 from freebody.study.answering.crosscheck import as_parts
 from freebody.study.answering.draws import Draw
+from freebody.study.answering.magnitude import power_size
 from freebody.study.answering.passage import smooth_numbers
-from freebody.study.answering.witness import motion_to, patience, states_at
+from freebody.study.answering.witness import TOLERANCE, motion_to, patience, states_at
 from freebody.study.mobility.centres import moving_for
 from freebody.study.setup import Setup
 
@@ -45,8 +46,12 @@ def work_until(setup: Setup, load: str, draw: Draw, event: AskedEvent, end: floa
     times = (centers[:, None] + half * nodes).ravel()
     found = motion_to(draw.reference, start, end + half, event, times)
     wanted = set(times.tolist())  # where the motion turns there are states as well
-    power = [float(Power(load).value(setup.system, s)) for s in found.links if s.t in wanted]
-    return half * float(np.tile(weights, N_PANELS) @ np.array(power))
+    seen = [s for s in found.links if s.t in wanted]
+    power = np.array([float(Power(load).value(setup.system, s)) for s in seen])
+    work = half * float(np.tile(weights, N_PANELS) @ power)
+    # of forces that move nothing, or take back what they gave, no more is left than the motion is off by
+    size = half * float(np.tile(weights, N_PANELS) @ np.array([power_size(load, s) for s in seen]))
+    return 0.0 if abs(work) <= TOLERANCE * size else work
 
 
 def number_instead(setup: Setup, question: Question) -> Value:

@@ -10,6 +10,7 @@ from math import isfinite
 from freebody.errors import CannotAnswer, ModelError, Problem
 from freebody.language.expression import number
 from freebody.language.sentences import Message, further
+from freebody.numeric.instant import WithoutInertia
 from freebody.questions.course import Transition
 from freebody.questions.happening import Happening, Lasting
 from freebody.questions.reading import Question, is_of_start
@@ -314,46 +315,33 @@ def _in_phases(system: System, questions: Sequence[Question]) -> Solution:
     try:
         if reason := why_no_phases(system):
             return _without_phases(system, questions, reason)
+        light: WithoutInertia | None = None
         if system.has_values and (system.bounds or system.dry_friction):
-            start_mode(system)  # refuses bodies that are inside others
+            try:
+                start_mode(system)  # refuses bodies that are inside others
+            except WithoutInertia as error:  # while contacts hold what is light the formulas have its forces
+                light = error
         tree = tree_of(system)
+        if light is not None and not tree.roots:
+            raise light
         if system.space and not tree.roots:
             return _without_phases(system, questions, tree.reasons[0])
     except CannotAnswer as error:
         if system.space:
             return _without_phases(system, questions, str(error))
+        rests = [q for q in questions if q.quantity.scope == "rest"]
+        if not rests:
+            raise ModelError([Problem((), str(error))], system.file) from error
         try:
-            return _without_motion(system, questions, str(error))
-        except CannotAnswer as why:
-            raise ModelError([Problem((), str(why))], system.file) from error
+            at_pose = _at_rest(system, rests)  # rest asks for no motion
+        except CannotAnswer:
+            raise ModelError([Problem((), str(error))], system.file) from error
+        found = {a.id: a for a in at_pose.answers}
+        return replace(at_pose, answers=tuple(found.get(q.id) or refused(q, str(error)) for q in questions))
     phases = phases_of(tree)
     found = [at_rest(system, q) if q.quantity.scope == "rest" else answer(tree, q) for q in questions]
     answers = with_plain_numbers(system, phases.first_model, found)
     return Solution.of(system, phases.first_model, answers, phases, assumed_at_start(tree.home, answers))
-
-
-def _without_motion(system: System, questions: Sequence[Question], why: str) -> Solution:
-    """What rest tells where no motion can be followed. Raises CannotAnswer where it tells nothing."""
-    from freebody.study.friction.light import DoesNotRest, answer, held_by_contacts
-
-    rests = [q for q in questions if q.quantity.scope == "rest"]
-    others = [q for q in questions if q.quantity.scope != "rest"]
-    try:
-        found = None if not rests else _at_rest(system, rests)
-    except CannotAnswer:
-        raise CannotAnswer(why) from None
-    told = [] if found is None else list(found.answers)
-    try:
-        setup = held_by_contacts(system)
-    except NO_FORM as error:
-        if found is None:
-            raise CannotAnswer(further(why, str(error)) if isinstance(error, DoesNotRest) else why) from None
-        told += [refused(q, why) for q in others]
-    else:
-        told += [answer(setup, q, why) for q in others]
-        found = found or Solution.of(system, setup.model, ())
-    answers = {a.id: a for a in told}
-    return replace(found, answers=tuple(answers[q.id] for q in questions))
 
 
 def _without_phases(system: System, questions: Sequence[Question], reason: str) -> Solution:
