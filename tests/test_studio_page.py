@@ -339,6 +339,7 @@ def test_everything_is_reached_by_keys(page: Any) -> None:
     page.keyboard.press("ArrowRight")
     page.wait_for_selector(".content .picture svg", timeout=WAIT)
     page.keyboard.press("Control+i")
+    page.wait_for_selector("dialog[open] .list button", timeout=WAIT)
     page.keyboard.type("spring")
     page.keyboard.press("Enter")
     page.fill("dialog input.code", "{spring: {first: ground.B, second: rod.end, stiffness: 5 N/m}}")
@@ -349,6 +350,7 @@ def test_everything_is_reached_by_keys(page: Any) -> None:
 def begin_pointing(page: Any, kind: str) -> None:
     """By keys: the palette, the kind, and on to the scene."""
     page.keyboard.press("Control+i")
+    page.wait_for_selector("dialog[open] .list button", timeout=WAIT)
     page.fill("dialog[open] input[type=search]", kind)
     page.keyboard.press("Enter")
     page.focus("dialog >> text=Point in the scene")
@@ -457,13 +459,13 @@ def test_atwoods_machine_is_built_from_nothing(page: Any, way: type[Hand]) -> No
     page.wait_for_selector(".badge.dof:has-text('1 degree of freedom'):not(.stale)", timeout=WAIT)
 
 
-def test_what_is_pointed_at_by_its_place_may_become_a_line(page: Any) -> None:
-    begin_pointing(page, "contact")
+def test_a_new_point_is_pointed_at_by_its_place(page: Any) -> None:
+    begin_pointing(page, "spring")
     page.click(".view .spot[aria-label='rod.end']")
     page.fill(".joining label:has-text('y') input", "-2")
     page.keyboard.press("Enter")
-    wait_for_text(page, r"between: \[rod\.end, line\]")
-    wait_for_text(page, r"line: \{through: \[0 m, -2 m\], along: right\}")
+    wait_for_text(page, r"first: rod\.end, second: ground\.B")
+    wait_for_text(page, r"B: \[0 m, -2 m\]")
 
 
 def test_an_element_is_renamed_everywhere_and_undone_at_once(page: Any) -> None:
@@ -698,8 +700,8 @@ def test_every_panel_is_accessible(page: Any, auditor: Auditor) -> None:
 def test_every_dialog_is_accessible(page: Any, auditor: Auditor, studio: tuple[str, Path]) -> None:
     for keys in ("Control+k", "Control+o", "Control+i", "F1"):
         page.keyboard.press(keys)
-        if keys == "Control+o":
-            page.wait_for_selector("dialog .cards button", timeout=WAIT)
+        if keys in ("Control+o", "Control+i"):
+            page.wait_for_selector("dialog[open] .list button", timeout=WAIT)
         auditor.look(keys)
         if keys == "Control+i":
             page.keyboard.type("spring")
