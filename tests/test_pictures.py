@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 import pytest
 from PIL import Image
+from scipy import interpolate
 
 import freebody as fb
 from freebody.errors import InputError
@@ -408,6 +409,17 @@ def test_resampling_goes_through_the_given_poses_and_never_beyond_them() -> None
     assert np.diff(shown) == pytest.approx(0.01)
     assert frames[[0, 30, 50, 100]] == pytest.approx(poses)
     assert frames.min() >= 0.0
+
+
+def test_a_motion_that_is_looked_at_where_it_is_given_is_not_changed() -> None:
+    """Also with further times between, as events have: the curve goes through what is given."""
+    rng = np.random.default_rng(7)
+    times = np.union1d(np.linspace(0.0, 2.7, 28), [0.33, 1.234])
+    poses = rng.normal(size=(len(times), 2, 3))
+    shown, frames = resampled(times, poses, 28)
+    assert np.array_equal(frames, poses[np.isin(times, shown)])
+    curved = interpolate.PchipInterpolator(times, poses)(shown)
+    assert frames == pytest.approx(curved, rel=1e-12, abs=1e-12)
 
 
 def page_data(text: str) -> dict[str, Any]:

@@ -119,6 +119,14 @@ def test_what_is_taken_out_leaves_the_rest_as_it_was(path: list[str | int], gone
     assert edit(wire.EditRequest(text=PENDULUM, path=path, value=None)).text == PENDULUM.replace(gone, left)
 
 
+@pytest.mark.parametrize("before", ["", "# mine\n", "\n# mine"])
+def test_the_first_element_of_a_model_can_be_added(before: str) -> None:
+    text = add(wire.AddRequest(text=before, section="bodies", name="a", value="{particle: {mass: 1 kg}}")).text
+    assert text == f"{before.rstrip()}{before and chr(10)}bodies:\n  a: {{particle: {{mass: 1 kg}}}}\n"
+    text = add(wire.AddRequest(text=text, section="loads", name="weight", value="{gravity: 9.81 m/s^2}")).text
+    assert read(wire.ReadRequest(text=text)).is_model
+
+
 def test_a_document_without_a_key_says_the_rest(tmp_path: Path) -> None:
     document = Document.read("a:\n  b: 1 # one\n  # kept\n  c:\n    d: [1,\n      2]\n    e: 3\nf: {g: 1, h: 2}\n")
     for path in (("a", "b"), ("a", "c"), ("a", "c", "d"), ("f", "g"), ("f", "h"), ("f",)):

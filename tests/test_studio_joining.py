@@ -44,6 +44,17 @@ def test_spots_are_where_the_start_puts_them() -> None:
     assert "rod.mass_center" not in found  # which is the rod itself
 
 
+def test_a_place_on_the_ground_is_a_line_where_no_point_will_do() -> None:
+    text = "bodies:\n  block: {particle: {mass: 1 kg}}\n"
+    ends = [wire.End(name="block"), wire.End(at=(1.0, -0.5))]
+    found = join(wire.JoinRequest(text=text, section="connections", kind="contact", ends=ends))
+    assert "line: {through: [1 m, -0.5 m], along: right}" in found.text
+    assert "between: [block, line]" in found.text
+    ends = [wire.End(name="block"), wire.End(name="block")]
+    with pytest.raises(ModelError):
+        join(wire.JoinRequest(text=text, section="connections", kind="contact", ends=ends))
+
+
 def test_what_was_pointed_at_is_joined_and_the_rest_of_the_text_stays() -> None:
     found = joined("pin", "rod.end", "wheel.center")
     assert found.text == MODEL.replace("# hinge\n", "# hinge\n  pin: {pin: [rod.end, wheel.center]}\n")

@@ -339,6 +339,7 @@ def test_everything_is_reached_by_keys(page: Any) -> None:
     page.keyboard.press("ArrowRight")
     page.wait_for_selector(".content .picture svg", timeout=WAIT)
     page.keyboard.press("Control+i")
+    page.wait_for_selector("dialog[open] .list button", timeout=WAIT)
     page.keyboard.type("spring")
     page.keyboard.press("Enter")
     page.fill("dialog input.code", "{spring: {first: ground.B, second: rod.end, stiffness: 5 N/m}}")
@@ -349,6 +350,7 @@ def test_everything_is_reached_by_keys(page: Any) -> None:
 def begin_pointing(page: Any, kind: str) -> None:
     """By keys: the palette, the kind, and on to the scene."""
     page.keyboard.press("Control+i")
+    page.wait_for_selector("dialog[open] .list button", timeout=WAIT)
     page.fill("dialog[open] input[type=search]", kind)
     page.keyboard.press("Enter")
     page.focus("dialog >> text=Point in the scene")
@@ -382,6 +384,88 @@ def test_points_are_connected_by_keys_with_a_preview(page: Any) -> None:
         page.focus(f".view .spot[aria-label='{name}']")
         page.keyboard.press("Enter")
     wait_for_text(page, r"damper: \{damper: \{first: rod\.end, second: ground\.origin, damping")
+
+
+class Hand:
+    """Builds by the mouse alone: its values are those of the smallest examples."""
+
+    def __init__(self, page: Any) -> None:
+        self.page = page
+
+    def choose(self, kind: str) -> None:
+        self.page.click(".top button:has-text('Add')")
+        self.page.locator(f"dialog[open] .list button:has(strong:text-is('{kind}'))").click()
+
+    def press(self, words: str) -> None:
+        self.page.locator(f"dialog[open] form button:text-is('{words}')").click()
+
+    def spot(self, name: str) -> None:
+        self.page.click(f".view .spot[aria-label='{name}']")
+
+
+class Keys(Hand):
+    """The same by the keyboard alone."""
+
+    def to(self, selector: str) -> None:
+        for _ in range(100):
+            if self.page.evaluate(f"document.activeElement.matches({json.dumps(selector)})"):
+                return
+            self.page.keyboard.press("Tab")
+        raise AssertionError(f"{selector} is not reached by Tab")
+
+    def choose(self, kind: str) -> None:
+        self.page.keyboard.press("Control+i")
+        self.page.wait_for_selector("dialog[open] .list button", timeout=WAIT)
+        self.page.keyboard.type(kind)
+        self.page.keyboard.press("Enter")
+        self.page.wait_for_selector("dialog[open] form")
+
+    def press(self, words: str) -> None:
+        self.to(
+            {"Add": "dialog[open] form .primary", "Point in the scene": "dialog[open] form .primary + button"}[words]
+        )
+        self.page.keyboard.press("Enter")
+
+    def spot(self, name: str) -> None:
+        self.to(f".view .spot[aria-label='{name}']")
+        self.page.keyboard.press("Enter")
+
+
+ATWOOD: list[tuple[str, list[str], str]] = [
+    ("disk", [], r"disk: \{disk: "),
+    ("particle", [], r"particle: \{particle: "),
+    ("particle", [], r"particle2: \{particle: "),
+    ("pin", ["ground.origin", "disk"], r"pin: \{pin: \[ground\.origin, disk\]"),
+    ("string", ["particle", "disk", "particle2"], r"from: particle, over: \[disk\], to: particle2"),
+    ("gravity", [], r"gravity: \{gravity: 9\.81 m/s\^2\}"),
+]
+
+
+@pytest.mark.parametrize("way", [Hand, Keys])
+def test_atwoods_machine_is_built_from_nothing(page: Any, way: type[Hand]) -> None:
+    page.click(".cm-content")
+    page.keyboard.press("Control+a")
+    page.keyboard.press("Delete")
+    page.wait_for_selector(".stamp:has-text('add a body')", timeout=WAIT)
+    page.evaluate("document.activeElement.blur()")
+    builder = way(page)
+    for kind, spots, written in ATWOOD:
+        builder.choose(kind)
+        builder.press("Point in the scene" if spots else "Add")
+        for name in spots:
+            builder.spot(name)
+        wait_for_text(page, written)
+        page.wait_for_function("() => !document.querySelector('.badge.stale, .stamp')", timeout=WAIT)
+    page.wait_for_selector(".badge.dof:has-text('1 degree of freedom'):not(.stale)", timeout=WAIT)
+
+
+def test_a_new_point_is_pointed_at_by_its_place(page: Any) -> None:
+    begin_pointing(page, "spring")
+    page.click(".view .spot[aria-label='rod.end']")
+    page.fill(".joining label:has-text('y') input", "-2")
+    page.keyboard.press("Enter")
+    wait_for_text(page, r"first: rod\.end, second: ground\.B")
+    wait_for_text(page, r"B: \[0 m, -2 m\]")
 
 
 def test_an_element_is_renamed_everywhere_and_undone_at_once(page: Any) -> None:
@@ -616,8 +700,8 @@ def test_every_panel_is_accessible(page: Any, auditor: Auditor) -> None:
 def test_every_dialog_is_accessible(page: Any, auditor: Auditor, studio: tuple[str, Path]) -> None:
     for keys in ("Control+k", "Control+o", "Control+i", "F1"):
         page.keyboard.press(keys)
-        if keys == "Control+o":
-            page.wait_for_selector("dialog .cards button", timeout=WAIT)
+        if keys in ("Control+o", "Control+i"):
+            page.wait_for_selector("dialog[open] .list button", timeout=WAIT)
         auditor.look(keys)
         if keys == "Control+i":
             page.keyboard.type("spring")

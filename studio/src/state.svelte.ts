@@ -415,10 +415,6 @@ export class Studio {
   stopJoining(): void {
     this.joining = null;
   }
-  private joined(joining: Joining, ends: End[]) {
-    const { text, kind } = joining;
-    return this.asked("join", { text, language: this.language, section: kind.section, kind: kind.kind, ends });
-  }
   /** What would come of pointing at an end, where it is the last one. */
   preview(end: End | null): void {
     const joining = this.joining;
@@ -427,7 +423,9 @@ export class Studio {
     const ends = end ? [...joining.ends, end] : [];
     this.looking.run(async () => {
       if (ends.length !== joining.kind.ends.length) return;
-      const told = await this.joined(joining, ends);
+      const { text, kind: { section, kind } } = joining;
+      // under a topic of its own: it takes no place of what is added
+      const told = await this.asked("join", { text, language: this.language, section, kind, ends }, "preview");
       if (this.joining?.ends !== joining.ends || !told || told.status === "replaced") return;
       this.joining = { ...this.joining, preview: told.answer?.value ?? this.reason(told) };
     });

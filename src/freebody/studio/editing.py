@@ -7,6 +7,7 @@ from typing import Any
 from freebody.errors import InputError, ModelError
 from freebody.language.document import Document
 from freebody.language.document.scalars import resolved
+from freebody.language.document.writer import flow_text
 from freebody.messages import Message
 from freebody.studio.reading import checked_system, document_of
 from freebody.studio.telling import told
@@ -30,9 +31,13 @@ def _scalar(text: str) -> Any:
 
 
 def add(request: AddRequest) -> TextAnswer:
-    """A new element at the end of its section, under its name or the next that is free."""
-    document = document_of(request.text)
-    return TextAnswer(text=with_element(document, request.section, request.name, _scalar(request.value))[0])
+    """A new element at the end of its section, under its name or the next that is free. It may be the first of all."""
+    value = _scalar(request.value)
+    if not any(line.split("#")[0].strip() for line in request.text.splitlines()):
+        first = f"- {flow_text(value)}" if request.section == "questions" else f"{request.name}: {flow_text(value)}"
+        above = request.text.rstrip()
+        return TextAnswer(text=f"{above}{above and chr(10)}{request.section}:\n  {first}\n")
+    return TextAnswer(text=with_element(document_of(request.text), request.section, request.name, value)[0])
 
 
 def with_element(document: Document, section: str, name: str, value: Any) -> tuple[str, str]:

@@ -7,9 +7,9 @@ tried. The reader is the judge: an element is offered only if the model with it 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from copy import deepcopy
-from itertools import product
+from itertools import count, product
 from typing import Any
 
 from freebody.errors import InputError, ModelError
@@ -25,7 +25,7 @@ from freebody.present.places import Places
 from freebody.studio.editing import with_element
 from freebody.studio.kinds import kinds
 from freebody.studio.reading import checked_system, mapping_of
-from freebody.studio.wire import JoinAnswer, JoinRequest, Request, Spot, SpotsAnswer
+from freebody.studio.wire import End, JoinAnswer, JoinRequest, Request, Spot, SpotsAnswer
 from freebody.system.system import System
 
 _DIGITS = 4
@@ -74,9 +74,9 @@ def join(request: JoinRequest) -> JoinAnswer:
     if known is None or len(known.ends) != len(request.ends):
         raise InputError(Message("{kind} does not join {number} things", kind=request.kind, number=len(request.ends)))
     pattern = Document.read(f"value: {known.value}").data["value"]
-    document, ends = _with_places(checked_system(request.text), request)
+    system = checked_system(request.text)
     first: ModelError | None = None
-    for words in product(*ends):
+    for document, words in _told(system, request):
         value = deepcopy(pattern)
         for path, word in zip(known.ends, words, strict=True):
             _set(value, tuple(path), word)
@@ -91,15 +91,45 @@ def join(request: JoinRequest) -> JoinAnswer:
     raise first
 
 
-def _with_places(system: System, request: JoinRequest) -> tuple[Document, list[list[str]]]:
+def _told(system: System, request: JoinRequest) -> Iterator[tuple[Document, Sequence[str]]]:
+    """Words for what was pointed at, and the document that has them. On the ground it is a point or, where that will
+    not do, a horizontal line."""
+    ways = [_with_points] if all(end.name for end in request.ends) else [_with_points, _with_lines]
+    for way in ways:
+        document, ends = way(system, request)
+        for words in product(*ends):
+            yield document, words
+
+
+def _with_lines(system: System, request: JoinRequest) -> tuple[Document, list[list[str]]]:
+    """The document with a line of the ground wherever nothing was pointed at, and for each end the words for it."""
+    document, ends = system.document, [_words_of(end) for end in request.ends]
+    for k, end in enumerate(request.ends):
+        if not end.name:
+            known = mapping_of(mapping_of(document.data.get("ground")).get("lines"))
+            name = next(each for each in _free("line") if each not in known and each not in system.names.bodies)
+            document = document.with_value(("ground", "lines", name), {"through": _place(end), "along": "right"})
+            ends[k] = [name]
+    return document, ends
+
+
+def _words_of(end: End) -> list[str]:
+    body = end.name.partition(".")[0]
+    return [end.name] if body in (end.name, GROUND) else [end.name, body]
+
+
+def _place(end: End) -> list[str]:
+    return [f"{float(f'{x:.{_DIGITS}g}'):g} m" for x in end.at]
+
+
+def _with_points(system: System, request: JoinRequest) -> tuple[Document, list[list[str]]]:
     """The document with a point of the ground wherever nothing was pointed at, and for each end the words for it. A
     point that has been the origin without saying so has to say it beside another one."""
     document, undeclared = system.document, system.names.free_ground_points
     ends: list[list[str]] = []
     for end in request.ends:
         if end.name:
-            body = end.name.partition(".")[0]
-            ends.append([end.name] if body in (end.name, GROUND) else [end.name, body])
+            ends.append(_words_of(end))
             continue
         points: Any = mapping_of(document.data.get("ground")).get("points") or {}
         if isinstance(points, list):
@@ -108,18 +138,19 @@ def _with_places(system: System, request: JoinRequest) -> tuple[Document, list[l
             if name not in points:
                 document = document.with_value(("ground", "points", name), [0, 0])
         name = next(each for each in _letters() if each not in points and each not in undeclared)
-        place = [f"{float(f'{x:.{_DIGITS}g}'):g} m" for x in end.at]
-        document = document.with_value(("ground", "points", name), place)
+        document = document.with_value(("ground", "points", name), _place(end))
         ends.append([f"{GROUND}.{name}"])
     return document, ends
 
 
 def _letters() -> Iterator[str]:
     yield from "ABCDEFGHKPQRS"
-    number = 1
-    while True:
-        yield f"P{number}"
-        number += 1
+    yield from (f"P{number}" for number in count(1))
+
+
+def _free(name: str) -> Iterator[str]:
+    yield name
+    yield from (f"{name}{number}" for number in count(2))
 
 
 def _set(value: Any, path: Place, word: str) -> None:
