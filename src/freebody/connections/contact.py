@@ -43,13 +43,6 @@ connections:
   slide: {{prismatic: {{first: ground.A, second: other.center, along: z}}}}
   it: {{contact: {{between: [ball, other], friction: {friction}, restitution: 0.5, touching: true}}}}
 """
-_BOXES = """
-space: true
-bodies:
-  slab: {box: {mass: 1 kg, size: [1 m, 0.2 m, 0.6 m]}, fixed: true}
-  other: {BODY, at: AT}
-connections: {it: {contact: {between: [other, slab], friction: 0.3}}}
-"""
 _ON_A_BODY = """
 space: true
 bodies: {{ball: {{sphere: {{mass: 1 kg, radius: 0.1 m}}}}, other: {{{body}}}}}
@@ -134,13 +127,6 @@ connections: {it: {contact: {between: [ball, floor], friction: 0.3, restitution:
             )
         }
     )
-
-    more_examples |= {
-        "box on a box in space": _BOXES.replace("BODY", "box: {mass: 2 kg, size: [0.3 m, 0.2 m, 0.25 m]}").replace(
-            "AT", "[0.1 m, 0.2 m, 0]"
-        ),
-        "particle on a box in space": _BOXES.replace("BODY", "particle: {mass: 2 kg}").replace("AT", "[0, 0.1 m, 0]"),
-    }
 
     def is_in_plane(self, names: Names) -> bool:
         return not self._planes(names) and not self._misnamed(names) and not self._bodies_in_space(names)

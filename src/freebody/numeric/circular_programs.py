@@ -191,7 +191,7 @@ class CircularProgram:
         def slopes(x: Array) -> Array:
             return np.vstack([lines, *(cone.plane(x)[0] for cone in near)])
 
-        multipliers = np.linalg.lstsq(slopes(x).T, -self.cost, rcond=_RCOND)[0]
+        multipliers: Array = np.asarray(np.linalg.lstsq(slopes(x).T, -self.cost, rcond=_RCOND)[0], dtype=np.float64)
         for _ in range(_N_NEWTON):
             E = slopes(x)
             rest = np.concatenate(

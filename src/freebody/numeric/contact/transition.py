@@ -28,7 +28,7 @@ from freebody.numeric.kernels.arrays import Floats
 from freebody.numeric.options import ImpactLaw
 
 N_IMPACTS = 50
-SAME = 1e-6  # relative, of gradients: of gaps at the same place along the same normal
+SAME = 1e-6  # relative, of gradients
 
 
 class InstantTransition:
@@ -107,18 +107,19 @@ class InstantTransition:
         return now
 
     def _handed(self, mode: ModeOf, before: frozenset[int], left: int, now: ContactInstant) -> set[int]:
-        """An edge that ends may hand its contact over to the next one of the same outlines: both; or to what touched
-        with it already, as two edges do that cross where a corner leaves a face."""
+        """An edge that ends may hand its contact over to the next one of the same outlines: both; or to what touches at
+        the same place, as two edges do that cross where a corner leaves a face."""
         barriers = self.bounded.barriers
         own = {k for k in mode.closed if barriers[k].family == barriers[left].family}
-        g, *others = (barriers[k].sign * now.gradients[barriers[k].place] for k in (left, *sorted(own & before)))
-        same = [
-            k
-            for k, h in zip(sorted(own & before), others, strict=True)
-            if np.abs(h - g).max() <= SAME * np.abs(g).max()
-        ]
-        taken = own - before | {*same}
-        return taken | {left} if taken else set[int]()
+        gone = {left, *(k for k in before - mode.closed if barriers[k].family == barriers[left].family)}
+        taken = own - before
+        handed = {k for k in gone if any(self._is_same(k, j, now) for j in own)}
+        return handed | (taken | {left} if taken else set[int]())
+
+    def _is_same(self, k: int, j: int, now: ContactInstant) -> bool:
+        """Whether two gaps are at the same place along the same normal."""
+        g, h = (x.sign * now.gradients[x.place] for x in (self.bounded.barriers[k], self.bounded.barriers[j]))
+        return bool(np.abs(h - g).max() <= SAME * np.abs(g).max())
 
     def _jam(self, result: After, now: ContactInstant, touching: list[int]) -> bool:
         """An impulse of a sliding contact without a collision, which ends its slip; False if there is none, or several
