@@ -15,7 +15,7 @@ import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Generator
 from contextlib import contextmanager
 from itertools import pairwise
 from pathlib import Path
@@ -133,7 +133,7 @@ def dragged(page: Any, n: int) -> Frames:
 
 
 @contextmanager
-def served(file: Path) -> Iterator[tuple[str, float]]:
+def served(file: Path) -> Generator[tuple[str, float]]:
     """A studio: its address, and when it was printed."""
     command = [sys.executable, "-m", "freebody", "studio", str(file), "--no-browser"]
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as server:
