@@ -9,7 +9,7 @@ from __future__ import annotations
 import itertools
 import math
 import random
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -21,6 +21,7 @@ from freebody.measures.displacement import Displacement
 from freebody.model.elements import ConstraintRow, DryFriction, UnilateralConstraint
 from freebody.numeric.contact.overlaps import is_of_edges, is_within, overlaps, parting
 from freebody.numeric.contact.start import far_sides
+from freebody.numeric.instant import dynamics
 from freebody.numeric.jet_geometry import JetGeometry
 from freebody.numeric.jets import TIME, Array
 from freebody.numeric.reference import Reference
@@ -31,6 +32,7 @@ from freebody.system.system import System
 from freebody.tolerances import ROUND_OFF, TOUCHES
 
 _TOGETHER = 1e-6  # gaps that close together
+_LATER, _STEADY = 0.37, 1e-6  # [s] when forces beside a drive are looked at again, and of the largest, what is a change
 
 
 @dataclass(frozen=True)
@@ -116,7 +118,10 @@ def touching(system: System) -> TouchingAtRest:
     bounds = tuple(bound for bound in system.bounds if bound.name in closed)
     dry_friction = tuple(rub for rub in system.dry_friction if not rub.of or rub.of in closed)
     _insist_on_rest(reference, q, dry_friction)
-    return TouchingAtRest(system, held, bounds, dry_friction)
+    found = TouchingAtRest(system, held, bounds, dry_friction)
+    if found.is_driven:
+        _insist_on_steadiness(found, values, q)
+    return found
 
 
 def _insist_on_rest(reference: Reference, q: Array, dry_friction: Sequence[DryFriction]) -> None:
@@ -131,6 +136,24 @@ def _insist_on_rest(reference: Reference, q: Array, dry_friction: Sequence[DryFr
             Message(
                 "{body} moves at the start, so the system is not at rest; leave out its velocity",
                 body=reference.most_moved(own),
+            )
+        )
+
+
+def _insist_on_steadiness(found: TouchingAtRest, values: Mapping[str, float], q: Array) -> None:
+    """Raises CannotAnswer where the forces of what touches change as the drive goes on: at rest beside it would be said
+    of an instant only."""
+    reference = Reference(found.stuck, values)
+    start = reference.assemble(guess=q)
+    motion = reference.integrate((start, reference.velocities(start)), _LATER)
+    first, last = (dynamics(reference, s.geometry).multipliers for s in (motion.snapshots[0], motion.snapshots[-1]))
+    named = {row.name for rub in found.dry_friction for row in rub.rows} | {bound.row.name for bound in found.bounds}
+    own = [k for k, row in enumerate(reference.system.constraint_rows) if row.name in named]
+    if float(np.abs(last[own] - first[own]).max(initial=0.0)) > _STEADY * float(np.abs(first).max(initial=1.0)):
+        raise CannotAnswer(
+            Message(
+                "the forces change as what is driven goes on, so rest beside it is a matter of an instant; ask when "
+                "something slips"
             )
         )
 
