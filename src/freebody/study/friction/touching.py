@@ -152,8 +152,8 @@ def _insist_on_steadiness(found: TouchingAtRest, values: Mapping[str, float], q:
     if float(np.abs(last[own] - first[own]).max(initial=0.0)) > _STEADY * float(np.abs(first).max(initial=1.0)):
         raise CannotAnswer(
             Message(
-                "the forces change as what is driven goes on, so rest beside it is a matter of an instant; ask when "
-                "something slips"
+                "the forces change as what is driven goes on, so rest beside it is a matter of an instant; "
+                "simulate tells when something slips"
             )
         )
 
