@@ -160,3 +160,10 @@ def test_beside_a_drive_that_spins_up_rest_is_a_matter_of_an_instant(law: str) -
     (answer,) = fb.solve(fb.System.from_text(asked)).answers
     assert answer.expression is None
     assert "matter of an instant" in answer.reason
+
+
+def test_when_a_coin_on_a_table_that_spins_up_slips_is_a_number_of_the_motion() -> None:
+    """r sqrt(al^2 + (al t)^4) = mu g."""
+    asked = TURNED.replace("NORMAL", "up").replace("LAW", "W*t^2/(2 s)").replace("QUESTION", "time when top slips")
+    (answer,) = fb.solve(fb.System.from_text(asked)).answers
+    assert answer.value == pytest.approx(((0.4 * 9.81 / 0.3) ** 2 / 16 - 0.25) ** 0.25, rel=1e-6)

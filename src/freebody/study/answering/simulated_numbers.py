@@ -14,6 +14,7 @@ from freebody.model.elements import NonholonomicForm
 from freebody.numeric.engine.course import Status
 from freebody.numeric.options import SimulationOptions
 from freebody.questions.clock import Clock
+from freebody.questions.course import Transition, TransitionKind
 from freebody.questions.energy import Energy
 from freebody.questions.reading import Question
 from freebody.questions.reading_when import is_of_start
@@ -33,14 +34,22 @@ _STEPS = 20_000  # of a motion in which contacts change
 _N_SEEN = 1201  # instants of a motion at which it is looked how far it gets
 _MET = 1e-6  # [m] between two points that coincide
 _SOON = 1e-9  # [s] of a motion that is looked at where it begins
+_WITHIN = (0.1, 0.3, 1.0, 3.0, 10.0, 30.0, LONGEST)  # [s] in which a change of a contact is looked for
+_CHANGES: dict[TransitionKind, tuple[str, ...]] = {  # in which nothing jumps: what they are called among the events
+    "slips": ("starts to slip",),
+    "slip ends": ("stops slipping",),
+    "rolls": ("stops slipping",),
+    "opens": ("parts", "goes slack"),
+}
 
 
 def number_with_changes(system: System, question: Question) -> Value:
-    """What a motion in which contacts and dry friction change their states gives, at its start or at the first event
-    within a minute; None where that does not come. Just before an impact, where the event is one. Raises
-    BudgetExhausted where the event was not reached within the budget of steps, CannotAnswer where it has no number."""
+    """What a motion in which contacts and dry friction change their states gives, at its start, at the first event
+    within a minute or where a contact slips or opens; None where that does not come. Just before an impact, where the
+    event is one. Raises BudgetExhausted where the event was not reached within the budget of steps, CannotAnswer where
+    it has no number."""
     quantity, event = question.quantity, question.event
-    if not system.has_values or question.transition is not None or not quantity.is_of_state:
+    if not system.has_values or not quantity.is_of_state:
         return None
     if is_of_start(quantity) and not system.is_struck:  # it belongs to a blow on the way
         return None
@@ -50,13 +59,18 @@ def number_with_changes(system: System, question: Question) -> Value:
     is_watched = event is not None and clock is None
     simulator = Simulator(system, events=(f"stop when {event.text}",) if event is not None and is_watched else ())
     options = SimulationOptions(method="dop853", tolerance=TOLERANCE, max_steps=allowed(_STEPS))
+    changes = None if question.transition is None else _change(system, question.transition, simulator, options)
+    if question.transition is not None and changes is None:
+        return None
     until = LONGEST if is_watched else _SOON if clock is None else simulator.reference.number(clock)
-    course = simulator.run(until, options, outputs=np.array([0.0] if event is None else [until]))
+    until = until if changes is None else changes
+    is_of_end = event is not None or changes is not None
+    course = simulator.run(until, options, outputs=np.array([until] if is_of_end else [0.0]))
     if course.status is Status.TOO_LONG:
         raise BudgetExhausted(course.message)
-    if event is not None and course.status is not (Status.EVENT if is_watched else Status.FINISHED):
+    if is_of_end and course.status is not (Status.EVENT if is_watched else Status.FINISHED):
         return None
-    motion, k = SimulatedMotion(system, simulator, course, options), 0 if event is None else -1
+    motion, k = SimulatedMotion(system, simulator, course, options), -1 if is_of_end else 0
     if quantity.watched is not None:  # angles are counted along the motion
         measure, order = quantity.watched
         return float(observed(motion, {"it": measure})["it"][order][k])
@@ -75,6 +89,22 @@ def number_with_changes(system: System, question: Question) -> Value:
     passage = NumericPassage(system, begin, now, lambda q: value_in_mode(q, system, held, now), lost)
     values = as_parts(quantity.counted(passage))
     return values[0] if len(values) == 1 else values
+
+
+def _change(system: System, asked: Transition, simulator: Simulator, options: SimulationOptions) -> float | None:
+    """[s] when a contact first slips, sticks or opens; None where it does not within a minute, or where others do so
+    that are not meant."""
+    kinds = _CHANGES.get(asked.kind, ())
+    rows = [b.row for b in system.bounds] if asked.kind == "opens" else [rub.row for rub in system.dry_friction]
+    if not kinds or (asked.of and not {row.connection for row in rows} <= set(asked.of)):
+        return None
+    for until in _WITHIN:
+        course = simulator.run(until, options, outputs=np.array([until]))
+        if times := [event.time for event in course.events if event.kind in kinds]:
+            return min(times)
+        if course.status is not Status.FINISHED:
+            return None
+    return None
 
 
 def _refuse_without_direction(system: System, now: SimulatedInstant) -> None:

@@ -153,7 +153,7 @@ def _insist_on_steadiness(found: TouchingAtRest, values: Mapping[str, float], q:
         raise CannotAnswer(
             Message(
                 "the forces change as what is driven goes on, so rest beside it is a matter of an instant; "
-                "simulate tells when something slips"
+                "ask when something slips"
             )
         )
 
