@@ -18,7 +18,7 @@ from freebody.errors import CannotAnswer
 from freebody.language.expression import free_symbols
 from freebody.language.sentences import Message, listed
 from freebody.measures.displacement import Displacement
-from freebody.model.elements import ConstraintRow, DryFriction, UnilateralConstraint
+from freebody.model.elements import VALUE, ConstraintRow, DryFriction, NonholonomicForm, UnilateralConstraint
 from freebody.numeric.contact.overlaps import is_of_edges, is_within, overlaps, parting
 from freebody.numeric.contact.start import far_sides
 from freebody.numeric.jet_geometry import JetGeometry
@@ -120,19 +120,33 @@ def touching(system: System) -> TouchingAtRest:
 
 
 def _insist_on_rest(reference: Reference, q: Array, dry_friction: Sequence[DryFriction]) -> None:
-    """Raises CannotAnswer where something moves at the start, other than what is driven or goes along with that."""
+    """Raises CannotAnswer where something moves at the start, other than what is driven or goes along with that, and
+    where going along changes a load: a block that a belt carries away from its spring does not stay on it."""
+    along = velocities_along(reference, q, dry_friction)
     v = reference.velocities(q)
     own = v - reference.velocities(q, with_start=False)
-    if not own.any():
-        return
-    beside = v - velocities_along(reference, q, dry_friction)
-    if float(np.abs(beside).max()) > ROUND_OFF * float(np.abs(v).max()):
+    is_free = own.any() and float(np.abs(v - along).max()) > ROUND_OFF * float(np.abs(v).max())
+    if is_free or _changes_loads(reference, q, along):
         raise CannotAnswer(
             Message(
                 "{body} moves at the start, so the system is not at rest; leave out its velocity",
-                body=reference.most_moved(own),
+                body=reference.most_moved(own if is_free else along),
             )
         )
+
+
+def _changes_loads(reference: Reference, q: Array, along: Array) -> bool:
+    """Whether a load depends on a measure that changes with these velocities."""
+    if not along.any():
+        return False
+    g, tiny = reference.geometry(q, along, 0.0), ROUND_OFF * float(np.abs(along).max())
+    for push in reference.system.applied_loads:
+        used = free_symbols(push.law)
+        seen = [measure for name, measure in (*push.measures, (VALUE.name, push.measure)) if name in used]
+        for measure in seen:
+            if not isinstance(measure, NonholonomicForm) and abs(reference.jet(g, measure, push.name).rate) > tiny:
+                return True
+    return False
 
 
 def _starting(system: System) -> list[list[UnilateralConstraint]]:
