@@ -292,6 +292,12 @@ def test_box_on_an_inclined_box_tips_at_the_ratio_of_its_sides_or_slides_at_mu(m
     assert answer.expression is not None
 
 
+def test_box_on_an_inclined_box_holds_with_mu_at_least_the_slope() -> None:
+    [answer] = fb.System.from_text(RAMP).solve("least mu so that it stays at rest").answers
+    assert answer.value == pytest.approx(math.tan(math.radians(10)), rel=1e-12)
+    assert answer.expression is not None
+
+
 def test_box_on_a_box_slips_at_the_ratio_of_push_and_weight_unless_it_tips() -> None:
     """mu = P/(m g), as long as P b/2 <= m g a/2."""
     crate = box(0.3, 0.2, 0.25, "[-0.2 m, 0.2 m, 0]").replace("2 kg", "m").replace("0.2 m, 0.25", "b, 0.25")
