@@ -185,6 +185,19 @@ def test_box_slides_to_rest_on_another_by_mu_g(heading: float) -> None:
     assert np.abs(found.course.rotation.velocities[-1, 0]).max() < 1e-10
 
 
+@pytest.mark.parametrize("v", [(0.5, 0.0, 0.0), pytest.param((0.5, 0.0, 0.2), marks=pytest.mark.slow)])
+def test_box_on_one_of_its_own_size_slides_from_flush_without_a_word(v: tuple[float, ...]) -> None:
+    """Corners on corners and edges on edges at the start: what touches from then on is no news, up to v/(mu g)."""
+    slab = SLAB.replace("[1 m, 0.2 m, 0.6 m]", "[0.3 m, 0.2 m, 0.25 m]")
+    crate = box(0.3, 0.2, 0.25, "[0, 0.2 m, 0]", f", velocity: {list(v)}")
+    found = simulated(on_slab(crate).replace(SLAB, slab), 0.2)
+    speed = math.hypot(*v)
+    assert {event.kind for event in found.course.events} == {"stops slipping"}
+    assert [*{event.time for event in found.course.events}] == [pytest.approx(speed / (0.3 * G), rel=1e-9)]
+    way = found.course.poses[-1, 0, :3] - np.array((0.0, 0.2, 0.0))
+    assert way == pytest.approx(np.array(v) * speed / (2 * 0.3 * G), abs=1e-8)
+
+
 def test_box_slides_off_the_edge_of_another_as_in_the_plane() -> None:
     """Its corners leave the face, two edges of it go on across the edge of the slab, it tips about that and falls."""
     flat = """
@@ -276,6 +289,12 @@ def test_box_on_an_inclined_box_tips_at_the_ratio_of_its_sides_or_slides_at_mu(m
         fb.System.from_text(RAMP.replace("mu: 0.9", f"mu: {mu}")).solve("does it tip or slide as alpha grows").answers
     )
     assert answer.value == pytest.approx(limit, rel=1e-10)
+    assert answer.expression is not None
+
+
+def test_box_on_an_inclined_box_holds_with_mu_at_least_the_slope() -> None:
+    [answer] = fb.System.from_text(RAMP).solve("least mu so that it stays at rest").answers
+    assert answer.value == pytest.approx(math.tan(math.radians(10)), rel=1e-12)
     assert answer.expression is not None
 
 

@@ -989,7 +989,7 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
         "holds": "m*(mu*g - r*W**2)",
     },
     # the weight passes outside of the lower edge before m g sin(alpha) has grown to mu m g cos(alpha), as a/h < mu
-    "crate_on_a_ramp": {"first": "atan(a/h)", "friction": "tan(alpha)"},
+    "crate_on_a_ramp": {"first": "atan(a/h)"},
     # moments about horizontal axes through the foot: the walls push with m g/2 times the runs by the height, which are
     # the legs of a right angle; friction balances both
     "ladder_in_a_corner": {

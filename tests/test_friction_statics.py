@@ -825,6 +825,24 @@ def test_what_hangs_freely_beside_a_drive_that_accelerates_is_not_at_rest() -> N
     assert "free to move" in found.reason
 
 
+def test_block_on_a_belt_stays_on_it_only_with_a_spring_that_goes_along() -> None:
+    """A spring to the ground is stretched by v t and pulls it off at k v t = mu m g; one to the belt is as it is."""
+    model = """
+bodies: {belt: {body: {mass: 1 kg}, lines: {top: {along: right}}}, block: {particle: {mass: 1 kg}}}
+connections:
+  guide: {slider: {body: belt, along: right}}
+  motor: {driver: {measure: x of belt, follows: 0.2 m/s * t}}
+  contact: {contact: {between: [block, belt.top], friction: 0.5}}
+loads: {weight: {gravity: 9.81 m/s^2}, spring: {law: {measure: s, force: -40 N/m * s}}}
+measures: {s: x of block}
+start: {s: 0}
+"""
+    with pytest.raises(fb.CannotAnswer, match="belt moves at the start"):
+        fb.statics(fb.System.from_text(model))
+    beside = model.replace("s: x of block", "s: x of block from belt")
+    assert fb.statics(fb.System.from_text(beside)).holds
+
+
 def test_a_drum_against_a_chock_may_spin_and_goes_along() -> None:
     """About the chock: m a0 (R - h) = m g sqrt(R^2 - (R - h)^2)."""
     drum = """

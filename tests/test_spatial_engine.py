@@ -78,7 +78,7 @@ class FloatGeometry:
         self.bearing = angle + 2.0 * math.pi * round((self.bearing - angle) / (2.0 * math.pi))
         return length, self.bearing
 
-    def apply(self, expr: Any, values: dict[str, float]) -> float:
+    def apply(self, expr: Any, values: dict[str, float], *, here: bool = False) -> float:
         raise NotImplementedError
 
 

@@ -148,7 +148,7 @@ class _EdgePair:
         """Of what occurs in it, so that edges along the same directions share what depends on these alone."""
         own = free_symbols(expression)
         seen = tuple((name, measure) for name, measure in (self.turns | self.moves).items() if name in own)
-        return Composed(expression, seen, dimension)
+        return Composed(expression, seen, dimension, here=True)
 
     def _slip(self) -> tuple[NonholonomicForm, NonholonomicForm]:
         """With sigma as it is now: along b d_b' + sigma c', across it (a_p d_p' + a_q d_q')/w + sigma w'."""
@@ -174,7 +174,8 @@ class _EdgePair:
             for coefficient, rate in spin(self.one.body.name, along, self.other.body.name).terms:
                 assert isinstance(coefficient, Composed)
                 seen = (*self.turns.items(), *coefficient.measures)
-                terms.append((Composed(share * coefficient.expression, seen, DIMENSIONLESS), rate))
+                along_p_q = Composed(share * coefficient.expression, seen, DIMENSIONLESS, here=True)
+                terms.append((along_p_q, rate))
         return NonholonomicForm(tuple(terms), DIMENSIONLESS)
 
 

@@ -187,7 +187,7 @@ class _Touching:
         sphere = core.v == D
         gap: Measure = Distance(core.body.center, self.ball.center)
         if not sphere:
-            gap = Composed(core.size, tuple(self.seen), LENGTH)
+            gap = Composed(core.size, tuple(self.seen), LENGTH, here=True)
         one, other = self.across
         return ContactPlace(
             self.ball.label,
@@ -215,7 +215,8 @@ class _Touching:
         """b . d' + w . (r x b): r = -R n, and n x b_1 = b_2, n x b_2 = -b_1; inside r = R n."""
         sign = -sign if self.core.inside else sign
         terms: list[tuple[Measure, Measure]] = [
-            (Composed(c, tuple(self.seen), DIMENSIONLESS), move) for c, move in zip(along, self.moves, strict=True)
+            (Composed(c, tuple(self.seen), DIMENSIONLESS, here=True), move)
+            for c, move in zip(along, self.moves, strict=True)
         ]
         if self.ball.radius != ZERO:
             arm = number(sign) * self.ball.radius
@@ -236,5 +237,5 @@ class _Touching:
             p, q = e[(k + 1) % 3], e[(k + 2) % 3]
             for a in body_axes(self.ball.center.body):
                 seen = (*self.seen, ("@c", Alignment(q, a)))
-                terms.append((Composed(-c * Symbol("@c"), seen, dimension), Alignment(p, a)))
+                terms.append((Composed(-c * Symbol("@c"), seen, dimension, here=True), Alignment(p, a)))
         return terms

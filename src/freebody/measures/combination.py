@@ -45,11 +45,13 @@ class Combination(Measure):
 
 @dataclass(frozen=True)
 class Composed(Measure):
-    """An expression in other measures, the parameters and time."""
+    """An expression in other measures, the parameters and time. here: its formula need hold only where what it takes
+    the size of keeps its sign, as for a contact, whose nearest place is another one beyond an edge."""
 
     expression: Expr
     measures: tuple[tuple[str, Measure], ...]
     dimension_: Dimension
+    here: bool = False
 
     @property
     def dimension(self) -> Dimension:
@@ -63,7 +65,7 @@ class Composed(Measure):
         return len(self.measures) == 1 and self.measures[0][1].is_angle
 
     def value(self, g: Geometry[S]) -> S:
-        return g.apply(self.expression, {name: measure.value(g) for name, measure in self.measures})
+        return g.apply(self.expression, {name: measure.value(g) for name, measure in self.measures}, here=self.here)
 
     def bodies(self) -> Iterator[str]:
         for _name, measure in self.measures:

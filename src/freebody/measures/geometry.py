@@ -179,8 +179,9 @@ class Geometry(Protocol[S]):
         otherwise. The angle is continuous in the motion."""
         ...
 
-    def apply(self, expr: Expr, values: dict[str, S]) -> S:
-        """Value of an expression in which names stand for the given scalars, else for parameters."""
+    def apply(self, expr: Expr, values: dict[str, S], *, here: bool = False) -> S:
+        """Value of an expression in which names stand for the given scalars, else for parameters. here: a
+        formula need hold only where what it takes the size of keeps its sign."""
         ...
 
 

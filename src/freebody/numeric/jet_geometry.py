@@ -186,7 +186,7 @@ class JetGeometry:
         known = self.frame.constant(expr)
         return self.apply(expr, {}) if known is None else known
 
-    def apply(self, expr: Expr, values: dict[str, Jet]) -> Jet:
+    def apply(self, expr: Expr, values: dict[str, Jet], *, here: bool = False) -> Jet:
         names: dict[str, Any] = {**self.frame.values, TIME: self.time, **values}
         result = evaluate(expr, names, JET_FUNCTIONS)
         return result if isinstance(result, Jet) else Jet(float(result))

@@ -14,12 +14,13 @@ _ROUND_OFF = 1e-14  # of an amount at rest
 
 
 def number_text(value: float, zero: float = 0.0) -> str:
-    """Five significant digits, without trailing zeros; what is smaller than `zero` is the round-off of one."""
+    """Five significant digits, without trailing zeros; what is smaller than `zero` is the round-off of one. Half-way
+    between two such numbers round-off does not decide."""
     if abs(value) < zero:
         value = 0.0
     if value == 0 or not math.isfinite(value):
         return "0" if value == 0 else str(value)
-    text = f"{value:.5g}"
+    text = f"{float(f'{value:.10g}'):.5g}"
     if "e" in text:
         mantissa, exponent = text.split("e")
         return f"{mantissa}e{int(exponent)}"

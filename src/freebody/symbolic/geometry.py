@@ -40,8 +40,9 @@ class FieldGeometry:
         self.poses = poses
         self._tangent = tangent
         self._root = root
-        # what signs roots have that formulas leave open; a size that is asked for as such may have either
-        self.functions = {**functions(field, is_negative), "abs": functions(field)["abs"]}
+        # what signs roots have that formulas leave open; a size that is asked for as such may have either, unless here
+        self.functions_here = functions(field, is_negative)
+        self.functions = {**self.functions_here, "abs": functions(field)["abs"]}
         zero, one = field.zero, field.one
         self._ground: AnyPose = Pose(zero, zero, zero, one, zero)
         if space:
@@ -66,8 +67,8 @@ class FieldGeometry:
             raise CannotAnswer(NO_DIRECTION)
         return length, angle
 
-    def apply(self, expr: Expr, values: dict[str, Ratio]) -> Ratio:
-        return evaluate(expr, {**self.names, **values}, self.functions)
+    def apply(self, expr: Expr, values: dict[str, Ratio], *, here: bool = False) -> Ratio:
+        return evaluate(expr, {**self.names, **values}, self.functions_here if here else self.functions)
 
     @property
     def scalars(self) -> tuple[Expr, ...]:
@@ -184,7 +185,8 @@ class DualGeometry:
     def __init__(self, plain: FieldGeometry, moving: Mapping[str, bool]) -> None:
         self.plain = plain
         self.moving = moving  # body -> turns
-        self._functions = _dual_functions(plain)
+        self._functions = _dual_functions(plain, plain.functions)
+        self._functions_here = _dual_functions(plain, plain.functions_here)
 
     def scalar(self, expr: Expr) -> Dual:
         return Dual(self.plain.scalar(expr))
@@ -258,9 +260,9 @@ class DualGeometry:
             stretched[slot] = cos * dx + sin * dy + rho * turned[slot]
         return Dual(length, stretched), Dual(angle, turned)
 
-    def apply(self, expr: Expr, values: dict[str, Dual]) -> Dual:
+    def apply(self, expr: Expr, values: dict[str, Dual], *, here: bool = False) -> Dual:
         names: dict[str, Any] = {n: Dual(v) for n, v in self.plain.names.items()}
-        return evaluate(expr, {**names, **values}, self._functions)
+        return evaluate(expr, {**names, **values}, self._functions_here if here else self._functions)
 
 
 def _parts(v: Vector[Ratio]) -> tuple[Ratio, Ratio, Ratio]:
@@ -276,9 +278,8 @@ def _constant(v: Vector[Ratio]) -> Vector[Dual]:
     return Vector(*map(Dual, _parts(v)))
 
 
-def _dual_functions(plain: FieldGeometry) -> dict[str, Any]:
+def _dual_functions(plain: FieldGeometry, f: Mapping[str, Any]) -> dict[str, Any]:
     """Elementary functions with their derivatives."""
-    f = plain.functions
 
     def make(name: str, slope: Callable[[Ratio, Ratio], Ratio]) -> Callable[[Dual], Dual]:
         def call(x: Dual) -> Dual:

@@ -110,7 +110,7 @@ class Writer(OperationGraph):
     def scalar(self, expr: Expr) -> ProgramNode:
         return self.apply(expr, {})
 
-    def apply(self, expr: Expr, values: dict[str, ProgramNode]) -> ProgramNode:
+    def apply(self, expr: Expr, values: dict[str, ProgramNode], *, here: bool = False) -> ProgramNode:
         result: Any = evaluate(expr, {**self._names, **values}, self._functions)
         return result if isinstance(result, ProgramNode) else self.constant(result)
 

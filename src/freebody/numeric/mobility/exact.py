@@ -290,7 +290,7 @@ class ExactDualGeometry:
             known = self._scalars[id(expr)] = expr, self.apply(expr, {})
         return known[1]
 
-    def apply(self, expr: Expr, values: dict[str, ExactDual]) -> ExactDual:
+    def apply(self, expr: Expr, values: dict[str, ExactDual], *, here: bool = False) -> ExactDual:
         result: Any = evaluate(expr, {**self.values, **values} if values else self.values, self.functions)
         return result if isinstance(result, ExactDual) else ExactDual(self.arithmetic.number(result))
 
