@@ -601,6 +601,38 @@ def test_that_slip_ends_in_an_impact_is_no_rest_and_the_way_to_it_is_told(said: 
         system.question(said)
 
 
+BRAKED = """
+parameters: {m: 1200 kg, a: 1.2 m, b: 1.4 m, h: 0.5 m, mu: 0.8, A: 1 m/s^2, g: 9.81 m/s^2}
+ground: {lines: {road: {along: right}}}
+bodies:
+  car: {rectangle: {mass: m, width: 3.8 m, height: 2*h}, points: {rear: [-b, -h], front: [a, -h]}, at: [0, h], angle: 0}
+connections:
+  rear: {contact: {between: [car.rear, road], friction: mu, touching: true}}
+  front: {contact: {between: [car.front, road], touching: true}}
+loads: {weight: {gravity: g}, inertia: {force: {at: car, along: right, magnitude: m*A}}}
+"""
+
+
+@pytest.mark.parametrize("said", ["which wheel locks first", "Welches Rad blockiert zuerst?", "largest deceleration"])
+def test_a_car_whose_rear_wheels_brake_is_limited_by_them(said: str) -> None:
+    """N_rear (a + b) = m g a - m A h, and m A = mu N_rear at the limit: A = mu g a/(a + b + mu h)."""
+    [answer] = fb.solve(fb.System.from_text(BRAKED), question=said).answers
+    assert answer.value == pytest.approx(0.8 * 9.81 * 1.2 / (1.2 + 1.4 + 0.8 * 0.5))
+
+
+@pytest.mark.parametrize(
+    ("model", "said", "told"),
+    [
+        ("braking_car", "which wheel locks first", "which wheel slips or lifts first as A grows"),
+        ("braking_car", "Welches Rad blockiert zuerst?", "which wheel slips or lifts first as A grows"),
+        ("traction_limits", "kürzester Bremsweg", "value of F for which normal force of rear = F/mu"),
+    ],
+)
+def test_what_a_braked_car_in_motion_leaves_open_is_refused_with_what_to_ask(model: str, said: str, told: str) -> None:
+    with pytest.raises(ModelError, match=re.escape(told)):
+        example(model).question(said)
+
+
 def test_the_cases_of_an_impact_tell_where_its_slip_ends() -> None:
     """The slip u + R w ends while 2/7 m (u + R w) <= mu (1 + e) m v: so it is told where the refusal points to."""
     [answer] = fb.solve(fb.System.from_text(THROWN), question="energy lost in the impact").answers

@@ -46,7 +46,7 @@ def is_accounted_for(names: Names, words: Sequence[Word], text: str) -> bool:
     if Word("filler", "may") in words:  # what can be reached by choice is none of this motion
         if joining.is_still(names) and _OF_MOTION.match(text):
             return False
-        if "acceleration" in asked and given.growing(names, []):
+        if asked & {"acceleration", "deceleration"} and given.growing(names, []):
             return False
     is_push, is_turn = bool(asked & _PUSHES), bool(asked & _TURNS)
     if is_push and not is_turn and _TORQUE.search(text):

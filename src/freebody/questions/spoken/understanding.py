@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Protocol, TypeVar
 from freebody.errors import Problem
 from freebody.language.sentences import Message
 from freebody.questions.spoken import strings
+from freebody.questions.spoken.braking import limits_of_braking
 from freebody.questions.spoken.composing import JOINT
 from freebody.questions.spoken.compounds import in_english_nouns
 from freebody.questions.spoken.in_the_impact import slip_in_impact
@@ -356,7 +357,8 @@ def _respelt(names: Names, text: str, language: str) -> str:
 
 def _told_of_words(names: Names, text: str) -> Message | None:
     """What is said of a text that asks for what is told with the answers to other questions."""
-    told = (slip_in_impact(names, meaning.words) for meaning in _meanings(names, text))
+    ways = [meaning.words for meaning in _meanings(names, text)]
+    told = (find(names, words) for words in ways for find in (slip_in_impact, limits_of_braking))
     return next((message for message in told if message is not None), None)
 
 
