@@ -38,6 +38,6 @@ def limits_of_braking(names: Names, words: Sequence[Word]) -> Message | None:
         )
     return Message(
         "the shortest stopping distance is that with the largest braking force: ask for the value of the force at "
-        "which a wheel begins to slip, as in: value of F for which normal force of rear = F/mu; with it set, ask for the "
-        "stopping distance"
+        "which a wheel begins to slip, as in: value of F for which normal force of rear = F/mu; with it set, ask for "
+        "the stopping distance"
     )

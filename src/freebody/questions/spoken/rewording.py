@@ -63,7 +63,7 @@ def infinitives(words: list[Word]) -> list[Word]:
 
 
 def can_accelerate(names: Names, words: list[Word], modal: set[str]) -> list[Word]:
-    """How fast it can speed up is the greatest acceleration; how hard it can brake is that of the inertia force, too."""
+    """How fast it can speed up is the greatest acceleration; so is how hard it can brake."""
     fast, speeds_up = Word("ask", "fast"), Word("verb", "accelerate")
     if not joining.is_still(names):
         return words
