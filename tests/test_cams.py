@@ -319,6 +319,19 @@ def test_the_base_radius_at_which_a_cam_is_just_not_undercut(agrees: Callable[..
     agrees(found, "q1", "2*b - h/2")
 
 
+def test_a_follower_whose_line_misses_the_cam_is_told_so_with_what_would_do() -> None:
+    """The middle of the roller is 40 + 10 + 20 mm from the axle at most, and its line 75 mm."""
+    text = (EXAMPLES / "cam_with_roller.yaml").read_text("utf-8")
+    aside = text.replace("through: ground.O", "through: ground.G").replace(
+        "bodies:", "ground: {points: {O: [0, 0], G: [75 mm, 0]}}\nbodies:"
+    )
+    told = r"follower.bottom runs on a line at 0.075 m from the centre of disk.*0.07 m.*base radius of at least 0.045 m"
+    with pytest.raises(fb.ModelError, match=told):
+        fb.System.from_text(aside)
+    open_ = aside.replace("G: [75 mm, 0]", "G: [s, 0]").replace("h: 20 mm,", "h: 20 mm, s: m,")
+    fb.System.from_text(open_)  # of what is not given nothing is said
+
+
 def test_where_the_extreme_of_a_turn_is_may_change_with_the_parameter() -> None:
     """rho = r + h/2 + b + 3 b cos(2 phi) is least at phi = 90 deg for b > 0 only, so no range of b is made of that."""
     lift, twice = "lift: h/2*(1 - cos(phi))", "lift: h/2*(1 - cos(phi)) + b*(1 - cos(2*phi))"
