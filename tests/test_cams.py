@@ -293,6 +293,21 @@ def test_the_base_radius_for_a_pressure_angle_is_that_of_the_textbook(agrees: Ca
     agrees(found, "q1", "h/2*(1/sin(pi/12) - 1) - r_R")
 
 
+@pytest.mark.parametrize(
+    "asked",
+    [
+        "least r so that pressure angle of cam stays below pi/12 over a turn of phi",
+        "least r so that the pressure angle of cam over a turn of phi stays at most pi/12",
+        "range of r for which greatest pressure angle of cam over a turn of phi < pi/12",
+    ],
+)
+def test_from_that_base_radius_on_the_pressure_angle_stays_below(asked: str, agrees: Callable[..., None]) -> None:
+    """sin(alpha) = h/(2 R) falls as R grows, so the radius of the textbook is the least one."""
+    found = fb.System.load(EXAMPLES / "cam_with_roller.yaml").solve(asked)
+    agrees(found, "q1", "h/2*(1/sin(pi/12) - 1) - r_R")
+    assert any(note.startswith(("so for r > ", "so for r ≥ ")) for note in found.answers[0].notes)
+
+
 def test_the_base_radius_at_which_a_cam_is_just_not_undercut(agrees: Callable[..., None]) -> None:
     """rho = r + L + L'' = r + h/2 + b + 3 b cos(2 phi) under a flat face (Norton, sec. 8.7), least r + h/2 - 2 b."""
     lift, twice = "lift: h/2*(1 - cos(phi))", "lift: h/2*(1 - cos(phi)) + b*(1 - cos(2*phi))"
@@ -300,6 +315,30 @@ def test_the_base_radius_at_which_a_cam_is_just_not_undercut(agrees: Callable[..
     system = fb.System.from_text(text.replace("r: 30 mm,", "r: 30 mm, b: 6 mm,"))
     found = system.solve("value of r for which least radius of curvature of cam over a turn of phi = 0")
     agrees(found, "q1", "2*b - h/2")
+    found = system.solve("range of r for which least radius of curvature of cam over a turn of phi > 0")
+    agrees(found, "q1", "2*b - h/2")
+
+
+def test_a_follower_whose_line_misses_the_cam_is_told_so_with_what_would_do() -> None:
+    """The middle of the roller is 40 + 10 + 20 mm from the axle at most, and its line 75 mm."""
+    text = (EXAMPLES / "cam_with_roller.yaml").read_text("utf-8")
+    aside = text.replace("through: ground.O", "through: ground.G").replace(
+        "bodies:", "ground: {points: {O: [0, 0], G: [75 mm, 0]}}\nbodies:"
+    )
+    told = r"follower.bottom runs on a line at 0.075 m from the centre of disk.*0.07 m.*base radius of at least 0.045 m"
+    with pytest.raises(fb.ModelError, match=told):
+        fb.System.from_text(aside)
+    open_ = aside.replace("G: [75 mm, 0]", "G: [s, 0]").replace("h: 20 mm,", "h: 20 mm, s: m,")
+    fb.System.from_text(open_)  # of what is not given nothing is said
+
+
+def test_where_the_extreme_of_a_turn_is_may_change_with_the_parameter() -> None:
+    """rho = r + h/2 + b + 3 b cos(2 phi) is least at phi = 90 deg for b > 0 only, so no range of b is made of that."""
+    lift, twice = "lift: h/2*(1 - cos(phi))", "lift: h/2*(1 - cos(phi)) + b*(1 - cos(2*phi))"
+    text = (EXAMPLES / "cam_with_flat_follower.yaml").read_text("utf-8").replace(lift, twice)
+    system = fb.System.from_text(text.replace("r: 30 mm,", "r: 30 mm, b: 6 mm,"))
+    found = system.solve("range of b for which least radius of curvature of cam over a turn of phi > 0")
+    assert "where the extreme of a turn is changes with b" in found.answers[0].reason
 
 
 PRELOADED = """

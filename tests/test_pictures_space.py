@@ -37,7 +37,7 @@ from freebody.present.space.order import back_to_front, overlap, seen_ball, seen
 from freebody.present.space.painter import paint, painted, shots
 from freebody.present.space.solids import Solid
 from freebody.present.view import View
-from freebody.study.pictures.picture import draw, picture
+from freebody.study.pictures.picture import draw, free_body, picture
 from freebody.system.system import System
 
 UP_Z = np.array((0.0, 0.0, 1.0))
@@ -682,3 +682,18 @@ loads: {s: {spring: {first: ground.O, second: p, stiffness: k}}}
 """)
     said = {word.label.text for word in picture(system).words}
     assert {"k", "O", "p"} <= said
+
+
+def test_a_particle_alone_is_a_dot_on_its_plane_and_cut_free() -> None:
+    """It has no size that signs could be measured by: neither its dot nor the arrow on it fills the picture."""
+    system = System.from_text("""
+space: true
+parameters: {P: 12 N}
+ground: {planes: {table: {normal: up}}}
+bodies: {block: {particle: {mass: 4 kg}}}
+connections: {table: {contact: {between: [block, ground.table], friction: 0.6}}}
+loads: {weight: {gravity: 9.81 m/s^2}, pull: {force: {at: block, along: [0, 0, 1], magnitude: P}}}
+""")
+    for found in (picture(system), free_body(system, "block")):
+        dot = next(shape for shape in found.shapes if shape.is_area and len(shape.points) > 20)
+        assert 6.0 < float(np.ptp(dot.points[:, 0])) < 30.0  # points of some 300 on paper

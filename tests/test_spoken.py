@@ -15,6 +15,7 @@ from typer.testing import CliRunner
 import freebody as fb
 from freebody.cli import commands
 from freebody.errors import InputError, ModelError
+from freebody.present.report.formats.terminal import terminal_text
 from freebody.questions.reading import Question
 from freebody.questions.spoken.compounds import in_english_nouns
 from freebody.questions.spoken.lexicon import languages, phrases_at, spelt_out, tables
@@ -570,6 +571,77 @@ def test_another_value_of_a_parameter_in_passing_is_refused_with_the_way_to_set_
 def test_what_a_change_of_a_parameter_does_is_told_by_asking_twice(said: str) -> None:
     with pytest.raises(ModelError, match=r"--set 'mu=0\.24'"):
         example("bowling_ball").question(said)
+
+
+THROWN = """
+parameters: {m: 0.2 kg, R: 3 cm, h: 1 m, u: 2 m/s, w: 10 1/s, mu: 0.2, e: 0.6, g: 9.81 m/s^2}
+ground: {lines: {floor: {along: right}}}
+bodies: {ball: {sphere: {mass: m, radius: R}, at: [0, R + h], velocity: [u, 0], angular_velocity: w}}
+connections: {touch: {contact: {between: [ball, floor], friction: mu, restitution: e}}}
+loads: {weight: {gravity: g}}
+"""
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "range of mu for which the slip ends in the impact",
+        "least mu so that it does not slip in the impact",
+        "least mu so that the ball does not slip after the impact",
+        "does the ball slip in the impact",
+        "Für welche mu endet das Gleiten im Stoß?",
+        "kleinstes mu, damit die Kugel im Stoß nicht gleitet",
+        "kleinstes mu, damit die Kugel nach dem Aufprall rollt",
+        "Gleitet die Kugel im Stoß?",
+    ],
+)
+def test_that_slip_ends_in_an_impact_is_no_rest_and_the_way_to_it_is_told(said: str) -> None:
+    system = fb.System.from_text(THROWN)
+    with pytest.raises(ModelError, match=r"ask for the energy lost in the impact.*\(touch does not slip\)"):
+        system.question(said)
+
+
+BRAKED = """
+parameters: {m: 1200 kg, a: 1.2 m, b: 1.4 m, h: 0.5 m, mu: 0.8, A: 1 m/s^2, g: 9.81 m/s^2}
+ground: {lines: {road: {along: right}}}
+bodies:
+  car: {rectangle: {mass: m, width: 3.8 m, height: 2*h}, points: {rear: [-b, -h], front: [a, -h]}, at: [0, h], angle: 0}
+connections:
+  rear: {contact: {between: [car.rear, road], friction: mu, touching: true}}
+  front: {contact: {between: [car.front, road], touching: true}}
+loads: {weight: {gravity: g}, inertia: {force: {at: car, along: right, magnitude: m*A}}}
+"""
+
+
+@pytest.mark.parametrize("said", ["which wheel locks first", "Welches Rad blockiert zuerst?", "largest deceleration"])
+def test_a_car_whose_rear_wheels_brake_is_limited_by_them(said: str) -> None:
+    """N_rear (a + b) = m g a - m A h, and m A = mu N_rear at the limit: A = mu g a/(a + b + mu h)."""
+    [answer] = fb.solve(fb.System.from_text(BRAKED), question=said).answers
+    assert answer.value == pytest.approx(0.8 * 9.81 * 1.2 / (1.2 + 1.4 + 0.8 * 0.5))
+
+
+@pytest.mark.parametrize(
+    ("model", "said", "told"),
+    [
+        ("braking_car", "which wheel locks first", "which wheel slips or lifts first as A grows"),
+        ("braking_car", "Welches Rad blockiert zuerst?", "which wheel slips or lifts first as A grows"),
+        ("traction_limits", "kürzester Bremsweg", "value of F for which normal force of rear = F/mu"),
+    ],
+)
+def test_what_a_braked_car_in_motion_leaves_open_is_refused_with_what_to_ask(model: str, said: str, told: str) -> None:
+    with pytest.raises(ModelError, match=re.escape(told)):
+        example(model).question(said)
+
+
+def test_the_cases_of_an_impact_tell_where_its_slip_ends() -> None:
+    """The slip u + R w ends while 2/7 m (u + R w) <= mu (1 + e) m v: so it is told where the refusal points to."""
+    [answer] = fb.solve(fb.System.from_text(THROWN), question="energy lost in the impact").answers
+    v = math.sqrt(2 * 9.81)
+    assert answer.value == pytest.approx(0.2 * 9.81 * (1 - 0.6**2) + 0.2 * (2 + 0.03 * 10) ** 2 / 7)
+    assert 0.2 * 1.6 * v >= 2 / 7 * (2 + 0.03 * 10)
+    solved = fb.solve(fb.System.from_text(THROWN), question="energy lost in the impact")
+    lines = terminal_text(solved.report)
+    assert "(touch does not slip)" in " ".join(lines.split())
 
 
 @pytest.mark.parametrize(

@@ -22,7 +22,7 @@ from typing import TYPE_CHECKING, Any
 
 from freebody.connections.base import Connection
 from freebody.connections.cam_points import lift_through
-from freebody.connections.standing import ground_guide_of, stands_at, vanishes
+from freebody.connections.standing import ground_guide_of, number_of, stands_at, vanishes
 from freebody.errors import FreebodyError
 from freebody.language.expression import (
     PI,
@@ -130,7 +130,9 @@ connections:
             return []
         cam, point, normal = parts
         r = self._radius(names)
-        self._look_for_undercut(names, r)
+        if (found := self._round(names, r)) is not None:
+            self._look_for_undercut(names, found)
+            self._look_for_miss(names, cam, point, found)
         used: tuple[tuple[str, Measure], ...]
         if normal is not None and self.form != "flat" and self._is_radial(names, cam, point, normal):
             return [self._radial(cam, point, normal, r)]
@@ -220,8 +222,8 @@ connections:
         return Composed(path - self._roller(names), used, LENGTH)
 
     # -- its edge -----------------------------------------------------------------------------
-    def _look_for_undercut(self, names: Names, r: Expr) -> None:
-        """Notes a problem where the edge cannot be cut, with the size that would do."""
+    def _round(self, names: Names, r: Expr) -> list[list[float]] | None:
+        """r, r' and r'' in numbers at angles of a turn; None where parameters have no values."""
         first = differentiate(r, _PHI)
         values = {p.name: p.value for p in names.parameters.values() if p.value is not None}
 
@@ -229,12 +231,37 @@ connections:
             return float(evaluate(e, {**values, _PHI: phi}))
 
         try:
-            found = [
+            return [
                 [at(e, math.tau * k / _N_LOOKED_AT) for e in (r, first, differentiate(first, _PHI))]
                 for k in range(_N_LOOKED_AT)
             ]
         except (ArithmeticError, ValueError, FreebodyError):  # parameters without values
+            return None
+
+    def _look_for_miss(self, names: Names, cam: RigidBody, point: Point, found: list[list[float]]) -> None:
+        """Notes a problem where the line on which an edge or a roller runs misses the cam, however that is turned."""
+        guide = None if self.form == "flat" else ground_guide_of(names, point.body, turning=True)
+        if guide is None or any(p.value is None and p.form is None for p in names.parameters.values()):
             return
+        places = [stands_at(names, at, guide.normal()) for at in (point, cam.center)]
+        if any(place is None for place in places):
+            return
+        first, second = (number_of(names, place) for place in places if place is not None)
+        off, far = abs(first - second), max(a for a, _b, _c in found)
+        if off > far:
+            told = Message(
+                "{follower} runs on a line at {off:.4g} m from the centre of {cam}, but can touch it at no more than "
+                "{far:.4g} m from there. Move the guide nearer, or take a base radius of at least {wanted:.4g} m",
+                follower=self.follower,
+                cam=self.cam,
+                off=off,
+                far=far,
+                wanted=(names.numeric(names.formula(self.base_radius, LENGTH)) or 0.0) + off - far,
+            )
+            names.problem(told, "follower")
+
+    def _look_for_undercut(self, names: Names, found: list[list[float]]) -> None:
+        """Notes a problem where the edge cannot be cut, with the size that would do."""
         if self.form == "flat":
             least = min(a + c for a, _b, c in found)
             if least < 0.0:

@@ -207,7 +207,8 @@ def over_the_motion(relation: str) -> str:
     for pattern, end, sign in _STAYING:
         found = pattern.match(relation)
         if found is not None:
-            return f"{end} {found['of']} {sign} {found['value']}"
+            value, over, turn = found["value"].partition(" over a turn")
+            return f"{end} {found['of']}{over}{turn} {sign} {value}"
     return relation
 
 

@@ -24,6 +24,7 @@ from freebody.present.space.stands import Stands
 from freebody.present.view import AZIMUTH, ELEVATION, STRENGTH, View
 
 _SYMBOL = 0.026  # of the size of a scene
+_ROOM = 0.2  # [m] to each side of a scene without size, beside which signs are small
 _TINY = 1e-9  # [m] a scene of less has no lengths at all
 _N_KEYS = 40
 
@@ -41,6 +42,7 @@ class SpatialDrawing:
     high: Array
     pieces: list[Piece] = field(default_factory=list[Piece])
     has_lengths: bool = True  # or all of them are made up
+    room: Array = field(default_factory=lambda: np.zeros((0, 3)))  # [m] points round a lone particle, which has no size
 
     @classmethod
     def of(cls, scene: Scene, centers: Array, axes: Array) -> SpatialDrawing:
@@ -56,8 +58,12 @@ class SpatialDrawing:
                 np.minimum(low, way.min(axis=0) - shells.radius),
                 np.maximum(high, way.max(axis=0) + shells.radius),
             )
-        u = _SYMBOL * (float(np.linalg.norm(high - low)) or 1.0)
-        drawing = cls(scene, poses, u, low - u, high + u, has_lengths=size > 0.0)
+        room = np.zeros((0, 3))
+        if float(np.linalg.norm(high - low)) <= _TINY:
+            low, high = low - _ROOM, high + _ROOM
+            room = 0.5 * (low + high) + _ROOM * np.concatenate((np.eye(3), -np.eye(3)))
+        u = _SYMBOL * float(np.linalg.norm(high - low))
+        drawing = cls(scene, poses, u, low - u, high + u, has_lengths=size > 0.0, room=room)
         used = _used(scene)
         for form in scene.figures:
             if form.index in shells.forms:
@@ -97,6 +103,7 @@ class SpatialDrawing:
 
     def _points(self) -> Iterator[Array]:
         """(n, 3) [m] where pieces are, at the key frames."""
+        yield self.room
         for piece in self.pieces:
             is_still = self.scene.is_fixed(piece.turn) and self.scene.is_fixed(piece.place.body) and piece.end is None
             for k in self.key_frames()[: 1 if is_still else None]:

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 
 from freebody.questions.spoken import given, joining
 from freebody.questions.spoken.composing import ALONG
+from freebody.questions.spoken.in_the_impact import is_of_impact
 from freebody.questions.spoken.lexicon import Word
 
 if TYPE_CHECKING:
@@ -39,13 +40,13 @@ def is_accounted_for(names: Names, words: Sequence[Word], text: str) -> bool:
     """Whether words of the grammar ask for a quantity of the kind that words of a text name, along the way they say."""
     asked = {word.what for word in words if word.kind == "quantity"}
     if turned := _TURNED_ROUND.match(text):
-        return _has_unit(names, words, turned["parameter"])
+        return _has_unit(names, words, turned["parameter"]) and not is_of_impact(names, words, text)
     if _NO_QUANTITY.match(text):
         return True
     if Word("filler", "may") in words:  # what can be reached by choice is none of this motion
         if joining.is_still(names) and _OF_MOTION.match(text):
             return False
-        if "acceleration" in asked and given.growing(names, []):
+        if asked & {"acceleration", "deceleration"} and given.growing(names, []):
             return False
     is_push, is_turn = bool(asked & _PUSHES), bool(asked & _TURNS)
     if is_push and not is_turn and _TORQUE.search(text):

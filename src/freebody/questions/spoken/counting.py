@@ -121,12 +121,21 @@ def stopping(names: Names, sentence: Sentence) -> Groups:
     main = sentence.main
     of = next((name for _, name in main.names), "")
     asked = main.all("quantity")
+    if main.has("degree", "least") and not _is_pushed(names):  # nothing but friction stops it, as fast as it can
+        main = main.without("degree", "least")
     if sentence.others or not main.only("quantity", "ask", "name", *SILENT) or len(main.names) > 1:
         return
     if asked == ["stopping time"]:
         yield [f"time when {of or 'it'} stops"]
     elif asked == ["stopping distance"]:
         yield [f"change of {way} until {of or 'it'} stops" for way in lookup.went(names, of)]
+        yield [
+            f"change of {way} until rate({way}) = 0" for way in lookup.went(names, of) if not joining.is_rough(names)
+        ]
+
+
+def _is_pushed(names: Names) -> bool:
+    return any("gravity" not in names.called.get(name, ()) for name in names.loads)
 
 
 def _is_of_event(main: Clause) -> bool:

@@ -62,7 +62,8 @@ def massive(names: Names) -> list[str]:
 
 def rests(names: Names) -> bool:
     """Whether nothing is given that would set the system in motion."""
-    return all(rate == ZERO for rate in names.start_rates.values())
+    speeds = [x for body in names.bodies.values() for x in body.start.velocity or ()]
+    return all(rate == ZERO for rate in (*names.start_rates.values(), *speeds))
 
 
 def swings(names: Names) -> bool:

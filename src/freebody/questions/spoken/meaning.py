@@ -299,6 +299,7 @@ def _structure(names: Names, sentence: Sentence) -> Groups:
         growing = growing or given.growing(names, [])
         doing |= {"grow"}
     fails = doing == {"tip", "slide", "grow"} and not whole.has("value")
+    fails = fails and lookup.rests(names)
     if fails and len(growing) == 1 and not whole.has("not") and set(whole.all("degree")) <= {"first"}:
         yield [f"does it tip or slide as {growing[0]} grows"]
     verbs, of = set(main.all("verb")), [name for _, name in main.names]

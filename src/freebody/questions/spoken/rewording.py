@@ -63,9 +63,13 @@ def infinitives(words: list[Word]) -> list[Word]:
 
 
 def can_accelerate(names: Names, words: list[Word], modal: set[str]) -> list[Word]:
-    """How fast it can speed up is the greatest acceleration."""
+    """How fast it can speed up is the greatest acceleration; so is how hard it can brake."""
     fast, speeds_up = Word("ask", "fast"), Word("verb", "accelerate")
-    if "may" not in modal or fast not in words or speeds_up not in words or not joining.is_still(names):
+    if not joining.is_still(names):
+        return words
+    slows = Word("quantity", "deceleration")
+    words = [Word("quantity", "acceleration") if word == slows else word for word in words]
+    if "may" not in modal or fast not in words or speeds_up not in words:
         return words
     greatest = (Word("degree", "greatest"), Word("quantity", "acceleration"))
     return [own for word in words if word != speeds_up for own in (greatest if word == fast else (word,))]

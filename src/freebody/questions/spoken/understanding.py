@@ -12,8 +12,10 @@ from typing import TYPE_CHECKING, Protocol, TypeVar
 from freebody.errors import Problem
 from freebody.language.sentences import Message
 from freebody.questions.spoken import strings
+from freebody.questions.spoken.braking import limits_of_braking
 from freebody.questions.spoken.composing import JOINT
 from freebody.questions.spoken.compounds import in_english_nouns
+from freebody.questions.spoken.in_the_impact import slip_in_impact
 from freebody.questions.spoken.keeping import is_kept
 from freebody.questions.spoken.lexicon import Word, languages, several, stands_for_all
 from freebody.questions.spoken.meaning import meanings
@@ -108,6 +110,8 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
         names.problem(several_ways, "find")
     elif (other := other_value(names, text)) is not None:
         names.problem(other, "find")
+    elif (slips := _told_of_words(names, text)) is not None:
+        names.problem(slips, "find")
     elif instead or (_is_specific(told) and not _is_of_kinds(names, told)) or _is_misspelt(told, text):
         names.problems += (
             told if _is_specific(told) and not (_is_of_words(names, told) and instead) else instead or told
@@ -349,6 +353,13 @@ def _respelt(names: Names, text: str, language: str) -> str:
     elements = elements_of(names)
     taken = {word for key in elements.spoken for word in key}
     return respelt(text, language, taken)
+
+
+def _told_of_words(names: Names, text: str) -> Message | None:
+    """What is said of a text that asks for what is told with the answers to other questions."""
+    ways = [meaning.words for meaning in _meanings(names, text)]
+    told = (find(names, words) for words in ways for find in (slip_in_impact, limits_of_braking))
+    return next((message for message in told if message is not None), None)
 
 
 def _lacking(names: Names, text: str, read: Callable[[str], AskedT | None]) -> list[Problem]:

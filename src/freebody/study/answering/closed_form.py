@@ -145,7 +145,7 @@ class QuestionSolver:
 
     def _turned_round(self, q: Wanted) -> Finding:
         """The formula of what is to have a value, solved for a parameter."""
-        from freebody.study.answering.of_parameter import solved_for
+        from freebody.study.answering.of_parameter import depends_on, solved_for
         from freebody.study.answering.turned_round import Formula, first_found
 
         asked = replace(self.question, quantity=q.of, options={}, key=None)
@@ -175,17 +175,17 @@ class QuestionSolver:
             formula = QuestionSolver(setup, asked)
             found = formula._find()
             is_of_turn = formula.question.quantity.is_of_turn
-            if is_of_turn and q.relation != "=":
-                told = Message(
-                    "where the extreme of a turn is changes with {name}; ask for the value of {name} at which it is so",
-                    name=q.parameter,
-                )
-                raise CannotAnswer(told)
             setup = formula.setup if is_of_turn else setup  # over a turn that of the motion without its drive
             roots = _roots(q.of, found.element)
             needs = formula._completion().conditions
             needed = [[] if isinstance(x, Fraction) else needs(found, x, k) for k, x in enumerate(roots)]
             in_place = q.of.scope != "steady motion"  # a steady motion is looked for by its own route
+            if is_of_turn and q.relation != "=" and (in_place or depends_on(setup, q.parameter, needed)):
+                told = Message(
+                    "where the extreme of a turn is changes with {name}; ask for the value of {name} at which it is so",
+                    name=q.parameter,
+                )
+                raise CannotAnswer(told)
             formulas = [
                 Formula(x, n, lambda: found.evidence, is_put_back=in_place) for x, n in zip(roots, needed, strict=True)
             ]

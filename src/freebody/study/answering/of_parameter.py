@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
+from freebody.language.expression import Symbol
 from freebody.questions.reading import Question
 from freebody.questions.turned_round import EXTREMAL, TENDS
 from freebody.study.answering.extremal import find_extremal
@@ -12,6 +13,7 @@ from freebody.study.answering.limits import find_limit
 from freebody.study.answering.ranges import find_range
 from freebody.study.answering.turned_round import Formula, find
 from freebody.study.setup import Setup
+from freebody.symbolic.conditions import Condition
 
 _FINDERS = {TENDS: find_limit, EXTREMAL: find_extremal, "=": find}
 
@@ -22,3 +24,9 @@ def solved_for(setup: Setup, question: Question, formulas: Sequence[Formula]) ->
     wanted = question.quantity.wanted
     assert wanted is not None
     return _FINDERS.get(wanted.relation, find_range)(setup, question, formulas)
+
+
+def depends_on(setup: Setup, parameter: str, needed: Iterable[Iterable[Condition]]) -> bool:
+    """Whether what formulas need depends on a parameter: for other values of it other formulas may be right."""
+    index = setup.model.field.index(setup.model.geometry.scalar(Symbol(parameter)))
+    return any(index in setup.model.field.ingredients(c.element) for some in needed for c in some)
