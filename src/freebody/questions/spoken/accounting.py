@@ -48,6 +48,10 @@ def is_accounted_for(names: Names, words: Sequence[Word], text: str) -> bool:
             return False
         if "acceleration" in asked and given.growing(names, []):
             return False
+        is_extreme = text.startswith(("greatest ", "least "))
+        does = any(word.kind == "verb" for word in words)
+        if asked & _PUSHES and (Word("verb", "rise") in words or (is_extreme and not does)):  # what load it can lift
+            return False
     moved = _MOVED.match(text)
     if moved and moved["body"] in names.bodies and names.bodies[moved["body"]].fixed:
         return False

@@ -98,6 +98,7 @@ def heaviest(names: Names, words: list[Word]) -> list[Word]:
     holds = words[-1:] in ([Word("verb", "hold")], [Word("verb", "rise")], [Word("verb", "move")])
     is_body = named[:1] != [] and named[0] in names.bodies and len(named) <= 2
     is_body = is_body and all(name in names.parameters for name in named[1:])
+    holds = holds and (words[-1] == Word("verb", "hold") or not joining.is_held_by_friction(names))
     if not holds or not is_body or words[0] != Word("degree", "greatest") or words[1].kind != "name":
         return words
     return [
