@@ -644,11 +644,18 @@ def test_the_cases_of_an_impact_tell_where_its_slip_ends() -> None:
     assert "(touch does not slip)" in " ".join(lines.split())
 
 
+@pytest.mark.parametrize("said", ["efficiency of the gears", "Wirkungsgrad"])
+def test_teeth_that_lose_nothing_are_said_to_be_ideal(said: str) -> None:
+    with pytest.raises(ModelError, match="the teeth of first are taken as ideal"):
+        example("compound_gear_train").question(said)
+    assert example("worm_gear").question(said).text == said  # a worm loses by friction
+
+
 @pytest.mark.parametrize(
     ("name", "said", "suggested"),
     [
         ("slider_crank", "quick return ratio", "time ratio of position of piston along cylinder"),
-        ("gear_pair_with_pressure_angle", "what is the efficiency", "ratio of power of machine to power of motor"),
+        ("differential_hoist", "what is the efficiency", "ratio of power of weight to power of crank"),
     ],
 )
 def test_what_lacks_an_operand_is_answered_with_complete_questions(name: str, said: str, suggested: str) -> None:

@@ -178,8 +178,11 @@ class CalculatedOnTheWay(Calculated):
     scope = "course"
 
 
+_OF_MOTIONS = ("whole motion", "repeated motion", "small motion")
+
+
 class CalculatedOfMotion(Calculated):
-    """The same where an operand is an extreme of the motion; another one is meant at the start."""
+    """The same where an operand is one of all the motion, or of a small one; another one is meant at the start."""
 
     scope = "whole motion"
 
@@ -303,7 +306,8 @@ def read_calculated(
     used = free_symbols(form)
     operands_left = tuple((name, q) for name, q in inside if name in used)
     scopes = {q.scope for _name, q in operands_left}
-    kind = CalculatedOfMotion if "whole motion" in scopes else CalculatedOnTheWay if "course" in scopes else Calculated
+    of_answers = not scopes.isdisjoint(_OF_MOTIONS)
+    kind = CalculatedOfMotion if of_answers else CalculatedOnTheWay if "course" in scopes else Calculated
     return kind(form, operands_left, measured, text)
 
 

@@ -99,6 +99,14 @@ class LockingReserve(OfThread, kind="self-locking"):
 )
 def _efficiency(names: Names, found: Found, path: Path) -> Quantity | None:
     of, is_back = found["of"], found["back"] is not None or found["load"] is not None
+    if _are_teeth(names, of):
+        ideal = Message(
+            "the teeth of {mesh} are taken as ideal: they lose no power, and the efficiency is 1. In an epicyclic gear "
+            "train a loss is counted by: efficiency from BODY to BODY with BODY held and basic efficiency NUMBER",
+            mesh=of,
+        )
+        names.problem(ideal, *path)
+        return None
     thread = _thread(names, of, path)
     if thread is None:
         return None
@@ -133,3 +141,10 @@ def _thread(names: Names, name: str, path: Path) -> Thread | None:
         names.problem(thread, *path)
         return None
     return thread
+
+
+def _are_teeth(names: Names, name: str) -> bool:
+    """Whether a connection is a mesh of teeth that lose nothing: all but that of a worm."""
+    connection = names.connections.get(name)
+    has_teeth = any(row.connection == name and row.reaction == "tooth force" for row in names.constraint_rows)
+    return connection is not None and has_teeth and isinstance(connection.thread(names), str)

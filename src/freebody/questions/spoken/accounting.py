@@ -31,6 +31,7 @@ _WAYS = {*ALONG, "uphill", "downhill"}  # what goes that way is a component, or 
 _TURNED_ROUND = re.compile(r"^(?:value|range|least|largest) (?:of )?(?P<parameter>\w+) (?:for|so|that) ")
 _NO_QUANTITY = re.compile(r"^(?:value|range|least|largest|ratio|does|is|when|time|change|energy|work|turns) ")
 _OF_MOTION = re.compile(r"^\|?(?:greatest |least )?(?:angular )?(?:speed|velocity|acceleration) of ")
+_MOVED = re.compile(_OF_MOTION.pattern + r"(?P<body>\w+)(?! relative)")
 _TORQUE = re.compile(r"\b(?:torque|moment) (?:of|on) ")
 _OF_TORQUE = re.compile(r"\b(?:torque|moment|impulse|power)\b|\bforce in |/|\*")
 _COMPONENT = re.compile(r"\b(?:along|horizontal|vertical|when|until|normal|while|tension)\b")
@@ -48,6 +49,13 @@ def is_accounted_for(names: Names, words: Sequence[Word], text: str) -> bool:
             return False
         if asked & {"acceleration", "deceleration"} and given.growing(names, []):
             return False
+        is_extreme = text.startswith(("greatest ", "least "))
+        does = any(word.kind == "verb" for word in words)
+        if asked & _PUSHES and (Word("verb", "rise") in words or (is_extreme and not does)):  # what load it can lift
+            return False
+    moved = _MOVED.match(text)
+    if moved and moved["body"] in names.bodies and names.bodies[moved["body"]].fixed:
+        return False
     is_push, is_turn = bool(asked & _PUSHES), bool(asked & _TURNS)
     if is_push and not is_turn and _TORQUE.search(text):
         return False

@@ -15,6 +15,7 @@ from freebody.language.units import ACCELERATION, DIMENSIONLESS, FORCE, LENGTH, 
 from freebody.measures.geometry import GROUND, ZERO
 from freebody.model.elements import VALUE, Parameter
 from freebody.model.solids import ROD
+from freebody.questions.spoken import lookup
 from freebody.questions.spoken.joining import given_of, is_at, is_joined
 
 if TYPE_CHECKING:
@@ -45,7 +46,7 @@ class ParameterKind:
     @property
     def ends_rest_by_growing(self) -> bool:
         """Whether rest ends where it gets too large: how hard something is pushed, how fast it goes round a curve."""
-        return self.is_push or self.dimension in (LENGTH / TIME, ACCELERATION)
+        return self.is_push or self.dimension in (LENGTH / TIME, DIMENSIONLESS / TIME, ACCELERATION)
 
     def has(self, parameter: Parameter) -> bool:
         """Whether the unit of a parameter says that it is one."""
@@ -63,7 +64,7 @@ KINDS = (
     ParameterKind(("torque", "moment", "driving torque"), dimension=TORQUE, ends_rest=True),
     ParameterKind(("speed", "velocity"), ("fast",), dimension=LENGTH / TIME, ends_rest=True),
     ParameterKind(("acceleration",), dimension=ACCELERATION, ends_rest=True),
-    ParameterKind(("angular velocity",), dimension=DIMENSIONLESS / TIME),
+    ParameterKind(("angular velocity",), dimension=DIMENSIONLESS / TIME, ends_rest=True),
     ParameterKind(("height",), ("high",), dimension=LENGTH, ends_rest=True),
     ParameterKind(("distance",), ("far",), dimension=LENGTH, ends_rest=True),
     ParameterKind(("angle",), ("steep", "flat"), is_angle=True, ends_rest=True),
@@ -126,9 +127,10 @@ def _weighed_by(names: Names) -> frozenset[str]:
 
 def growing(names: Names, things: list[str]) -> list[str]:
     """What may grow until rest ends, where nobody says what: the only force, torque, speed or acceleration that can be
-    chosen. things: what is named."""
+    chosen; else the only angle, as of a plane that is raised. things: what is named."""
     kinds = ("force", "torque", "speed", "acceleration")
-    return [name for kind in kinds for name in chosen(names, KIND_OF[kind], things)]
+    pushed = [name for kind in kinds for name in chosen(names, KIND_OF[kind], things)]
+    return pushed or chosen(names, KIND_OF["angle"], things)
 
 
 def started_with(names: Names, bodies: list[str]) -> list[str]:
@@ -165,6 +167,9 @@ def chosen(names: Names, kind: ParameterKind, of: list[str]) -> list[str]:
     if kind.written:
         return parameters(names, kind.words[0], next((name for name in of if is_joined(names, name)), ""))
     found = of_kind(names, kind.words[0])
+    if kind is KIND_OF["height"]:  # how high something sits is not how far to the side
+        aside = [names.placed_at_start[way] for way in lookup.level(names, "") if way in names.placed_at_start]
+        found = [name for name in found if all(name not in free_symbols(place) for place in aside)]
     if kind.is_push:
         exerted = [load for load in names.applied_loads if "gravity" not in names.called.get(load.load, ())]
         loads = [load for load in exerted if load.load in of] or exerted

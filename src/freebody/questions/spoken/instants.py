@@ -42,6 +42,7 @@ _PLACES = {
     "upright pose": poses.upright,
     "at separation": losing.separated,
     "after engagement": losing.engaged,
+    "at the end": losing.at_the_end,
 }
 _LANDS = (Word("pronoun", "it"), Word("verb", "hit"))
 _BLOWS = ("after the impact", "before the impact")

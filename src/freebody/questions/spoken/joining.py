@@ -295,6 +295,13 @@ def is_rough(names: Names) -> bool:
     return any(row.reaction.startswith("friction force") for row in names.constraint_rows)
 
 
+def is_held_by_friction(names: Names) -> bool:
+    """Whether friction helps to hold something: what can be held is then no measure of what can be lifted."""
+    with names.quietly():
+        gives = any(names.connections[name].bounds(names, name)[1] for name in names.connections)
+    return is_rough(names) or bool(threads(names, [])) or gives
+
+
 def can_turn(names: Names, thing: str) -> bool:
     """Whether a thing may roll: it is no body that cannot turn."""
     return thing not in names.bodies or names.bodies[thing].turns

@@ -24,7 +24,8 @@ if TYPE_CHECKING:
 
 _THING = re.compile(r"(?<![\w.])[^\W\d]\w*(?:\.[^\W\d]\w*)?")
 _OF_ALL = re.compile(
-    r"\b(?:it stays at rest|keeps it at rest|does it hold|it does not slip|nothing slips|it does not tip)\b"
+    r"\b(?:it stays at rest|keeps it at rest|does it hold|it does not slip|nothing slips|it does not tip|"
+    r"does it tip or slide)\b"
 )
 _SLIPS = re.compile(r"\b(?:slips?|slipping|rolls?|rolling)\b")
 _TURNED_ROUND = re.compile(r"^(?:value|range|least|largest) (?:of )?\w+ (?:for|so) ")

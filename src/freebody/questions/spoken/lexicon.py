@@ -211,6 +211,13 @@ def several(language: str, what: str) -> re.Pattern[str]:
 
 
 @cache
+def rivals(language: str) -> tuple[tuple[re.Pattern[str], str], ...]:
+    """Patterns for questions which of two things is larger, and how both are asked for."""
+    rules = cast("list[list[str]]", _file(language)["several"]["rivals"])
+    return tuple((re.compile(pattern, re.IGNORECASE), written) for pattern, written in rules)
+
+
+@cache
 def pairs(language: str) -> tuple[tuple[re.Pattern[str], str], ...]:
     """Patterns for what stands for two things, and how it is said of them by their names."""
     rules = cast("list[list[str]]", _file(language)["several"]["pairs"])

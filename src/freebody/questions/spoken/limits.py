@@ -51,7 +51,7 @@ def limits(names: Names, words: list[Word], modal: set[str]) -> Groups:
         return  # how far something comes is no limit of rest
     lasts = _lasting(names, head, state, modal)
     parameter = _parameter(names, head, [name for _, name in state.names if name in names.loads])
-    if lasts is None or parameter is None:
+    if lasts is None or parameter is None or _is_lifted_by_choice(names, clause, parameter):
         return
     end = _end(head, state, modal, lasts)
     if end in ("least", "largest"):
@@ -60,6 +60,23 @@ def limits(names: Names, words: list[Word], modal: set[str]) -> Groups:
         yield [f"range of {parameter} for which {lasts}"]
     elif end == "range":
         yield [f"range of {parameter} that keeps it at rest"]
+
+
+def _is_lifted_by_choice(names: Names, clause: Clause, parameter: str) -> bool:
+    """Whether it is asked how heavy, or how steep, something may be that is still lifted: no push, and no limit of rest
+    where friction helps to hold it."""
+    rises = clause.has("verb", "rise") or clause.has("updown", "up") or clause.has("part", "upward")
+    k = next((k for k, word in enumerate(clause.words) if word.kind in ("name", "quantity")), 0)
+    first, asks = clause.words[k], (Word("degree", "greatest"), Word("ask", "what"))  # what load, the heaviest load
+    weighs = k > 0 and clause.words[k - 1] in asks and first.kind == "name" and first.what in names.bodies
+    if _is_denied(clause) or not (rises or weighs or clause.has("verb", "move", "exert")):
+        return False
+    kinds = [given.ASKED_BY[ask] for ask in clause.all("ask") if ask in given.ASKED_BY]
+    kinds += [given.KIND_OF[first.what]] if first.what in given.KIND_OF and first.kind == "quantity" else []
+    if all(kind.is_push for kind in kinds) and (kinds or not weighs):
+        return False
+    is_push = any(kind.is_push and kind.has(names.parameters[parameter]) for kind in given.KINDS)
+    return is_push or (rises and joining.is_held_by_friction(names))
 
 
 def _grip(names: Names, words: list[Word]) -> Groups:

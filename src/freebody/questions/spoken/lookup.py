@@ -95,6 +95,16 @@ def went(names: Names, body: str) -> list[str]:
     return ways(names, body) or fixed
 
 
+def of_places(names: Names) -> list[str]:
+    """What is measured and is no angle, or what moves where nothing is; with the angles where no place is that of a
+    mass centre, but each one of a point of a body that turns."""
+    found = [name for name in measured(names) if name not in angles(names, "")]
+    of = [m.of if isinstance(m := names.measures.get(name), Displacement) else None for name in found]
+    ends = [p for p in of if p is not None and p.offset != names.bodies[p.body].points["mass_center"]]
+    turned = {body for angle in angles(names, "") for body in names.measures[angle].bodies()}
+    return measured(names) if found and len(ends) == len(found) and {p.body for p in ends} & turned else found
+
+
 def angles(names: Names, body: str) -> list[str]:
     """Measures of how a body is turned against the ground, or all angles where none is named."""
     if body in names.measures:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from freebody.questions.spoken import joining, lookup
+from freebody.questions.spoken import joining, lookup, strings
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -64,6 +64,13 @@ def in_balance(names: Names, of: str) -> list[str]:
 def separated(names: Names, _body: str = "") -> list[str]:
     """The condition that what touches parts."""
     return ["contact is lost"] if joining.strikes(names) else []
+
+
+def at_the_end(names: Names, _body: str = "") -> list[str]:
+    """The condition that all of a rope hangs; else what comes of a motion that something keeps from going ever faster.
+    Of another one nothing says where it ends."""
+    lasting = ["t grows"] if lookup.is_controlled(names) or damped(names) else []
+    return strings.run_off(names, "") or lasting
 
 
 def has_kinetic_energy_alone(names: Names) -> bool:

@@ -327,7 +327,7 @@ def _structure(names: Names, sentence: Sentence) -> Groups:
         yield ["does it hold"]
     begins = verbs - {"start"}
     is_other = "slide" in begins and (joining.rolls(names) or not joining.is_rough(names))
-    is_begun = begins and begins <= {"move", "slide"} and main.only("verb", "pronoun", "name")
+    is_begun = begins and begins <= {"move", "slide"} and main.only("verb", "name", *SILENT)
     if is_begun and everything and not is_other:
         yield ["does it hold"] if lookup.rests(names) else []
     if verbs & {"stable", "unstable"} and main.only("verb", "quantity", "pronoun", "preposition", "name", "instant"):

@@ -52,12 +52,9 @@ def motion(names: Names, quantity: str, rest: Clause) -> Groups:
         yield [f"{quantity.removeprefix('angular ')} of {angle}" for angle in lookup.angles(names, "")]
         return
     if not of:
-        moving = (
-            lookup.moving(names)
-            if quantity == "speed" or along or quantity.startswith("angular")
-            else [name for name in lookup.measured(names) if name not in lookup.angles(names, "")]
-            or lookup.moving(names)
-        )
+        moving = lookup.moving(names)
+        if not (quantity == "speed" or along or quantity.startswith("angular")):
+            moving = lookup.of_places(names) or moving
         turned = [name for name in moving if joining.axle_of(names, name) == "center" and not end]
         plain = quantity.removeprefix("angular ")
         yield [

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
 _FOR = Word("preposition", "of")  # friction for rolling
 _DONE = tuple(Word("verb", verb) for verb in ("hold", "rise", "fall", "move", "start", "turn", "stop", "accelerate"))
 _PUSHES = ("force", "torque", "moment", "driving force", "driving torque")
+_HOW_HARD = (Word("ask", "large"), Word("ask", "much"))
 _SO_THAT, _TO = Word("mark", "so_that"), Word("mark", "to")
 
 
@@ -63,16 +64,21 @@ def infinitives(words: list[Word]) -> list[Word]:
 
 
 def can_accelerate(names: Names, words: list[Word], modal: set[str]) -> list[Word]:
-    """How fast it can speed up is the greatest acceleration; so is how hard it can brake."""
+    """How fast it can speed up is the greatest acceleration, how hard it has to is one as well; so are decelerations."""
     fast, speeds_up = Word("ask", "fast"), Word("verb", "accelerate")
     if not joining.is_still(names):
         return words
     slows = Word("quantity", "deceleration")
     words = [Word("quantity", "acceleration") if word == slows else word for word in words]
-    if "may" not in modal or fast not in words or speeds_up not in words:
+    asks = [word for word in words if word == fast or word in _HOW_HARD]
+    if not modal or len(asks) != 1 or speeds_up not in words:
         return words
-    greatest = (Word("degree", "greatest"), Word("quantity", "acceleration"))
-    return [own for word in words if word != speeds_up for own in (greatest if word == fast else (word,))]
+    if (asks == [fast] and "may" not in modal) or any(word.kind == "quantity" for word in words):
+        return words
+    said = [word for word in words if word.kind == "degree"] or [Word("degree", "greatest")] * ("may" in modal)
+    meant = (*(said or [Word("ask", "what")]), Word("quantity", "acceleration"))
+    kept = (word for word in words if word != speeds_up and word.kind != "degree")
+    return [own for word in kept for own in (meant if word in asks else (word,))]
 
 
 def driven_by_needed(names: Names, words: list[Word]) -> list[Word]:
@@ -96,6 +102,7 @@ def heaviest(names: Names, words: list[Word]) -> list[Word]:
     holds = words[-1:] in ([Word("verb", "hold")], [Word("verb", "rise")], [Word("verb", "move")])
     is_body = named[:1] != [] and named[0] in names.bodies and len(named) <= 2
     is_body = is_body and all(name in names.parameters for name in named[1:])
+    holds = holds and (words[-1] == Word("verb", "hold") or not joining.is_held_by_friction(names))
     if not holds or not is_body or words[0] != Word("degree", "greatest") or words[1].kind != "name":
         return words
     return [
@@ -160,5 +167,6 @@ def in_doing(words: list[Word]) -> list[Word]:
 def by_friction(words: list[Word]) -> list[Word]:
     """Energy that is lost by friction is energy lost."""
     friction = Word("quantity", "friction force")
-    k = words.index(friction) if friction in words and Word("quantity", "energy lost") in words else 0
+    is_lost = Word("quantity", "energy lost") in words or {Word("quantity", "energy"), Word("verb", "lost")} <= {*words}
+    k = words.index(friction) if friction in words and is_lost else 0
     return [*words[: k - 1], *words[k + 1 :]] if k > 1 and words[k - 1].kind == "preposition" else words

@@ -16,7 +16,17 @@ from typing import TYPE_CHECKING
 from freebody.questions.spoken import strings
 from freebody.questions.spoken.compounds import in_english_nouns
 from freebody.questions.spoken.elements import Elements
-from freebody.questions.spoken.lexicon import CLOSE, OPEN, Word, counted_by, languages, pairs, phrases_at, several
+from freebody.questions.spoken.lexicon import (
+    CLOSE,
+    OPEN,
+    Word,
+    counted_by,
+    languages,
+    pairs,
+    phrases_at,
+    rivals,
+    several,
+)
 from freebody.questions.spoken.naming import linked
 from freebody.questions.spoken.words import Unknown, words_of
 
@@ -41,6 +51,8 @@ class Part:
 def parts(elements: Elements, text: str) -> Iterator[list[Part]]:
     """Ways in which a text can be several questions."""
     for language in languages():
+        for pattern, written in rivals(language):
+            text = pattern.sub(written, text)  # which is larger tell the values of both
         for pieces in _pieces(text.strip().rstrip(".?! "), language):
             yield [_part(elements, pieces, k, language) for k in range(len(pieces))]
 
