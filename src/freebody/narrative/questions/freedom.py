@@ -122,12 +122,17 @@ def _number(script: Script, symbol: Expr, found: Mobility, n: int, missing: int,
     script.line(symbol, number(n), why="mobility.same", args={"line": counted}, uses=(counted,))
 
 
+def _coordinate(context: Context, name: str) -> Argument:
+    """A coordinate as it is read: by its symbol, by what a joint offers, or as it is called."""
+    if name in context.introduced:
+        return Symbol(name)
+    words, _unit = coordinate_words(context, name)
+    return name if words.key == "symbol.coordinate" else words
+
+
 def _what_moves(context: Context, script: Script, found: Mobility) -> None:
     if found.independent_coordinates:
-        offered = {
-            n: coordinate_words(context, n)[0] for n in found.independent_coordinates if n not in context.introduced
-        }
-        names: tuple[Argument, ...] = tuple(offered.get(n, Symbol(n)) for n in found.independent_coordinates)
+        names = tuple(_coordinate(context, name) for name in found.independent_coordinates)
         script.say("mobility.coordinates", names=names)
     for body, what in found.idle.items():
         script.say("mobility.idle", body=body, what=ready(what))
