@@ -539,7 +539,7 @@ questions: [reaction of A, reaction of B]
         (
             "bodies: {bar: {rod: {mass: m, length: 1 m}}}",
             "bodies: [{bar: {rod: {mass: m, length: 1 m}}}]",
-            ["leave out"],
+            ["not a list: each entry has its name"],
         ),
         ("first: ground.B, ", "", ["spring needs first; it takes first, second, stiffness, length, preload, e.g. "]),
         ("second: bar.end, stiffness", "sekond: bar.end, stiff", ["Did you mean second?", "Did you mean stiffness?"]),

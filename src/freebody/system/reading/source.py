@@ -155,8 +155,8 @@ class Source:
             told = Message("{section} must be a mapping of names, e.g. {section}: {{a: ...}}", section=section)
             if isinstance(value, list):
                 told = Message(
-                    "{section} is a list here: leave out the dashes, so that each entry has its name, "
-                    "{section}: {{a: ..., b: ...}}",
+                    "{section} must be a mapping of names, not a list: each entry has its name before a colon, without "
+                    "a dash, {section}: {{a: ..., b: ...}}",
                     section=section,
                 )
             self.names.problem(told, section)
