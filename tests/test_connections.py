@@ -397,6 +397,24 @@ loads: {gravity: {gravity: g}}
             "tension of it": "J/R**2*g/(1 + J/(m*R**2))",
         },
     ),
+    # one run goes up by R w and the other one down by r w: the block rises by half of the difference and turns by
+    # (R + r) w/(2 a) = w with its radius a = (R + r)/2; J a from T and the weight at the arm (R - r)/2
+    "a block in the loop of a differential hoist": (
+        "string",
+        """
+parameters: {m: 50 kg, J: 0.2 kg m^2, R: 0.12 m, r: 0.1 m, T: 6 N m, g: 9.81 m/s^2}
+bodies: {shaft: {body: {inertia: J, radius: R}}, block: {disk: {mass: m, radius: (R + r)/2}}}
+connections:
+  axle: {pin: [ground.O, shaft]}
+  it: {string: {path: [wound on shaft radius R at right, under block, wound on shaft radius r at left]}}
+loads: {gravity: {gravity: g}, crank: {torque: {on: shaft, magnitude: T}}}
+""",
+        {
+            "ratio of angular velocity of block to angular velocity of shaft": "1",
+            "ratio of velocity of block along up to angular velocity of shaft": "(R - r)/2",
+            "angular acceleration of shaft": "(T - m*g*(R - r)/2)/(J + m*(R - r)**2/4 + m*(R + r)**2/8)",
+        },
+    ),
     # three pulleys with inertia (m_k R_k^2/2) in a row: (m1 + m2 + (M1 + M2 + M3)/2) a = (m1 - m2) g
     "string over three pulleys with mass": (
         "string",

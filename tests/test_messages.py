@@ -522,9 +522,25 @@ questions: [reaction of A, reaction of B]
     ("old", "new", "said"),
     [
         ("{slot: {pin: bar.end, along: right}}", "{roler: [ground.B, bar.end]}", ["roler is no kind of connection"]),
-        ("{slot: {pin: bar.end, along: right}}", "{roller: [ground.B, bar.end]}", ["Did you mean slot?"]),
+        (
+            "{slot: {pin: bar.end, along: right}}",
+            "{roller: [ground.B, bar.end]}",
+            ["Did you mean slot, e.g. slot: {pin: rod.end, along: up}?"],
+        ),
+        ("{slot: {pin: bar.end, along: right}}", "{joint: [ground.B, bar.end]}", ["Did you mean pin, e.g. pin: "]),
         ("first: ground.B, second", "from: ground.B, to", ["Did you mean first?", "Did you mean second?"]),
-        ("first: ground.B, second: bar.end", "between: [ground.B, bar.end]", ["Did you mean first and second?"]),
+        ("first: ground.B, second: bar.end", "between: [ground.B, bar.end]", []),
+        ("first: ground.B, second: bar.end", "between: ground.B", ["Did you mean first and second?"]),
+        (
+            "{spring: {first: ground.B, second: bar.end, stiffness: k}}",
+            "{force: [3 N, 4 N]}",
+            ["magnitude is missing, e.g."],
+        ),
+        (
+            "bodies: {bar: {rod: {mass: m, length: 1 m}}}",
+            "bodies: [{bar: {rod: {mass: m, length: 1 m}}}]",
+            ["not a list: each entry has its name"],
+        ),
         ("first: ground.B, ", "", ["spring needs first; it takes first, second, stiffness, length, preload, e.g. "]),
         ("second: bar.end, stiffness", "sekond: bar.end, stiff", ["Did you mean second?", "Did you mean stiffness?"]),
         ("mass: m, length: 1 m", "mass: 1, length: 1", []),

@@ -88,14 +88,14 @@ def test_without_a_closed_form_the_reason_is_that_of_the_solver() -> None:
 def test_a_ladder_needs_no_wall_force_to_find_its_friction() -> None:
     _found, derivation = of("ladder_against_wall", "friction")
     told = [shown(line) for line in lines_of(derivation.stages)]
-    assert "F_floor_start = μ·N_floor_start" in told
+    assert "F_fs = μ·N_fs" in told
     assert told[-1].startswith("μ ≥ ")
 
 
 def test_a_block_tips_where_a_corner_has_no_force_and_slides_where_friction_is_used_up() -> None:
     _found, derivation = of("block_tips_or_slides", "first")
     told = [shown(line) for line in lines_of(derivation.stages)]
-    assert "N_floor_bottom_left = 0" in told
+    assert "N_bl = 0" in told
     assert "F = m·b·g/(2·d)" in told
     assert "m·μ·g ≤ m·b·g/(2·d)" in told
     assert told[-1] == "F = m·μ·g"
@@ -160,3 +160,10 @@ def test_a_rate_that_rolling_binds_is_bound_by_no_closed_loop() -> None:
     # the centre of a wheel on whatever curve moves with r times its rate of turning
     assert "v_wheel_t + r·θ_wheel' = 0" in [shown(line) for line in lines_of(derivation.stages)]
     assert not any("(-(" in shown(line) for line in lines_of(derivation.stages))
+
+
+def test_moments_are_told_about_the_corner_where_what_drops_out_acts() -> None:
+    _found, derivation = of("block_tips_or_slides", "first")
+    (moments,) = [line for line in lines_of(derivation.stages) if line.label is not None and "b·N_bl" in shown(line)]
+    assert "N_br" not in shown(moments)  # whose line of action goes through the bottom right corner
+    assert "bottom_right" in str(moments.label)

@@ -362,6 +362,14 @@ def test_formulas_that_no_row_can_hold_are_written_in_every_format() -> None:
     notebook_text(wide())
 
 
+def test_a_long_left_side_has_its_relation_behind_it_and_not_a_narrow_column_beside_it() -> None:
+    terms = "+".join(f"m_{k}*L_{k}*cos(theta_{k})" for k in range(1, 12))
+    report = Report("Wide", "en", "", (Equations((Equation(formula(terms, "=", terms)),)),), {})
+    lines = terminal_text(report, 80).splitlines()
+    assert max(map(columns, lines)) <= 80
+    assert max(len(line) - len(line.lstrip()) for line in lines) <= 8
+
+
 @pytest.mark.parametrize("width", [40, 60, 300])
 def test_paragraphs_fit_the_terminal(width: int) -> None:
     prose = replace(sample(), blocks=tuple(b for b in sample().blocks if not isinstance(b, Section)))

@@ -27,7 +27,7 @@ def _verdict(text: str, n: int, mistakes: Mapping[int, str]) -> Verdict:
     if words in NUMBERS:
         text = str(NUMBERS.index(words))
     if words in INFINITE:
-        return Verdict("wrong", Message("is infinite, which finitely many rigid bodies never have"))
+        return Verdict("wrong", Message("finitely many rigid bodies have finitely many degrees of freedom"))
     try:
         value = _value(text)
     except (ExpressionError, ValueError, ArithmeticError):
@@ -35,7 +35,7 @@ def _verdict(text: str, n: int, mistakes: Mapping[int, str]) -> Verdict:
     if value is None:
         return Verdict("unreadable", Message("is no number"))
     if value == n:
-        return Verdict("right", Message("the rank of the constraints"))
+        return Verdict("right", Message("the number found"))
     if value.denominator != 1 or value < 0:
         return Verdict("wrong", Message("is no number of freedoms: these are 0, 1, 2 ..."))
     why = mistakes.get(int(value))

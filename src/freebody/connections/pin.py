@@ -26,7 +26,7 @@ class Pin(Connection, kind="pin"):
     """`pin: [ground.A, rod.start]`. Holds r_second - r_first = 0 (2 rows). `friction` with the `radius` of the journal:
     the torque that resists is mu r times the force in the pin."""
 
-    called: ClassVar[tuple[str, ...]] = ("hinge", "pivot", "axle", "bearing", "pin joint", "axis")
+    called: ClassVar[tuple[str, ...]] = ("hinge", "pivot", "axle", "bearing", "pin joint", "joint", "axis")
     also: ClassVar[tuple[str, ...]] = ("hinge", "pivot", "axle", "bearing")
 
     first: str

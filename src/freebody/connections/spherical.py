@@ -22,7 +22,7 @@ class Spherical(Connection, kind="spherical"):
     space_only = True
     in_plane_take = "pin"
 
-    called: ClassVar[tuple[str, ...]] = ("ball joint", "socket")
+    called: ClassVar[tuple[str, ...]] = ("ball joint", "joint", "socket")
 
     first: str
     second: str

@@ -98,11 +98,15 @@ class Spec(BaseModel, metaclass=_Described):
 
     @classmethod
     def from_plain(cls, value: object) -> dict[str, Any]:
-        """A file's value as named fields: a mapping is taken as it is, a list by position, anything else
-        as the first field."""
+        """A file's value as named fields: a mapping is taken as it is, with a list under one word for several fields
+        (`between: [a, b]`) as these; a list by position, anything else as the first field."""
         fields = list(cls.model_fields)
         if isinstance(value, dict):
-            return {key: cls._as_list(key, each) for key, each in cast("dict[str, Any]", value).items()}
+            return {
+                k: cls._as_list(k, v)
+                for key, each in cast("dict[str, Any]", value).items()
+                for k, v in cls._meant(key, each)
+            }
         if value is None:
             return {}
         if isinstance(value, list):
@@ -115,6 +119,13 @@ class Spec(BaseModel, metaclass=_Described):
                 {f"item {len(fields) + 1}": items[len(fields)]} if len(items) > len(fields) else {}
             )
         return {fields[0]: value}
+
+    @classmethod
+    def _meant(cls, key: str, value: Any) -> list[tuple[str, Any]]:
+        """A field with its value, or those that a list under one word gives."""
+        fields = () if key in cls.model_fields else cls.meant(key)
+        items = cast("list[Any]", value) if isinstance(value, list) else []
+        return list(zip(fields, items, strict=True)) if len(fields) == len(items) > 1 else [(key, value)]
 
     @classmethod
     def _as_list(cls, key: str, value: Any) -> Any:

@@ -94,14 +94,14 @@ def _symbols(context: Context, script: Script) -> None:
     context.introduced |= {e[0].name for e in entries if isinstance(e[0], Symbol)} | {"t"}
     hidden, turns = [c for c in _coordinates(context) if c not in context.introduced], _turns_of_balls(context)
     for name in hidden:
-        what, unit = (turns[name], "") if name in turns else _coordinate(context, name)
+        what, unit = (turns[name], "") if name in turns else coordinate_words(context, name)
         entries.append((Symbol(name), what, unit))
         context.introduced.add(name)
     if entries:
         script.add(Legend(tuple(entries)))
 
 
-def _coordinate(context: Context, name: str) -> tuple[Sentence, str]:
+def coordinate_words(context: Context, name: str) -> tuple[Sentence, str]:
     """What a coordinate is that the model does not name, and its unit."""
     match context.glossary.measures.get(name):
         case Angle(of, origin, reference) if origin == GROUND and reference == ZERO:

@@ -1,7 +1,8 @@
 """Symbols for the forces of a system: what a free-body diagram and a derivation call a reaction.
 
 A row of a connection has one multiplier; its symbol is a letter for the kind of reaction, with the connection (and
-the end of a string) as index where several need to be told apart: T, N, F_contact, A_x, T_left.
+the end of a string, or the initials of a corner) as index where several need to be told apart: T, N, F_contact, A_x,
+T_left, N_bl at the corner bottom_left.
 """
 
 from __future__ import annotations
@@ -9,6 +10,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from functools import cache
 
 from freebody.language.parser import GREEK
 from freebody.model.elements import ConstraintRow
@@ -71,8 +73,7 @@ def _wishes(row: ConstraintRow, system: System) -> Iterator[str]:
     """Names from the shortest to the most particular one."""
     letter = _letter(row)
     connection = row.connection
-    short = row.component.removeprefix("slip of ").removeprefix("no slip ")
-    component = re.sub(r"\W", "_", short.split(" on ")[0].split(".")[-1])
+    component = _place(row.component)
     axis = row.axis
     if axis:  # a component: A_x, M_A_x
         if letter == "F" and len(connection) == 1:
@@ -85,11 +86,27 @@ def _wishes(row: ConstraintRow, system: System) -> Iterator[str]:
     alike = [other for other in system.rows if (other.connection, other.reaction) == (connection, row.reaction)]
     if len(alike) > 1 and row.reaction in ("tension", "sideways force"):
         yield from (f"{letter}_{end}" for end in _telling_ends(row, system))
+    elif len({_place(other.component) for other in alike}) > 1 and row.reaction in ("normal force", "friction force"):
+        elsewhere = {_place(other.component) for other in system.rows if other.connection != connection}
+        yield f"{letter}_{_initials(connection) if component in elsewhere else ''}{_initials(component)}"
     if row.component.startswith("no slip "):  # one of two directions
         yield f"{letter}_{component}"
     else:
         yield f"{letter}_{connection}"
-    yield f"{letter}_{connection}_{component}"
+    if len(alike) == 1 or any(_place(other.component) != component for other in alike):
+        yield f"{letter}_{connection}_{component}"
+
+
+@cache
+def _place(component: str) -> str:
+    """What touches in a row of a contact: its corner, without the body it belongs to; for others the component."""
+    short = component.removeprefix("slip of ").removeprefix("no slip ")
+    return re.sub(r"\W", "_", short.split(" on ")[0].split(".")[-1])
+
+
+def _initials(name: str) -> str:
+    """bl for bottom_left: a short index. A name with a digit keeps it, B2 for B2."""
+    return "".join(re.findall(r"(?:^|(?<=_))[^\W_]|\d+", name))
 
 
 def _letter(row: ConstraintRow) -> str:

@@ -261,6 +261,9 @@ def loose_drum(names: Names, run: StringRun) -> StringNode | None:
 def _goes_left(names: Names, before: StringNode, wheel: StringNode, after: StringNode) -> bool:
     """Whether a string comes to a wheel from the right, and goes on to the left. What hangs follows: it is on the other
     side than what stands beside the wheel; nobody has put that elsewhere than at the origin, if it has no place."""
+    if before.way == after.way == "drum" and before.body == after.body:  # two drums on one shaft
+        first, last = (_SIDES[drum.side or "right"][0] * number_of(names, drum.radius) for drum in (before, after))
+        return last - first < -ROUNDED
     start, end, here = before.place, after.place, place_of(names, wheel.point)
     if start is not None and end is not None:
         return end[0] - start[0] < -ROUNDED

@@ -73,7 +73,7 @@ def component_names(name: str) -> tuple[Symbol, Symbol, Symbol]:
 
 def asked_symbol(context: Context, question: Question, n: int = 1) -> Symbol:
     """A symbol for what is asked, and one for each of n components: the question's id where that is a good name."""
-    own = question.id if re.fullmatch(r"[A-Za-z]\w*", question.id) else "result"
+    own = question.id if re.fullmatch(r"(?!q\d+$)[A-Za-z]\w*", question.id) else "result"  # q1: no id was given
     if own in context.system.bodies:  # v_piston, not piston, for a velocity
         letter = _LETTERS.get(question.quantity.dimension)
         own = own if letter is None else f"{letter}_{own}"

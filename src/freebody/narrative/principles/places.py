@@ -10,13 +10,16 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from itertools import combinations
+from operator import attrgetter
 from typing import Protocol
 
 from freebody.language.expression import Symbol
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, Pose
+from freebody.model.elements import ConstraintRow
 from freebody.narrative.lines.script import Sentence
 from freebody.narrative.principles.acting import Acting
+from freebody.narrative.principles.reactions import place_of
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
 
@@ -169,7 +172,7 @@ class PlanarPlaces:
         rows = self.acting.rows
         for (row_a, a), (row_b, b) in sorted(
             combinations(self._lines_of_action(bodies), 2),
-            key=lambda p: rows[p[0][0]].connection != rows[p[1][0]].connection,
+            key=lambda p: tuple(of(rows[p[0][0]]) != of(rows[p[1][0]]) for of in (attrgetter("connection"), place_of)),
         )[:MOST_MEETINGS]:
             determinant = a[0] * b[1] - a[1] * b[0]
             if self.model.samples.vanishes(determinant):
@@ -188,20 +191,34 @@ class PlanarPlaces:
         acting = self.acting
         connection, other = acting.rows[row_a].connection, acting.rows[row_b].connection
         if connection == other:
+            place, places = place_of(acting.rows[row_a]), {place_of(r) for r in self._rows_of(connection)}
+            if len(places) > 1:  # the corners of a contact
+                same = place == place_of(acting.rows[row_b])
+                return Sentence("point.named", {"point": place}) if same else self._meeting(row_a, row_b)
             point = self._named_point(connection)
             if point:
                 return Sentence("point.named", {"point": point})
             return contact_point(acting, connection)
-        return Sentence("point.meeting", {"first": acting.symbol(row_a), "second": acting.symbol(row_b)})
+        return self._meeting(row_a, row_b)
+
+    def _meeting(self, row_a: str, row_b: str) -> Sentence:
+        return Sentence("point.meeting", {"first": self.acting.symbol(row_a), "second": self.acting.symbol(row_b)})
+
+    def _rows_of(self, connection: str) -> list[ConstraintRow]:
+        return [row for row in self.acting.rows.values() if row.connection == connection]
 
     def _named_point(self, connection: str) -> str:
-        """The name of the point that a pin holds."""
+        """The name of the point that a pin holds; the origin of a body is named only if nothing else is there."""
         rows = [row for row in self.system.constraint_rows if row.connection == connection]
         points = [
             p for row in rows if isinstance(row.measure, Displacement) for p in (row.measure.origin, row.measure.of)
         ]
         named = [str(p) for p in points if "." in str(p)]
-        return named[0].removeprefix(f"{GROUND}.") if len(points) == 2 * len(rows) > 2 and named else ""
+        if len(points) != 2 * len(rows) or len(rows) < 2 or not named:
+            return ""
+        particles = [str(p) for p in points if str(p) in self.system.bodies and not self.system.bodies[str(p)].turns]
+        telling = [name for name in named if not name.endswith(".origin")]
+        return (telling or particles or named)[0].removeprefix(f"{GROUND}.")
 
     def _lines_of_action(self, bodies: tuple[str, ...]) -> list[tuple[str, Vector]]:
         """Force, and moment about the origin, of every reaction that acts on some bodies together from outside."""

@@ -36,14 +36,16 @@ def words_of(acting: Acting, name: str) -> Sentence:
     args: dict[str, Argument] = {"reaction": f"@reaction.{kind}", "connection": row.connection}
     alike = [r for r in acting.rows.values() if (r.connection, r.reaction) == (row.connection, row.reaction)]
     has_contact_point = acting.system.connections[row.connection].has_contact_point
-    if row.ends and len(alike) > 1 and has_contact_point and place_of(row) != row.connection:
-        return Sentence("symbol.reaction_at", {**args, "place": place_of(row)})
+    place = place_of(row)
+    is_one_of_several = len(alike) > 1 or f"{place} on " in row.component
+    if row.ends and is_one_of_several and has_contact_point and place != row.connection:
+        return Sentence("symbol.reaction_at", {**args, "place": place})
     if axis in ("x", "y", "z"):
         return Sentence("symbol.reaction_component", {**args, "axis": f"@{axis}"})
     if kind != row.reaction:
         return Sentence("symbol.reaction_row", {**args, "row": f"@{axis}"})
     if len(alike) > 1 and acting.system.space:
-        return Sentence("symbol.reaction_row", {**args, "row": f"@{row.component}"})
+        return Sentence("symbol.reaction_row", {**args, "row": f"@{row.component.removeprefix(f'{row.reaction} ')}"})
     if row.ends and len(alike) > 1:
         return Sentence("symbol.reaction_between", {**args, "ends": tuple(row.ends)})
     return Sentence("symbol.reaction", args)

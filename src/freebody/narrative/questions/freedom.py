@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import Expr, ProductOf, Sum, negate, number
+from freebody.language.expression import Expr, ProductOf, Sum, Symbol, negate, number
 from freebody.language.sentences import Message
 from freebody.narrative.context import Context, Method, refuse
 from freebody.narrative.lines.glossary import World
 from freebody.narrative.lines.naming import asked_as, asked_entry
 from freebody.narrative.lines.script import Argument, DerivationStage, FormulaTable, Listing, Script, Sentence, ready
+from freebody.narrative.opening import coordinate_words
 from freebody.numeric.mobility.kinds import Dependence
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
@@ -37,7 +38,7 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
         symbol = asked_as(context, question, _rank)
         script.add(asked_entry(symbol, question))
         _number(script, symbol, found, n, missing, counted)
-        _what_moves(script, found)
+        _what_moves(context, script, found)
     return script.stages
 
 
@@ -49,12 +50,15 @@ def _rank(world: World) -> float:
 # -- what counts and what does not ------------------------------------------------------------
 def _count(script: Script, count: Gruebler) -> int:
     """n L - K with the connections of a kind together, and its line."""
-    script.say("mobility.bodies_space" if count.space else "mobility.bodies")
+    script.say("mobility.kinds")
     alike: dict[tuple[str, int], list[str]] = {}
     for c in count.connections:
         alike.setdefault((c.kind, c.n), []).append(c.connection)
     header = tuple(Sentence(f"mobility.table_{name}") for name in ("kind", "connections", "each", "together"))
-    rows = tuple((kind, ", ".join(names), number(n), number(n * len(names))) for (kind, n), names in alike.items())
+    kinds = {kind: Sentence("sheet.kind_of", {"kind": f"@kind.{kind}"}) for kind, _n in alike}
+    rows = tuple(
+        (kinds[kind], ", ".join(names), number(n), number(n * len(names))) for (kind, n), names in alike.items()
+    )
     if rows:
         script.add(FormulaTable(header, rows))
     terms: list[Expr] = []
@@ -118,9 +122,18 @@ def _number(script: Script, symbol: Expr, found: Mobility, n: int, missing: int,
     script.line(symbol, number(n), why="mobility.same", args={"line": counted}, uses=(counted,))
 
 
-def _what_moves(script: Script, found: Mobility) -> None:
+def _coordinate(context: Context, name: str) -> Argument:
+    """A coordinate as it is read: by its symbol, by what a joint offers, or as it is called."""
+    if name in context.introduced:
+        return Symbol(name)
+    words, _unit = coordinate_words(context, name)
+    return name if words.key == "symbol.coordinate" else words
+
+
+def _what_moves(context: Context, script: Script, found: Mobility) -> None:
     if found.independent_coordinates:
-        script.say("mobility.coordinates", names=found.independent_coordinates)
+        names = tuple(_coordinate(context, name) for name in found.independent_coordinates)
+        script.say("mobility.coordinates", names=names)
     for body, what in found.idle.items():
         script.say("mobility.idle", body=body, what=ready(what))
     if found.n_idle:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import Expr
+from freebody.language.expression import Expr, Sum
 from freebody.language.sentences import Message
 from freebody.narrative.context import Context, Method, refuse
 from freebody.narrative.lines.glossary import TrueWhen
@@ -64,11 +64,17 @@ def _finish_at_start(
     values = tuple(f.lowest_terms(here.here(part)) for part in parts)
     total = before.total
     assert total is not None
-    with script.stage("stage.sum", "hint.sum"):
+    with script.stage(*_last_stage(total)):
         script.add(asked_entry(name, question, n=len(parts)))
         left = side_of(name, len(parts))
         args: dict[str, Argument] = {"lines": before.lines}
         script.line(left, total, written(values), why="value.follows", args=args, uses=before.lines, when="start")
+
+
+def _last_stage(total: Expr | tuple[Expr, ...] | None) -> tuple[str, str]:
+    """Its title and hint: what bodies contribute is added where there are several."""
+    kind = "sum" if isinstance(total, Sum) else "value"
+    return f"stage.{kind}", f"hint.{kind}"
 
 
 def finish(
@@ -93,8 +99,7 @@ def finish(
             script.say("result.found", line=last)
     drawn_back = next((u for u in found if len(parts) == 1 and (parts[0] + f.variable(u)).is_zero()), None)
     if not is_there:
-        kind = "sum" if before is not None and before.total is not None else "value"
-        stage = (f"stage.{kind}", f"hint.{kind}") if drawn_back is None else ("stage.counted", "")
+        stage = _last_stage(None if before is None else before.total) if drawn_back is None else ("stage.counted", "")
         with script.stage(*stage):
             script.add(asked_entry(name, question, n=len(parts)))
             shown = written(general)

@@ -8,8 +8,10 @@ from freebody.language.parser import parse
 from freebody.present.report.blocks import Formula, Text
 
 
-def shown(option: str) -> Text:
-    """An option as a formula where it is one, else in its words."""
+def shown(option: str, said: str) -> Text:
+    """An option as a formula where it is one, else in the words of a language: what has a translation is no formula."""
+    if said != option:
+        return (said,)
     text = option.strip()
     try:
         if text.startswith("[") and text.endswith("]"):

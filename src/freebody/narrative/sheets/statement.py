@@ -81,7 +81,7 @@ class ExerciseStatement:
 
     def option(self, text: str) -> Text:
         """An option as it is shown."""
-        return self.numbers.get(text) or shown(self.catalogue.option(text))
+        return self.numbers.get(text) or shown(text, self.catalogue.option(text))
 
     def _say(self, key: str, **args: Any) -> Text:
         return self.catalogue.tell(Sentence(key, args))

@@ -118,7 +118,9 @@ class Angles:
         self.introduce([name, *others])
         before = self.explain(others)
         args: dict[str, Argument] = {"connection": row.connection, "component": f"@{row.component}"}
-        place = self.frames.script.line(*balanced(tidy(primitive_part(equation))), why="space.loop", args=args)
+        is_driven = row.reaction.startswith("driving ")
+        why = f"constraint.{row.reaction.replace(' ', '_')}" if is_driven else "space.loop"
+        place = self.frames.script.line(*balanced(tidy(primitive_part(equation))), why=why, args=args)
         lines = [place]
         tangent = self._tangent(equation, name, place)
         if tangent is not None:

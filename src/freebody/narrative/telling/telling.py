@@ -159,7 +159,7 @@ class Telling:
         if isinstance(cell, str):
             return tuple(self.catalogue.pieces(cell)) if cell else ()
         if isinstance(cell, OptionText):
-            return shown(self.catalogue.option(cell.text))
+            return shown(cell.text, self.catalogue.option(cell.text))
         return (Formula((cell,)),)
 
     def _equation(self, line: NumberedFormula) -> Equation:

@@ -85,7 +85,7 @@ def kind_meant(
     if not called:
         return did_you_mean(key, known)
     if len(called) == 1:
-        return Message(" Did you mean {x}?", x=called[0])
+        return Message(" Did you mean {x}{example}?", x=called[0], example=_example_of(fits[called[0]]))
     return Message(" Did you mean one of {names}?", names=", ".join(called))
 
 
@@ -152,10 +152,14 @@ class Source:
         if value is None:
             return {}
         if not isinstance(value, dict):
-            self.names.problem(
-                Message("{section} must be a mapping of names, e.g. {section}: {{a: ...}}", section=section),
-                section,
-            )
+            told = Message("{section} must be a mapping of names, e.g. {section}: {{a: ...}}", section=section)
+            if isinstance(value, list):
+                told = Message(
+                    "{section} must be a mapping of names, not a list: each entry has its name before a colon, without "
+                    "a dash, {section}: {{a: ..., b: ...}}",
+                    section=section,
+                )
+            self.names.problem(told, section)
             self.names.is_cut_short = True
             return {}
         return cast("dict[str, Any]", value)
@@ -188,7 +192,10 @@ class Source:
             faults = {place_of(fault): fault for fault in reversed(error.errors())}  # of a field the first
             absent = [str(place_of(fault)[0]) for fault in error.errors() if fault["type"] == "missing"]
             strange = [str(where[0]) for where, fault in faults.items() if fault["type"] == "extra_forbidden"]
-            self._misnamed(kind, absent, list(reversed(strange)), *path)
+            if isinstance(value, list) and absent and not strange:
+                self._too_short(kind, len(cast("list[Any]", value)), absent, *path)
+            else:
+                self._misnamed(kind, absent, list(reversed(strange)), *path)
             for where, fault in reversed(faults.items()):
                 if fault["type"] in ("extra_forbidden", "missing"):
                     continue
@@ -233,6 +240,17 @@ class Source:
             )
         hint = kind_meant(kind, kinds, kinds, space=self.names.space)
         return Message("{kind} is no kind of {what}.{hint}", kind=kind, what=what, hint=hint)
+
+    def _too_short(self, kind: type[Spec], n: int, absent: Sequence[str], *path: str | int) -> None:
+        """Who writes `force: [3 N, 4 N]` gives the first two fields without a word of it."""
+        told = Message(
+            "the list of {kind} is read as {given}; {what} is missing{example}",
+            kind=kind.kind,
+            given=listed([f.alias or name for name, f in list(kind.model_fields.items())[:n]], "{first} and {second}"),
+            what=listed(absent, "{first} and {second}"),
+            example=_example_of(kind),
+        )
+        self.names.problem(told, *path)
 
     def _misnamed(self, kind: type[Spec], absent: Sequence[str], strange: Sequence[str], *path: str | int) -> None:
         """Fields that there are not and fields that are left out. Who writes `from` for `first` makes one mistake."""

@@ -318,10 +318,13 @@ def _drawn(row: Row, width: int) -> tuple[TextBox, TextBox]:
     if left.width + right.width <= width:
         return left, right
     left, written = flat(_LINE.left(row)), _LINE.right(row).strip()
+    if left.width > width // 2:  # no room for a column beside it
+        left, written = flat(""), f"{_LINE.left(row).strip()} {written}"
     written = _SHORT_BRACKETS.sub(lambda found: found[0].replace(" ", _NO_BREAK), written)
     lines = textwrap.wrap(written, max(width - left.width - 3, MIN_WIDTH // 2), subsequent_indent="  ") or [""]
     size = max(map(len, lines))
-    return left, TextBox(tuple(f" {line.ljust(size)}" for line in lines), 0)
+    gap = " " if left.width else ""
+    return left, TextBox(tuple(f"{gap}{line.ljust(size)}" for line in lines), 0)
 
 
 def _shrunk(sizes: list[int], words: list[int], width: int) -> list[int]:
