@@ -64,7 +64,7 @@ def infinitives(words: list[Word]) -> list[Word]:
 
 
 def can_accelerate(names: Names, words: list[Word], modal: set[str]) -> list[Word]:
-    """How fast it can speed up is the greatest acceleration, how hard it has to is one as well; so are decelerations."""
+    """How fast it can speed up is the greatest acceleration, how hard it has to is one too; so are decelerations."""
     fast, speeds_up = Word("ask", "fast"), Word("verb", "accelerate")
     if not joining.is_still(names):
         return words

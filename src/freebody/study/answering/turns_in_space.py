@@ -18,7 +18,7 @@ from freebody.model.rotations import UNIT
 from freebody.model.spins import spin
 from freebody.numeric.jets import Array
 from freebody.numeric.snapshot import Snapshot
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 
 if TYPE_CHECKING:
     from freebody.study.answering.passage import FormulaPhase
