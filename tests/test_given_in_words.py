@@ -26,7 +26,7 @@ def test_a_mistake_in_a_question_has_no_place_in_the_file(pendulum: fb.System) -
 def test_a_mistake_in_a_value_is_told_with_the_name_of_its_parameter(pendulum: fb.System) -> None:
     with pytest.raises(ModelError) as told:
         pendulum.with_parameters(L="0,6 m")
-    assert str(told.value).startswith("L: the unit ',6 m' cannot be read: decimals stand after a point, as in 0.5.")
+    assert str(told.value).startswith("L: the unit ',6 m' cannot be read: decimals stand after a point, as in 0.5")
 
 
 def test_what_a_value_breaks_elsewhere_has_its_place(pendulum: fb.System) -> None:

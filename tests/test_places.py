@@ -516,4 +516,4 @@ def test_a_lead_that_cannot_be_vertical_is_an_assumption() -> None:
     assert fb.System.from_text(model).assumptions == ()
     askew = fb.System.from_text(model.replace("C: [-R - 2*r, 0]", "C: [-R - 3*r, 0]"))
     assert len(askew.assumptions) == 1
-    assert "would be askew" in askew.assumptions[0]
+    assert "would be at an angle to that" in askew.assumptions[0]

@@ -146,7 +146,7 @@ def phrases_at(line: str, start: int, language: str) -> list[tuple[Word, tuple[i
     """What the words of a line from a place on can mean, the longest phrases first, and where their words begin."""
     table = _phrases(language)
     found: list[tuple[Word, tuple[int, ...]]] = []
-    for key in dict.fromkeys((line[start : start + 2].rstrip(), line[start])):
+    for key in dict.fromkeys((line[start : start + 2].rstrip(), line[start : start + 1])):
         for phrase in table.get(key, ()):
             places = phrase.found_in(line, start)
             if places is not None:

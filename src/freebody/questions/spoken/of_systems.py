@@ -168,10 +168,13 @@ def _gear_ratio(names: Names, quantity: str, rest: Clause) -> Groups:
 def _efficiency(names: Names, quantity: str, rest: Clause) -> Groups:
     """Of a screw or a worm that is named, or of the only one; else of the teeth, which is told what they lose."""
     of = [name for _, name in rest.names]
-    if rest.only("name", *SILENT) and len(of) <= 2:
+    known = names.bodies.keys() | names.connections.keys()
+    if rest.only("name", *SILENT) and len(of) <= 2 and known.issuperset(of):
         meshes = [row.connection for row in names.constraint_rows if row.reaction == "tooth force"]
         meshes = [name for name in meshes if all(joining.touches(names, name, thing) for thing in of)]
-        yield [f"efficiency of {name}" for name in joining.threads(names, of) or meshes[:1]]
+        named = [name for name in of if name in names.connections]  # itself, and not what it is beside
+        found = joining.threads(names, of) or meshes[:1]
+        yield [f"efficiency of {name}" for name in found if not named or name in named]
 
 
 @said_of("mechanical advantage")

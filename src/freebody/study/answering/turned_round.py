@@ -329,6 +329,7 @@ def _chosen(possible: Sequence[_Candidate]) -> Finding:
     """The value at the model's own numbers; several where several are values at the same numbers."""
     first = min(made.number for c in possible for made in c.at)
     own = [c for c in possible if any(made.number == first for made in c.at)]
+    own = [c for k, c in enumerate(own) if all(c.value != other.value for other in own[:k])]
     evidence = [c.of.evidence(c) for c in own]
     parameter = own[0].of.parameter
     notes: list[str] = []
