@@ -116,9 +116,9 @@ def function_atom(
         key=key,
     )
     field.arguments[field.index(atom)] = (name, argument)
-    changes = rate_factor(atom, argument) * field.rate(argument) if rate is None else rate()
-    if not changes.is_zero():
-        field.set_rate(atom, changes)
+    changes = field.rate(argument) if rate is None else rate()
+    if not changes.is_zero():  # no slope is made of a constant: that of acos(2) is not real, others need a sign
+        field.set_rate(atom, rate_factor(atom, argument) * changes if rate is None else changes)
     return atom
 
 
