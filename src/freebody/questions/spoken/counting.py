@@ -50,7 +50,7 @@ def time(names: Names, sentence: Sentence) -> Groups:
             yield [f"time when {name} stops" for name in losing.runs_down(names) if name in (of or [name])]
         if head.only("verb", "name", "pronoun") and len(of) <= 1 and set(head.all("verb")) == {"slide"}:
             yield [f"time when slipping of {of[0]} ends" if of else "time when slipping ends"]
-        joint = joining.slipping_on(names, head)
+        joint = joining.slipping_on(names, head.names)
         if joint is not None and set(head.all("verb")) == {"slide"} and head.only("verb", "name", *SILENT):
             yield [f"time when slipping of {joint} ends"]
         return

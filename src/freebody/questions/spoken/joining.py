@@ -17,7 +17,6 @@ from freebody.questions.spoken.lexicon import leading
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
-    from freebody.questions.spoken.words import Clause
 
 _LEVEL = 1e-9  # of a direction that is level, or straight up
 
@@ -78,11 +77,11 @@ def is_between(names: Names, connection: str) -> bool:
     return len({*lookup.moving(names)} & names.connections[connection].mentions(names)) > 1
 
 
-def slipping_on(names: Names, clause: Clause) -> str | None:
-    """The only rough contact between the two things that a clause names, one on the other."""
-    of = [name for _, name in clause.names]
+def slipping_on(names: Names, placed: list[tuple[str, str]]) -> str | None:
+    """The only rough contact between two things that are named, each with its preposition: one on the other."""
+    of = [name for _, name in placed]
     found = [name for name in rough(names, "") if all(touches(names, name, thing) for thing in of)]
-    is_pair = len(of) == 2 and clause.names[1][0] in ("on", "relative", "along", "over", "in")
+    is_pair = len(of) == 2 and placed[1][0] in ("on", "relative", "along", "over", "in")
     return found[0] if is_pair and len(found) == 1 else None
 
 

@@ -145,8 +145,9 @@ class QuestionSolver:
 
     def _turned_round(self, q: Wanted) -> Finding:
         """The formula of what is to have a value, solved for a parameter."""
+        from freebody.study.answering.formula import Formula
         from freebody.study.answering.of_parameter import depends_on, solved_for
-        from freebody.study.answering.turned_round import Formula, first_found
+        from freebody.study.answering.turned_round import first_found
 
         asked = replace(self.question, quantity=q.of, options={}, key=None)
         if q.of.scope == "linkage":

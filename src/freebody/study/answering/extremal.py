@@ -21,11 +21,12 @@ from freebody.study.answering.conditions import real
 from freebody.study.answering.crosscheck import MOTION_TOLERANCE, CrossCheck, as_parts, element_at, holds
 from freebody.study.answering.draws import Draw
 from freebody.study.answering.finding import Finding
+from freebody.study.answering.formula import Formula
 from freebody.study.answering.magnitude import magnitude
 from freebody.study.answering.numbers import number_at
 from freebody.study.answering.parameter_domain import domain_of
 from freebody.study.answering.ranges import RangeSearch
-from freebody.study.answering.turned_round import Formula, PutBack, quantity_with
+from freebody.study.answering.turned_round import PutBack, quantity_with
 from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition, insisted
 from freebody.symbolic.functions import functions

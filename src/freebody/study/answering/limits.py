@@ -21,9 +21,10 @@ from freebody.study.answering.conditions import real as real_conditions
 from freebody.study.answering.crosscheck import INSTANT_TOLERANCE, MOTION_TOLERANCE, CrossCheck, element_at, holds
 from freebody.study.answering.draws import SEED, Draw
 from freebody.study.answering.finding import Finding
+from freebody.study.answering.formula import Formula
 from freebody.study.answering.magnitude import magnitude
 from freebody.study.answering.numbers import number_at
-from freebody.study.answering.turned_round import TIME, Formula, PutBack, quantity_with
+from freebody.study.answering.turned_round import TIME, PutBack, quantity_with
 from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition, require
 from freebody.symbolic.limits import Approach, Tendency

@@ -9,9 +9,10 @@ from freebody.questions.reading import Question
 from freebody.questions.turned_round import EXTREMAL, TENDS
 from freebody.study.answering.extremal import find_extremal
 from freebody.study.answering.finding import Finding
+from freebody.study.answering.formula import Formula
 from freebody.study.answering.limits import find_limit
 from freebody.study.answering.ranges import find_range
-from freebody.study.answering.turned_round import Formula, find
+from freebody.study.answering.turned_round import find
 from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition
 

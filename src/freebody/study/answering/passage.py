@@ -20,6 +20,7 @@ from freebody.numeric.jets import Array
 from freebody.numeric.snapshot import Snapshot
 from freebody.questions.base import Described, Quantity
 from freebody.study.answering.finding import Elements
+from freebody.study.answering.formula_phase import FormulaPhase
 from freebody.study.answering.turns_in_space import turns_in_formulas, turns_in_numbers
 from freebody.study.setup import Setup
 from freebody.symbolic.ratio import Ratio
@@ -39,29 +40,6 @@ _ROUND_OFF = 1e-9  # of the product of two rates
 
 def _no_load(name: str) -> Message:
     return Message("{load} is no load; the work of a constraint is asked as power", load=name)
-
-
-@dataclass(frozen=True)
-class FormulaPhase:
-    """One law of motion, from `begin` to `end`. told: takes an element of its field into that of the answer."""
-
-    begin: SymbolicState
-    end: SymbolicState
-    told: Callable[[Ratio], Ratio]
-    time: Ratio | None = None  # how long it lasts, where that has a closed form
-
-    def at_begin(self, measure: Measure) -> Ratio:
-        return self.told(self.begin.value(measure))
-
-    def at_end(self, measure: Measure) -> Ratio:
-        return self.told(self.end.value(measure))
-
-    def rates(self, measure: Measure) -> tuple[Ratio, Ratio]:
-        """At the beginning, or, where it starts at rest, what it is accelerated with; and at the end."""
-        first = self.begin.rate(measure)
-        if first.is_zero():
-            first = self.begin.acceleration(measure)
-        return self.told(first), self.told(self.end.rate(measure))
 
 
 @dataclass(frozen=True)

@@ -16,9 +16,7 @@ from freebody.questions.happening import FailsFirst, Happening
 from freebody.questions.reading import Question
 from freebody.questions.turned_round import REACHED, SO
 from freebody.study.answering.draws import Draw
-from freebody.study.answering.turned_round import (
-    Formula,
-)
+from freebody.study.answering.formula import Formula
 from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition
 from freebody.symbolic.ratio import Ratio

@@ -28,10 +28,11 @@ from freebody.study.answering.answer import Evidence
 from freebody.study.answering.conditions import real
 from freebody.study.answering.draws import Draw
 from freebody.study.answering.finding import Finding
+from freebody.study.answering.formula import Formula
 from freebody.study.answering.parameter_domain import above, domain_of, for_every
 from freebody.study.answering.range_evidence import RangeEvidence
 from freebody.study.answering.range_truth import End, Interval, TruthInNumbers
-from freebody.study.answering.turned_round import Formula, NoneFound, without_roots
+from freebody.study.answering.turned_round import NoneFound, without_roots
 from freebody.study.setup import N_MORE, Setup
 from freebody.symbolic.conditions import Condition, insisted
 from freebody.symbolic.parameter_roots import solutions

@@ -24,7 +24,7 @@ from freebody.model.elements import Parameter
 from freebody.questions.base import Quantity, Wanted
 from freebody.questions.clock import Clock
 from freebody.questions.reading import AskedEvent, Question
-from freebody.study.answering.answer import Evidence, Value
+from freebody.study.answering.answer import Evidence
 from freebody.study.answering.conditions import real
 from freebody.study.answering.crosscheck import (
     INSTANT_TOLERANCE,
@@ -37,7 +37,8 @@ from freebody.study.answering.crosscheck import (
     holds,
 )
 from freebody.study.answering.draws import SEED, Draw, draws
-from freebody.study.answering.finding import Elements, Finding, NotHere
+from freebody.study.answering.finding import Finding, NotHere
+from freebody.study.answering.formula import Formula
 from freebody.study.answering.magnitude import magnitude
 from freebody.study.answering.numbers import LONGEST, at_event, number_at
 from freebody.study.answering.parameter_domain import domain_of, for_every, is_within
@@ -81,22 +82,6 @@ class PutBack:
     number: int
     draw: Draw
     size: float
-
-
-@dataclass(frozen=True)
-class Formula:
-    """What is asked for as a formula, where it is true, and how it was checked. in_numbers: how the quantity comes from
-    values of all parameters where it is not looked at in one smooth motion; is_put_back: whether the value is put back
-    into the numeric route, and not into the formula alone. says: of what is so, or not so, where the conditions hold;
-    None where that is not known, and `why`."""
-
-    element: Elements | Fraction
-    needed: Sequence[Condition]
-    evidence: Callable[[], Evidence]
-    in_numbers: Callable[[dict[str, float]], Value] | None = None
-    is_put_back: bool = True
-    says: bool | None = True
-    why: str = ""
 
 
 @dataclass

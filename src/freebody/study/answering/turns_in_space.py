@@ -7,7 +7,6 @@ sense, the angle is |omega_0 + omega_1| T/2.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -18,10 +17,8 @@ from freebody.model.rotations import UNIT
 from freebody.model.spins import spin
 from freebody.numeric.jets import Array
 from freebody.numeric.snapshot import Snapshot
+from freebody.study.answering.formula_phase import FormulaPhase
 from freebody.symbolic.ratio import Ratio
-
-if TYPE_CHECKING:
-    from freebody.study.answering.passage import FormulaPhase
 
 _AXES = tuple(Direction(GROUND, axis) for axis in UNIT)
 _ROUND_OFF = 1e-9  # of the product of two rates

@@ -21,9 +21,9 @@ from freebody.study.answering.answer import Answer, AnswerCase, Evidence, made
 from freebody.study.answering.closed_form import QuestionSolver
 from freebody.study.answering.crosscheck import CrossCheck
 from freebody.study.answering.finding import answered, judged
+from freebody.study.answering.formula import Formula
 from freebody.study.answering.of_parameter import solved_for
 from freebody.study.answering.scope import for_all
-from freebody.study.answering.turned_round import Formula
 from freebody.study.friction.cases import Compared, Ends, FailureCase, HoldingLimit
 from freebody.study.friction.ends import ParameterEnds, ReactionEnds
 from freebody.study.friction.failures import seen

@@ -22,7 +22,7 @@ from freebody.study.answering.answer import Evidence
 from freebody.study.answering.crosscheck import INSTANT_TOLERANCE, CrossCheck, SaysNothing, element_at
 from freebody.study.answering.draws import Draw
 from freebody.study.answering.finding import Finding
-from freebody.study.answering.turned_round import Formula
+from freebody.study.answering.formula import Formula
 from freebody.study.mobility.dead_points import margins
 from freebody.study.mobility.four_links import FourLinks
 from freebody.study.mobility.grashof import dimensions

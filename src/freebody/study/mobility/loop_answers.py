@@ -34,7 +34,7 @@ from freebody.study.answering.conditions import real
 from freebody.study.answering.crosscheck import INSTANT_TOLERANCE, CrossCheck, SaysNothing, element_at
 from freebody.study.answering.draws import Draw
 from freebody.study.answering.finding import Finding
-from freebody.study.answering.turned_round import Formula
+from freebody.study.answering.formula import Formula
 from freebody.study.mobility import assembling, full_turns
 from freebody.study.mobility.dead_points import (
     arc_of,

@@ -18,7 +18,7 @@ from freebody.questions.reading import Question
 from freebody.study.answering.answer import Value
 from freebody.study.answering.draws import SEED, Draw, draws
 from freebody.study.answering.finding import Finding
-from freebody.study.answering.turned_round import Formula
+from freebody.study.answering.formula import Formula
 from freebody.study.mobility.four_links import FourLinks
 from freebody.study.mobility.gruebler import is_driven
 from freebody.study.mobility.linkages import Linkage, linkages

@@ -14,8 +14,8 @@ from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS
 from freebody.questions.linkages import FullTurn
 from freebody.study.answering.answer import Evidence
+from freebody.study.answering.formula import Formula
 from freebody.study.answering.repeated import LONGEST, comes_round
-from freebody.study.answering.turned_round import Formula
 from freebody.study.answering.witness import patience
 from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition

@@ -14,10 +14,10 @@ class OffTheRod(WarningKind, name="off the rod"):
     """A point that the file puts on the axis of a rod, and farther out than its ends."""
 
     def look(self, model: Opened) -> Iterator[ModelWarning]:
-        system, number = model.system, model.reference.number
-        for body in system.moving:
+        for body in model.system.moving:
             if body.corners != _ENDS:
                 continue
+            number = model.reference.number  # only now: to stand at the start takes what contacts need
             low, high = (number(body.points[end][0]) for end in _ENDS)
             for name, (along, *aside) in body.points.items():
                 x, off = number(along), max(abs(number(part)) for part in aside)

@@ -12,7 +12,8 @@ from freebody.model.elements import AppliedLoad, NonholonomicForm
 from freebody.questions.base import Quantity
 from freebody.questions.energy import Energy as EnergyOf
 from freebody.study.answering.finding import Elements
-from freebody.study.answering.passage import FormulaPassage, FormulaPhase
+from freebody.study.answering.formula_phase import FormulaPhase
+from freebody.study.answering.passage import FormulaPassage
 from freebody.study.phases.ends import FirstEvent
 from freebody.study.phases.nodes import PhaseNode, WayToPhase
 from freebody.study.phases.numbers import Chosen

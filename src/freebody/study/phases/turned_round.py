@@ -13,9 +13,10 @@ from freebody.questions.motion import Staying
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer, Evidence, Value
 from freebody.study.answering.closed_form import QuestionSolver
+from freebody.study.answering.formula import Formula
 from freebody.study.answering.of_parameter import solved_for
 from freebody.study.answering.simulated_numbers import number_with_changes
-from freebody.study.answering.turned_round import Formula, first_found
+from freebody.study.answering.turned_round import first_found
 from freebody.study.phases.branch import AnswerBranch
 from freebody.study.phases.evidence import compare
 from freebody.study.phases.happening import happening_cases

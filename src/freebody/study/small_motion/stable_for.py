@@ -12,7 +12,7 @@ from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.study.answering.answer import Evidence
 from freebody.study.answering.at_equilibrium import AT_REST, places_at, small_motions_at, unrest
-from freebody.study.answering.turned_round import Formula
+from freebody.study.answering.formula import Formula
 from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition
 from freebody.symbolic.equilibrium import find_equilibrium

@@ -17,7 +17,7 @@ from freebody.questions.steady import is_steady_place
 from freebody.study.answering.answer import Evidence
 from freebody.study.answering.crosscheck import element_at
 from freebody.study.answering.draws import Draw
-from freebody.study.answering.turned_round import Formula
+from freebody.study.answering.formula import Formula
 from freebody.study.setup import Setup
 from freebody.study.steady.evidence import moving, placed, unevenness
 from freebody.study.steady.motion import SteadyMotion, unknown_of

@@ -11,7 +11,7 @@ import numpy as np
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.study.answering.answer import Evidence
-from freebody.study.answering.turned_round import Formula
+from freebody.study.answering.formula import Formula
 from freebody.study.setup import Setup
 from freebody.study.steady.linear import linear_at_start
 from freebody.study.steady.linearised import CLEARLY_STABLE, About
