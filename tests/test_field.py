@@ -13,9 +13,8 @@ from hypothesis import strategies as st
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Call, Symbol, evaluate
 from freebody.symbolic.angle_factors import factors_of, open_parts
-from freebody.symbolic.differential_field import Generator
+from freebody.symbolic.field import Generator, Ratio
 from freebody.symbolic.functions import cos_sin, functions
-from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.signed_field import SignedField
 from freebody.symbolic.tidy import tidy
 

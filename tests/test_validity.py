@@ -12,7 +12,7 @@ from freebody.language.expression import Symbol
 from freebody.language.notation import Stated
 from freebody.study.answering.answer import NOT_VALID
 from freebody.symbolic.conditions import Condition
-from freebody.symbolic.differential_field import Generator
+from freebody.symbolic.field import Generator
 from freebody.symbolic.signed_field import SignedField
 from freebody.symbolic.validity import NEVER, texts
 

@@ -31,9 +31,8 @@ from freebody.language.expression import (
 from freebody.language.notation import to_text
 from freebody.language.sentences import Message, listed
 from freebody.language.units import dimension_of
-from freebody.symbolic.differential_field import Generator
+from freebody.symbolic.field import Generator, Ratio
 from freebody.symbolic.functions import element
-from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.tidy import tidy
 
 Equation = tuple[Expr, Expr]

@@ -17,8 +17,7 @@ from typing import Any
 import flint
 
 from freebody.language.expression import ELLIPTIC, FUNCTIONS
-from freebody.symbolic.field import Field
-from freebody.symbolic.ratio import Ratio
+from freebody.symbolic.field import Field, Ratio
 
 _flint: Any = flint
 BITS = 200

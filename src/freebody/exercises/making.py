@@ -42,7 +42,7 @@ from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
 from freebody.study.answering.solution import Solution
 from freebody.study.answering.solve import solve
-from freebody.symbolic.ratio import Ratio
+from freebody.symbolic.field import Ratio
 from freebody.system.system import System
 
 _LONGEST_ID = 60

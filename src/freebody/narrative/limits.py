@@ -20,7 +20,7 @@ from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
 from freebody.study.answering.draws import Draw
 from freebody.study.phases.numbers import coefficients_of_restitution
-from freebody.symbolic.ratio import Ratio
+from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
 from freebody.tolerances import ROUND_OFF
 

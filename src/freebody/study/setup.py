@@ -24,9 +24,9 @@ from freebody.questions.vectors import ORIGIN, axes_of
 from freebody.study.answering.draws import SEED, Draw, draws
 from freebody.symbolic.closure import Closure
 from freebody.symbolic.conditions import Condition, closed, on_this_flank, require
+from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.motion import SmoothMotion
-from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.start import StartState, start_state
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy

@@ -20,7 +20,7 @@ from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.model.elements import NonholonomicForm
 from freebody.numeric.reference import Reference
-from freebody.symbolic.ratio import DivisorVanishes
+from freebody.symbolic.field import DivisorVanishes
 from freebody.symbolic.tidy import tidy
 from freebody.system.system import System
 from freebody.tolerances import SAME_PLACE

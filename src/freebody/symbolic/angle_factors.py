@@ -6,9 +6,8 @@ every term brought to one degree by c^2 + s^2 = 1 the polynomial is homogeneous 
 
 from __future__ import annotations
 
-from freebody.symbolic.field import Field
+from freebody.symbolic.field import Field, Ratio
 from freebody.symbolic.polynomials import Poly
-from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.signs import Sign, sign_of
 
 _ODD = ("atan", "asin", "sinh", "tanh")  # functions with the sign of their argument

@@ -7,9 +7,8 @@ int x^n e = (x^n e - n int x^(n-1) e)/k,     int x^n c = (x^n s - n int x^(n-1) 
 
 from __future__ import annotations
 
-from freebody.symbolic.field import Field
+from freebody.symbolic.field import Field, Ratio
 from freebody.symbolic.functions import functions
-from freebody.symbolic.ratio import Ratio
 
 
 def antiderivative(x: Ratio, index: int) -> Ratio | None:

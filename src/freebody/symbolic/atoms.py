@@ -18,9 +18,7 @@ from freebody.language.expression import (
     value_of_given,
 )
 from freebody.language.sentences import Message
-from freebody.symbolic.differential_field import Generator
-from freebody.symbolic.field import Field
-from freebody.symbolic.ratio import Ratio
+from freebody.symbolic.field import Field, Generator, Ratio
 
 
 def unit_pair(field: Field, angle: Ratio, cos: Generator, sin: Generator, key: Any) -> tuple[Ratio, Ratio]:

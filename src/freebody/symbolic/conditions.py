@@ -14,7 +14,7 @@ from freebody.language.expression import ZERO, Expr, Number, ProductOf, Sum, add
 from freebody.language.notation import Stated, compared, reworded
 from freebody.language.sentences import Message, in_turn
 from freebody.symbolic.decide import decide, sign_given
-from freebody.symbolic.ratio import Ratio
+from freebody.symbolic.field import Ratio
 from freebody.symbolic.signs import ARC_RANGES, Sign, acute_argument, arc_argument
 from freebody.symbolic.tidy import tidy
 

@@ -1,26 +1,43 @@
-"""The field in which the symbolic route computes: exact rational functions with roots.
+"""The field in which the symbolic route computes: exact rational functions.
 
-Its elements are those of `differential_field`; here are the square roots that are taken of them, their factors, their
-values and the expression that is shown.
+An element is a quotient of two polynomials with integer coefficients in named generators
+(see `polynomials`). A generator may be
+
+- free: a parameter, a coordinate, a speed, an acceleration, time, a given function of time;
+- bound by a quadratic relation g^2 = r in earlier generators: the sine of an angle whose cosine
+  is a generator (s^2 = 1 - c^2), or a square root;
+- a function atom (exp, atan ...) of an earlier element (see `atoms`).
+
+The quotient ring is an integral domain, hence a/b = c/d if and only if a d - b c reduces to zero: equality is
+decided exactly, without `simplify`.
+
+Every generator knows its time derivative, so `Field.rate` is total differentiation in time.
 """
 
 from __future__ import annotations
 
 import math
+from collections import abc
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from contextlib import suppress
+from contextlib import contextmanager, suppress
+from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any
+from typing import Any, Literal
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import Expr, Number, add, divide, multiply, number, power
+from freebody.language.expression import Expr, Number, Symbol, add, divide, multiply, number, power
 from freebody.language.notation import to_text
 from freebody.language.sentences import Message
-from freebody.symbolic.differential_field import DifferentialField, Generator, WhenAsked
 from freebody.symbolic.half_tangents import cancelled
-from freebody.symbolic.polynomials import Poly, Terms, declaration_order, square_part
-from freebody.symbolic.ratio import Ratio
+from freebody.symbolic.polynomials import Poly, PolynomialRing, Terms, declaration_order, square_part
 from freebody.tolerances import ROUND_OFF
+
+Kind = Literal["parameter", "coordinate", "speed", "acceleration", "time", "cos", "sin", "root", "function"]
+
+MAX_POWER = 64
+
+_ONE: Terms = {(): 1}
+_KEPT_TERMS = 200  # of an element [terms]; those of longer ones would fill the memory
 
 
 class NoValue(CannotAnswer, KeyError):
@@ -32,11 +49,210 @@ class NoValue(CannotAnswer, KeyError):
     __str__ = Exception.__str__
 
 
-class Field(DifferentialField):
-    """What the elements of a differential field have besides: roots, factors, values and a form that is read."""
+class DivisorVanishes(ZeroDivisionError):
+    """A divisor of a formula is zero in the state that is put in."""
+
+    def __init__(self, divisor: Ratio) -> None:
+        super().__init__("division by an expression that is zero in the state that is put in")
+        self.divisor = divisor
+
+
+@dataclass(frozen=True)
+class Generator:
+    """One generator: how it is shown, how it is computed from earlier ones, how it changes in time."""
+
+    display: Expr
+    kind: Kind
+    positive: bool = False
+    # value from the values of earlier generators and the numeric functions; None: a free variable
+    compute: Callable[[Mapping[int, Any], Any], Any] | None = None
+    # what it is made of, and how to make it again when that is substituted
+    made_of: frozenset[int] = frozenset()
+    remake: Callable[[Callable[[Ratio], Ratio]], Ratio] | None = None
+
+
+class _WhenAsked(dict[int, Any]):
+    """Values of generators; those that are computed are so when they are first asked for."""
+
+    def __init__(self, generators: Mapping[int, Generator], values: Mapping[int, Any], functions: Any) -> None:
+        super().__init__(values)
+        self._generators, self._functions = generators, functions
+
+    def __missing__(self, index: int) -> Any:
+        compute = self._generators[index].compute
+        if compute is not None:
+            with suppress(KeyError, ValueError, ArithmeticError):
+                value = self[index] = compute(self, self._functions)
+                return value
+        raise KeyError(index)
+
+
+class Ratio:
+    """An element of the field: `num / den`, coprime, the leading coefficient of `den` positive."""
+
+    __slots__ = ("_generators", "_terms", "den", "field", "num")
+
+    def __init__(self, field: Field, num: Poly, den: Poly | None) -> None:
+        self.field = field
+        self.num = num
+        self.den = den  # None means 1
+        self._generators: frozenset[int] | None = None
+        self._terms: tuple[Terms, Terms] | None = None
+
+    # -- arithmetic ---------------------------------------------------------------------------
+    def __add__(self, other: Ratio | int) -> Ratio:
+        b = self.field.element(other)
+        if self.is_zero():
+            return b
+        if b.is_zero():
+            return self
+        an, bn = self.field.lift(self, b)
+        if self.den is None and b.den is None:
+            return Ratio(self.field, an + bn, None)
+        ad, bd = self.field.denominators(self, b)
+        if ad == bd:
+            return self.field.quotient(an + bn, ad)
+        product = self.field.product
+        return self.field.quotient(product(an, bd) + product(bn, ad), product(ad, bd))
+
+    __radd__ = __add__
+
+    def __neg__(self) -> Ratio:
+        return Ratio(self.field, -self.num, self.den)
+
+    def __sub__(self, other: Ratio | int) -> Ratio:
+        return self + (-self.field.element(other))
+
+    def __rsub__(self, other: int) -> Ratio:
+        return (-self) + other
+
+    def __mul__(self, other: Ratio | int) -> Ratio:
+        b = self.field.element(other)
+        if self.is_zero() or b.is_one():
+            return self
+        if b.is_zero() or self.is_one():
+            return b
+        an, bn = self.field.lift(self, b)
+        if self.den is None and b.den is None:
+            return Ratio(self.field, self.field.reduce(self.field.product(an, bn)), None)
+        ad, bd = self.field.denominators(self, b)
+        return self.field.quotient(self.field.product(an, bn), self.field.product(ad, bd))
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, other: Ratio | int) -> Ratio:
+        b = self.field.element(other)
+        if b.is_zero():
+            raise ZeroDivisionError("division by an expression that is zero")
+        an, bn = self.field.lift(self, b)
+        ad, bd = self.field.denominators(self, b)
+        return self.field.quotient(self.field.product(an, bd), self.field.product(ad, bn))
+
+    def __rtruediv__(self, other: int) -> Ratio:
+        return self.field.element(other) / self
+
+    def __pow__(self, exponent: int | Ratio) -> Ratio:
+        if isinstance(exponent, Ratio):
+            fraction = exponent.fraction()
+            if fraction is None or fraction.denominator > 2:
+                raise CannotAnswer(Message("the exponent {e} is neither a whole nor a half number", e=exponent))
+            if fraction.denominator == 2:
+                return self.field.sqrt(self) ** fraction.numerator
+            exponent = fraction.numerator
+        if abs(exponent) > MAX_POWER:
+            raise CannotAnswer(Message("the exponent {e} is larger than {most}", e=exponent, most=MAX_POWER))
+        if exponent < 0:
+            return 1 / (self**-exponent)
+        result = self.field.one
+        for _ in range(exponent):
+            result = result * self
+        return result
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, (Ratio, int)):
+            return NotImplemented
+        return (self - other).is_zero()
+
+    def __hash__(self) -> int:
+        return hash(self.key())
+
+    # -- questions ----------------------------------------------------------------------------
+    @property
+    def n_terms(self) -> int:
+        """Of the numerator, and of the denominator where there is one."""
+        return len(self.num) + (0 if self.den is None else len(self.den))
+
+    def is_zero(self) -> bool:
+        return bool(self.num.is_zero())
+
+    def is_one(self) -> bool:
+        return self.den is None and bool(self.num.is_one())
+
+    def is_constant(self) -> bool:
+        """True if nothing in it moves: numbers and parameters only."""
+        return all(self.field.is_constant_generator(g) for g in self.generators())
+
+    def generators(self) -> frozenset[int]:
+        """Indices of the generators that occur."""
+        if self._generators is None:
+            used = self.field.used(self.num)
+            self._generators = frozenset(used if self.den is None else used | self.field.used(self.den))
+        return self._generators
+
+    def denominator(self) -> Ratio:
+        return self.field.one if self.den is None else Ratio(self.field, self.den, None)
+
+    def numerator(self) -> Ratio:
+        return Ratio(self.field, self.num, None)
+
+    def fraction(self) -> Fraction | None:
+        """The rational number that it is, if it is one."""
+        if self.generators():
+            return None
+        den = 1 if self.den is None else int(self.den.leading_coefficient())
+        return Fraction(0 if self.is_zero() else int(self.num.leading_coefficient()), den)
+
+    def key(self) -> tuple[Any, ...]:
+        """A hashable form; equal elements in normal form have equal keys."""
+        top, below = self.terms()
+        return tuple(sorted(top.items())), () if self.den is None else tuple(sorted(below.items()))
+
+    def terms(self) -> tuple[Terms, Terms]:
+        """Those of the numerator and of the denominator. They are asked for at every point where the element is
+        evaluated, so short ones are kept, and those of the long one that was asked last."""
+        if self._terms is not None:
+            return self._terms
+        if self.field.last_long is not None and self.field.last_long[0] is self:
+            return self.field.last_long[1]
+        found = self.field.terms(self.num), _ONE if self.den is None else self.field.terms(self.den)
+        if len(found[0]) + len(found[1]) <= _KEPT_TERMS:
+            self._terms = found
+        else:
+            self.field.last_long = self, found
+        return found
+
+    def coefficients(self, generator: int) -> list[Ratio]:
+        """c_0, c_1, ... with self = sum c_k g^k; the denominator must be free of g."""
+        parts = self.field.split(self.num, generator)
+        if self.den is not None and generator in self.field.used(self.den):
+            raise CannotAnswer(Message("{x} stands in a denominator", x=self.field.generators[generator].display))
+        return [self.field.quotient(p, self.den) for p in parts]
+
+    def __repr__(self) -> str:
+        return str(self.field.expression(self))
+
+
+class Field(PolynomialRing):
+    """The generators, their relations and rates; makes, differentiates and shows elements."""
 
     def __init__(self, capacity: int = 64) -> None:
+        self.generators: dict[int, Generator] = {}
+        self.last_long: tuple[Ratio, tuple[Terms, Terms]] | None = None
+        self._rates: dict[int, Ratio] = {}
+        self._atoms: dict[Any, int] = {}
+        self.acute_angles: set[int] = set()
         self.nonnegative: set[int] = set()  # parameters that may be zero, and not less
+        self.no_angles: set[int] = set()  # what moves and is a length or a time
         self.angle_units: dict[Any, list[Fraction]] = {}  # terms that are no multiples of angles, by what they share
         self.moduli: dict[int, tuple[Ratio | None, Ratio]] = {}  # amplitude and modulus of elliptic integrals
         self.arguments: dict[int, tuple[str, Ratio]] = {}  # name and argument of every function atom
@@ -49,6 +265,220 @@ class Field(DifferentialField):
         self.known_signs: dict[str, Any] = {}  # the same about polynomials, by their texts
         self.decided: dict[Any, Any] = {}  # what `decide` found out about signs under premises
         super().__init__(capacity)
+
+    # -- generators ---------------------------------------------------------------------------
+    def _open(self, capacity: int) -> None:
+        super()._open(capacity)
+        self.one, self.zero = self.element(1), self.element(0)
+
+    def generator(self, generator: Generator, rate: Ratio | None = None, key: Any = None) -> Ratio:
+        """Adds a generator; with `key`, returns the one already made under that key."""
+        made = None if key is None else self.known(key)
+        if made is not None:
+            return made
+        index = len(self.generators)
+        self.reserve(index + 1)
+        self.generators[index] = generator
+        if rate is not None:
+            self._rates[index] = rate
+        if key is not None:
+            self._atoms[key] = index
+        return self.variable(index)
+
+    def known(self, key: Any) -> Ratio | None:
+        """The generator that was made under a key."""
+        return self.variable(self._atoms[key]) if key in self._atoms else None
+
+    def set_rate(self, generator: Ratio, rate: Ratio) -> None:
+        self._rates[self.index(generator)] = rate
+
+    def clear_rate(self, index: int) -> None:
+        self._rates.pop(index, None)
+
+    @contextmanager
+    def other_rates(self, rates: Mapping[int, Ratio]) -> abc.Generator[None]:
+        """Some generators change otherwise inside."""
+        kept = {g: self._rates.get(g) for g in rates}
+        self._rates |= rates
+        try:
+            yield
+        finally:
+            for g, rate in kept.items():
+                self._rates.pop(g)
+                self._rates |= {} if rate is None else {g: rate}
+
+    def variable(self, index: int) -> Ratio:
+        return Ratio(self, self.variables[index], None)
+
+    def index(self, generator: Ratio) -> int:
+        (index,) = generator.generators()
+        return index
+
+    def parameter(self, name: str, *, positive: bool = False) -> Ratio:
+        return self.generator(Generator(Symbol(name), "parameter", positive), key=("parameter", name))
+
+    @property
+    def pi(self) -> Ratio:
+        return self.generator(
+            Generator(Symbol("pi"), "parameter", True, lambda _values, f: f.pi), key=("parameter", "pi")
+        )
+
+    @property
+    def time(self) -> Ratio:
+        time = self.generator(Generator(Symbol("t"), "time"), self.one, key="time")
+        self.no_angles.add(self.index(time))
+        return time
+
+    def acute(self, index: int) -> bool:
+        """True for a parameter that is an angle between 0 and 90 degrees."""
+        return index in self.acute_angles
+
+    def is_constant_generator(self, index: int) -> bool:
+        return index not in self._rates or self._rates[index].is_zero()
+
+    # -- elements -----------------------------------------------------------------------------
+    def element(self, value: Ratio | int | Fraction) -> Ratio:
+        if isinstance(value, Ratio):
+            return value
+        if isinstance(value, int):
+            return Ratio(self, self.constant(value), None)
+        fraction = Fraction(value)
+        num = self.constant(fraction.numerator)
+        den = None if fraction.denominator == 1 else self.constant(fraction.denominator)
+        return Ratio(self, num, den)
+
+    def lift(self, a: Ratio, b: Ratio) -> tuple[Poly, Poly]:
+        """The numerators, both in the present context (the pool may have grown since), in which the elements are
+        written from here on."""
+        for x in (a, b):
+            if not self.is_current(x.num):
+                x.num, x.den = self.current(x.num), None if x.den is None else self.current(x.den)
+        return a.num, b.num
+
+    def denominators(self, a: Ratio, b: Ratio) -> tuple[Poly, Poly]:
+        one = self.one.num
+        return (
+            one if a.den is None else self.current(a.den),
+            one if b.den is None else self.current(b.den),
+        )
+
+    def quotient(self, num: Poly, den: Poly | None) -> Ratio:
+        num = self.reduce(self.current(num))
+        if den is None:
+            return Ratio(self, num, None)
+        below: Poly = self.reduce(self.current(den))
+        if below == 0:
+            raise ZeroDivisionError("division by an expression that is zero")
+        if num == 0:
+            return Ratio(self, num, None)
+        divisor = num.gcd(below)
+        if not divisor.is_one():
+            num, below = num / divisor, below / divisor
+        if below.leading_coefficient() < 0:
+            num, below = -num, -below
+        return Ratio(self, num, None if below.is_one() else below)
+
+    def polynomial(self, terms: Terms) -> Ratio:
+        return Ratio(self, self.reduce(self.as_written(terms)), None)
+
+    # -- calculus -----------------------------------------------------------------------------
+    def partial(self, x: Ratio, generator: int) -> Ratio:
+        """Derivative with respect to one generator, the others held."""
+        name = f"g{generator}"
+        num = self.current(x.num)
+        if x.den is None:
+            return Ratio(self, self.reduce(num.derivative(name)), None)
+        den = self.current(x.den)
+        slope = den.derivative(name)
+        is_plain = all(self.generators[g].kind != "root" for g in self.used(den))  # a root goes with its square
+        if slope == 0 and is_plain:  # a square of sines, once reduced, would no more show that it cancels
+            return self.quotient(num.derivative(name), den)
+        top = self.product(num.derivative(name), den) - self.product(num, slope)
+        return self.quotient(top, self.product(den, den))
+
+    def rate(self, x: Ratio) -> Ratio:
+        """Total time derivative."""
+        return self._derivative(x, self._rates)
+
+    def _derivative(self, x: Ratio, rates: Mapping[int, Ratio]) -> Ratio:
+        result = self.zero
+        for index in x.generators():
+            if index in rates:
+                result = result + self.partial(x, index) * rates[index]
+        return result
+
+    def derivative(self, x: Ratio, coordinate: int) -> Ratio:
+        """Derivative along one coordinate (or the time), its sines, cosines and roots following it."""
+        direction: dict[int, Ratio] = {coordinate: self.one}
+        speeds = self._rates.get(coordinate)
+        if speeds is None:
+            return self.partial(x, coordinate)
+        speed = None if speeds.is_one() else self.index(speeds)  # that of the time is one
+        for index in x.generators() - {coordinate}:
+            rate = self._rates.get(index)
+            if rate is not None and self.generators[index].kind in ("cos", "sin", "root", "function"):
+                slope = self._without_speeds(rate) if speed is None else self.partial(rate, speed)
+                if not slope.is_zero():
+                    direction[index] = slope
+        return self._derivative(x, direction)
+
+    def _without_speeds(self, rate: Ratio) -> Ratio:
+        """A rate where nothing moves but the time."""
+        still = {g: self.zero for g in rate.generators() if self.generators[g].kind in ("speed", "acceleration")}
+        return self.substitute(rate, still)
+
+    def ingredients(self, x: Ratio) -> frozenset[int]:
+        """The generators of x and all that they are made of."""
+        found: set[int] = set()
+        for index in x.generators():
+            found |= {index} | self.generators[index].made_of
+        return frozenset(found)
+
+    def follow(self, x: Ratio, values: Mapping[int, Ratio]) -> Ratio:
+        """Replaces generators by elements, in sines, roots and other atoms as well."""
+        all_values = dict(values)
+        for index in sorted(x.generators()):
+            generator = self.generators[index]
+            if index not in all_values and generator.remake is not None and generator.made_of & values.keys():
+                all_values[index] = generator.remake(lambda part: self.follow(part, values))
+        return self.substitute(x, all_values)
+
+    def substitute(self, x: Ratio, values: Mapping[int, Ratio]) -> Ratio:
+        """Replaces generators by elements, all at once; atoms that depend on them are not followed."""
+        present = [g for g in values if g in x.generators()]
+        if not present:
+            return x
+        top = self._substitute_poly(x.num, present, values)
+        if x.den is None:
+            return top
+        below = self._substitute_poly(x.den, present, values)
+        if below.is_zero():
+            raise DivisorVanishes(Ratio(self, x.den, None))
+        return top / below
+
+    def _substitute_poly(self, poly: Poly, present: Sequence[int], values: Mapping[int, Ratio]) -> Ratio:
+        powers: dict[tuple[int, int], Ratio] = {}
+
+        def raised(index: int, exponent: int) -> Ratio:
+            if (index, exponent) not in powers:
+                powers[index, exponent] = (
+                    values[index] if exponent == 1 else raised(index, exponent - 1) * values[index]
+                )
+            return powers[index, exponent]
+
+        wanted = set(present)
+        groups: dict[tuple[tuple[int, int], ...], dict[tuple[tuple[int, int], ...], int]] = {}
+        for monomial, coefficient in self.terms(poly).items():
+            out = tuple(item for item in monomial if item[0] in wanted)
+            rest = tuple(item for item in monomial if item[0] not in wanted)
+            groups.setdefault(out, {})[rest] = coefficient
+        result = self.zero
+        for out, rest in groups.items():
+            term = self.polynomial(rest)
+            for index, exponent in out:
+                term = term * raised(index, exponent)
+            result = result + term
+        return result
 
     # -- roots --------------------------------------------------------------------------------
     def sqrt(
@@ -219,7 +649,7 @@ class Field(DifferentialField):
 
     def when_asked(self, values: Mapping[int, Any], functions: Any = math) -> Mapping[int, Any]:
         """The same values as of `complete`, each computed when it is first asked for: of use where few are needed."""
-        return WhenAsked(self.generators, values, functions)
+        return _WhenAsked(self.generators, values, functions)
 
     def evaluate(self, x: Ratio, values: Mapping[int, Any], functions: Any = math) -> Any:
         """Value at the given generator values (floats, mpmath numbers, arrays)."""

@@ -5,9 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from freebody.symbolic.conditions import Condition
-from freebody.symbolic.field import Field
+from freebody.symbolic.field import Field, Ratio
 from freebody.symbolic.linear import RHS, Row
-from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.signs import Sign, sign_of
 
 MOST_FREE = 3

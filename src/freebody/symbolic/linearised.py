@@ -24,9 +24,9 @@ from functools import cached_property
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
+from freebody.symbolic.field import Ratio
 from freebody.symbolic.linear import determinant
 from freebody.symbolic.model import SymbolicModel
-from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.unknowns import Coordinate
 
 Matrix = list[list[Ratio]]

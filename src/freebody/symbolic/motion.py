@@ -19,9 +19,9 @@ from freebody.language.sentences import Message
 from freebody.questions.reading import QuestionEvent
 from freebody.symbolic.closure import Closure
 from freebody.symbolic.event_places import EventPlaces, Need, Variable
+from freebody.symbolic.field import Ratio
 from freebody.symbolic.laws.uniform import UniformLaw
 from freebody.symbolic.motion_cycles import MotionCycles
-from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.reached import HOLDS_ALWAYS, HoldsOnce, Reached
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.uniform_passage import passage_at

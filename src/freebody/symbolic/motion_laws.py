@@ -13,10 +13,10 @@ from functools import cached_property
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.symbolic.coupled import CoupledMotion, coupled_with
+from freebody.symbolic.field import Ratio
 from freebody.symbolic.first_integrals import FirstIntegrals, is_driven
 from freebody.symbolic.laws import Freely, MotionLaw, law_of
 from freebody.symbolic.model import SymbolicModel
-from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.start import StartState
 from freebody.symbolic.unknowns import Coordinate
 from freebody.symbolic.way import EnergyPath

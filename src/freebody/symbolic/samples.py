@@ -17,8 +17,7 @@ from typing import Any
 from freebody.language.expression import evaluate
 from freebody.language.notation import to_text
 from freebody.symbolic.bodies import Bodies
-from freebody.symbolic.field import NoValue
-from freebody.symbolic.ratio import Ratio
+from freebody.symbolic.field import NoValue, Ratio
 from freebody.symbolic.sample import Sample
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.unknowns import Coordinate, ModelUnknowns

@@ -31,12 +31,12 @@ from freebody.language.expression import Symbol
 from freebody.language.notation import compared, joined, reworded
 from freebody.language.sentences import Message
 from freebody.symbolic.equilibrium import GYROSCOPIC, ClosedFormRest, find_equilibrium
+from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import functions
 from freebody.symbolic.linear import determinant
 from freebody.symbolic.linearised import Linearised
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.quadratic import roots
-from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.residues import Coefficients, ResidueField
 from freebody.symbolic.start import StartState
 from freebody.symbolic.tidy import tidy

@@ -27,8 +27,8 @@ from freebody.measures.geometry import SpatialPose, Vector
 from freebody.model.elements import AppliedLoad, ConstraintRow, NonholonomicForm
 from freebody.model.state import not_beside
 from freebody.symbolic.blow import Blow
+from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
-from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.signs import Sign, sign_of
 
 _POLYNOMIAL_LIMIT = 12

@@ -13,10 +13,9 @@ from fractions import Fraction
 from typing import Any
 
 from freebody.language.expression import Call, Expr, Sum, add, divide, multiply, n_operations, negate, number, power
-from freebody.symbolic.field import Field
+from freebody.symbolic.field import Field, Ratio
 from freebody.symbolic.functions import complement_atom
 from freebody.symbolic.polynomials import Poly, declaration_order, has_lonely_symbol, primitive
-from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.roots_in_quotients import (
     is_root_generator,
     root_on_top,

@@ -15,10 +15,8 @@ from typing import Any
 from freebody.language.expression import Call, Expr, Symbol, differentiate
 from freebody.measures.base import Measure
 from freebody.model.states import shown_rate
-from freebody.symbolic.differential_field import Generator
 from freebody.symbolic.elimination import TangentPair, Unknown
-from freebody.symbolic.field import Field
-from freebody.symbolic.ratio import Ratio
+from freebody.symbolic.field import Field, Generator, Ratio
 from freebody.system.system import System
 
 # Ranks of unknowns: the lowest is eliminated first.

@@ -18,8 +18,7 @@ from freebody.language.sentences import Message, in_turn, turns
 from freebody.symbolic.conditions import Condition, both, relation_text, require, with_purposes
 from freebody.symbolic.decide import decide, possible, sign_given
 from freebody.symbolic.existence import FORMAL
-from freebody.symbolic.field import Field
-from freebody.symbolic.ratio import Ratio
+from freebody.symbolic.field import Field, Ratio
 from freebody.symbolic.relations import radicand_of, readable, solved_for
 from freebody.symbolic.signs import Sign
 from freebody.symbolic.tidy import tidy

@@ -6,11 +6,10 @@ import math
 from collections.abc import Callable
 from typing import Protocol
 
-from freebody.symbolic.field import Field
+from freebody.symbolic.field import Field, Ratio
 from freebody.symbolic.functions import functions
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.quadratic import roots
-from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.waves import sine_form
 

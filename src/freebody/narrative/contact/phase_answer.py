@@ -32,7 +32,7 @@ from freebody.study.answering.passage import NumericPassage
 from freebody.study.phases.evidence import number_in_blow
 from freebody.study.phases.quantities import only_friction_takes_energy, value_in_mode
 from freebody.study.phases.witness import PhaseSnapshot
-from freebody.symbolic.ratio import Ratio
+from freebody.symbolic.field import Ratio
 from freebody.symbolic.relations import readable
 from freebody.symbolic.state import SymbolicState
 from freebody.system.system import System

@@ -9,7 +9,7 @@ from freebody.narrative.lines.glossary import Meaning
 from freebody.narrative.lines.script import Listing, Script, Sentence
 from freebody.narrative.principles.sides import ZERO
 from freebody.study.phases.words import label, rolls
-from freebody.symbolic.ratio import Ratio
+from freebody.symbolic.field import Ratio
 from freebody.symbolic.relations import readable
 from freebody.symbolic.tidy import tidy
 

@@ -16,9 +16,9 @@ from freebody.questions.reading import AskedEvent, QuestionEvent
 from freebody.study.phases.phase import PhaseWatch
 from freebody.study.phases.reached import STRIKES
 from freebody.study.phases.words import label
+from freebody.symbolic.field import Ratio
 from freebody.symbolic.phases.course import UniformMotion
 from freebody.symbolic.phases.energy_motion import EnergyMotion
-from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.relations import readable
 from freebody.symbolic.tidy import tidy
 

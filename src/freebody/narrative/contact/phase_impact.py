@@ -24,7 +24,7 @@ from freebody.narrative.lines.script import Argument, Legend, Script, Sentence
 from freebody.study.phases.evidence import impulses_in_numbers
 from freebody.study.phases.impact import ClosedFormCollision
 from freebody.study.phases.words import label
-from freebody.symbolic.ratio import Ratio
+from freebody.symbolic.field import Ratio
 from freebody.symbolic.relations import readable
 from freebody.symbolic.state import SymbolicState
 

@@ -22,9 +22,9 @@ from freebody.narrative.space.spatial_momentum import Momenta
 from freebody.narrative.space.spatial_rates import SpatialRates
 from freebody.questions.energy import Energy as EnergyOf
 from freebody.study.phases.quantities import plain, value_in_mode
+from freebody.symbolic.field import Ratio
 from freebody.symbolic.phases.course import UniformMotion
 from freebody.symbolic.phases.energy_motion import EnergyMotion
-from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.relations import readable
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.unknowns import Coordinate

@@ -25,7 +25,7 @@ from freebody.study.phases.nodes import PhaseNode
 from freebody.study.phases.phase import Phase
 from freebody.study.phases.pieces import pieces
 from freebody.study.phases.tree import tree_of
-from freebody.symbolic.ratio import Ratio
+from freebody.symbolic.field import Ratio
 from freebody.symbolic.relations import readable
 from freebody.system.system import System
 

@@ -22,8 +22,8 @@ from freebody.narrative.lines.script import DerivationStage, FormulaTable, Scrip
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
 from freebody.study.phases.words import action
+from freebody.symbolic.field import Ratio
 from freebody.symbolic.phases.course import UniformMotion
-from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.unknowns import Coordinate
 
 Values = dict[int, tuple[Ratio, int]]

@@ -35,8 +35,8 @@ from freebody.study.friction.touching import TouchingAtRest
 from freebody.study.phases.numbers import coefficients_of_friction
 from freebody.study.senses import drawn_symbols
 from freebody.symbolic.active_set import Failure, RestEquations
+from freebody.symbolic.field import Ratio
 from freebody.symbolic.linear import RHS
-from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.tidy import tidy
 
 _AT: dict[int, Relation] = {1: "≤", -1: "≥"}

@@ -19,8 +19,8 @@ from freebody.narrative.principles.rates import Stillness
 from freebody.narrative.principles.reactions import words_of
 from freebody.narrative.principles.sides import ZERO, balanced
 from freebody.narrative.principles.symmetry import Symmetry
+from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
-from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.tidy import tidy
 
 

@@ -43,7 +43,7 @@ from freebody.study.answering.draws import Draw
 from freebody.study.answering.magnitude import magnitude
 from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition
-from freebody.symbolic.ratio import Ratio
+from freebody.symbolic.field import Ratio
 from freebody.tolerances import ROUNDED
 
 TrueWhen = Literal["always", "start", "event", "never"]  # "never": an identity of parameters, true by itself

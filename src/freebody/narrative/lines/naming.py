@@ -23,7 +23,7 @@ from freebody.questions.reading import Question
 from freebody.study.answering.numbers import work_until
 from freebody.study.answering.passage import smooth_numbers
 from freebody.study.mobility.centres import moving_for
-from freebody.symbolic.ratio import Ratio
+from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
 from freebody.system.symbols import reaction_symbols
 

@@ -25,7 +25,7 @@ from freebody.narrative.marking.check import MarkedQuestion, marked_question
 from freebody.narrative.mistakes.mistakes import KnownMistakes
 from freebody.narrative.mistakes.wrong_options import FAILURES
 from freebody.questions.reading import Question
-from freebody.symbolic.ratio import Ratio
+from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
 from freebody.system.system import System
 

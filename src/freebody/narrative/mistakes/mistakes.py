@@ -27,7 +27,7 @@ from freebody.narrative.mistakes.slips import Mistake, PointAnswers, slips
 from freebody.narrative.mistakes.wrong_options import FAILURES, Elements, Point, WantedOption, WrongOptions, near
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
-from freebody.symbolic.ratio import Ratio
+from freebody.symbolic.field import Ratio
 
 MOST_STEPS = 40_000  # terms that are looked at in numbers: about half a second, and the same on every machine
 ROUGHLY = 4e-3  # relative: to three digits

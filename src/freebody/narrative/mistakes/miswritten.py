@@ -19,8 +19,8 @@ from freebody.narrative.context import Context
 from freebody.narrative.lines.script import Argument, Sentence
 from freebody.numeric.jets import Array
 from freebody.questions.reading import Question
+from freebody.symbolic.field import Ratio
 from freebody.symbolic.linear import RHS, Row, solve
-from freebody.symbolic.ratio import Ratio
 from freebody.tolerances import ROUND_OFF
 
 MOST_EQUATIONS = 18

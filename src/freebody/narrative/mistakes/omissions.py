@@ -16,7 +16,7 @@ from freebody.questions.base import Quantity
 from freebody.questions.clock import Clock
 from freebody.questions.energy import Energy
 from freebody.questions.reading import Question, QuestionEvent
-from freebody.symbolic.ratio import Ratio
+from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
 
 ROUND = {"disk": Fraction(1, 2), "sphere": Fraction(2, 5), "ring": Fraction(1), "shell": Fraction(2, 3)}  # I/(m r^2)

@@ -20,9 +20,8 @@ from freebody.narrative.lines.script import Sentence
 from freebody.questions.base import Quantity
 from freebody.questions.reading import Question
 from freebody.questions.small_motion import SmallOscillations
-from freebody.symbolic.field import Field
+from freebody.symbolic.field import Field, Ratio
 from freebody.symbolic.model import SymbolicModel
-from freebody.symbolic.ratio import Ratio
 
 
 @dataclass(frozen=True)

@@ -22,7 +22,7 @@ from freebody.narrative.mistakes.slips import Mistake, PointAnswers
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
 from freebody.study.answering.draws import SEED
-from freebody.symbolic.ratio import Ratio
+from freebody.symbolic.field import Ratio
 from freebody.symbolic.sample import Sample
 from freebody.tolerances import ROUND_OFF, ROUNDED
 

@@ -22,8 +22,8 @@ from freebody.questions.energy import Energy
 from freebody.questions.loads import Power
 from freebody.questions.motion import rates_of
 from freebody.study.mobility.gruebler import is_driven
+from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
-from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.unknowns import Coordinate
 

@@ -19,8 +19,8 @@ from freebody.language.sentences import Message
 from freebody.narrative.lines.glossary import TrueWhen
 from freebody.narrative.lines.script import Script, Sentence
 from freebody.narrative.principles.sides import positive_first, scaled
+from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
-from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.signs import sign_is_negative, sign_is_positive
 from freebody.symbolic.tidy import tidy
 

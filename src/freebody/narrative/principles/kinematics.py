@@ -20,9 +20,8 @@ from freebody.narrative.principles.acting import Slot
 from freebody.narrative.principles.sides import scaled
 from freebody.questions.motion import OfMeasure, OfPoint, rates_of
 from freebody.questions.vectors import place
-from freebody.symbolic.differential_field import Generator
+from freebody.symbolic.field import Generator, Ratio
 from freebody.symbolic.model import SymbolicModel
-from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.tidy import tidy
 
 Order = Literal[1, 2]

@@ -11,7 +11,7 @@ from freebody.narrative.principles.sides import balanced, readable
 from freebody.questions.motion import rates_of
 from freebody.study.eom import primitive_part
 from freebody.study.setup import Setup
-from freebody.symbolic.ratio import Ratio
+from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
 
 Limit = Callable[[Ratio], Ratio]  # refuses what is too long to be shown

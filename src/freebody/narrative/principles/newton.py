@@ -29,7 +29,7 @@ from freebody.narrative.principles.symmetry import Symmetry
 from freebody.narrative.principles.table import PrincipleTable, WritablePrinciple
 from freebody.questions.base import Quantity
 from freebody.study.pictures.idle import idle_rows
-from freebody.symbolic.ratio import Ratio
+from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
 
 Solved = dict[int, tuple[Ratio, int]]  # values of unknowns, and the lines in which they stand

@@ -20,8 +20,8 @@ from freebody.model.elements import ConstraintRow
 from freebody.narrative.lines.script import Sentence
 from freebody.narrative.principles.acting import Acting
 from freebody.narrative.principles.reactions import place_of
+from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
-from freebody.symbolic.ratio import Ratio
 
 Vector = tuple[Ratio, ...]  # by ground components: two in the plane
 MOST_TOGETHER = 7  # bodies that are put together in every possible way

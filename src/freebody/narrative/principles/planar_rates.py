@@ -22,7 +22,7 @@ from freebody.narrative.principles.symmetry import Symmetry
 from freebody.narrative.principles.table import WritablePrinciple
 from freebody.questions.motion import OfPoint
 from freebody.study.setup import Setup
-from freebody.symbolic.ratio import Ratio
+from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
 
 

@@ -14,8 +14,8 @@ from freebody.narrative.principles.formal import elements
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
 from freebody.symbolic.blow import Blow
+from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
-from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.tidy import tidy
 
 

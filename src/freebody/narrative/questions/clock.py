@@ -17,7 +17,7 @@ from freebody.questions.motion import rates_of
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
 from freebody.symbolic.conditions import Condition
-from freebody.symbolic.ratio import Ratio
+from freebody.symbolic.field import Ratio
 from freebody.symbolic.reached import Reached
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy

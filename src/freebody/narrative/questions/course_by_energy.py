@@ -16,9 +16,8 @@ from freebody.questions.motion import rates_of
 from freebody.questions.reading import QuestionEvent
 from freebody.symbolic.algebraic_time import AlgebraicTime
 from freebody.symbolic.elliptic import EllipticTime
-from freebody.symbolic.field import Field
+from freebody.symbolic.field import Field, Ratio
 from freebody.symbolic.first_integrals import is_driven
-from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.unknowns import Coordinate
 

@@ -11,11 +11,11 @@ from freebody.narrative.questions.event_way import TIME, EventWay, at_start, eve
 from freebody.questions.event import OfQuantity, QuestionEvent
 from freebody.questions.motion import rates_of
 from freebody.symbolic.coupled import CoupledMotion
+from freebody.symbolic.field import Ratio
 from freebody.symbolic.laws.decay import Decay
 from freebody.symbolic.laws.growth import Growth
 from freebody.symbolic.laws.oscillation import Oscillation
 from freebody.symbolic.laws.uniform import UniformLaw
-from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.tidy import tidy
 
 

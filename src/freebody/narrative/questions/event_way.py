@@ -22,8 +22,8 @@ from freebody.questions.loads import Work
 from freebody.questions.motion import rates_of
 from freebody.questions.reading import Question, QuestionEvent
 from freebody.study.answering.passage import smooth_passage
+from freebody.symbolic.field import Ratio
 from freebody.symbolic.laws.base import MotionLaw
-from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.reached import Reached
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy

@@ -20,7 +20,7 @@ from freebody.questions.reading import Question
 from freebody.study.answering import loops
 from freebody.study.answering.answer import Answer
 from freebody.symbolic.closure import Closure
-from freebody.symbolic.ratio import Ratio
+from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
 
 

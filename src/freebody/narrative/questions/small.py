@@ -29,8 +29,8 @@ from freebody.questions.reading import Question
 from freebody.questions.small_motion import Damping, Equilibrium, EquilibriumStability, ModeShapes, SmallOscillations
 from freebody.study.answering.answer import Answer
 from freebody.study.small_motion.forced import forced_number
+from freebody.symbolic.field import Ratio
 from freebody.symbolic.forced import forced_oscillation
-from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.tidy import tidy
 
 Shown = Expr | tuple[Expr, ...]

@@ -28,9 +28,9 @@ from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
 from freebody.study.eom import primitive_part
 from freebody.symbolic.equilibrium import find_equilibrium
+from freebody.symbolic.field import Ratio
 from freebody.symbolic.linear import determinant
 from freebody.symbolic.linearised import Linearised, Matrix, stand_still, swing_of
-from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.small_motion import FreeOscillations, free_oscillations
 from freebody.symbolic.tidy import tidy
 

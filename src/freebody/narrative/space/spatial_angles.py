@@ -16,7 +16,7 @@ from freebody.narrative.space.spatial_vectors import VectorSums
 from freebody.questions.motion import AngularVelocity, OfMeasure, rates_of
 from freebody.questions.vectors import AXES
 from freebody.study.eom import primitive_part
-from freebody.symbolic.ratio import Ratio
+from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
 
 

@@ -25,7 +25,7 @@ from freebody.questions.momentum import is_among
 from freebody.questions.motion import AngularVelocity, OfPoint
 from freebody.questions.reading import Question
 from freebody.questions.vectors import Group
-from freebody.symbolic.ratio import Ratio
+from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
 
 

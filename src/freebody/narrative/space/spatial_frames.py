@@ -13,7 +13,7 @@ from freebody.narrative.lines.naming import component_names
 from freebody.narrative.lines.script import Argument, Legend, Script, Sentence
 from freebody.questions.vectors import AXES, Basis, components_of, dot
 from freebody.study.setup import Setup
-from freebody.symbolic.ratio import Ratio
+from freebody.symbolic.field import Ratio
 from freebody.symbolic.spatial.bodies import SpatialBodies
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy

@@ -25,7 +25,7 @@ from freebody.narrative.space.spatial_frames import Axes, Frames, Vector, axes_o
 from freebody.questions.motion import AngularVelocity, OfPoint, rates_of
 from freebody.questions.vectors import AXES, ORIGIN, components_of, cross, dot
 from freebody.study.setup import Setup
-from freebody.symbolic.ratio import Ratio
+from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
 from freebody.system.system import System
 

@@ -20,7 +20,7 @@ from freebody.narrative.principles.table import WritablePrinciple
 from freebody.narrative.space.spatial_frames import Reads, axes_of_body
 from freebody.narrative.space.spatial_kinematics import SpatialKinematics
 from freebody.questions.momentum import AngularMomentum
-from freebody.symbolic.ratio import Ratio
+from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
 
 MOST_OPERATIONS = 60  # of the rate of an angular momentum that is shown on the way

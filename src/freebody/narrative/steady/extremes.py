@@ -39,7 +39,7 @@ from freebody.study.steady.extremes import (
 from freebody.study.steady.round_turn import STEP, DrawnTurn
 from freebody.study.steady.turning import Extremum, TurningAngle
 from freebody.symbolic.closure import explicit
-from freebody.symbolic.ratio import Ratio
+from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.unknowns import Coordinate
 

@@ -21,7 +21,7 @@ from freebody.study.answering.answer import Answer
 from freebody.study.steady.linear import linear_at_start
 from freebody.study.steady.motion import SteadyMotion
 from freebody.study.steady.oscillations import frequencies_of, meant, squared_with_damping
-from freebody.symbolic.ratio import Ratio
+from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
 
 _PI = Symbol("pi")

@@ -26,7 +26,7 @@ from freebody.study.steady.linearised import About
 from freebody.study.steady.motion import SteadyMotion
 from freebody.study.steady.spin import slopes_beside
 from freebody.study.steady.stability import is_even
-from freebody.symbolic.ratio import Ratio
+from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
 
 _ROUND_OFF = 1e-5  # of exponents by differences

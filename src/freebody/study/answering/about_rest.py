@@ -16,7 +16,7 @@ from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition, insisted
 from freebody.symbolic.decide import decide
 from freebody.symbolic.equilibrium import ClosedFormRest, equilibria, lies_in_family
-from freebody.symbolic.ratio import Ratio
+from freebody.symbolic.field import Ratio
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.small_motion import free_oscillations
 from freebody.symbolic.state import SymbolicState

@@ -17,7 +17,7 @@ from freebody.numeric.split import Split, stack
 from freebody.numeric.start_velocities import wanted_rates
 from freebody.study.answering.answer import Answer
 from freebody.study.setup import Setup
-from freebody.symbolic.ratio import Ratio
+from freebody.symbolic.field import Ratio
 from freebody.symbolic.start import rate_not_given
 from freebody.symbolic.tidy import tidy
 from freebody.tolerances import ROUND_OFF

@@ -24,8 +24,8 @@ from freebody.study.setup import Setup
 from freebody.study.small_motion.equilibrium import nearest_equilibrium
 from freebody.symbolic.conditions import Condition
 from freebody.symbolic.equilibrium import GYROSCOPIC, find_equilibrium
+from freebody.symbolic.field import Ratio
 from freebody.symbolic.linearised import swing_of
-from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.state import SymbolicState
 from freebody.tolerances import ROUND_OFF
 

@@ -40,8 +40,8 @@ from freebody.study.setup import Setup
 from freebody.symbolic.closure import Closure
 from freebody.symbolic.conditions import Condition, require
 from freebody.symbolic.existence import exists
+from freebody.symbolic.field import Ratio
 from freebody.symbolic.loop_angles import ByCoefficients, ByCosine, ByHalf, BySine, LoopAngle, LoopAngles
-from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.staged import NamedElement, StagedMotion
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy

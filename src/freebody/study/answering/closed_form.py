@@ -40,8 +40,8 @@ from freebody.study.answering.passage import smooth_passage
 from freebody.study.answering.staying import check_stays
 from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition, insisted, require
+from freebody.symbolic.field import Ratio
 from freebody.symbolic.on_the_way import kept_until
-from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.reached import HoldsOnce, Reached
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.state import SymbolicState

@@ -18,7 +18,7 @@ from freebody.study.answering.draws import Draw
 from freebody.study.answering.spread import disagreement
 from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition, merged
-from freebody.symbolic.ratio import Ratio
+from freebody.symbolic.field import Ratio
 from freebody.tolerances import LEAST, ROUNDED
 
 T = TypeVar("T")

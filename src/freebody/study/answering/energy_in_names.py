@@ -22,8 +22,8 @@ from freebody.study.answering.named_formulas import NamedFormula
 from freebody.study.answering.numbers import at_event
 from freebody.study.answering.witness import patience
 from freebody.study.setup import Setup
+from freebody.symbolic.field import Ratio
 from freebody.symbolic.first_integrals import is_driven
-from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.staged import shortened
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.unknowns import Coordinate

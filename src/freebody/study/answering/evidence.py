@@ -31,7 +31,7 @@ from freebody.study.answering.witness import motion_to, patience
 from freebody.study.mobility.centres import moving_for
 from freebody.study.setup import Setup, rank_freedoms
 from freebody.symbolic.conditions import Condition
-from freebody.symbolic.ratio import Ratio
+from freebody.symbolic.field import Ratio
 
 InNumbers = Callable[[Draw, Snapshot], tuple[float, ...]]
 LONGEST = 100.0  # [s] that a motion without a closed form of its time is followed

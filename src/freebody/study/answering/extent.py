@@ -28,8 +28,8 @@ from freebody.study.answering.repeated import SHORTER, checked, coordinate_of, t
 from freebody.study.answering.witness import least_rate, patience, run, snapshots
 from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition, insisted
+from freebody.symbolic.field import Ratio
 from freebody.symbolic.on_the_way import kept_until
-from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.reached import Reached
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.unknowns import Coordinate

@@ -22,8 +22,8 @@ from freebody.study.answering.answer import Answer, Evidence, Value, refused
 from freebody.study.answering.named_formulas import InNames
 from freebody.study.worded import FAILED, cause
 from freebody.symbolic.conditions import Condition
+from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
-from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.written import HasNoValue
 from freebody.system.system import System
 

@@ -21,7 +21,7 @@ from freebody.study.answering.motion_values import extremes_between
 from freebody.study.answering.repeated import checked, held_throughout
 from freebody.study.setup import Setup
 from freebody.symbolic.coupled import ModalWave
-from freebody.symbolic.ratio import Ratio
+from freebody.symbolic.field import Ratio
 
 
 def wave_of(setup: Setup, of: Quantity) -> ModalWave | None:

@@ -35,9 +35,8 @@ from freebody.study.answering.repeated import checked, taken_throughout
 from freebody.study.setup import Setup
 from freebody.symbolic.closure import explicit
 from freebody.symbolic.conditions import Condition, closed, require
-from freebody.symbolic.field import Field
+from freebody.symbolic.field import Field, Ratio
 from freebody.symbolic.model import SymbolicModel
-from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.unknowns import Coordinate

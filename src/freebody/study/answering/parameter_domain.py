@@ -8,8 +8,8 @@ from fractions import Fraction
 from freebody.language.sentences import Message
 from freebody.model.elements import Parameter
 from freebody.symbolic.conditions import Condition
+from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import functions
-from freebody.symbolic.ratio import Ratio
 
 _ARCS = {  # the ranges of their values, in half turns
     "asin": (Fraction(-1, 2), Fraction(1, 2)),

@@ -23,7 +23,7 @@ from freebody.study.answering.finding import Elements
 from freebody.study.answering.formula_phase import FormulaPhase
 from freebody.study.answering.turns_in_space import turns_in_formulas, turns_in_numbers
 from freebody.study.setup import Setup
-from freebody.symbolic.ratio import Ratio
+from freebody.symbolic.field import Ratio
 from freebody.symbolic.reached import Reached
 from freebody.symbolic.state import SymbolicState, law_polynomial
 from freebody.system.system import System

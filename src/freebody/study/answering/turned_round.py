@@ -46,8 +46,8 @@ from freebody.study.answering.solved_in_numbers import Side, solved_in_numbers
 from freebody.study.answering.witness import patience
 from freebody.study.setup import N_DRAWS, Setup
 from freebody.symbolic.conditions import Condition, merged, require
+from freebody.symbolic.field import Ratio
 from freebody.symbolic.parameter_roots import solutions
-from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.validity import TAKEN
 from freebody.symbolic.zeros import zeros_of

@@ -28,7 +28,7 @@ from freebody.study.setup import Setup
 from freebody.symbolic.closure import Closure
 from freebody.symbolic.conditions import Condition, merged
 from freebody.symbolic.decide import decide
-from freebody.symbolic.ratio import Ratio
+from freebody.symbolic.field import Ratio
 
 
 @answered.register(Assembly)

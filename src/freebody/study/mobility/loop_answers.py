@@ -61,7 +61,7 @@ from freebody.study.mobility.loop_questions import (
 )
 from freebody.study.setup import Setup
 from freebody.study.steady.extremes import extremes
-from freebody.symbolic.ratio import Ratio
+from freebody.symbolic.field import Ratio
 
 ROOMS = (full_turns, assembling)  # they register their kinds of question
 

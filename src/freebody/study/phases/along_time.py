@@ -23,10 +23,10 @@ from freebody.study.phases.ends import (
 from freebody.study.phases.numbers import Chosen, Mask, Sets
 from freebody.study.phases.phase import PhaseWatch
 from freebody.study.phases.words import occurs
+from freebody.symbolic.field import Ratio
 from freebody.symbolic.laws.base import MotionLaw
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.phases.course import ClosedFormMotion, LawMotion, MotionInTime, UniformMotion, has_roots
-from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.signs import sign_of
 from freebody.tolerances import LEAST
 

@@ -33,7 +33,7 @@ from freebody.study.phases.result import relations
 from freebody.study.phases.tree import PhaseTree
 from freebody.study.phases.words import action, happening, in_phase
 from freebody.symbolic.conditions import Condition, both, relation_text
-from freebody.symbolic.ratio import Ratio
+from freebody.symbolic.field import Ratio
 from freebody.symbolic.relations import SolvedRelation, readable
 from freebody.symbolic.spatial.balls import looks_at_axes
 from freebody.symbolic.validity import texts, validity

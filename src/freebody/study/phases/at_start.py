@@ -20,7 +20,7 @@ from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference
 from freebody.study.answering.draws import SEED, draw_parameters
 from freebody.study.setup import Setup
-from freebody.symbolic.ratio import Ratio
+from freebody.symbolic.field import Ratio
 from freebody.symbolic.spatial.balls import balls
 from freebody.system.modes import ContactMode, ideal_bounds, in_mode
 from freebody.system.system import System

@@ -26,7 +26,7 @@ from freebody.study.phases.placed import Placed
 from freebody.study.phases.together import slip_rates
 from freebody.study.setup import Setup, held_in_blow
 from freebody.symbolic.conditions import Condition, require
-from freebody.symbolic.ratio import Ratio
+from freebody.symbolic.field import Ratio
 from freebody.symbolic.relations import parted
 from freebody.symbolic.state import SymbolicState
 from freebody.system.modes import ContactMode, depends_on_time, ideal_bounds, in_mode, sticking_rows

@@ -26,9 +26,9 @@ from freebody.study.phases.quantities import (
     value_in_mode,
 )
 from freebody.study.phases.tree import PhaseTree
+from freebody.symbolic.field import Ratio
 from freebody.symbolic.phases.course import LawMotion
 from freebody.symbolic.phases.energy_motion import EnergyMotion
-from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.state import SymbolicState
 
 _NO_TIME = Message(

@@ -18,7 +18,7 @@ from freebody.study.phases.nodes import PhaseNode
 from freebody.study.phases.numbers import Chosen
 from freebody.study.phases.phase import Phase, PhaseWatch
 from freebody.symbolic.conditions import Condition
-from freebody.symbolic.ratio import Ratio
+from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
 from freebody.tolerances import ROUNDED
 

@@ -23,7 +23,7 @@ from freebody.study.phases.happening import happening_cases
 from freebody.study.phases.happening_seen import is_seen
 from freebody.study.phases.pieces import pieces
 from freebody.study.phases.tree import PhaseTree
-from freebody.symbolic.ratio import Ratio
+from freebody.symbolic.field import Ratio
 from freebody.system.system import System
 
 

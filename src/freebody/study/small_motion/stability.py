@@ -24,8 +24,8 @@ from freebody.study.small_motion.resting import NONE, AtRest, Compared, compared
 from freebody.study.steady.verdict import stable_if
 from freebody.symbolic.conditions import Condition
 from freebody.symbolic.equilibrium import find_equilibrium
+from freebody.symbolic.field import Ratio
 from freebody.symbolic.linearised import Linearised
-from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.small_motion import FreeOscillations
 
 _SQUARES = Message(

@@ -20,7 +20,7 @@ from freebody.study.answering.draws import SEED, Draw
 from freebody.study.answering.magnitude import magnitude
 from freebody.study.setup import Setup
 from freebody.study.steady.motion import Solutions, SteadyMotion
-from freebody.symbolic.ratio import Ratio
+from freebody.symbolic.field import Ratio
 from freebody.symbolic.unknowns import Coordinate
 
 _RATES = (1.0, 3.0, 10.0, 30.0, 100.0, 300.0, 1000.0)  # rad/s, m/s: slow ones first

@@ -18,7 +18,7 @@ from freebody.study.answering.draws import Draw
 from freebody.study.setup import Setup
 from freebody.study.steady.evidence import coordinate_accelerations, moving
 from freebody.study.steady.linear import Linear
-from freebody.symbolic.ratio import Ratio
+from freebody.symbolic.field import Ratio
 from freebody.symbolic.unknowns import Coordinate
 from freebody.tolerances import ROUND_OFF
 

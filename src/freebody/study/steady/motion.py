@@ -21,10 +21,10 @@ from freebody.measures.base import Measure
 from freebody.questions.event import AskedEvent, QuestionEvent
 from freebody.questions.steady import SteadyValue
 from freebody.study.eom import primitive_part
+from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import functions
 from freebody.symbolic.linear import RHS, Row, solve
 from freebody.symbolic.model import SymbolicModel
-from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.reduced import without_square_roots
 from freebody.symbolic.speeds import total_of
 from freebody.symbolic.state import SymbolicState

@@ -20,8 +20,7 @@ from typing import Any
 import flint
 
 from freebody.symbolic.decide.cells import Interval, Poly, Polynomials, TooLarge, points
-from freebody.symbolic.field import Field
-from freebody.symbolic.ratio import Ratio
+from freebody.symbolic.field import Field, Ratio
 from freebody.symbolic.signs import is_positive
 
 _flint: Any = flint

@@ -13,13 +13,13 @@ from functools import cached_property
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
+from freebody.symbolic.field import Ratio
 from freebody.symbolic.first_integrals import FirstIntegrals, is_driven
 from freebody.symbolic.laws.base import MotionLaw
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.motion import SmoothMotion
 from freebody.symbolic.phases.course import ClosedFormMotion, CourseZero, LawMotion, UniformMotion
 from freebody.symbolic.quadratic import has_no_real_root, roots
-from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.start import StartState
 from freebody.symbolic.unknowns import Coordinate
 from freebody.symbolic.zeros import reals, without_root, zeros_of

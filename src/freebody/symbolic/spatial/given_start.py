@@ -9,9 +9,9 @@ from freebody.measures.base import Measure
 from freebody.measures.geometry import GROUND, SpatialPose, Vector
 from freebody.model.elements import RigidBody
 from freebody.symbolic.bodies import Bodies
+from freebody.symbolic.field import Ratio
 from freebody.symbolic.geometry import FieldGeometry, straight_tangent
 from freebody.symbolic.given_start import GivenStart
-from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.samples import Samples
 from freebody.symbolic.spatial.bodies import SpatialBodies
 from freebody.symbolic.unknowns import Coordinate
