@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Generator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -19,7 +18,7 @@ from freebody.narrative.contact.phase_way import PhaseSegment, PhaseSequence, on
 from freebody.narrative.contact.phase_worlds import CourseWorld
 from freebody.narrative.context import Context
 from freebody.narrative.lines.glossary import Meaning, World
-from freebody.narrative.lines.naming import names_of, side_of, written
+from freebody.narrative.lines.naming import asked_name, names_of, side_of, written
 from freebody.narrative.lines.script import Argument, Legend, Script, Sentence
 from freebody.numeric.reference import Snapshot
 from freebody.questions.base import Quantity
@@ -42,7 +41,7 @@ def asked_side(
     context: Context, way: PhaseSequence, leg: PhaseSegment, script: Script, question: Question
 ) -> Expr | tuple[Expr, ...]:
     """The symbol of what is asked (those of its components), introduced with its meaning on the way."""
-    own = question.id if re.fullmatch(r"[A-Za-z]\w*", question.id) else "result"
+    own = asked_name(question)
     name = context.symbol(own, f"{own}_asked")
     what = Sentence("symbol.asked")
     n = len(way.piece.value) if isinstance(way.piece.value, tuple) else 1

@@ -71,9 +71,17 @@ def component_names(name: str) -> tuple[Symbol, Symbol, Symbol]:
     return x, y, z
 
 
+def asked_name(question: Question) -> str:
+    """The id of a question where that is a good name; of several without an id (q1, q2) each has a name of its own."""
+    unnamed = re.fullmatch(r"q(\d+)", question.id)
+    if unnamed is not None:
+        return "result" if unnamed[1] == "1" else f"result_{unnamed[1]}"
+    return question.id if re.fullmatch(r"[A-Za-z]\w*", question.id) else "result"
+
+
 def asked_symbol(context: Context, question: Question, n: int = 1) -> Symbol:
     """A symbol for what is asked, and one for each of n components: the question's id where that is a good name."""
-    own = question.id if re.fullmatch(r"(?!q\d+$)[A-Za-z]\w*", question.id) else "result"  # q1: no id was given
+    own = asked_name(question)
     if own in context.system.bodies:  # v_piston, not piston, for a velocity
         letter = _LETTERS.get(question.quantity.dimension)
         own = own if letter is None else f"{letter}_{own}"

@@ -13,7 +13,7 @@ from freebody.language.sentences import Message
 from freebody.measures.geometry import GROUND
 from freebody.narrative.context import Context, Method, refuse
 from freebody.narrative.lines.glossary import Meaning, World
-from freebody.narrative.lines.naming import fresh
+from freebody.narrative.lines.naming import asked_name, fresh
 from freebody.narrative.lines.script import (
     Argument,
     DerivationStage,
@@ -248,7 +248,7 @@ def _dead(q: DeadPoints, told: _Told) -> None:
 
 
 def _asked(context: Context, question: Question, k: int, n: int) -> Symbol:
-    own = question.id if question.id.isidentifier() else "result"
+    own = asked_name(question)
     return Symbol(fresh(context, own if n == 1 else f"{own}_{k + 1}", f"{own}_asked{k + 1}"))
 
 

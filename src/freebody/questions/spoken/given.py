@@ -127,10 +127,13 @@ def _weighed_by(names: Names) -> frozenset[str]:
 
 def growing(names: Names, things: list[str]) -> list[str]:
     """What may grow until rest ends, where nobody says what: the only force, torque, speed or acceleration that can be
-    chosen; else the only angle, as of a plane that is raised. things: what is named."""
+    chosen; else the only angle by which a plane is raised. things: what is named."""
     kinds = ("force", "torque", "speed", "acceleration")
     pushed = [name for kind in kinds for name in chosen(names, KIND_OF[kind], things)]
-    return pushed or chosen(names, KIND_OF["angle"], things)
+    ground = names.bodies[GROUND]
+    ways = [line.direction for line in ground.lines.values()] + [plane.normal for plane in ground.planes.values()]
+    raised = frozenset[str]().union(*(free_symbols(x) for way in ways for x in way.components))
+    return pushed or [name for name in chosen(names, KIND_OF["angle"], things) if name in raised]
 
 
 def started_with(names: Names, bodies: list[str]) -> list[str]:
