@@ -32,6 +32,7 @@ from freebody.present.report.blocks import (
     Paragraph,
     Report,
     Section,
+    Table,
     equation_numbers,
     text,
 )
@@ -375,6 +376,15 @@ def test_paragraphs_fit_the_terminal(width: int) -> None:
     prose = replace(sample(), blocks=tuple(b for b in sample().blocks if not isinstance(b, Section)))
     lines = terminal_text(prose, width).splitlines()
     assert max(map(columns, lines)) <= min(width, 120)
+
+
+def test_a_summary_tells_the_size_of_a_condition_that_nobody_would_read_in_tables_too() -> None:
+    long = " + ".join(f"{k}·r^{k}" for k in range(400))
+    report = Report("Phases", "en", "", (Table((), ((text("1  sticks"), text(f"{long} > 0")),)),), {}, is_summary=True)
+    short, full = (terminal_text(report, is_short=is_short) for is_short in (True, False))
+    assert long in full
+    assert f"({len(long) + 4} characters;" in short
+    assert len(short) < 400
 
 
 def test_a_terminal_is_given_no_control_characters() -> None:

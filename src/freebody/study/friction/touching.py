@@ -146,10 +146,10 @@ def _insist_on_steadiness(found: TouchingAtRest, values: Mapping[str, float], q:
     reference = Reference(found.stuck, values)
     start = reference.assemble(guess=q)
     motion = reference.integrate((start, reference.velocities(start)), _LATER)
-    first, last = (dynamics(reference, s.geometry).multipliers for s in (motion.snapshots[0], motion.snapshots[-1]))
+    seen = np.array([dynamics(reference, s.geometry).multipliers for s in motion.snapshots])
     named = {row.name for rub in found.dry_friction for row in rub.rows} | {bound.row.name for bound in found.bounds}
     own = [k for k, row in enumerate(reference.system.constraint_rows) if row.name in named]
-    if float(np.abs(last[own] - first[own]).max(initial=0.0)) > _STEADY * float(np.abs(first).max(initial=1.0)):
+    if float(np.abs(np.ptp(seen[:, own], axis=0)).max(initial=0.0)) > _STEADY * float(np.abs(seen).max(initial=1.0)):
         raise CannotAnswer(
             Message(
                 "the forces change as what is driven goes on, so rest beside it is a matter of an instant; "

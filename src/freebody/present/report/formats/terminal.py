@@ -288,13 +288,16 @@ class _Summary(_Writer):
         return lines
 
     def _broken(self, text: str) -> list[str]:
-        if self.is_short and len(text) > _LONGEST_TEXT:
-            text = f"{text[:_SHOWN]} ... ({len(text)} characters; {_WHERE_IT_IS})"
         width = self.width - _INDENT - _LABEL
-        return textwrap.wrap(text, width, break_long_words=False) or [""]
+        return textwrap.wrap(self._shortened(text), width, break_long_words=False) or [""]
+
+    def _shortened(self, text: str) -> str:
+        if self.is_short and len(text) > _LONGEST_TEXT:
+            return f"{text[:_SHOWN]} ... ({len(text)} characters; {_WHERE_IT_IS})"
+        return text
 
     def table(self, table: Table) -> list[str]:
-        texts = [[self.text(cell) for cell in row] for row in (table.header, *table.rows) if row]
+        texts = [[self._shortened(self.text(cell)) for cell in row] for row in (table.header, *table.rows) if row]
         sizes = [max(columns(row[k]) for row in texts) for k in range(len(texts[0]))]
         return [
             self.indent + "   ".join(cell + " " * (size - columns(cell)) for cell, size in zip(row, sizes, strict=True))
