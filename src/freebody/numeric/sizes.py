@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import Expr, free_symbols
+from freebody.language.expression import Expr
 from freebody.language.sentences import Message
 from freebody.language.units import LENGTH
 from freebody.model.elements import RigidBody
@@ -112,7 +112,7 @@ def typical_length(system: System, number: Callable[[Expr], float]) -> float:
     lengths = [0.0, *(math.hypot(*map(number, place)) for place in places)]
     lengths += [abs(number(body.radius)) for body in moving if body.radius is not None]
     for row in system.constraint_rows:
-        if row.target is not None and row.measure.dimension == LENGTH and "t" not in free_symbols(row.target):
+        if row.target is not None and row.measure.dimension == LENGTH and not row.is_driven:
             lengths.append(abs(number(row.target)))
     return max(lengths) or max([1.0, *_start_lengths(system, number)])
 

@@ -227,7 +227,7 @@ class Packing:
         offset = 0.0
         if target is None:
             offset = self.numbers.start_value(held.measure)
-        elif "t" not in free_symbols(target):
+        elif not held.is_driven:
             offset, target = self.numbers.number(target), None
         if offset and row[0] == "base":
             base = self.bases[row[1]]

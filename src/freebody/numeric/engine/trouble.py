@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from freebody.language.expression import ZERO, free_symbols
 from freebody.language.sentences import Message, in_turn
 from freebody.language.units import DIMENSIONLESS
 from freebody.numeric.engine.course import Status
@@ -46,7 +45,7 @@ def diagnosed(engine: Evaluator, run: SteppedRun) -> tuple[Status, str]:
     held = engine.held
     names = list(dict.fromkeys(held[k].connection for k in rows))
     if rows and ratio < SINGULAR:
-        drivers = [held[k].name for k in rows if "t" in free_symbols(held[k].target or ZERO)]
+        drivers = [held[k].name for k in rows if held[k].is_driven]
         if drivers:
             return Status.UNREACHABLE, Message(
                 "{driven} cannot be driven beyond t = {limit:.9g} s: {connections} reach the limit of what they "

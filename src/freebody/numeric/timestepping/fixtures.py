@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from freebody.language.expression import Expr, free_symbols
+from freebody.language.expression import Expr
 from freebody.measures.base import Measure
 from freebody.model.elements import ConstraintRow, DryFriction, NonholonomicForm, UnilateralConstraint
 from freebody.numeric.engine.packing import Packing
@@ -84,7 +84,7 @@ class SystemParts:
         target, row, tape, value = bound.row.target, bound.row, _NONE, 0.0
         if target is None:
             value = 0.0 if isinstance(row.measure, NonholonomicForm) else numbers.start_value(row.measure)
-        elif "t" in free_symbols(target):
+        elif row.is_driven:
             tape = tapes.write(target, {})
         else:
             value = numbers.number(target)

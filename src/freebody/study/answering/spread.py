@@ -13,7 +13,7 @@ from collections.abc import Callable, Iterator
 import numpy as np
 
 from freebody.errors import CannotAnswer, RoutesDisagree, RoutesUntold
-from freebody.language.expression import Expr, Symbol, free_symbols
+from freebody.language.expression import Expr, Symbol
 from freebody.language.sentences import Message
 from freebody.language.units import LENGTH, MASS
 from freebody.model.elements import NonholonomicForm
@@ -112,7 +112,7 @@ def _lengths(system: System, number: Callable[[Expr], float]) -> Iterator[_Named
         if mass > 0.0 and inertia > 0.0:
             yield f"radius of gyration of {body.name}", math.sqrt(inertia / mass)
     for row in system.constraint_rows:
-        if row.target is not None and row.measure.dimension == LENGTH and "t" not in free_symbols(row.target):
+        if row.target is not None and row.measure.dimension == LENGTH and not row.is_driven:
             yield row.name, number(row.target)
     for p in system.parameters.values():
         if p.dimension == LENGTH and p.form is None:

@@ -12,7 +12,7 @@ from dataclasses import replace
 from typing import Any, cast
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import ZERO, Expr, differentiate, free_symbols, substitute
+from freebody.language.expression import ZERO, Expr, differentiate, substitute
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS
 from freebody.model.elements import ConstraintRow, NonholonomicForm
@@ -41,7 +41,7 @@ class FreeToTurn(Setup):
 def without_drive(setup: Setup) -> Setup:
     """Free to turn, where an angle is driven at a constant rate; else as it is."""
     system = setup.system
-    drives = [row for row in system.constraint_rows if "t" in free_symbols(row.target or ZERO)]
+    drives = [row for row in system.constraint_rows if row.is_driven]
     if len(drives) != 1 or drives[0].target is None or drives[0].measure.dimension != DIMENSIONLESS:
         return setup
     rate = differentiate(drives[0].target, "t")

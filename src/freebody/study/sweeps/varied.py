@@ -11,7 +11,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from freebody.errors import InputError
-from freebody.language.expression import Expr, Symbol, add, free_symbols, negate, number, substitute
+from freebody.language.expression import Expr, Symbol, add, negate, number, substitute
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, TIME, Dimension, unit_of
 from freebody.model.elements import ConstraintRow, Parameter
@@ -99,7 +99,7 @@ def _with_state(system: System, name: str) -> tuple[System, Varied]:
 
 def _shifted(row: ConstraintRow, start: Expr) -> ConstraintRow:
     """A row that follows its own function of time from another start value."""
-    if row.target is None or "t" not in free_symbols(row.target):
+    if row.target is None or not row.is_driven:
         return row
     first = substitute(row.target, {"t": number(0)})
     return replace(row, target=add(row.target, negate(first), start))
