@@ -39,6 +39,7 @@ from freebody.tolerances import ROUND_OFF, ROUNDED
 TOLERANCE = 1e-8  # relative: limits are found by halving margins of linear programs
 OF_PLANES = 1e-5  # where circular cones are cut out by planes, which come close to them only
 END = {1: Message("upper"), -1: Message("lower")}
+_FIRST = Message("nothing else fails before")
 ROUTE = Message("the linear programs of all reactions that rest allows")
 
 
@@ -314,7 +315,8 @@ class _Answerer:
         limits: Sequence[HoldingLimit],
     ) -> Answer:
         conditions = merged([c for case in cases for c in case.conditions])
-        if not all(case.is_complete for case in cases):
+        is_complete = all(case.is_complete for case in cases)
+        if not is_complete:
             notes.append(
                 Message(
                     "that nothing else fails before was checked at the draws; the conditions are not all that this "
@@ -331,7 +333,7 @@ class _Answerer:
             self.question,
             shown[0] if len(shown) == 1 else shown,
             value,
-            conditions=tuple(conditions) or (for_all(self.system),),
+            conditions=tuple(conditions) or (for_all(self.system) if is_complete else _FIRST,),
             notes=notes,
             evidence=evidence,
             judgement=judged(self.question, element, self.setup.model, self.setup.system),
@@ -371,7 +373,7 @@ def _cases(limits: Sequence[HoldingLimit]) -> tuple[AnswerCase, ...]:
     if len(limits) != 1 or len(limits[0].cases) < 2:
         return ()
     cases = sorted(limits[0].cases, key=lambda case: case is not limits[0].main)
-    return tuple(AnswerCase(tidy(c.element), _conditions(c), c.words) for c in cases)
+    return tuple(AnswerCase(tidy(c.element), _conditions(c) or (_FIRST,), c.words) for c in cases)
 
 
 def _is_free(limit: HoldingLimit, ends: Ends) -> bool:
@@ -384,7 +386,7 @@ def _unlimited(c: Compared, ends: Ends) -> bool:
 
 def _where(case: FailureCase) -> str:
     """The conditions of a case in one line."""
-    return joined(_conditions(case)) or Message("nothing else fails before")
+    return joined(_conditions(case)) or _FIRST
 
 
 def _conditions(case: FailureCase) -> tuple[str, ...]:
