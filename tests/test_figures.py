@@ -65,7 +65,7 @@ def rows_of(found: Instant) -> list[ConstraintRow]:
     system = found.snapshot.reference.system
     closed = closed_bounds(found.snapshot)
     rows = [*system.constraint_rows, *(bound.row for bound in system.bounds if bound.name in closed)]
-    return rows + [rub.row for rub in system.dry_friction if not rub.of or rub.of in closed]
+    return rows + [row for rub in system.dry_friction if not rub.of or rub.of in closed for row in rub.rows]
 
 
 def pictures(system: System) -> list[Picture]:
@@ -140,6 +140,15 @@ def test_action_and_reaction_have_one_name_and_opposite_arrows(path: Path) -> No
         letter = symbols[row.name].name.split("_")[0]
         for force in (*first, *second):
             assert letter in force.label.text
+
+
+@pytest.mark.parametrize(("name", "body"), [("block_pulled_across_a_slope", "block"), ("coin_on_a_turntable", "coin")])
+def test_friction_in_a_plane_is_drawn_along_both_its_directions(name: str, body: str) -> None:
+    # with the normal force they span space, so that whatever holds the body can be read off the picture
+    found = start_of(example(name))
+    reactions = [f for f in cut(found, body) if f.kind == "reaction"]
+    directions = np.array([f.force for f in reactions])
+    assert directions @ directions.T == pytest.approx(np.eye(3), abs=1e-9)
 
 
 def test_a_body_shows_every_load_and_reaction_once() -> None:

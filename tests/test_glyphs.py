@@ -266,6 +266,14 @@ def test_a_belt_is_told_from_gears_by_what_it_says() -> None:
         assert len(strings) == n_belts, (kind, apart)
 
 
+def test_a_roller_is_drawn_in_its_own_size_and_touches_its_cam() -> None:
+    drawing = drawn(fb.System.load(Path(__file__).parents[1] / "examples" / "cam_with_roller.yaml"))
+    (roller,) = (stroke for stroke in drawing.strokes if stroke.style == "roller")
+    rim = drawing.points(roller, 0)
+    assert np.hypot(*(rim - np.array((0.0, 0.05))).T) == pytest.approx(0.01)  # its middle r + r_R above the axis
+    assert rim[:, 1].min() == pytest.approx(0.04)  # on the base circle
+
+
 A, B = Place(GROUND, 0.0, 0.0), Place(GROUND, 1.0, 0.0)
 UP, RIGHT = Heading(GROUND, 0.0, 1.0), Heading(GROUND, 1.0, 0.0)
 SIGNS = (
@@ -276,6 +284,7 @@ SIGNS = (
     glyphs.Rail(A, B, RIGHT),
     glyphs.Face(A, B, UP),
     glyphs.Groove(A, B, 1.0),
+    glyphs.Roller(B, 0.5),
     glyphs.Track(B, RIGHT, 0.5),
     glyphs.Rod(A, B),
     glyphs.Rope((glyphs.Node(A, 0.0), glyphs.Node(B, 0.0)), (glyphs.Lead(None),)),

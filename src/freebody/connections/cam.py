@@ -305,4 +305,4 @@ connections:
         places = (tuple(a + b for a, b in zip(center, at, strict=False)) for at in self._edge(names))
         yield glyphs.Relation(tuple(Point(cam.name, (*at, *center[2:])) for at in places))
         if self.form == "roller":
-            yield glyphs.Groove(point, point, self._roller(names))
+            yield glyphs.Roller(point, self._roller(names))

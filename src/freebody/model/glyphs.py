@@ -4,7 +4,7 @@ A connection declares its glyphs (`Connection.glyphs`), a load its own (`Load.gl
 rows that are held. They are written over points, directions and expressions of the model; a scene has the same ones
 over places and headings in numbers (`in_numbers`), in the plane and in space alike.
 
-    joints      Pin, Weld, Ball, Cross, Rail, Face, Groove
+    joints      Pin, Weld, Ball, Cross, Rail, Face, Groove, Roller
     rolling     Track, Wheels, Belt, Toothed
     tension     Rod, Rope
     contact     Surface, Touch, Halt, TurnHalt, Shoe
@@ -96,6 +96,14 @@ class Groove(Generic[P, N]):
 
     center: P
     point: P
+    radius: N
+
+
+@dataclass(frozen=True)
+class Roller(Generic[P, N]):
+    """A roller turns about a point of a body, which does not count as a body of its own."""
+
+    center: P
     radius: N
 
 
@@ -312,7 +320,7 @@ class Field(Generic[D]):
     along: D
 
 
-Joint = Pin[P, D] | Weld[P] | Ball[P] | Cross[P, D] | Rail[P, D] | Face[P, D] | Groove[P, N]
+Joint = Pin[P, D] | Weld[P] | Ball[P] | Cross[P, D] | Rail[P, D] | Face[P, D] | Groove[P, N] | Roller[P, N]
 Rolling = Track[P, D, N] | Wheels[P, N] | Belt[P, N] | Toothed[P]
 Touching = Surface[P, D, N] | Touch | Halt[P, D, N] | TurnHalt[D, N] | Shoe[P]
 Pushing = Spring[P] | Coil[P, D] | ForceArrow[P, D] | MomentArrow[P, D] | Field[D]

@@ -216,7 +216,8 @@ def _symbol(scene: Scene, poses: Array) -> float:
 
 def bounds(scene: Scene, poses: Array) -> tuple[Array, Array]:
     """(2,), (2,) [m] lower left and upper right corner of everything on the whole way."""
-    round_ones = [(f.center, f.radius or 0.0) for f in scene.figures] + [(g.center, g.radius) for g in scene.grooves]
+    round_ones = [(f.center, f.radius or 0.0) for f in scene.figures]
+    round_ones += [(s.center, s.radius) for s in (*scene.grooves, *scene.rollers)]
     reach = {(center, sign * radius) for center, radius in round_ones for sign in (-1.0, 1.0)}
     for figure in scene.figures:
         reach.update((place, 0.0) for place in figure.points.values())

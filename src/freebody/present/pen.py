@@ -62,6 +62,8 @@ class Pen:
                 yield from self._body(figure)
         for a, b in self.scene.rods:
             yield Stretch(a, b, np.array([(0.0, 0.0), (1.0, 0.0)]), "link")
+        for roller in self.scene.rollers:
+            yield Path(roller.center, roller.center.body, circle(roller.radius, 24), "roller", True)
         for spring in self.scene.springs:
             yield from self._spring(spring)
         for sign in self.scene.signs:
@@ -299,7 +301,7 @@ class Pen:
         squares = [second for _first, second in self.scene.welds]
         circles = [first for first, _second in self.scene.pins] + [place for rod in self.scene.rods for place in rod]
         circles += [rail.point for rail in self.scene.rails if rail.turning != "not"]
-        circles += [groove.point for groove in self.scene.grooves]
+        circles += [groove.point for groove in self.scene.grooves] + [roller.center for roller in self.scene.rollers]
         dots = {f.mass_center for f in self.scene.figures if f.is_particle}
         size = 0.4 * self.u
         for place in dict.fromkeys(squares):

@@ -23,6 +23,7 @@ from freebody.model.glyphs import (
     Pin,
     Rail,
     Rod,
+    Roller,
     Rope,
     Spring,
     Surface,
@@ -91,6 +92,10 @@ class Scene:
     @cached_property
     def grooves(self) -> tuple[figures.Groove, ...]:
         return tuple(s for s in self.signs if isinstance(s, Groove))
+
+    @cached_property
+    def rollers(self) -> tuple[figures.Roller, ...]:
+        return tuple(s for s in self.signs if isinstance(s, Roller))
 
     @cached_property
     def tracks(self) -> tuple[figures.Track, ...]:

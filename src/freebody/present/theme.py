@@ -37,6 +37,7 @@ STYLES: dict[str, Style] = {
     "support": Style("ink", 1.2, "paper"),
     "surface": Style("ink", 1.5),
     "hatch": Style("muted", 0.8),
+    "roller": Style("ink", 1.2, "paper"),
     "slot": Style("muted", 1.0, "", 1.0),
     "link": Style("ink", 2.2),
     "string": Style("ink", 1.5),

@@ -8,7 +8,7 @@ from itertools import pairwise
 import numpy as np
 
 from freebody.model.solids import NO_SOLID
-from freebody.present.figures import Array, Groove, Heading
+from freebody.present.figures import Array, Groove, Heading, Place, Roller
 from freebody.present.scene import Scene
 from freebody.present.space.cuts import DEEP, Cuts
 from freebody.present.space.figures import DrawnJoint, Poses
@@ -33,6 +33,8 @@ class Joints:
             yield from self._joint(joint)
         for groove in self.scene.grooves:
             yield from self._groove(groove)
+        for roller in self.scene.rollers:
+            yield from self._roller(roller)
 
     def _joint(self, joint: DrawnJoint) -> Iterator[Piece]:
         """The sign of a joint by what it holds."""
@@ -140,12 +142,21 @@ class Joints:
         yield from self.stands.stand(far, down)
 
     def _groove(self, groove: Groove) -> Iterator[Piece]:
-        """A ring along which a point runs, in the plane of x and y of its body."""
-        a = np.linspace(0.0, 2 * np.pi, 49)
-        way = groove.radius * np.stack((np.cos(a), np.sin(a), np.zeros_like(a)), axis=-1)
-        for part in tube(way, 0.3 * self.u):
-            yield Piece(part, groove.center, groove.center.body, "rail")
+        """A ring along which a point runs."""
+        yield from self._ring(groove.center, groove.radius)
         yield ball(groove.point, BALL * self.u, "joint")
+
+    def _roller(self, roller: Roller) -> Iterator[Piece]:
+        """Its rim, and the pin on which it turns."""
+        yield from self._ring(roller.center, roller.radius)
+        yield ball(roller.center, BALL * self.u, "joint")
+
+    def _ring(self, center: Place, radius: float) -> Iterator[Piece]:
+        """In the plane of x and y of its body."""
+        a = np.linspace(0.0, 2 * np.pi, 49)
+        way = radius * np.stack((np.cos(a), np.sin(a), np.zeros_like(a)), axis=-1)
+        for part in tube(way, 0.3 * self.u):
+            yield Piece(part, center, center.body, "rail")
 
     def _rail(self, joint: DrawnJoint, axis: Heading) -> Iterator[Piece]:
         """A bar along which the second body moves: square where it does not turn, with a thread on a screw."""

@@ -130,7 +130,8 @@ class FreeBody:
     def rows(self) -> tuple[ConstraintRow, ...]:
         """What is held, and of what may touch or rub what is closed."""
         bounds = [bound.row for bound in self.system.bounds if bound.name in self.closed]
-        dry_friction = [rub.row for rub in self.system.dry_friction if not rub.of or rub.of in self.closed]
+        rubs = [rub for rub in self.system.dry_friction if not rub.of or rub.of in self.closed]
+        dry_friction = [row for rub in rubs for row in rub.rows]
         held = (row for row in self.system.constraint_rows if row.transmits and row.name not in self.idle)
         return (*held, *bounds, *dry_friction)
 
