@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from typing import Generic, Literal, TypeVar
 
-from freebody.language.expression import Expr, Symbol, replace_rates, substitute
+from freebody.language.expression import Expr, Symbol, free_symbols, replace_rates, substitute
 from freebody.language.sentences import Message
 from freebody.language.units import Dimension
 from freebody.measures.base import Measure
@@ -244,6 +244,11 @@ class ConstraintRow:
     def in_symbols(self) -> Expr | None:
         """The target as formulas have it."""
         return self.target if self.general is None else self.general
+
+    @property
+    def is_driven(self) -> bool:
+        """Whether what is held is led through time."""
+        return self.target is not None and "t" in free_symbols(self.target)
 
     @property
     def transmits(self) -> bool:

@@ -30,7 +30,6 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from freebody.errors import CannotAnswer, FormulaTooLong
-from freebody.language.expression import Expr, free_symbols
 from freebody.language.sentences import Message
 from freebody.model.elements import AppliedLoad, NonholonomicForm
 from freebody.questions.energy import Energy
@@ -358,11 +357,4 @@ class JacobiParts:
 
 def is_driven(model: SymbolicModel) -> bool:
     """True where something is held at a function of time."""
-    return any(
-        row.general is not None or (row.target is not None and _moves(row.target))
-        for row in model.system.constraint_rows
-    )
-
-
-def _moves(target: Expr) -> bool:
-    return "t" in free_symbols(target)
+    return any(row.general is not None or row.is_driven for row in model.system.constraint_rows)

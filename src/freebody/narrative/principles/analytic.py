@@ -21,7 +21,6 @@ from freebody.present.report.blocks import Derivative, Difference
 from freebody.questions.energy import Energy
 from freebody.questions.loads import Power
 from freebody.questions.motion import rates_of
-from freebody.study.mobility.gruebler import is_driven
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.tidy import tidy
@@ -138,7 +137,7 @@ def _check(model: SymbolicModel, asked: Sequence[int], what: str) -> None:
         raise CannotAnswer(
             Message("a constraint on velocities is at work; {what} are written for holonomic systems here", what=what)
         )
-    if what.startswith("the rate") and any(is_driven(row) for row in rows):
+    if what.startswith("the rate") and any(row.is_driven for row in rows):
         raise CannotAnswer(Message("a driver does work that is not known beforehand; take newton or lagrange"))
 
 

@@ -16,10 +16,9 @@ from typing import Literal
 import numpy as np
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import free_symbols
 from freebody.language.sentences import Message, listed
 from freebody.model.elements import ConstraintRow
-from freebody.numeric.jets import TIME, Array
+from freebody.numeric.jets import Array
 from freebody.numeric.mobility.generic import Framework
 from freebody.numeric.mobility.momentary import Neighbourhood
 from freebody.numeric.mobility.rank import Rank, n_independent, scaled_rows
@@ -67,7 +66,7 @@ class _Study:
         self.by_name = {row.name: row for row in reference.system.constraint_rows}
         # drivers take part in circuits, but do not stop the mechanism from being seen in other poses
         kept = set(rank.rows)
-        mechanism = [row for row in reference.system.constraint_rows if row.name in kept and not _is_driven(row)]
+        mechanism = [row for row in reference.system.constraint_rows if row.name in kept and not row.is_driven]
         self.around = Neighbourhood(reference, mechanism, q, t)
 
     @cached_property
@@ -156,7 +155,3 @@ class _Study:
     def _count(self, names: Sequence[str], q: Array) -> int:
         """The rank of rows at a pose, by singular values."""
         return n_independent(scaled_rows(self.reference, q, [self.by_name[name] for name in names], self.t))
-
-
-def _is_driven(row: ConstraintRow) -> bool:
-    return row.target is not None and TIME in free_symbols(row.target)

@@ -8,12 +8,11 @@ from collections.abc import Sequence
 import numpy as np
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import free_symbols
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, RIGHT, UP, Point
-from freebody.numeric.jets import TIME, Array
+from freebody.numeric.jets import Array
 from freebody.numeric.linearised import frequencies
 from freebody.numeric.small_motion import LinearisationPoint, SmallMotion
 from freebody.questions.small_motion import SmallOscillations
@@ -139,8 +138,7 @@ def resting(draw: Draw, places: Sequence[tuple[Measure, float]], t: float = 0.0)
 
 def is_driven(setup: Setup, v: Array) -> bool:
     """Whether something is led along in time, be it only from rest; v: the velocities of what is driven."""
-    targets = (row.target for row in setup.system.constraint_rows)
-    return bool(v.any()) or any(TIME in free_symbols(target) for target in targets if target is not None)
+    return bool(v.any()) or any(row.is_driven for row in setup.system.constraint_rows)
 
 
 def instants(setup: Setup, draw: Draw) -> tuple[float, ...]:

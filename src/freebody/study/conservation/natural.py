@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import Any
 
-from freebody.language.expression import ZERO, Expr, free_symbols
+from freebody.language.expression import ZERO, Expr
 from freebody.language.units import DIMENSIONLESS, ENERGY, TIME
 from freebody.measures.geometry import GROUND, Direction, Point
 from freebody.model.elements import AppliedLoad
@@ -27,9 +27,7 @@ def candidates(setup: Setup) -> Iterator[tuple[Quantity, str]]:
     system, of what is not joined to the rest, and of single bodies; generalized momenta."""
     system, model = setup.system, setup.model
     yield Energy("total"), "total energy"
-    if not model.loops and any(
-        row.target is not None and "t" in free_symbols(row.target) for row in system.constraint_rows
-    ):
+    if not model.loops and any(row.is_driven for row in system.constraint_rows):
         yield JacobiIntegral(), "Jacobi integral"
     groups = list(_groups(system, with_single=not model.loops))
     yield from _momenta(system, *groups[0])

@@ -15,7 +15,6 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import free_symbols
 from freebody.language.sentences import Message, listed
 from freebody.measures.displacement import Displacement
 from freebody.model.elements import ConstraintRow, DryFriction, UnilateralConstraint
@@ -23,7 +22,7 @@ from freebody.numeric.contact.overlaps import is_of_edges, is_within, overlaps, 
 from freebody.numeric.contact.start import far_sides
 from freebody.numeric.instant import dynamics
 from freebody.numeric.jet_geometry import JetGeometry
-from freebody.numeric.jets import TIME, Array
+from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference
 from freebody.numeric.rest_problem import velocities_along
 from freebody.study.answering.draws import SEED, draw_parameters
@@ -53,8 +52,7 @@ class TouchingAtRest:
     @property
     def is_driven(self) -> bool:
         """Whether something is led along in time."""
-        targets = (row.target for row in self.held.constraint_rows)
-        return any(TIME in free_symbols(target) for target in targets if target is not None)
+        return any(row.is_driven for row in self.held.constraint_rows)
 
     @property
     def stuck(self) -> System:

@@ -21,7 +21,6 @@ from freebody.study.answering.formula import Formula
 from freebody.study.mobility.dead_points import place
 from freebody.study.mobility.four_links import FourLinks
 from freebody.study.mobility.grashof import FourBarNumbers, dimensions
-from freebody.study.mobility.gruebler import is_driven
 from freebody.study.mobility.linkages import FourBar
 from freebody.study.mobility.loop_questions import answered, four_links, is_so, loop_draws, n_loops, refuse_pose
 from freebody.study.setup import Setup
@@ -99,7 +98,7 @@ def _by_solution(setup: Setup, question: Question) -> Finding:
 
 def _closes(setup: Setup, values: Mapping[str, float]) -> float:
     """1 where the loop can be assembled in some pose, else 0."""
-    rows = tuple(row for row in setup.system.constraint_rows if not is_driven(row))
+    rows = tuple(row for row in setup.system.constraint_rows if not row.is_driven)
     loose = replace(setup.system, constraint_rows=rows, start={}, start_rates={})
     try:
         Reference(loose, dict(values)).assemble(guess=setup.draws[0].q)

@@ -12,7 +12,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from freebody.language.expression import free_symbols
 from freebody.model.elements import ConstraintRow, NonholonomicForm
 from freebody.system.system import System
 
@@ -125,11 +124,6 @@ def _held(system: System, name: str, rows: list[ConstraintRow]) -> ConstraintCou
         system.connections[name].kind,
         between,
         tuple(row.component for row in rows),
-        any(is_driven(row) for row in rows),
+        any(row.is_driven for row in rows),
         any(isinstance(row.measure, NonholonomicForm) for row in rows),
     )
-
-
-def is_driven(row: ConstraintRow) -> bool:
-    """Whether a held measure is led through time."""
-    return row.target is not None and "t" in free_symbols(row.target)

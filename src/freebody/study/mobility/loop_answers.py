@@ -46,7 +46,6 @@ from freebody.study.mobility.dead_points import (
 )
 from freebody.study.mobility.four_links import FourLinks
 from freebody.study.mobility.grashof import fold, transmission_angle
-from freebody.study.mobility.gruebler import is_driven
 from freebody.study.mobility.linkages import FourBar
 from freebody.study.mobility.loop_questions import (
     ASIDE,
@@ -222,7 +221,7 @@ def transmission_in_numbers(links: FourLinks, question: Question | None, draw: D
     """Of a pose, or of that which the question tells [rad]."""
     event, reference = None if question is None else question.event, draw.reference
     if isinstance(event, QuestionEvent):
-        rows = tuple(row for row in links.setup.system.constraint_rows if not is_driven(row))
+        rows = tuple(row for row in links.setup.system.constraint_rows if not row.is_driven)
         loose = replace(links.setup.system, constraint_rows=rows, start={}, start_rates={})
         reference = Reference(loose, draw.values)
         q = reference.assemble(guess=draw.q)

@@ -20,7 +20,6 @@ from freebody.study.answering.draws import SEED, Draw, draws
 from freebody.study.answering.finding import Finding
 from freebody.study.answering.formula import Formula
 from freebody.study.mobility.four_links import FourLinks
-from freebody.study.mobility.gruebler import is_driven
 from freebody.study.mobility.linkages import Linkage, linkages
 from freebody.study.setup import N_DRAWS, Setup
 from freebody.system.system import System
@@ -46,7 +45,7 @@ def answered(q: Quantity, setup: Setup, question: Question) -> Finding:
 
 def n_loops(system: System) -> int:
     """How many independent closed loops the connections make."""
-    holding = {row.connection for row in system.constraint_rows if not is_driven(row)}
+    holding = {row.connection for row in system.constraint_rows if not row.is_driven}
     return len(holding) - len(system.moving)
 
 
@@ -83,7 +82,7 @@ def path_round(
     system: System, values: dict[str, float], q: Array, along: Measure, outputs: dict[str, Measure] | None = None
 ) -> tuple[Reference, MotionPath]:
     """The motion without drivers."""
-    rows = tuple(row for row in system.constraint_rows if not is_driven(row))
+    rows = tuple(row for row in system.constraint_rows if not row.is_driven)
     loose = replace(system, constraint_rows=rows, start={}, start_rates={})
     reference = Reference(loose, values)
     q = reference.assemble(guess=q)

@@ -27,7 +27,7 @@ from freebody.numeric.reference import Reference
 from freebody.study.mobility.centres import CentreOfPair, VelocityRatio, instant_centres, velocity_ratios
 from freebody.study.mobility.exact_centres import ExactPose
 from freebody.study.mobility.grashof import FourBarNumbers, SliderCrankNumbers, dimensions
-from freebody.study.mobility.gruebler import Gruebler, is_driven
+from freebody.study.mobility.gruebler import Gruebler
 from freebody.study.mobility.linkages import Linkage, linkages
 from freebody.system.system import System
 
@@ -239,7 +239,7 @@ def _input_along(system: System, reference: Reference, q: Array, along: str, dri
     """A driver, or a named measure; with it all drivers are left out that would hold the motion."""
     known: dict[str, Measure] = {}
     for row in system.constraint_rows:
-        if is_driven(row) and not isinstance(row.measure, NonholonomicForm):
+        if row.is_driven and not isinstance(row.measure, NonholonomicForm):
             known[row.connection] = row.measure
     if along in known:
         return _input(reference, q, along, known[along], (along,))
@@ -272,7 +272,7 @@ def _own_input(
 ) -> Input | None:
     """The only driver, else the first independent coordinate."""
     if len(drivers) == 1 and not any(
-        isinstance(r.measure, NonholonomicForm) for r in system.constraint_rows if is_driven(r)
+        isinstance(r.measure, NonholonomicForm) for r in system.constraint_rows if r.is_driven
     ):
         return _input_along(system, reference, q, drivers[0], drivers)
     if drivers or not independent:
@@ -305,7 +305,7 @@ def has_loops(system: System) -> bool:
         return body
 
     for name in system.connections:
-        rows = [row for row in system.constraint_rows if row.connection == name and not is_driven(row)]
+        rows = [row for row in system.constraint_rows if row.connection == name and not row.is_driven]
         bodies = list(dict.fromkeys(b for row in rows for b in row.measure.bodies()))
         moving = [b for b in bodies if not system.bodies[b].fixed]
         ends = moving if len(moving) > 1 else [*moving, "ground"]

@@ -10,7 +10,7 @@ from functools import reduce, singledispatch
 from typing import Any
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import ONE, free_symbols
+from freebody.language.expression import ONE
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.measures.geometry import Direction
@@ -108,9 +108,7 @@ def only_friction_takes_energy(system: System) -> bool:
     """Whether what friction turns into heat is what the mechanical energy loses: nothing is driven, and all other loads
     store what they take."""
     stores = all(is_conservative(system, p) for p in plain(system).applied_loads)
-    return stores and not any(
-        row.target is not None and "t" in free_symbols(row.target) for row in system.constraint_rows
-    )
+    return stores and not any(row.is_driven for row in system.constraint_rows)
 
 
 def taking_energy(system: System) -> set[str]:

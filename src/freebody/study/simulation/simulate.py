@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from freebody.errors import InputError
-from freebody.language.expression import free_symbols
 from freebody.language.sentences import Message
 from freebody.numeric.contact.record import PhaseRecord
 from freebody.numeric.engine.course import Trajectory
@@ -188,7 +187,7 @@ def _simulated(
     past = frozenset[str]()
     if before is not None and before.course.contact is not None:
         past = before.course.contact.past
-    if simulator.degrees_of_freedom == 0 and not _is_driven(system):
+    if simulator.degrees_of_freedom == 0 and not any(row.is_driven for row in system.constraint_rows):
         message = "no motion: 0 degrees of freedom; the reactions at rest are given"
         course = simulator.run(1e-9, SimulationOptions(tolerance=options.tolerance), outputs=np.array([0.0]))
         course = replace(_first_instant(course), message=message)
@@ -244,10 +243,6 @@ def _stepped(
         value=simulator.value_at_start,
     )
     return Simulation(simulator.system, simulator, found.course, options, steps=found)
-
-
-def _is_driven(system: System) -> bool:
-    return any(row.target is not None and "t" in free_symbols(row.target) for row in system.constraint_rows)
 
 
 def _last_state(result: Simulation) -> Array:

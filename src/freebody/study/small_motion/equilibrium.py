@@ -225,7 +225,7 @@ class _EquilibriumSearch:
         if self.dof == 0:
             yield Message("nothing can move (0 degrees of freedom): this is the one pose, with its reactions")
         for row in self.system.constraint_rows:
-            if row.target is not None and TIME in free_symbols(row.target):
+            if row.is_driven:
                 yield Message("{connection} is held at its value at t = 0", connection=row.connection)
         for push in self.system.applied_loads:
             if TIME in free_symbols(push.law):

@@ -68,7 +68,7 @@ def parted(
                 "slack at first is given its length by a stop",
                 connection=row.connection,
             )
-        elif row.target is not None and "t" in free_symbols(row.target):
+        elif row.is_driven:
             told = Message("{connection} is driven in time, and cannot close in mid-motion", connection=row.connection)
         elif names.space:
             told = Message("connections close in mid-motion in models of the plane only; in space write at start")
