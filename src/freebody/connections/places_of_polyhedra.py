@@ -138,6 +138,7 @@ class _EdgePair:
                 (*feet, *arcs),
                 f"{self.a.label(1)} on {self.b.label(1)}",
                 (self.one.body.name, self.other.body.name),
+                is_crossing=True,
             )
 
     def _arc(self, along: Direction, normals: tuple[Outward, Outward], sign: int) -> Iterator[Span]:
