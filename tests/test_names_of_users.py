@@ -96,3 +96,17 @@ loads: {{weight: {{gravity: 9.81 m/s^2}}}}
 measures: {{y: height of b}}
 """)
     assert float(system.simulate(0.5).dataset["y"][-1]) == pytest.approx(0.1, rel=1e-9)
+
+
+def test_no_name_of_two_boxes_that_touch_can_be_that_of_a_parameter() -> None:
+    system = fb.System.from_text("""
+space: true
+bodies:
+  slab: {box: {mass: 1 kg, size: [1 m, 0.2 m, 1 m]}, fixed: true}
+  crate: {box: {mass: 2 kg, size: [0.3 m, 0.2 m, 0.3 m]}, at: [0, 0.2 m, 0]}
+connections: {c: {contact: {between: [crate, slab], friction: 0.3}}}
+""")
+    rows = [*(b.row for b in system.bounds), *(r for rub in system.dry_friction for r in rub.rows)]
+    used = {name for row in rows for c in composed(row) for name, _measure in c.measures}
+    assert {"@ap", "@dq"} <= used
+    assert {n for n in used if not n.startswith("@")} <= ALONE

@@ -85,6 +85,7 @@ class PairInSpace:
                     family,
                     place.obstacle,
                     place.pitfall,
+                    place.is_crossing,
                 )
             )
             rubs += self._rubs(place, component, row)

@@ -32,3 +32,4 @@ class ContactPlace:
     obstacle: str = ""
     bodies: tuple[str, ...] = ()  # where label and facing are parts of them
     pitfall: Message | None = None  # how the bodies lie where the measure has no value
+    is_crossing: bool = False  # of two edges

@@ -50,7 +50,7 @@ if TYPE_CHECKING:
 
 PARALLEL = number(Fraction(1, 10**4))  # w, the sine of their angle, below which edges are parallel
 LEAST = number(Fraction(1, 10**10))  # of w^2, so that nothing is divided by zero
-AP, AQ, DP, DQ, DB, AB = (Symbol(name) for name in ("ap", "aq", "dp", "dq", "db", "ab"))
+AP, AQ, DP, DQ, DB, AB = (Symbol(name) for name in ("@ap", "@aq", "@dp", "@dq", "@db", "@ab"))
 W2 = AP * AP + AQ * AQ
 BOUNDED = (W2 + LEAST + Call("abs", W2 - LEAST)) / 2  # the greater one
 W = Call("sqrt", BOUNDED)
@@ -109,9 +109,9 @@ class _EdgePair:
         self.a, self.b, self.one, self.other = a, b, one, other
         p, q = (Direction(other.body.name, v) for v in perpendiculars(b.along.components))
         self.across = p, q
-        alignments = ("ap", p), ("aq", q), ("ab", b.along)
+        alignments = ("@ap", p), ("@aq", q), ("@ab", b.along)
         self.turns: dict[str, Measure] = {name: Alignment(a.along, along) for name, along in alignments}
-        moves = ("dp", p), ("dq", q), ("db", b.along)
+        moves = ("@dp", p), ("@dq", q), ("@db", b.along)
         self.moves: dict[str, Measure] = {name: Displacement(a.start, b.start, along) for name, along in moves}
 
     def places(self) -> Iterator[ContactPlace]:
@@ -138,6 +138,7 @@ class _EdgePair:
                 (*feet, *arcs),
                 f"{self.a.label(1)} on {self.b.label(1)}",
                 (self.one.body.name, self.other.body.name),
+                is_crossing=True,
             )
 
     def _arc(self, along: Direction, normals: tuple[Outward, Outward], sign: int) -> Iterator[Span]:
@@ -153,10 +154,10 @@ class _EdgePair:
     def _slip(self) -> tuple[NonholonomicForm, NonholonomicForm]:
         """With sigma as it is now: along b d_b' + sigma c', across it (a_p d_p' + a_q d_q')/w + sigma w'."""
         sigma = self._composed(FOOT_ON_A, LENGTH)
-        along = (constant(ONE), self.moves["db"]), (sigma, self.turns["ab"])
+        along = (constant(ONE), self.moves["@db"]), (sigma, self.turns["@ab"])
         shares = [self._composed(share, DIMENSIONLESS) for share in ACROSS]
         across = (
-            *zip(shares, (self.moves["dp"], self.moves["dq"]), strict=True),
+            *zip(shares, (self.moves["@dp"], self.moves["@dq"]), strict=True),
             (sigma, self._composed(W, DIMENSIONLESS)),
         )
         return NonholonomicForm(along, LENGTH), NonholonomicForm(across, LENGTH)

@@ -289,10 +289,16 @@ class UnilateralConstraint:
     family: str = ""  # places at which the same two outlines touch
     obstacle: str = ""  # sites of the same family and obstacle face one corner or circle with all edges of an outline
     pitfall: Message | None = None  # how the bodies lie where the measure has no value
+    is_crossing: bool = False  # of two edges in space, which it parts along their common normal
 
     @property
     def name(self) -> str:
         return self.row.name
+
+    @property
+    def is_stop(self) -> bool:
+        """Whether it limits what a measure may be, and nothing touches."""
+        return self.row.reaction.startswith("stop ")
 
 
 @dataclass(frozen=True)

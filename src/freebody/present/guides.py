@@ -42,12 +42,9 @@ class Guides:
                 case _:
                     pass
 
-    def _figure(self, body: int) -> Figure | None:
-        return next((f for f in self.scene.figures if f.index == body != GROUND), None)
-
     def _rail(self, rail: Rail) -> Iterator[Stroke]:
         """A hatched rail on the ground, a line on a body; a slot for a pin that turns in it."""
-        figure = self._figure(rail.point.body)
+        figure = self.scene.figure_of(rail.point.body)
         is_slot = rail.turning != "not"
         back, ahead = self._lengths(figure, rail.point, rail.along)
         is_short = back + ahead < _SHORT * self.u
@@ -65,15 +62,15 @@ class Guides:
     def _track(self, track: Track) -> Iterator[Stroke]:
         """The line on which a circle rolls, unless it is a surface for others too."""
         side = math.copysign(1.0, track.radius)
-        runs = [self._rolled(other) for other in self.scene.tracks if self._share_line(track, other)]
+        sharing = [other for other in self.scene.tracks if self._share_line(track, other)]
+        runs = [self._rolled(other) for other in sharing]
         low, high, level = min(run[0] for run in runs), max(run[1] for run in runs), runs[0][2]
-        is_first = next(other for other in self.scene.tracks if self._share_line(track, other)) is track
-        if is_first and not self._is_drawn(track.along, level):
+        if sharing[0] is track and not self._is_drawn(track.along, level):
             yield from self._edge(track.along, level, low, high, -side)
 
     def _rolled(self, track: Track) -> tuple[float, float, float]:
         """From where to where one circle needs its line, and how far on the left of the origin that is [m]."""
-        lengths = self._lengths(self._figure(track.center.body), track.center, track.along)
+        lengths = self._lengths(self.scene.figure_of(track.center.body), track.center, track.along)
         reach = max(_ROLLED_ON * abs(track.radius), *lengths, 2 * self.u) + self.u
         low, high, level = self._run(track.center, track.along, (reach, reach))
         return low, high, level - track.radius
@@ -82,7 +79,7 @@ class Guides:
         """Whether two circles roll on the same side of one line, which is drawn once."""
         if a.along.body != b.along.body or a.radius * b.radius <= 0:
             return False
-        levels = [self._run(t.center, t.along, (0.0, 0.0))[2] - t.radius for t in (a, b)]
+        levels = [self._rolled(track)[2] for track in (a, b)]
         is_same_way = float(np.hypot(a.along.x - b.along.x, a.along.y - b.along.y)) < 1e-9
         return is_same_way and abs(levels[0] - levels[1]) < 1e-6
 

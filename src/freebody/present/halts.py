@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from freebody.model import glyphs
-from freebody.present.figures import GROUND, Array, Figure, Halt, Pair, Place, TurnHalt, turned
+from freebody.present.figures import Array, Figure, Halt, Pair, Place, TurnHalt, turned
 from freebody.present.layout import Layout, placed_in
 from freebody.present.scene import Scene
 from freebody.present.strokes import Path
@@ -30,13 +30,10 @@ class Halts:
         for halt in self.scene.halts:
             yield from self._straight(halt) if isinstance(halt, glyphs.Halt) else self._turning(halt)
 
-    def _figure(self, body: int) -> Figure | None:
-        return next((f for f in self.scene.figures if f.index == body != GROUND), None)
-
     # -- of a point on its way ----------------------------------------------------------------
     def _straight(self, halt: Halt) -> Iterator[Path]:
         """A wall across the direction, as far from the point's last place as its body reaches."""
-        figure = self._figure(halt.point.body)
+        figure = self.scene.figure_of(halt.point.body)
         body, e, n = halt.along.body, np.array(halt.along.xy), np.array(halt.along.normal().xy)
         origin = np.array(halt.origin.xy)
         away = placed_in(self.poses, body, halt.point) - origin
@@ -73,7 +70,7 @@ class Halts:
     # -- of a turning rod ---------------------------------------------------------------------
     def _turning(self, halt: TurnHalt) -> Iterator[Path]:
         """A wall beside the rod where it may turn no farther, if the rod turns about a pin on the base."""
-        figure, pivot = self._figure(halt.of.body), self._pivot(halt)
+        figure, pivot = self.scene.figure_of(halt.of.body), self._pivot(halt)
         if figure is None or pivot is None or figure.radius is not None or len(figure.outline) != 2:
             return
         inner, outer = pivot

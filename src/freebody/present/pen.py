@@ -96,9 +96,6 @@ class Pen:
         return not figure.is_hollow, -size
 
     # -- ground -------------------------------------------------------------------------------
-    def _figure(self, body: int) -> Figure | None:
-        return next((f for f in self.scene.figures if f.index == body != GROUND), None)
-
     def _supports(self) -> Iterator[Stroke]:
         """What holds points of the ground: a triangle for pins and links, a hatched line for springs and strings."""
         stands: dict[Place, list[Place]] = {}
@@ -127,11 +124,11 @@ class Pen:
 
     def _support_size(self, others: Sequence[Place]) -> float:
         """A support is not larger than the wheel on it."""
-        figures = [self._figure(p.body) for p in others]
+        figures = [self.scene.figure_of(p.body) for p in others]
         return min([self.u, *(0.5 * f.radius for f in figures if f and f.radius)])
 
     def _center(self, place: Place) -> Place:
-        figure = self._figure(place.body)
+        figure = self.scene.figure_of(place.body)
         return figure.mass_center if figure else place
 
     def _bearing(self, a: Place, b: Place) -> float:
@@ -322,7 +319,7 @@ class Pen:
         """A block on the rim of a round body, or about the middle of another one; hatched where it stands still."""
         place, other, rim = first, second, None
         for a, b in ((first, second), (second, first)):
-            figure = self._figure(a.body)
+            figure = self.scene.figure_of(a.body)
             if rim is None and figure is not None and figure.radius is not None:
                 place, other, rim = a, b, figure.radius
         level = (rim or 0.0) + 0.45 * self.u

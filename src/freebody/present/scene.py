@@ -71,6 +71,10 @@ class Scene:
     def is_fixed(self, index: int) -> bool:
         return index >= len(self.names) or index == GROUND
 
+    def figure_of(self, body: int) -> Figure | None:
+        """The body of an index that moves; None for the ground."""
+        return next((figure for figure in self.figures if figure.index == body != GROUND), None)
+
     # -- glyphs by their kind -----------------------------------------------------------------
     @cached_property
     def signs(self) -> tuple[Drawn, ...]:

@@ -152,7 +152,7 @@ class Bounded:
     ) -> UnilateralRow:
         # what it is, and what events call its two sides
         number, row = self.numbers.number, bound.row
-        kind = "string" if row.reaction == "tension" else "stop" if row.reaction.startswith("stop") else "contact"
+        kind = "string" if row.reaction == "tension" else "stop" if bound.is_stop else "contact"
         ends = (
             (row.ends[0], row.ends[1]) if kind == "contact" and len(row.ends) > 1 else (row.connection, row.component)
         )

@@ -14,7 +14,6 @@ from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, LENGTH, Dimension
 from freebody.measures.base import Measure
-from freebody.measures.displacement import Displacement
 from freebody.model.elements import NonholonomicForm, UnilateralConstraint
 from freebody.numeric.jet_geometry import JetGeometry
 from freebody.numeric.reference import Reference
@@ -87,10 +86,9 @@ def parting(
         if not system.space and any(len(system.bodies[name].corners) < 2 for name in ends[2:4]):
             continue
         # of a face all corners; of two edges themselves, where they are the outermost ones along their normal
-        by_face = not is_of_edges(bound)
-        if by_face or _spans_hold(reference, g, bound, only=DIMENSIONLESS, known=known):
+        if not bound.is_crossing or _spans_hold(reference, g, bound, only=DIMENSIONLESS, known=known):
             of = apart.setdefault(bound.family, {})
-            of.setdefault(ends[1] if by_face else bound.name, []).append((gap_of(reference, g, bound), bound))
+            of.setdefault(bound.name if bound.is_crossing else ends[1], []).append((gap_of(reference, g, bound), bound))
     found: dict[str, tuple[float, list[list[UnilateralConstraint]]]] = {}
     near = PENETRATION * reference.sizes.length
     for family, axes in apart.items():
@@ -109,8 +107,3 @@ def overlaps(
         if widest < -PENETRATION * reference.sizes.length:
             row = places[0][0].row
             yield row.ends[2], row.ends[3], -widest, row.connection
-
-
-def is_of_edges(bound: UnilateralConstraint) -> bool:
-    """Whether it is a place at which edges in space cross."""
-    return bool(bound.obstacle) and not isinstance(bound.row.measure, Displacement)

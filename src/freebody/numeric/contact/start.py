@@ -16,7 +16,7 @@ from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
 from freebody.measures.geometry import ONE
 from freebody.model.elements import NonholonomicForm, UnilateralConstraint
-from freebody.numeric.contact.overlaps import PENETRATION, gap_of, is_of_edges, is_within, overlaps, parting
+from freebody.numeric.contact.overlaps import PENETRATION, gap_of, is_within, overlaps, parting
 from freebody.numeric.instant import forces
 from freebody.numeric.jet_geometry import JetGeometry
 from freebody.numeric.jets import Array
@@ -136,7 +136,7 @@ def _next(
             if rest and any(b.name in closed for b in foot):
                 return rest[:1]
             continue
-        if any(is_of_edges(b) for b in bounds if b.family == family):
+        if any(b.is_crossing for b in bounds if b.family == family):
             if not any(b.family == family for b in closed.values()):
                 return _nearest_of_polyhedra(reference, g, [b for b in bounds if b.family == family])
             continue
@@ -285,7 +285,7 @@ def _refuse_penetration(reference: Reference, q: Array, bounds: tuple[Unilateral
         if bound.obstacle:
             faced.setdefault(f"{bound.family} {bound.obstacle}", []).append((gap, bound))
         elif gap < -PENETRATION * reference.sizes.length and is_within(reference, g, bound):
-            (stopped if _is_stop(bound) else found).append(_said(reference, bound, -gap))
+            (stopped if bound.is_stop else found).append(_said(reference, bound, -gap))
     for places in faced.values():
         gap, bound = max(places, key=lambda place: place[0])
         if gap < -PENETRATION * reference.sizes.length and is_within(reference, g, bound):
@@ -307,16 +307,12 @@ def _refuse_penetration(reference: Reference, q: Array, bounds: tuple[Unilateral
         )
 
 
-def _is_stop(bound: UnilateralConstraint) -> bool:
-    return bound.row.reaction.startswith("stop")
-
-
 def _said(reference: Reference, bound: UnilateralConstraint, depth: float) -> str:
     row = bound.row
     size = f"{depth:.6g} m" if row.measure.dimension == LENGTH else f"{depth:.6g}"
     if row.measure.dimension == DIMENSIONLESS:
         size = f"{math.degrees(depth):.6g}°"
-    if _is_stop(bound):
+    if bound.is_stop:
         names = (name for name, measure in reference.system.all_measures.items() if measure == row.measure)
         return Message(
             "{measure} is beyond its {limit} by {size} ({stop})",

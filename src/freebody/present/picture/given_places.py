@@ -9,8 +9,9 @@ from itertools import combinations
 import numpy as np
 
 from freebody.language.expression import ZERO, add, negate
-from freebody.measures.geometry import GROUND, Components
-from freebody.present.figures import Array, Figure, places_in
+from freebody.measures.geometry import GROUND as GROUND_NAME
+from freebody.measures.geometry import Components
+from freebody.present.figures import GROUND, Array, Figure, places_in
 from freebody.present.picture.dimensioned import INK, LEAST
 from freebody.present.picture.dimensions import Dimensions
 from freebody.present.picture.shapes import Shape
@@ -57,7 +58,7 @@ class GivenPlaces:
     def _on(self, figure: Figure) -> Iterator[_Spot]:
         """The points of a body, those that it has by its shape among them."""
         body = self.system.bodies[figure.name]
-        turn = 0.0 if figure.index < 0 else float(self.drawing.poses[0, figure.index, 2])
+        turn = 0.0 if figure.index == GROUND else float(self.drawing.poses[0, figure.index, 2])
         axes = np.array(((np.cos(turn), np.sin(turn)), (-np.sin(turn), np.cos(turn))))
         for name, place in figure.points.items():
             if name != "mass_center" and name in body.points:
@@ -66,8 +67,8 @@ class GivenPlaces:
     def _on_the_ground(self) -> Iterator[_Spot]:
         """Points of the ground, and where the file puts bodies. The origin is one of them where something is drawn
         there or a line of the ground goes through it."""
-        scene, ground = self.drawing.scene, self.system.bodies[GROUND]
-        drawn = {place.xy for sign in scene.signs for place in places_in(sign) if place.body == -1}
+        scene, ground = self.drawing.scene, self.system.bodies[GROUND_NAME]
+        drawn = {place.xy for sign in scene.signs for place in places_in(sign) if place.body == GROUND}
         for name, place in ground.points.items():
             at = self.dimensions.places.place(ground.point(name))
             lines = [line for line in ground.lines.values() if all(c == ZERO for c in line.through.offset)]

@@ -12,7 +12,6 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
-from fractions import Fraction
 from itertools import islice
 from typing import Any, TypeVar
 
@@ -57,11 +56,6 @@ _NEAR = 1e-6  # of the size of its parts: a quantity that is smaller is zero at 
 TIME = 0.37  # [s] at which drivers are looked at
 _ENOUGH = 2 * MIN_DRAWS  # numbers at which a value is one: some of them may say nothing more
 _WIDE, _BATCHES = 2.5, 6  # draws beyond the usual ones: their spread, and how many lots of them
-_ARCS = {  # the ranges of their values, in half turns
-    "asin": (Fraction(-1, 2), Fraction(1, 2)),
-    "acos": (Fraction(0), Fraction(1)),
-    "atan": (Fraction(-1, 2), Fraction(1, 2)),
-}
 # of the file's number: values with which a motion may get there
 _OTHERS = (1.25, 0.8, 2.0, 0.5, 3.0, 1 / 3, 10.0, 0.1, 30.0, 1 / 30)
 _ANGLES = (0.2, 0.5, 0.8, 1.1, 1.4)  # [rad] the same for acute angles

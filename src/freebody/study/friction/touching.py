@@ -18,7 +18,7 @@ from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message, listed
 from freebody.measures.displacement import Displacement
 from freebody.model.elements import ConstraintRow, DryFriction, UnilateralConstraint
-from freebody.numeric.contact.overlaps import is_of_edges, is_within, overlaps, parting
+from freebody.numeric.contact.overlaps import is_within, overlaps, parting
 from freebody.numeric.contact.start import far_sides
 from freebody.numeric.instant import dynamics
 from freebody.numeric.jet_geometry import JetGeometry
@@ -171,7 +171,7 @@ def _first(
     """The sites that close first of a pair none of which is closed yet; of the first such pair."""
     for sites in pairs:
         if not any(site.name in closed for site in sites):
-            if any(is_of_edges(site) for site in sites):  # polyhedra
+            if any(site.is_crossing for site in sites):  # polyhedra
                 return {
                     site.name
                     for _gap_, places in parting(reference, g, sites).values()
@@ -194,7 +194,7 @@ def _apart(
     found: dict[tuple[str, ...], tuple[float, str]] = {}
     doubtful: dict[tuple[str, ...], tuple[float, str]] = {}
     for site in sites:
-        if is_of_edges(site):
+        if site.is_crossing:
             continue
         pair = (site.row.connection, *site.row.ends[:1], *site.row.ends[-1:])
         here = _gap(reference, g, site), site.name

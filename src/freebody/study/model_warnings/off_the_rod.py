@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from freebody.language.sentences import Message
+from freebody.model.solids import ROD
 from freebody.study.model_warnings.base import ModelWarning, Opened, WarningKind
 
 _ENDS = ("start", "end")
@@ -15,7 +16,7 @@ class OffTheRod(WarningKind, name="off the rod"):
 
     def look(self, model: Opened) -> Iterator[ModelWarning]:
         for body in model.system.moving:
-            if body.corners != _ENDS:
+            if body.solid is not ROD:
                 continue
             number = model.reference.number  # only now: to stand at the start takes what contacts need
             low, high = (number(body.points[end][0]) for end in _ENDS)

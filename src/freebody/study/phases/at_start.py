@@ -59,7 +59,7 @@ def _touching_as_put(system: System) -> System:
     which its gap is c - c(r), it is moved by that gap."""
     held = {name for row in system.constraint_rows for name in row.measure.bodies()}
     for bound in system.bounds:
-        if bound.starts_closed or bound.row.component in ("min", "max"):
+        if bound.starts_closed or bound.is_stop:
             continue
         loose = [n for n in bound.row.measure.bodies() if n not in held and _is_put_by_numbers(system, n)]
         if loose and (put := _moved_by_its_gap(system, bound, loose)) is not None:

@@ -34,7 +34,6 @@ from freebody.system.system import System
 from freebody.tolerances import ROUND_OFF, ROUNDED
 
 _LONG_ANGLE, _LONG_TIME = 3, 12  # operations: what is longer gets a symbol
-_N_STARTS = 3  # numbers of the parameters at which the rates of the start are looked at
 
 
 class Home:
