@@ -322,3 +322,40 @@ def test_contacts_of_another_motion_are_refused(tmp_path: FilePath) -> None:
     short = ContactTrack(drawing.contacts.meetings, drawing.contacts.states[:-1])
     with pytest.raises(InputError, match="contacts for its"):
         write_animation(drawing.scene, times, drawing.poses, tmp_path / "a.html", title="x", contacts=short)
+
+
+def _lines(text: str, style: str) -> list[Array]:
+    drawing = drawn(text)
+    return [
+        drawing.points(stroke, 0) for stroke in drawing.strokes if isinstance(stroke, Path) and stroke.style == style
+    ]
+
+
+def _example(name: str) -> str:
+    return (FilePath(__file__).parents[1] / "examples" / f"{name}.yaml").read_text(encoding="utf-8")
+
+
+def test_a_table_is_drawn_below_all_of_a_chain_that_lies_on_it() -> None:
+    top, side = _lines(_example("chain_on_rough_table"), "surface")
+    assert top[:, 0].min() < -(2 - 0.6)  # [m] as much lies there at first
+    assert np.ptp(top[:, 1]) == 0
+    assert -0.1 < top[0, 1] < 0
+    assert np.ptp(side[:, 0]) == pytest.approx(0, abs=1e-12)
+    assert side[:, 0].max() < 0
+
+
+def test_what_hangs_on_both_sides_of_a_peg_lies_on_no_table() -> None:
+    system = System.from_text("""
+bodies: {chain: {rope: {mass: 1 kg, length: 2 m}}}
+connections: {peg: {heavy_rope: {rope: chain, over: [ground.origin], leads: [up, down]}}}
+loads: {weight: {gravity: 9.81 m/s^2}}
+measures: {x: {drop of chain}}
+start: {x: 1.1 m}
+""")
+    scene = Scene.of(system, Reference(system).number)
+    assert [scene.lies(rope) for rope in scene.ropes] == [False]
+
+
+def test_a_string_is_bent_over_a_peg() -> None:
+    pegs = [points.mean(axis=0) for points in _lines(_example("collar_pulled_over_a_pulley"), "joint")]
+    assert [peg for peg in pegs if np.hypot(*(peg - (0, 1))) < 0.05]

@@ -11,6 +11,7 @@ from itertools import pairwise
 import numpy as np
 
 from freebody.model import glyphs
+from freebody.present.edges import Edges
 from freebody.present.figures import (
     GROUND,
     Figure,
@@ -76,9 +77,10 @@ class Pen:
             elif isinstance(sign, glyphs.Relation):
                 for a, b in pairwise(sign.points):
                     yield Stretch(a, b, np.array([(0.0, 0.0), (1.0, 0.0)]), "pull")
-        lead = 0
+        lead, edges = 0, Edges(self.scene, self.poses, self.u)
         for rope in self.ropes:
             yield Strand(rope, lead)
+            yield from edges.strokes(rope)
             lead += len(rope.leads)
         for figure in bodies:
             if figure.is_particle:
@@ -111,7 +113,11 @@ class Pen:
         held += [(s.second, self._bearing(s.second, s.first)) for s in self.scene.springs]
         for rope in self.ropes:
             lead = headings(rope, self.poses)[0]
-            ends = () if rope.is_closed else ((rope.nodes[0], lead[0]), (rope.nodes[-1], lead[-1] + np.pi))
+            ends = (
+                ()
+                if rope.is_closed or self.scene.lies(rope)
+                else ((rope.nodes[0], lead[0]), (rope.nodes[-1], lead[-1] + np.pi))
+            )
             held += [(node.place, float(bearing)) for node, bearing in ends if not node.is_drum]
         held += [(a, self._bearing(a, self._center(b))) for weld in self.scene.welds for a, b in (weld, weld[::-1])]
         for place, bearing in held:

@@ -174,6 +174,15 @@ class Scene:
         along = next((s.along for s in self.signs if isinstance(s, Field)), None)
         return None if along is None else np.array(along.along)
 
+    def lies(self, rope: figures.Rope) -> bool:
+        """Whether the free first part of a rope is pressed by gravity on what ends at a point of the ground."""
+        first, comes, out = rope.nodes[0], rope.comes, rope.leads[0].along
+        if self.gravity is None or comes is None or out is None or first.place.body != GROUND or first.arm != 0:
+            return False
+        bend = comes.x * out.y - comes.y * out.x  # the table is on that side
+        x, y = self.gravity[:2]
+        return bool(bend * (comes.x * y - comes.y * x) > 1e-6)
+
     def joined(self) -> Iterator[tuple[Place, Place]]:
         """Pairs of places between which bodies are held together."""
         yield from (*self.pins, *self.welds, *self.rods)
