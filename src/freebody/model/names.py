@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
+from copy import copy
+from dataclasses import replace
 from typing import Any, ClassVar, Protocol, cast
 
 from freebody.language.expression import (
@@ -178,6 +180,16 @@ class Names(Formulas):
         self.laying: list[Joining] = []  # strings whose way is being found, which place nothing yet
         self.up: Components = (ZERO, ONE)
         self.frames: dict[str, tuple[str, Columns]] = {}  # the body each is fixed in, and its axes there
+
+    def for_questions(self) -> Names:
+        """The same names for what is asked later, whose problems and points of the ground are its own."""
+        names = copy(self)
+        names.problems, names.assumptions, names.laying = [], [*self.assumptions], []
+        names.broken, names.told_once = {*self.broken}, {*self.told_once}
+        names.free_ground_points = {}
+        ground = self.bodies[GROUND]
+        names.bodies = {**self.bodies, GROUND: replace(ground, points=dict(ground.points))}
+        return names
 
     @property
     def compass(self) -> dict[str, Direction]:

@@ -19,9 +19,10 @@ from freebody.language.units import DIMENSIONLESS
 from freebody.language.written import as_text
 from freebody.model.noting import did_you_mean
 from freebody.model.spec import Spec
-from freebody.questions.reading import Question
+from freebody.questions.reading import Question, read_questions
 from freebody.system.description import SystemDescription
 from freebody.system.reader import read_system
+from freebody.system.reading.ground import place_ground_points
 from freebody.system.unspecified import with_dimension
 
 LONGEST = 4000  # characters of a question
@@ -121,8 +122,13 @@ class System(SystemDescription):
                 raise InputError(
                     Message("a question has at most {most} characters, this one {n}", most=LONGEST, n=len(text))
                 )
-        document = Document.from_plain({**self.document.data, "questions": [{"find": text} for text in texts]})
-        return self._read_given(document, "questions", None, "find").questions
+        names = self.names.for_questions()
+        found = read_questions(names, [{"find": text} for text in texts])
+        place_ground_points(names)
+        if names.problems:  # of a mistake in what no file has no place is told
+            once = dict.fromkeys((p.path[3:], p.message) for p in names.problems)
+            raise ModelError([Problem(path, message) for path, message in once])
+        return found
 
     def to_yaml(self) -> str:
         """The model file, with its comments."""
