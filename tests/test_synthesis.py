@@ -647,6 +647,9 @@ def test_the_command_prints_writes_and_ends_with_whether_something_was_found(tmp
     assert freebody("synthesise", str(tmp_path / "none.yaml")).returncode == 2
 
 
+MOVED = [{"at": [f"{k} m", f"{k * k} m"], "angle": f"{10 * k} deg"} for k in range(4)]
+
+
 @pytest.mark.parametrize(
     ("text", "words"),
     [
@@ -658,6 +661,16 @@ def test_the_command_prints_writes_and_ends_with_whether_something_was_found(tmp
             "task: function\nlinkage: inverted-slider-crank\npairs: [[1, 1], [2, 1], [3, 1]]",
             "by four-bars and slider-cranks only",
         ),
+        ("task: path\npoints: [[0, 0]]", "at least 2"),
+        ("task: path\npoints: [[0, 0], [1, 0], [1, 0]]", "points 2 and 3 are the same"),
+        ("task: path\npoints: [[0, 0], [1, 0], [1, 1], [0, 0]]", "comes back to its first point by itself"),
+        ("task: motion\npositions: [{at: [0, 0], angle: 0}, {at: [0, 0], angle: 0}]", "positions 1 and 2 are the same"),
+        ("task: function\npairs: [[1 rad, 1 rad], [1 rad, 2 rad]]", "pairs 1 and 2 have the same input"),
+        ("task: path\npivots: [[0, 0]]\npoints: [[0, 0], [1, 0]]", "pivots belongs to motion generation"),
+        (f"task: motion\nslide: 0 deg\npositions: {MOVED[:2]}", "a four-bar has no slide"),
+        (f"task: motion\nlinkage: slider-crank\nslide: 0 deg\npositions: {MOVED}", "cannot be chosen with 4 positions"),
+        (f"task: motion\nwithin: [[0, 0]]\npositions: {MOVED}", "within has two corners"),
+        (f"task: motion\nwithin: 3\npositions: {MOVED}", "within is a list of points"),
         ("task: path\nclosed: perhaps\npoints: [[0, 0], [1, 0]]", "closed is true or false"),
         ("task: function\nframe: 0 m\npairs: [[1, 1], [1.1, 1], [1.2, 1]]", "length greater than 0"),
         ("task: function\npairs: [[40, 1], [1.1, 1], [1.2, 1]]", "has no unit"),

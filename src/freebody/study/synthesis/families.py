@@ -14,9 +14,10 @@ from typing import Any
 
 import numpy as np
 
+from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.numeric.jets import Array
-from freebody.study.synthesis.fewer import by_pivot, by_pivot_near, curve, slides
+from freebody.study.synthesis.fewer import by_pivot, by_pivot_near, by_point, curve, slides, turned_pair
 from freebody.study.synthesis.five import five_positions
 from freebody.study.synthesis.positions import Dyad, Position, inverted, lines_from, size_of
 from freebody.study.synthesis.tasks import Task
@@ -27,6 +28,8 @@ _REACH = 50.0  # sizes: a family's dyads that reach farther are left out
 def bars(task: Task) -> tuple[tuple[Dyad, ...], list[Message]]:
     """And in words, how complete they are."""
     n = task.n
+    if n > 3 and turned_pair(task.positions) is None:
+        return _translated(task)
     if n == 5:
         return _five(task)
     found = [d for d in _family(task) if d.is_bar and _is_near(d, task)]
@@ -56,7 +59,7 @@ def guides(task: Task) -> tuple[list[Dyad], list[Message]]:
     """Slides, or of an inverted slider-crank lines of the coupler through fixed pivots; and in words what is free."""
     is_inverted = task.linkage == "inverted-slider-crank"
     seen = inverted(task.positions) if is_inverted else task.positions
-    if task.n == 5:
+    if task.n == 5 and turned_pair(seen) is not None:
         found = [d for d in five_positions(seen).dyads if d.is_slide]
     else:
         chosen = task.slide is not None
@@ -64,7 +67,8 @@ def guides(task: Task) -> tuple[list[Dyad], list[Message]]:
         found = [d for d in slides(seen, angles, _near(task, seen), is_chosen=chosen) if _reach(d, seen) <= _REACH]
     found = [d for d in (lines_from(found) if is_inverted else found) if _is_within(d, task)]
     if not found:
-        return [], [_no_guide(task.n, is_inverted=is_inverted)]
+        is_all = task.n == 5 or turned_pair(seen) is None
+        return [], [_no_guide(is_all=is_all, is_inverted=is_inverted)]
     return found, [_about_guides(task, len(found), is_inverted=is_inverted)]
 
 
@@ -93,9 +97,9 @@ def sobol(n: int, dimensions: int, seed: int = 0) -> Array:
     return np.asarray(made.random(1 << (n - 1).bit_length())[:n], dtype=np.float64)
 
 
-def _no_guide(n: int, *, is_inverted: bool) -> Message:
-    """Of five positions all are found; of fewer those within reach."""
-    if n < 5:
+def _no_guide(*, is_all: bool, is_inverted: bool) -> Message:
+    """is_all: whether all were looked at; else those within reach."""
+    if not is_all:
         return Message("no slide was found within reach")
     if is_inverted:
         return Message("no line of the coupler goes through a fixed pivot")
@@ -118,6 +122,17 @@ def _five(task: Task) -> tuple[tuple[Dyad, ...], list[Message]]:
         Message("proved: these are all") if five.is_proved else Message("not proved: some of them nearly coincide")
     )
     return tuple(d for d in five.dyads if d.is_bar and _is_within(d, task)), about
+
+
+def _translated(task: Task) -> tuple[tuple[Dyad, ...], list[Message]]:
+    """Of four or five positions that are all turned alike: the places of every point are on a circle, or of none."""
+    moving = _spread(task.samples, *_range(task, moving=True))
+    found = [d for W in moving if (d := by_point(task.positions, W)) is not None and _is_within(d, task)]
+    if not found:
+        raise CannotAnswer(
+            Message("all positions are turned alike, and their places are on no circle: no bar leads through them")
+        )
+    return tuple(found), [Message("all positions are turned alike: bars of sampled moving pivots, {n}", n=len(found))]
 
 
 def _family(task: Task) -> Iterator[Dyad]:

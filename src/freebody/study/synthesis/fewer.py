@@ -90,12 +90,21 @@ def turned_pair(positions: Sequence[Position]) -> tuple[int, int] | None:
 
 
 def curve(positions: Sequence[Position], n: int) -> list[Dyad]:
-    """Dyads of four positions at n lines through a pole: samples of the circle-point and of the centre-point curve."""
+    """Dyads of four positions, not all turned alike, at n lines through a pole: samples of the circle-point and of the
+    centre-point curve."""
     pair = turned_pair(positions)
-    if pair is None:
-        raise CannotAnswer(Message("all positions are turned alike: every point moves as the others"))
+    assert pair is not None
     through = pole(positions, *pair)
     return [d for at in on_lines(positions, through, [math.pi * (k + 0.5) / n for k in range(n)]) for d in at]
+
+
+def by_point(positions: Sequence[Position], W: Array) -> Dyad | None:
+    """The dyad of a point where all positions are turned alike: its places are those of any other point, moved. With
+    w = W - G the condition is d_j . w = -|d_j|^2/2. None where they are on no circle."""
+    d = np.array([d for _R, d in displacements(positions)[1:]])
+    w, _residual, rank, _s = np.linalg.lstsq(d, -0.5 * (d * d).sum(axis=1))
+    found = bar(positions, W, W - w)
+    return found if rank == 2 and found.residual <= _CLOSE * (size_of(positions) + found.length) else None
 
 
 def by_pivot(positions: Sequence[Position], G: Array) -> Dyad | None:

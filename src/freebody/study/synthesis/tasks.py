@@ -12,6 +12,7 @@ direction of the slide of two and three positions; `samples` is how many dyads o
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
@@ -39,6 +40,7 @@ _KEYS = ("title", "about", "task", "linkage", "full_turn", "closed", "frame", "s
 _LEAST = 2
 MOST_EXACT = 5  # by dyads
 SAMPLES = 24
+_SAME = 1e-12
 
 
 @dataclass(frozen=True)
@@ -126,6 +128,7 @@ class _Reader:
         self._check_choices(kind, linkage, len(entries))
         if kind == "function":
             pairs = [self._pair(row, linkage, "pairs", k) for k, row in enumerate(entries)]
+            self._differ([np.array((math.cos(a), math.sin(a))) for a, _out in pairs], "pairs")
             self._most(len(pairs), "pairs")
             return Task(**common, pairs=np.array(pairs))
         return self._with_positions(entries, section, common)
@@ -136,10 +139,33 @@ class _Reader:
         timed = [isinstance(row, dict) and key in row for row in entries]
         if section == "points" and not any(timed):
             points = [self._position(row, "", section, k) for k, row in enumerate(entries)]
-            return Task(**common, points=np.array([(p.x, p.y) for p in points]))
+            at = [np.array((p.x, p.y)) for p in points]
+            self._differ(at, section, is_next_only=True)
+            if common["is_closed"] and len(at) > 2 and (at[0] == at[-1]).all():
+                self.names.problem(
+                    Message("a closed path comes back to its first point by itself"), section, len(at) - 1
+                )
+            return Task(**common, points=np.array(at))
         if section == "positions":
             self._most(len(entries), section)
-        return Task(**common, positions=tuple(self._position(row, key, section, k) for k, row in enumerate(entries)))
+        positions = tuple(self._position(row, key, section, k) for k, row in enumerate(entries))
+        turned = [np.array((p.x, p.y, math.cos(p.angle), math.sin(p.angle))) for p in positions]
+        self._differ(turned, section)
+        return Task(**common, positions=positions)
+
+    def _differ(self, rows: Sequence[Array], section: str, *, is_next_only: bool = False) -> None:
+        """What is asked for twice, of a pair its input."""
+        if self.names.problems:  # what cannot be read stands for nothing
+            return
+        for j in range(len(rows)):
+            for i in range(j - 1 if is_next_only else 0, j):
+                if i >= 0 and bool(np.abs(rows[i] - rows[j]).max() <= _SAME):
+                    told = (
+                        Message("pairs {i} and {j} have the same input", i=i + 1, j=j + 1)
+                        if section == "pairs"
+                        else Message("{section} {i} and {j} are the same", section=section, i=i + 1, j=j + 1)
+                    )
+                    self.names.problem(told, section, j)
 
     def _most(self, n: int, section: str) -> None:
         if n > MOST_EXACT:
