@@ -102,9 +102,9 @@ def by_point(positions: Sequence[Position], W: Array) -> Dyad | None:
     """The dyad of a point where all positions are turned alike: its places are those of any other point, moved. With
     w = W - G the condition is d_j . w = -|d_j|^2/2. None where they are on no circle."""
     d = np.array([d for _R, d in displacements(positions)[1:]])
-    w, _residual, rank, _s = np.linalg.lstsq(d, -0.5 * (d * d).sum(axis=1))
+    w = np.asarray(np.linalg.pinv(d) @ (-0.5 * (d * d).sum(axis=1)), dtype=np.float64)
     found = bar(positions, W, W - w)
-    return found if rank == 2 and found.residual <= _CLOSE * (size_of(positions) + found.length) else None
+    return found if found.residual <= _CLOSE * (size_of(positions) + found.length) else None
 
 
 def by_pivot(positions: Sequence[Position], G: Array) -> Dyad | None:
